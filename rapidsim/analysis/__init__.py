@@ -1,0 +1,1 @@
+"""Tree to program: names, types, flow; whoever holds a `Program` holds one without errors."""

@@ -1,0 +1,140 @@
+"""What analysis found out: symbols, and side tables keyed by the nodes of the tree.
+
+Nothing is written on the tree. A `Program` is only made from modules without errors, so the
+interpreter need not check again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import Enum
+from typing import TypeAlias
+
+from rapidsim.language.annotations import Mode
+from rapidsim.language.types import Type
+from rapidsim.library.table import LibraryRoutine
+from rapidsim.syntax import tree
+
+
+class Storage(Enum):
+    """How long data live and who may change them."""
+
+    VAR = "VAR"
+    PERS = "PERS"
+    CONST = "CONST"
+
+
+class Scope(Enum):
+    """Where a name is known."""
+
+    INSTALLED = "installed"
+    """Predefined by the system; user names hide it."""
+    GLOBAL = "global"
+    """All modules of the task."""
+    TASK = "task"
+    """As global, and never shared with other tasks."""
+    LOCAL = "local"
+    """One module."""
+    ROUTINE = "routine"
+    """One routine, loop or parameter list."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class DataSymbol:
+    """Declared data; `node` is None and `value` set for predefined data such as `v100`."""
+
+    name: str
+    type: Type
+    storage: Storage
+    scope: Scope
+    module: tree.Module | None
+    node: tree.Data | None
+    value: object = None
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class ParameterSymbol:
+    """A parameter of a user routine."""
+
+    name: str
+    type: Type
+    mode: Mode
+    optional: bool
+    is_switch: bool
+    node: tree.Parameter
+    group: int
+    """Parameters with the same number exclude each other; required ones have their own."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class CounterSymbol:
+    """The counter of a FOR loop."""
+
+    name: str
+    node: tree.For
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class RoutineSymbol:
+    """A user routine with its signature; `result` is None unless it is a function."""
+
+    name: str
+    node: tree.Routine
+    module: tree.Module
+    scope: Scope
+    parameters: tuple[ParameterSymbol, ...]
+    result: Type | None
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class LibrarySymbol:
+    """An installed routine."""
+
+    name: str
+    routine: LibraryRoutine
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class TypeSymbol:
+    """A record or alias of the user."""
+
+    name: str
+    type: Type
+    node: tree.RecordType | tree.AliasType
+    module: tree.Module
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class UnknownSymbol:
+    """A name that nothing declares, reported as a warning and skipped at run time.
+
+    Programs call routines of add-ins and use signals of their cell that no module declares; a run
+    reports them and goes on.
+    """
+
+    name: str
+
+
+Symbol: TypeAlias = (
+    DataSymbol
+    | ParameterSymbol
+    | CounterSymbol
+    | RoutineSymbol
+    | LibrarySymbol
+    | TypeSymbol
+    | UnknownSymbol
+)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Program:
+    """A task's modules with all names and types known."""
+
+    modules: tuple[tree.Module, ...]
+    symbol_of: Mapping[tree.Node, Symbol]
+    """For each `Reference`, `FunctionCall`, `Call`, `Connect` (its trap) and each declaration."""
+    type_of: Mapping[tree.Node, Type]
+    """For each expression, with aggregates typed by their context."""
+    routines: Mapping[str, RoutineSymbol]
+    """Global routines by folded name, for late binding and the entry."""

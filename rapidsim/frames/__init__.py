@@ -1,0 +1,1 @@
+"""Rotations and rigid transforms: scalar quaternions in plain Python, batches in NumPy."""

@@ -1,0 +1,1 @@
+"""Program to running code: code objects, memory, error handling; knows no robot."""

@@ -1,0 +1,165 @@
+"""RAPID's record types as Python values.
+
+Each class is at once the RAPID type (the checker reads its fields), the RAPID value (immutable, so
+assignment copies for free) and the argument of motion. Units are RAPID's: mm, degrees, seconds.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types, "Data types".
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+UNUSED_AXIS = 9e9
+"""The value of an external axis that is not connected."""
+
+
+class Pos(NamedTuple):
+    """A position [mm]."""
+
+    x: float
+    y: float
+    z: float
+
+
+class Orient(NamedTuple):
+    """An orientation as a unit quaternion, scalar first."""
+
+    q1: float
+    q2: float
+    q3: float
+    q4: float
+
+
+class Pose(NamedTuple):
+    """A frame: position [mm] and orientation."""
+
+    trans: Pos
+    rot: Orient
+
+
+class ConfData(NamedTuple):
+    """Axis configuration: quarter revolutions of axes 1, 4 and 6, and the branch 0..7."""
+
+    cf1: float
+    cf4: float
+    cf6: float
+    cfx: float
+
+
+class ExtJoint(NamedTuple):
+    """External axes a to f [mm or deg]; `UNUSED_AXIS` where none is connected."""
+
+    eax_a: float
+    eax_b: float
+    eax_c: float
+    eax_d: float
+    eax_e: float
+    eax_f: float
+
+
+class RobJoint(NamedTuple):
+    """Robot axes 1 to 6 [deg]."""
+
+    rax_1: float
+    rax_2: float
+    rax_3: float
+    rax_4: float
+    rax_5: float
+    rax_6: float
+
+
+class RobTarget(NamedTuple):
+    """A pose of the TCP in the work object, with configuration and external axes."""
+
+    trans: Pos
+    rot: Orient
+    robconf: ConfData
+    extax: ExtJoint
+
+
+class JointTarget(NamedTuple):
+    """Positions of all axes."""
+
+    robax: RobJoint
+    extax: ExtJoint
+
+
+class SpeedData(NamedTuple):
+    """Speeds: TCP [mm/s], reorientation [deg/s], linear [mm/s] and rotating [deg/s] axes."""
+
+    v_tcp: float
+    v_ori: float
+    v_leax: float
+    v_reax: float
+
+
+class ZoneData(NamedTuple):
+    """How a position is passed: stop point, or zones [mm, mm, mm, deg, mm, deg]."""
+
+    finep: bool
+    pzone_tcp: float
+    pzone_ori: float
+    pzone_eax: float
+    zone_ori: float
+    zone_leax: float
+    zone_reax: float
+
+
+class LoadData(NamedTuple):
+    """A load: mass [kg], centre of gravity [mm], axes of moment, moments of inertia [kg m2]."""
+
+    mass: float
+    cog: Pos
+    aom: Orient
+    ix: float
+    iy: float
+    iz: float
+
+
+class ToolData(NamedTuple):
+    """A tool: held by the robot or stationary, its TCP frame, its load."""
+
+    robhold: bool
+    tframe: Pose
+    tload: LoadData
+
+
+class WobjData(NamedTuple):
+    """A work object: its user frame in the world and its object frame in the user frame."""
+
+    robhold: bool
+    ufprog: bool
+    ufmec: str
+    uframe: Pose
+    oframe: Pose
+
+
+class InPosData(NamedTuple):
+    """Stop-point criteria: position and speed [%], least and longest wait [s]."""
+
+    position: float
+    speed: float
+    mintime: float
+    maxtime: float
+
+
+class StopPointData(NamedTuple):
+    """How a stop point is ended: kind, synchronisation, criteria and times [s]."""
+
+    type: float
+    progsynch: bool
+    inpos: InPosData
+    stoptime: float
+    followtime: float
+    signal: str
+    relation: float
+    checkvalue: float
+
+
+NO_EXTERNAL_AXES = ExtJoint(*(UNUSED_AXIS,) * 6)
+IDENTITY_POSE = Pose(Pos(0.0, 0.0, 0.0), Orient(1.0, 0.0, 0.0, 0.0))
+LOAD0 = LoadData(0.001, Pos(0.0, 0.0, 0.001), Orient(1.0, 0.0, 0.0, 0.0), 0.0, 0.0, 0.0)
+TOOL0 = ToolData(True, IDENTITY_POSE, LOAD0)
+WOBJ0 = WobjData(False, True, "", IDENTITY_POSE, IDENTITY_POSE)
+FINE = ZoneData(True, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)

@@ -1,0 +1,33 @@
+"""The error a RAPID program can catch.
+
+`RapidError` is what instructions raise and ERROR clauses handle. `Stopped` is what nothing in the
+program can catch: EXIT, a limit of the run, a fatal error.
+"""
+
+from __future__ import annotations
+
+
+class RapidError(Exception):
+    """A recoverable error: sets ERRNO and goes to the nearest ERROR clause."""
+
+    def __init__(self, errno: float, message: str, *, cf: str | None = None) -> None:
+        """Name the error.
+
+        Args:
+            errno: The number ERRNO takes.
+            message: One line for the user: what is wrong and by how much.
+            cf: The controller's event for the same thing, such as "ABB 40194".
+        """
+        super().__init__(message)
+        self.errno = errno
+        self.message = message
+        self.cf = cf
+
+
+class Stopped(BaseException):
+    """Execution ends and no ERROR clause runs: EXIT, Stop, a limit of the run."""
+
+    def __init__(self, reason: str) -> None:
+        """Say why, in one line for the user."""
+        super().__init__(reason)
+        self.reason = reason

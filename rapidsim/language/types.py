@@ -1,0 +1,100 @@
+"""RAPID's types, and what may be assigned to what.
+
+Types are equal by name once aliases are resolved; `num` and `dnum` never convert by themselves.
+Names compare without case: a table of types is keyed by the folded name.
+
+Source: Technical reference manual RAPID Kernel, "Data types"; RAPID Overview, "Data".
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from typing import TypeAlias
+
+
+class Kind(Enum):
+    """What can be done with a type's data."""
+
+    VALUE = "value"
+    """Assigned, compared, passed by value."""
+    SEMI_VALUE = "semi-value"
+    """Read like its value, never assigned: input signals."""
+    NON_VALUE = "non-value"
+    """Only passed by reference: clocks, devices."""
+
+
+@dataclass(frozen=True, slots=True)
+class Atomic:
+    """A type without components."""
+
+    name: str
+    kind: Kind = Kind.VALUE
+    reads_as: str | None = None
+    """For a semi-value type, the name of the type its value has."""
+
+
+@dataclass(frozen=True, slots=True)
+class Component:
+    """One named component of a record."""
+
+    name: str
+    type: Type
+
+
+@dataclass(frozen=True, slots=True)
+class Record:
+    """A type of ordered, named components; its values are instances of `python`."""
+
+    name: str
+    components: tuple[Component, ...]
+    python: type[tuple[object, ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class Alias:
+    """Another name for a type."""
+
+    name: str
+    of: Atomic | Record
+
+
+@dataclass(frozen=True, slots=True)
+class ArrayOf:
+    """An array of one to three dimensions; None is a dimension taken from the argument."""
+
+    element: Atomic | Record | Alias
+    dimensions: tuple[int | None, ...]
+
+    @property
+    def name(self) -> str:
+        """As RAPID writes it: `num{3}`, `robtarget{*}`."""
+        sizes = ",".join("*" if d is None else str(d) for d in self.dimensions)
+        return f"{self.element.name}{{{sizes}}}"
+
+
+Type: TypeAlias = Atomic | Record | Alias | ArrayOf
+
+NUM = Atomic("num")
+DNUM = Atomic("dnum")
+BOOL = Atomic("bool")
+STRING = Atomic("string")
+SWITCH = Atomic("switch")
+ANYTYPE = Atomic("anytype")
+"""Parameter type of installed routines that take data of any type."""
+
+
+def resolved(of: Type) -> Atomic | Record | ArrayOf:
+    """The type behind an alias; arrays of an alias become arrays of what it stands for."""
+    match of:
+        case Alias(of=base):
+            return base
+        case ArrayOf(element=Alias(of=base), dimensions=dimensions):
+            return ArrayOf(base, dimensions)
+        case _:
+            return of
+
+
+def same(a: Type, b: Type) -> bool:
+    """Whether two types are one type once aliases are resolved."""
+    return resolved(a) == resolved(b)

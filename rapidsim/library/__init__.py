@@ -1,0 +1,1 @@
+"""What RAPID predefines: routines, one file a chapter of the manual, and predefined data."""

@@ -1,0 +1,1 @@
+"""Targets to joint trajectories in SI units; knows no RAPID text."""

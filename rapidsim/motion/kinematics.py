@@ -1,0 +1,87 @@
+"""What path planning needs of an arm: forward, inverse on a branch, all branches.
+
+Everything is batch first: N poses in one call, one pose is N = 1.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+from rapidsim.frames.transform import Array, Transform
+
+Mask = npt.NDArray[np.bool_]
+
+
+@dataclass(frozen=True, slots=True)
+class Branches:
+    """Every joint vector that reaches a pose, before limits, ordered by branch.
+
+    For arms with a spherical wrist the branch is ABB's cfx, 0 to 7.
+    """
+
+    joints: Array
+    """Shape (..., branches, n) [rad], each joint in its principal turn."""
+    exists: Mask
+    """Shape (..., branches): whether the branch reaches the pose; joints are 0 if not."""
+    shortfall: Array
+    """Shape (...,) [m]: how far the wrist centre lies outside what the arm can reach; 0 inside."""
+
+
+@dataclass(frozen=True, slots=True)
+class Followed:
+    """Joint vectors along a row of poses on one branch."""
+
+    joints: Array
+    """Shape (k, n) [rad]; continuous, whole turns included."""
+    exists: Mask
+    """Shape (k,): False where the branch does not reach the pose."""
+
+
+class Kinematics(Protocol):
+    """The geometry of an arm, without limits and names."""
+
+    @property
+    def joint_count(self) -> int:
+        """How many joints the arm has."""
+        ...
+
+    @property
+    def branch_count(self) -> int:
+        """How many branches `inverse` returns."""
+        ...
+
+    def forward(self, joints: Array) -> Transform:
+        """base_from_flange of joint vectors (..., n) [rad]; the flange is ABB's tool0."""
+        ...
+
+    def link_frames(self, joints: Array) -> Transform:
+        """base_from_link of each moving link, shape (..., n), of joint vectors (..., n) [rad]."""
+        ...
+
+    def jacobian(self, joints: Array) -> Array:
+        """Twist of the flange per joint speed, (..., 6, n): [m/rad] over [rad/rad], in base."""
+        ...
+
+    def inverse(self, base_from_flange: Transform) -> Branches:
+        """All branches of a batch of poses (...,)."""
+        ...
+
+    def inverse_on_branch(self, base_from_flange: Transform, branch: int, near: Array) -> Followed:
+        """Joints of poses (k,) on one branch.
+
+        Args:
+            base_from_flange: Poses (k,).
+            branch: Index into `Branches.joints`.
+            near: Joint vectors (k, n) or (n,) [rad]. Each joint takes the whole turn nearest to
+                them, and what the pose leaves undetermined (axes 4 and 6 where axis 5 is 0, axis 1
+                where the wrist centre is on it) keeps their value.
+        """
+        ...
+
+    def branch_of(self, joints: Array) -> npt.NDArray[np.int64]:
+        """The branch of joint vectors (..., n), shape (...,)."""
+        ...

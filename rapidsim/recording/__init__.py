@@ -1,0 +1,1 @@
+"""A run as a rerun recording; the only package that imports rerun."""

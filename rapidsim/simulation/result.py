@@ -1,0 +1,132 @@
+"""What a run leaves behind: moves, events, the trajectory, findings.
+
+All of it is immutable and a function of program, robot and inputs alone. Times are virtual seconds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.language.controller import Move, Place
+from rapidsim.language.data import ConfData
+from rapidsim.motion.model import MotionModel
+from rapidsim.motion.robot import Robot
+from rapidsim.motion.trajectory import Trajectory
+
+
+class End(StrEnum):
+    """How a run ended."""
+
+    ENDED = "ended"
+    STOPPED = "stopped"
+    TIME_LIMIT = "time_limit"
+    CYCLE_LIMIT = "cycle_limit"
+    ERROR = "error"
+
+
+class EventKind(StrEnum):
+    """What an event is about."""
+
+    TEXT = "text"
+    SIGNAL = "signal"
+    ERROR = "error"
+    INTERRUPT = "interrupt"
+    FILE = "file"
+    CORNER = "corner"
+    LIMIT = "limit"
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """Something that happened at an instant."""
+
+    time_s: float
+    task: str
+    kind: EventKind
+    place: Place | None
+    message: str
+    details: Mapping[str, object] = field(default_factory=dict)
+    """What a program wants to read: signal name and value, file name, interrupt number."""
+
+
+@dataclass(frozen=True, slots=True)
+class ExecutedLine:
+    """The program pointer reached a statement that waits or moves."""
+
+    time_s: float
+    task: str
+    place: Place
+
+
+class CornerKind(StrEnum):
+    """What became of the end of a move."""
+
+    FLY_BY = "fly-by"
+    STOP = "stop"
+    STOP_CORNER_PATH_FAILURE = "stop(corner path failure)"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ExecutedMove:
+    """A move as it was carried out; target, joints and configuration are the programmed end."""
+
+    index: int
+    task: str
+    move: Move
+    place: Place
+    corner: CornerKind
+    zone_m: float
+    """Radius of the zone that was used; 0 for a stop."""
+    start_s: float
+    end_s: float
+    length_m: float
+    """Along the programmed path, before corners are cut."""
+    base_from_tcp: Transform
+    tcp_from_flange: Transform
+    joints: Array
+    """Shape (n,) [rad]."""
+    conf: ConfData
+
+
+@dataclass(frozen=True, slots=True)
+class Unsimulated:
+    """A routine that was met and not simulated."""
+
+    name: str
+    count: int
+    treated_as: str
+
+
+@dataclass(frozen=True, slots=True)
+class WrittenFile:
+    """A file of the home folder that the program wrote."""
+
+    path: str
+    size: int
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Simulation:
+    """One run."""
+
+    program: tuple[str, ...]
+    """Files, as the user named them."""
+    robot: Robot
+    model: MotionModel
+    end: End
+    time_s: float
+    motion_s: float
+    wait_s: float
+    path_m: float
+    """Travel of the TCP, corners cut."""
+    moves: tuple[ExecutedMove, ...]
+    events: tuple[Event, ...]
+    lines: tuple[ExecutedLine, ...]
+    trajectory: Trajectory
+    diagnostics: tuple[Diagnostic, ...]
+    unsimulated: tuple[Unsimulated, ...]
+    home_files: tuple[WrittenFile, ...]

@@ -1,0 +1,1 @@
+"""Text to tree: lexing, parsing, repair of syntax errors."""
