@@ -1,3 +1,255 @@
-"""Reading RAPID source files: bytes from a controller to text, never a failure."""
+"""Find and read RAPID source files: what the user named becomes text, or an `InputError` says why.
+
+Files come from controllers and from careless tools, so reading never fails on their bytes. What a
+path may be: a module, a `.pgf` program file, a folder, a controller backup, or `-`.
+"""
 
 from __future__ import annotations
+
+import difflib
+import re
+import sys
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
+from typing import NoReturn
+from xml.parsers import expat
+
+MODULE_SUFFIXES = (".mod", ".modx", ".sys", ".sysx", ".prg")
+STANDARD_INPUT = "<stdin>"
+
+# Windows tools write code page 1252; its five unassigned bytes exist in ISO 8859-1 only, which
+# takes every byte. Byte order marks come first: they are proof, the rest is a guess.
+_BYTE_ORDER_MARKS = (
+    (b"\xef\xbb\xbf", "utf-8"),
+    (b"\xff\xfe", "utf-16-le"),
+    (b"\xfe\xff", "utf-16-be"),
+)
+_ENCODINGS = ("utf-8", "cp1252")
+_LAST_RESORT = "latin-1"
+
+_MODULE_HEADER = re.compile(r"^\s*(MODULE\s+\w|%%%)", re.IGNORECASE | re.MULTILINE)
+
+
+class InputError(Exception):
+    """What the user gave cannot be used: a path, a name, a value. Never a defect of rapidsim."""
+
+    def __init__(self, message: str, help: str | None = None) -> None:
+        """Say what is wrong, and the cure if it is known, in one line each."""
+        super().__init__(message)
+        self.message = message
+        self.help = help
+
+
+@dataclass(frozen=True, slots=True)
+class SourceFile:
+    """The text of one file."""
+
+    name: str
+    """As the user named it, or below the folder the user named."""
+    text: str
+    encoding: str
+    """What the bytes were taken for."""
+
+
+@dataclass(frozen=True, slots=True)
+class TaskFiles:
+    """The modules of one task, in a fixed order."""
+
+    name: str | None
+    """The folder of the task in a backup, such as `TASK1`; None where nothing names it."""
+    files: tuple[SourceFile, ...]
+
+
+def read_tasks(paths: Sequence[str]) -> tuple[TaskFiles, ...]:
+    """Read everything the user named.
+
+    Args:
+        paths: Files, `.pgf` files, folders, or `-`. Together they are one task, except that each
+            task folder of a controller backup is a task of its own.
+
+    Raises:
+        InputError: If something is missing, unreadable, or no RAPID.
+    """
+    modules: list[str | Path] = []
+    tasks: list[TaskFiles] = []
+    for path in paths:
+        if path == "-":
+            modules.append(path)
+            continue
+        found = Path(path)
+        task_folders = _task_folders(found) if found.is_dir() else ()
+        if task_folders:
+            tasks += [TaskFiles(folder.name, _read(_in_folder(folder))) for folder in task_folders]
+        elif found.is_dir():
+            modules += _in_folder(found)
+        elif found.suffix.lower() == ".pgf":
+            modules += _in_program_file(found)
+        else:
+            modules.append(found)
+    if modules:
+        tasks.insert(0, TaskFiles(None, _read(modules)))
+    if not tasks:
+        raise InputError("no RAPID file was named", "name a module, a .pgf file or a folder")
+    return tuple(tasks)
+
+
+def decode(data: bytes) -> tuple[str, str]:
+    """Text of a file's bytes and the encoding they were taken for; takes any bytes."""
+    for mark, encoding in _BYTE_ORDER_MARKS:
+        if data.startswith(mark):
+            return data[len(mark) :].decode(encoding, errors="replace"), encoding
+    for encoding in _ENCODINGS:
+        try:
+            return data.decode(encoding), encoding
+        except UnicodeDecodeError:
+            continue
+    return data.decode(_LAST_RESORT), _LAST_RESORT
+
+
+def did_you_mean(name: str, known: Iterable[str]) -> str | None:
+    """The help line for a name that is not known, if something known is near."""
+    folded = {candidate.lower(): candidate for candidate in known}
+    near = difflib.get_close_matches(name.lower(), folded, n=3, cutoff=0.6)
+    if not near:
+        return None
+    return f"did you mean {' or '.join(f'`{folded[candidate]}`' for candidate in near)}?"
+
+
+def _read(modules: Iterable[str | Path]) -> tuple[SourceFile, ...]:
+    read: dict[object, SourceFile] = {}
+    for module in modules:
+        key = module if isinstance(module, str) else module.resolve()
+        if key not in read:
+            read[key] = _read_input() if isinstance(module, str) else _read_file(module)
+    return tuple(read.values())
+
+
+def _read_input() -> SourceFile:
+    return SourceFile(STANDARD_INPUT, *decode(sys.stdin.buffer.read()))
+
+
+def _read_file(path: Path) -> SourceFile:
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        _refuse(path, error)
+    file = SourceFile(str(path), *decode(data))
+    # Modules travel under other names too, but then they must look like one.
+    if path.suffix.lower() not in MODULE_SUFFIXES and not _MODULE_HEADER.search(file.text):
+        raise InputError(
+            f"{path} is not a RAPID file: no MODULE begins in it",
+            f"RAPID modules end in {', '.join(MODULE_SUFFIXES)}",
+        )
+    return file
+
+
+def _refuse(path: Path, error: OSError) -> NoReturn:
+    if isinstance(error, FileNotFoundError):
+        raise InputError(f"{path} does not exist", _near_file(path)) from error
+    raise InputError(f"{path} cannot be read: {error.strerror or error}") from error
+
+
+def _near_file(path: Path) -> str | None:
+    try:
+        neighbours = sorted(entry.name for entry in path.parent.iterdir())
+    except OSError:
+        return None
+    return did_you_mean(path.name, neighbours)
+
+
+def _entries(folder: Path) -> list[Path]:
+    """What a folder holds; sorted without case, so that the order is that of any file system."""
+    try:
+        return sorted(folder.iterdir(), key=lambda entry: (entry.name.lower(), entry.name))
+    except OSError as error:
+        _refuse(folder, error)
+
+
+def _modules_of(folder: Path) -> list[Path]:
+    return [
+        entry
+        for entry in _entries(folder)
+        if entry.suffix.lower() in MODULE_SUFFIXES and entry.is_file()
+    ]
+
+
+def _in_folder(folder: Path) -> list[Path]:
+    """The modules of a folder; a task folder of a backup keeps them in PROGMOD and SYSMOD."""
+    modules = _modules_of(folder)
+    for entry in _entries(folder):
+        if entry.name.upper() in ("PROGMOD", "SYSMOD") and entry.is_dir():
+            modules += _modules_of(entry)
+    if modules:
+        return modules
+    below = [entry.name for entry in _entries(folder) if entry.is_dir() and _modules_of(entry)]
+    raise InputError(
+        f"{folder} holds no RAPID file ({', '.join(MODULE_SUFFIXES)})",
+        f"there are some in {', '.join(below[:5])}: name one of these folders" if below else None,
+    )
+
+
+def _task_folders(folder: Path) -> tuple[Path, ...]:
+    """TASK1, TASK2 ... of a backup's RAPID folder, named itself or by the folder above."""
+    for entry in (folder, *(e for e in _entries(folder) if e.name.upper() == "RAPID")):
+        if entry.is_dir():
+            tasks = [e for e in _entries(entry) if re.fullmatch(r"TASK\d+", e.name.upper())]
+            if tasks:
+                return tuple(sorted(tasks, key=lambda e: int(e.name[4:])))
+    return ()
+
+
+def _in_program_file(path: Path) -> list[Path]:
+    """The modules a `.pgf` lists; they lie beside it."""
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        _refuse(path, error)
+    names = _module_names(path, data)
+    if not names:
+        raise InputError(f"{path} lists no module")
+    beside = {entry.name.lower(): entry for entry in _entries(path.parent)}
+    modules = []
+    for name in names:
+        # The file is not trusted: it names neighbours, never places elsewhere.
+        if "\\" in name or len(PurePosixPath(name).parts) != 1 or name == "..":
+            raise InputError(f"{path} lists `{name}`, which does not lie beside it")
+        if name.lower() not in beside:
+            raise InputError(f"{path} lists {name}, which is missing", did_you_mean(name, beside))
+        modules.append(beside[name.lower()])
+    return modules
+
+
+def _module_names(path: Path, data: bytes) -> list[str]:
+    """Text of the Module elements. A document type is refused, so no entity is ever expanded."""
+    parser = expat.ParserCreate()
+    parser.buffer_text = True
+    names: list[str] = []
+    inside = False
+
+    def start(tag: str, _: object) -> None:
+        nonlocal inside
+        inside = tag.lower() == "module"
+        if inside:
+            names.append("")
+
+    def end(_: str) -> None:
+        nonlocal inside
+        inside = False
+
+    def text(characters: str) -> None:
+        if inside:
+            names[-1] += characters
+
+    def document_type(*_: object) -> None:
+        raise InputError(f"{path} declares a document type, which program files never do")
+
+    parser.StartElementHandler = start
+    parser.EndElementHandler = end
+    parser.CharacterDataHandler = text
+    parser.StartDoctypeDeclHandler = document_type
+    try:
+        parser.Parse(data, True)
+    except (expat.ExpatError, LookupError, ValueError) as error:
+        raise InputError(f"{path} is not a program file: {error}") from error
+    return [name.strip() for name in names if name.strip()]

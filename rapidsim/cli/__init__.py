@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import sys
+
 
 def main() -> None:
-    """Run the command line."""
-    raise SystemExit(2)
+    """Run the command line and end the process with its exit code."""
+    from rapidsim.cli.boundary import run_commands
+
+    sys.exit(run_commands(sys.argv[1:]))

@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 Array = npt.NDArray[np.float64]
+_ALL = slice(None)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -29,9 +30,10 @@ class Transform:
         moved = np.einsum("...ij,...j->...i", self.rotation, other.translation)
         return Transform(rotation, moved + self.translation)
 
-    def __getitem__(self, index: int | slice | Array | tuple[object, ...]) -> Transform:
-        """Some of a batch."""
-        return Transform(self.rotation[index], self.translation[index])  # type: ignore[index]
+    def __getitem__(self, index: object) -> Transform:
+        """Some of a batch: NumPy's indexing of the leading dimensions, `...` included."""
+        leading = index if isinstance(index, tuple) else (index,)
+        return Transform(self.rotation[(*leading, _ALL, _ALL)], self.translation[(*leading, _ALL)])
 
     def __len__(self) -> int:
         """How many transforms the first dimension of a batch holds."""
@@ -44,7 +46,8 @@ class Transform:
 
     def apply(self, points_in_b: Array) -> Array:
         """Points (..., 3) [m] in a."""
-        return np.einsum("...ij,...j->...i", self.rotation, points_in_b) + self.translation
+        turned: Array = np.einsum("...ij,...j->...i", self.rotation, points_in_b)
+        return turned + self.translation
 
     @property
     def quaternion(self) -> Array:
@@ -115,7 +118,8 @@ def quaternion_from_matrix(rotation: Array) -> Array:
     largest = np.argmax(np.diagonal(rows, axis1=-2, axis2=-1), axis=-1)
     q = np.take_along_axis(rows, largest[..., None, None], axis=-2)[..., 0, :]
     q = q / np.linalg.norm(q, axis=-1, keepdims=True)
-    return np.where(q[..., :1] < 0.0, -q, q)
+    positive: Array = np.where(q[..., :1] < 0.0, -q, q)
+    return positive
 
 
 def slerp(start: Array, end: Array, fraction: Array) -> Array:
@@ -138,4 +142,5 @@ def slerp(start: Array, end: Array, fraction: Array) -> Array:
         blended = start + t * (end - start)
     else:
         blended = (np.sin((1.0 - t) * angle) * start + np.sin(t * angle) * end) / np.sin(angle)
-    return blended / np.linalg.norm(blended, axis=-1, keepdims=True)
+    unit: Array = blended / np.linalg.norm(blended, axis=-1, keepdims=True)
+    return unit

@@ -3,15 +3,27 @@
 Positional parameters are required, keyword-only ones are RAPID's optional arguments (default None),
 a keyword-only `Switch` is a switch. `InOut[Num]`, `Var[...]` and `Pers[...]` arrive as references.
 A first parameter annotated with a protocol of `controller` is given by the interpreter and is not
-part of the signature. Python's `max_time` is RAPID's `MaxTime`.
+part of the signature. Python's `max_time` is RAPID's `MaxTime`; `X | Y` takes either type.
+
+- Arrays are their own reference: `list[Num]` is `num{*}`, `Annotated[list[Num], Mode.VAR]` the same
+  by reference.
+- `Deferred[Bool]` arrives as a function without parameters that evaluates the argument.
+- A keyword-only `ArgumentType` is not part of the signature either: it is given the type of the
+  argument for the first parameter that takes `anytype` or several types, where num and dnum must be
+  told apart.
+- Signals arrive as references to a `Signal`, which names the signal; a signal that no module
+  declares is as if it were declared with its own name.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from enum import Enum
 from typing import Annotated, Any, TypeVar
 
 from rapidsim.language import types
+from rapidsim.language.controller import OpenFile
+from rapidsim.language.data import ClockState, Signal
 from rapidsim.language.reference import Reference
 
 T = TypeVar("T")
@@ -27,6 +39,15 @@ class Mode(Enum):
     REF = "REF"
 
 
+class Marker(Enum):
+    """What the interpreter does differently for a parameter."""
+
+    DEFERRED = "deferred"
+    """Pass a function that evaluates the argument."""
+    ARGUMENT_TYPE = "argument type"
+    """Pass the type of another argument."""
+
+
 Num = Annotated[float, types.NUM]
 Dnum = Annotated[float, types.DNUM]
 Bool = Annotated[bool, types.BOOL]
@@ -34,10 +55,35 @@ String = Annotated[str, types.STRING]
 Switch = Annotated[bool, types.SWITCH]
 AnyType = Annotated[Any, types.ANYTYPE]
 
+BtnRes = Annotated[float, types.Alias("btnres", types.NUM)]
+ButtonData = Annotated[float, types.Alias("buttondata", types.NUM)]
 Byte = Annotated[float, types.Alias("byte", types.NUM)]
 DioNum = Annotated[float, types.Alias("dionum", types.NUM)]
 ErrNum = Annotated[float, types.Alias("errnum", types.NUM)]
+ErrStr = Annotated[str, types.Alias("errstr", types.STRING)]
+IconData = Annotated[float, types.Alias("icondata", types.NUM)]
+IdentNo = Annotated[float, types.Alias("identno", types.NUM)]
+IntNum = Annotated[float, types.Alias("intnum", types.NUM)]
+IntTypes = Annotated[float, types.Alias("inttypes", types.NUM)]
+OpCalc = Annotated[float, types.Alias("opcalc", types.NUM)]
+OpNum = Annotated[float, types.Alias("opnum", types.NUM)]
+StringDig = Annotated[str, types.Alias("stringdig", types.STRING)]
+SymNum = Annotated[float, types.Alias("symnum", types.NUM)]
+
+Clock = Annotated[ClockState, types.CLOCK]
+IoDev = Annotated[OpenFile | None, types.IODEV]
+RawBytes = Annotated[bytes, types.RAWBYTES]
+SignalDi = Annotated[Signal, types.SIGNAL_DI]
+SignalDo = Annotated[Signal, types.SIGNAL_DO]
+SignalAi = Annotated[Signal, types.SIGNAL_AI]
+SignalAo = Annotated[Signal, types.SIGNAL_AO]
+SignalGi = Annotated[Signal, types.SIGNAL_GI]
+SignalGo = Annotated[Signal, types.SIGNAL_GO]
 
 InOut = Annotated[Reference[T], Mode.INOUT]
 Var = Annotated[Reference[T], Mode.VAR]
 Pers = Annotated[Reference[T], Mode.PERS]
+Ref = Annotated[T, Mode.REF]
+
+Deferred = Annotated[Callable[[], T], Marker.DEFERRED]
+ArgumentType = Annotated[types.Type, Marker.ARGUMENT_TYPE]

@@ -8,14 +8,16 @@ One object implements them all for one task, so generated code and library share
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
 from typing import Protocol
 
 from rapidsim.diagnostics import Span
 from rapidsim.language.data import (
+    ExtJoint,
     JointTarget,
+    Pose,
     RobTarget,
     SpeedData,
     ToolData,
@@ -75,6 +77,10 @@ class MotionSettings:
     ramp_percent: float = 100.0
     conf_j: bool = True
     conf_l: bool = True
+    displacement: Pose | None = None
+    """PDispOn, PDispSet: moves reach the controller with it applied already."""
+    axis_offsets: ExtJoint | None = None
+    """EOffsOn, EOffsSet: moves reach the controller with them applied already."""
 
 
 class Clock(Protocol):
@@ -116,6 +122,26 @@ class Motion(Protocol):
         """Where the TCP is now; None takes the tool or work object of the last move."""
         ...
 
+    def active_tool(self) -> ToolData:
+        """The tool of the last move, tool0 before the first."""
+        ...
+
+    def active_wobj(self) -> WobjData:
+        """The work object of the last move, wobj0 before the first."""
+        ...
+
+    def target_at(self, joints: JointTarget, tool: ToolData, wobj: WobjData) -> RobTarget:
+        """Where the TCP would be with the axes at given positions."""
+        ...
+
+    def joints_at(self, target: RobTarget, tool: ToolData, wobj: WobjData) -> JointTarget:
+        """Axis positions that reach a target in its configuration.
+
+        Raises:
+            RapidError: ERR_OUTSIDE_REACH or ERR_ROBLIMIT.
+        """
+        ...
+
 
 class Operator(Protocol):
     """The FlexPendant and the person at it."""
@@ -130,6 +156,17 @@ class Operator(Protocol):
 
     def ask_number(self, prompt: str) -> float:
         """The operator's answer to a question; never hangs where nobody sits."""
+        ...
+
+    def ask_choice(self, prompt: str, choices: Sequence[str]) -> int:
+        """Index from 0 of the key the operator presses; keys with the text "" are not there.
+
+        The first key that is there, where nobody sits.
+        """
+        ...
+
+    def ask_text(self, prompt: str, proposal: str) -> str:
+        """A text the operator types; the proposal, where nobody sits."""
         ...
 
 
@@ -188,6 +225,12 @@ class Interrupts(Protocol):
         """Raise an interrupt once, or every so many seconds."""
         ...
 
+    def order_signal(
+        self, interrupt: float, signal: str, value: float | None, *, single: bool
+    ) -> None:
+        """Raise an interrupt once, or each time a signal changes to a value; None: to any."""
+        ...
+
     def delete_interrupt(self, interrupt: float) -> None:
         """Forget an interrupt and its order."""
         ...
@@ -212,6 +255,23 @@ class Signals(Protocol):
         """Set an output now or after a delay, without waiting for it."""
         ...
 
+    def wait_for_signal(
+        self, name: str, condition: Callable[[float], bool], *, max_time: float | None = None
+    ) -> bool:
+        """Let virtual time pass until the value of a signal satisfies a condition.
+
+        Returns at the very instant, without polling; False if `max_time` [s] ran out first.
+        """
+        ...
+
+
+class ErrorNumbers(Protocol):
+    """Error numbers that a program books for itself."""
+
+    def book_error_number(self) -> float:
+        """The next number that is free, from `error_numbers.FIRST_BOOKED` up."""
+        ...
+
 
 class Honesty(Protocol):
     """How a routine says that it did less than the controller would."""
@@ -221,7 +281,9 @@ class Honesty(Protocol):
         ...
 
 
-class Controller(Clock, Motion, Operator, Files, Interrupts, Signals, Honesty, Protocol):
+class Controller(
+    Clock, Motion, Operator, Files, Interrupts, Signals, ErrorNumbers, Honesty, Protocol
+):
     """All of it, for one task, and what generated code needs at run time."""
 
     left: int

@@ -8,7 +8,10 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from dataclasses import dataclass
+from typing import Annotated, NamedTuple
+
+from rapidsim.language import types
 
 UNUSED_AXIS = 9e9
 """The value of an external axis that is not connected."""
@@ -157,9 +160,169 @@ class StopPointData(NamedTuple):
     checkvalue: float
 
 
+class ProgDisp(NamedTuple):
+    """Program displacement: its frame, and offsets of the external axes."""
+
+    pdisp: Pose
+    eoffs: ExtJoint
+
+
+class VelData(NamedTuple):
+    """What VelSet sets: override [%] and highest TCP speed [mm/s]."""
+
+    oride: float
+    max: float
+
+
+class AccData(NamedTuple):
+    """What AccSet sets [%]."""
+
+    acc: float
+    ramp: float
+    finepramp: float
+
+
+class SingData(NamedTuple):
+    """What SingArea sets."""
+
+    wrist: bool
+    lockaxis4: bool
+    arm: bool
+    base: bool
+
+
+class ConfSupData(NamedTuple):
+    """What ConfJ and ConfL set."""
+
+    jsup: bool
+    lsup: bool
+    ax1: float
+    ax4: float
+    ax6: float
+
+
+class MotSetData(NamedTuple):
+    """All motion settings."""
+
+    vel: VelData
+    acc: AccData
+    sing: SingData
+    conf: ConfSupData
+    pathresol: float
+    motionsup: bool
+    tunevalue: float
+    acclim: bool
+    accmax: float
+    decellim: bool
+    decelmax: float
+    cirpathreori: float
+    worldacclim: bool
+    worldaccmax: float
+    evtbufferact: bool
+
+
+class ListItem(NamedTuple):
+    """One line of UIListView."""
+
+    image: str
+    text: str
+
+
+class Tasks(NamedTuple):
+    """The name of a task."""
+
+    taskname: str
+
+
+class EgmMinMax(NamedTuple):
+    """Convergence limits of externally guided motion [mm or deg]."""
+
+    min: float
+    max: float
+
+
+class TriggIos(NamedTuple):
+    """An output that TriggLIOs sets, at a distance [mm] and with a lag [s]."""
+
+    used: bool
+    distance: float
+    start: bool
+    equiplag: float
+    signalname: str
+    setvalue: float
+    xxx: float
+
+
+class TriggIosDnum(NamedTuple):
+    """As `TriggIos` with a dnum value."""
+
+    used: bool
+    distance: float
+    start: bool
+    equiplag: float
+    signalname: str
+    setvalue: Annotated[float, types.DNUM]
+    xxx: float
+
+
+class TriggStrGo(NamedTuple):
+    """As `TriggIos` with a value in digits."""
+
+    used: bool
+    distance: float
+    start: bool
+    equiplag: float
+    signalname: str
+    setvalue: str
+    xxx: float
+
+
+class WzTemporary(NamedTuple):
+    """The number of a world zone."""
+
+    wz: float
+
+
+class WzStationary(NamedTuple):
+    """The number of a world zone that stays."""
+
+    wz: float
+
+
+class RmqHeader(NamedTuple):
+    """What a message of a RAPID message queue holds."""
+
+    datatype: str
+    ndim: float
+    dim1: float
+    dim2: float
+    dim3: float
+
+
+@dataclass(frozen=True, slots=True)
+class Signal:
+    """The value of a signal variable: which signal it means; "" where none is connected."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class ClockState:
+    """The value of a clock: time counted before, and since when it runs; virtual seconds."""
+
+    counted_s: float = 0.0
+    started_s: float | None = None
+    """None while the clock stands."""
+
+
+_MILLI = 0.0010000000474974513
+"""0.001 as the single that `num` makes of it."""
+
 NO_EXTERNAL_AXES = ExtJoint(*(UNUSED_AXIS,) * 6)
 IDENTITY_POSE = Pose(Pos(0.0, 0.0, 0.0), Orient(1.0, 0.0, 0.0, 0.0))
-LOAD0 = LoadData(0.001, Pos(0.0, 0.0, 0.001), Orient(1.0, 0.0, 0.0, 0.0), 0.0, 0.0, 0.0)
+LOAD0 = LoadData(
+    single(0.001), Pos(0.0, 0.0, single(0.001)), Orient(1.0, 0.0, 0.0, 0.0), 0.0, 0.0, 0.0
+)
 TOOL0 = ToolData(True, IDENTITY_POSE, LOAD0)
 WOBJ0 = WobjData(False, True, "", IDENTITY_POSE, IDENTITY_POSE)
 FINE = ZoneData(True, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)

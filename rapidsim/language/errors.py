@@ -31,3 +31,7 @@ class Stopped(BaseException):
         """Say why, in one line for the user."""
         super().__init__(reason)
         self.reason = reason
+
+
+class CycleEnded(Stopped):
+    """ExitCycle: the cycle ends here and the next one begins with main."""

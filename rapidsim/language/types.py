@@ -84,6 +84,28 @@ ANYTYPE = Atomic("anytype")
 """Parameter type of installed routines that take data of any type."""
 
 
+RAWBYTES = Atomic("rawbytes", Kind.NON_VALUE)
+CLOCK = Atomic("clock", Kind.NON_VALUE)
+IODEV = Atomic("iodev", Kind.NON_VALUE)
+SIGNAL_DI = Atomic("signaldi", Kind.SEMI_VALUE, "num")
+SIGNAL_DO = Atomic("signaldo", Kind.SEMI_VALUE, "num")
+SIGNAL_AI = Atomic("signalai", Kind.SEMI_VALUE, "num")
+SIGNAL_AO = Atomic("signalao", Kind.SEMI_VALUE, "num")
+SIGNAL_GI = Atomic("signalgi", Kind.SEMI_VALUE, "num")
+SIGNAL_GO = Atomic("signalgo", Kind.SEMI_VALUE, "num")
+SIGNALS = (SIGNAL_DI, SIGNAL_DO, SIGNAL_AI, SIGNAL_AO, SIGNAL_GI, SIGNAL_GO)
+
+OPAQUE = tuple(
+    Atomic(name, Kind.NON_VALUE)
+    for name in (
+        *("cameradev", "corrdescr", "datapos", "dir", "egmident", "loadsession", "mecunit"),
+        *("pathrecid", "restartdata", "rmqmessage", "rmqslot", "shapedata", "socketdev"),
+        *("syncident", "taskid", "trapdata", "triggdata"),
+    )
+)
+"""Types that only routines which are not simulated look into."""
+
+
 def resolved(of: Type) -> Atomic | Record | ArrayOf:
     """The type behind an alias; arrays of an alias become arrays of what it stands for."""
     match of:

@@ -1,18 +1,35 @@
-"""The table of installed routines: one row a routine, read by checker, interpreter and docs.
+r"""The table of installed routines: one row a routine, read by checker, interpreter and docs.
 
 A row names a typed Python function; its annotations are the RAPID signature (see
-`language.annotations`). Reading annotations costs time, so a signature is read when first asked.
+`language.annotations`). What Python cannot say, that options stand before required arguments or
+exclude each other, a row says in `order`, in RAPID's own spelling: `\SDelay|\Sync Signal Value`.
+Reading annotations costs time, so a signature is read when first asked.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import inspect
+import re
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from types import MappingProxyType, NoneType, UnionType
+from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
 
-from rapidsim.language.annotations import Mode
+from rapidsim.language import types
+from rapidsim.language.annotations import Marker, Mode
+from rapidsim.language.records import record_of
+from rapidsim.language.reference import Reference
 from rapidsim.language.types import Type
+
+_SPELLINGS = {
+    "id": "ID",
+    "tload": "TLoad",
+    "wobj": "WObj",
+    "no_eoffs": "NoEOffs",
+    "io_device": "IODevice",
+}
+"""RAPID names that are not their Python name with capitals."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,18 +47,26 @@ class Parameter:
     is_switch: bool = False
     group: int = 0
     """Optional parameters with the same number above 0 exclude each other."""
+    deferred: bool = False
+    """The Python function wants a function that evaluates the argument."""
 
 
 @dataclass(frozen=True, slots=True)
 class Signature:
     """Parameters in call order; `result` is None for an instruction.
 
-    `takes_controller` says that the Python function wants the controller first.
+    Required arguments are given to the Python function by position, in this order, options by
+    keyword.
     """
 
     parameters: tuple[Parameter, ...]
     result: Type | None
     takes_controller: bool
+    """The Python function wants the controller first."""
+    type_of: Parameter | None = None
+    """The Python function wants the type of this parameter's argument, as keyword `type_keyword`.
+    """
+    type_keyword: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,8 +75,9 @@ class LibraryRoutine:
 
     name: str
     body: Callable[..., Any]
-    alternatives: tuple[tuple[str, ...], ...] = ()
-    """Groups of optional parameters (Python names) that exclude each other."""
+    order: str = ""
+    """The parameters as RAPID orders and spells them, options with a backslash, alternatives with
+    a bar; needed only where options come first, exclude each other or have unusual spellings."""
     treated_as: str | None = None
     """What is done instead where the routine is not simulated; None where it is."""
 
@@ -63,4 +89,125 @@ class LibraryRoutine:
     @cached_property
     def signature(self) -> Signature:
         """The RAPID signature, read from the function's annotations."""
-        raise NotImplementedError
+        return _read_signature(self.body, self.order)
+
+
+def routine(
+    name: str, body: Callable[..., Any], order: str = "", *, treated_as: str | None = None
+) -> LibraryRoutine:
+    """One row of a table."""
+    return LibraryRoutine(name, body, order, treated_as)
+
+
+def table(*rows: LibraryRoutine) -> Mapping[str, LibraryRoutine]:
+    """A read-only table by folded name."""
+    by_name = {row.name.lower(): row for row in rows}
+    assert len(by_name) == len(rows), "a routine stands twice in its table"
+    return MappingProxyType(by_name)
+
+
+def _read_signature(body: Callable[..., Any], order: str) -> Signature:
+    hints = get_type_hints(body, include_extras=True)
+    python_parameters = list(inspect.signature(body).parameters.values())
+    takes_controller = bool(python_parameters) and _is_protocol(hints[python_parameters[0].name])
+    read: dict[str, Parameter] = {}
+    type_keyword = ""
+    for python in python_parameters[takes_controller:]:
+        hint = hints[python.name]
+        if get_origin(hint) is Annotated and Marker.ARGUMENT_TYPE in get_args(hint)[1:]:
+            type_keyword = python.name
+            continue
+        optional = python.kind is inspect.Parameter.KEYWORD_ONLY
+        read[_folded(python.name)] = _read_parameter(python.name, hint, optional)
+    parameters = _ordered(read, order) if order else tuple(read.values())
+    result = hints["return"]
+    return Signature(
+        parameters,
+        None if result is NoneType else _read_type(result)[0],
+        takes_controller,
+        next((p for p in parameters if _is_open(p)), None) if type_keyword else None,
+        type_keyword,
+    )
+
+
+def _ordered(read: dict[str, Parameter], order: str) -> tuple[Parameter, ...]:
+    """The parameters in RAPID's order and spelling, alternatives grouped."""
+    parameters = []
+    group = 0
+    for item in re.sub(r"\s*\|\s*", "|", order).split():
+        names = item.replace("\\", "").split("|")
+        group += len(names) > 1
+        for name in names:
+            found = read.pop(_folded(name))
+            assert found.optional == item.startswith("\\"), f"{name}: optional or not?"
+            parameters.append(
+                Parameter(
+                    name,
+                    found.python,
+                    found.types,
+                    found.mode,
+                    found.optional,
+                    found.is_switch,
+                    group if len(names) > 1 else 0,
+                    found.deferred,
+                )
+            )
+    assert not read, f"{', '.join(read)}: missing in the order {order!r}"
+    return tuple(parameters)
+
+
+def _read_parameter(python: str, hint: object, optional: bool) -> Parameter:
+    members = get_args(hint) if get_origin(hint) in (Union, UnionType) else (hint,)
+    read = [_read_type(member) for member in members if member is not NoneType]
+    _, mode, deferred = read[0]
+    found = tuple(member[0] for member in read)
+    spelling = _SPELLINGS.get(python) or "".join(
+        word[:1].upper() + word[1:] for word in python.split("_")
+    )
+    is_switch = found == (types.SWITCH,)
+    return Parameter(spelling, python, found, mode, optional, is_switch, deferred=deferred)
+
+
+def _read_type(hint: object) -> tuple[Type, Mode, bool]:
+    """Type, mode, and whether the evaluation is deferred, of one annotation."""
+    if isinstance(hint, type) and issubclass(hint, tuple):
+        return record_of(hint), Mode.IN, False
+    origin = get_origin(hint)
+    if origin is list:
+        return _array_of(hint), Mode.IN, False
+    if origin is not Annotated:
+        raise TypeError(f"{hint!r} says no RAPID type")
+    inner, *metadata = get_args(hint)
+    mode = next((found for found in metadata if isinstance(found, Mode)), Mode.IN)
+    deferred = Marker.DEFERRED in metadata
+    for found in metadata:
+        if isinstance(found, types.Atomic | types.Alias):
+            return found, mode, deferred
+    if deferred:
+        _, inner = get_args(inner)
+    elif get_origin(inner) is Reference:
+        (inner,) = get_args(inner)
+    return _read_type(inner)[0], mode, deferred
+
+
+def _array_of(hint: object) -> types.ArrayOf:
+    dimensions = 0
+    while get_origin(hint) is list:
+        (hint,) = get_args(hint)
+        dimensions += 1
+    element, _, _ = _read_type(hint)
+    assert not isinstance(element, types.ArrayOf)
+    return types.ArrayOf(element, (None,) * dimensions)
+
+
+def _is_protocol(hint: object) -> bool:
+    return getattr(hint, "__module__", "") == "rapidsim.language.controller"
+
+
+def _is_open(parameter: Parameter) -> bool:
+    return len(parameter.types) > 1 or parameter.types == (types.ANYTYPE,)
+
+
+def _folded(name: str) -> str:
+    """What a RAPID name and its Python name have in common."""
+    return name.replace("_", "").lower()

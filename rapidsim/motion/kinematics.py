@@ -76,9 +76,10 @@ class Kinematics(Protocol):
         Args:
             base_from_flange: Poses (k,).
             branch: Index into `Branches.joints`.
-            near: Joint vectors (k, n) or (n,) [rad]. Each joint takes the whole turn nearest to
-                them, and what the pose leaves undetermined (axes 4 and 6 where axis 5 is 0, axis 1
-                where the wrist centre is on it) keeps their value.
+            near: Joint vectors (k, n) [rad], or one (n,) that stands before the row. Each joint
+                takes the whole turn nearest to its own row of `near`, or, with a single vector, to
+                the row before it. What the pose leaves undetermined (axes 4 and 6 where axis 5 is
+                0, axis 1 where the wrist centre is on it) keeps that value.
         """
         ...
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 Corner = Literal["c2", "parabola"]
+OrientationZone = Literal["position", "programmed"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,5 +27,7 @@ class MotionModel:
     """Time [s] from the end of the command at a stop point to the start of the next command."""
     corner: Corner = "c2"
     """Shape of corner paths."""
+    orientation_zone: OrientationZone = "position"
+    """Whether the orientation turns within the position's zone, as measured, or within its own."""
     parabola_acceleration: float = 0.7
     """Share of the acceleration that is used inside zones when corners are parabolas."""

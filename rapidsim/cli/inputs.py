@@ -1,0 +1,67 @@
+"""What commands are given: the files of one task, a station, a robot."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from rapidsim.files import InputError, SourceFile, TaskFiles, read_tasks
+from rapidsim.simulation.station import Station, find_station, read_station
+
+DEFAULT_ROBOT = "irb1600-6-1.2"
+
+
+@dataclass(frozen=True, slots=True)
+class RobotChoice:
+    """Which robot, and what decided it."""
+
+    name: str
+    reason: str | None
+    """For the summary; None where the user named the robot on the command line."""
+
+
+def choose_station(paths: Sequence[str], file: str | None) -> Station:
+    """The named station file, else the one next to the program or above it, else the defaults."""
+    if file is not None:
+        return read_station(Path(file))
+    found = find_station(paths)
+    return read_station(found) if found else Station()
+
+
+def choose_robot(robot: str | None, station: Station) -> RobotChoice:
+    """The named robot, else that of the station file, else the default."""
+    if robot is not None:
+        return RobotChoice(robot, None)
+    if station.robot is not None:
+        return RobotChoice(station.robot, f"from {station.file}")
+    return RobotChoice(DEFAULT_ROBOT, "by default; --robot names another")
+
+
+def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
+    """The files of every task named, with the modules that the station file adds to a lone one."""
+    tasks = read_tasks((*paths, *(str(module) for module in station.modules)))
+    if len(tasks) == 1:
+        return (replace(tasks[0], name=tasks[0].name or station.task),)
+    return tasks
+
+
+def one_task(paths: Sequence[str], station: Station) -> tuple[SourceFile, ...]:
+    """The files of the only task named.
+
+    Raises:
+        InputError: If a backup holds several tasks.
+    """
+    tasks = all_tasks(paths, station)
+    if len(tasks) > 1:
+        names = ", ".join(task.name or station.task for task in tasks)
+        raise InputError(
+            f"there are {len(tasks)} tasks ({names}), and several are not simulated together yet",
+            "name the folder of one task, such as RAPID/TASK1",
+        )
+    return tasks[0].files
+
+
+def program_name(paths: Sequence[str]) -> str:
+    """What files that belong to the run are called: the first path without its suffix."""
+    return "stdin" if paths[0] == "-" else Path(paths[0]).resolve().stem

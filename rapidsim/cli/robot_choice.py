@@ -1,0 +1,19 @@
+"""Open the robot a command is to use; imports NumPy, so commands import it late."""
+
+from __future__ import annotations
+
+from rapidsim.files import InputError
+from rapidsim.motion.catalogue import RobotError
+from rapidsim.motion.robot import Robot, load_robot
+
+
+def open_robot(name: str) -> Robot:
+    """A robot of the catalogue or of a URDF file.
+
+    Raises:
+        InputError: If it is unknown, unreadable, or not supported.
+    """
+    try:
+        return load_robot(name)
+    except RobotError as error:
+        raise InputError(str(error), "`rapidsim robots` lists the catalogue") from error

@@ -1,0 +1,72 @@
+"""`rapidsim robots`: the catalogue, and what is known of one arm."""
+
+from __future__ import annotations
+
+import json
+from math import degrees
+
+import click
+
+from rapidsim.cli.exit_codes import ExitCode
+from rapidsim.cli.robot_choice import open_robot
+from rapidsim.cli.terminal import current_terminal, terminal_options
+from rapidsim.motion.catalogue import aliases, robot_names
+from rapidsim.motion.robot import Robot
+from rapidsim.report.robot_tables import catalogue_table, robot_page
+
+
+@click.command()
+@click.argument("name", required=False)
+@click.option(
+    "--format",
+    "output_format",
+    type=click.Choice(["table", "json"]),
+    default="table",
+    show_default=True,
+    help="What is printed.",
+)
+@terminal_options
+def robots(name: str | None, output_format: str) -> int:
+    """List the robots, or show one with limits, speeds, reach and source.
+
+    NAME is a name or alias of the catalogue, or a URDF file.
+    """
+    console = current_terminal().console()
+    names = {
+        robot: tuple(a for a, of in aliases().items() if of == robot) for robot in robot_names()
+    }
+    if name is not None:
+        robot = open_robot(name)
+        short = names.get(robot.name, ())
+        if output_format == "json":
+            click.echo(json.dumps(_as_json(robot, short), indent=2, allow_nan=False))
+        else:
+            console.print(robot_page(robot, short))
+        return ExitCode.CLEAN
+    listed = [(open_robot(robot), short) for robot, short in names.items()]
+    if output_format == "json":
+        report = [_as_json(robot, short) for robot, short in listed]
+        click.echo(json.dumps({"schema": 1, "robots": report}, indent=2, allow_nan=False))
+    else:
+        console.print(catalogue_table(listed))
+    return ExitCode.CLEAN
+
+
+def _as_json(robot: Robot, aliases: tuple[str, ...]) -> dict[str, object]:
+    return {
+        "name": robot.name,
+        "title": robot.title,
+        "aliases": list(aliases),
+        "payload_kg": robot.payload_kg,
+        "reach_mm": None if robot.reach_m is None else robot.reach_m * 1000.0,
+        "joints": [
+            {
+                "name": joint.name,
+                "lower_deg": degrees(joint.lower),
+                "upper_deg": degrees(joint.upper),
+                "max_speed_deg_s": None if joint.max_speed is None else degrees(joint.max_speed),
+            }
+            for joint in robot.joints
+        ],
+        "sources": list(robot.sources),
+    }

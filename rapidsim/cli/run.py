@@ -1,0 +1,287 @@
+"""`rapidsim run`: run a program on the virtual controller and say what happened."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+import click
+
+from rapidsim.analysis.program import Program
+from rapidsim.cli.answers import answers_from
+from rapidsim.cli.exit_codes import ExitCode
+from rapidsim.cli.inputs import (
+    RobotChoice,
+    choose_robot,
+    choose_station,
+    one_task,
+    program_name,
+)
+from rapidsim.cli.robot_choice import open_robot
+from rapidsim.cli.terminal import Terminal, current_terminal, terminal_options
+from rapidsim.diagnostics import Diagnostic, Severity
+from rapidsim.files import InputError, did_you_mean
+from rapidsim.motion.robot import Robot
+from rapidsim.report.diagnostics import full, summary_line
+from rapidsim.report.figures import figures
+from rapidsim.report.merging import merged
+from rapidsim.report.run_json import rejected_json, run_json
+from rapidsim.report.summary import Written, summary
+from rapidsim.simulation.load import load
+from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.result import End, Simulation
+from rapidsim.simulation.simulate import simulate
+from rapidsim.simulation.station import Station
+from rapidsim.syntax import tree
+
+_TRACE_SUFFIXES = (".csv", ".parquet", ".json")
+_TRACE_STEP_S = 0.012
+_EXIT_CODES = {
+    End.ENDED: ExitCode.CLEAN,
+    End.STOPPED: ExitCode.CLEAN,
+    End.CYCLE_LIMIT: ExitCode.CLEAN,
+    End.TIME_LIMIT: ExitCode.LIMIT,
+    End.ERROR: ExitCode.FINDINGS,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class _Outputs:
+    """Files to write; None is not written."""
+
+    recording: Path | None
+    trace: Path | None
+    trace_step_s: float
+    events: Path | None
+
+
+@click.command()
+@click.argument("paths", metavar="PATH...", nargs=-1, required=True)
+@click.option("--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them.")
+@click.option("--station", metavar="FILE.toml", help="The station file, instead of a near one.")
+@click.option("--proc", metavar="NAME", default="main", help="The procedure to run.")
+@click.option("--record", metavar="FILE.rrd", help="The recording; else <program>.rrd here.")
+@click.option("--no-record", is_flag=True, help="Write no recording.")
+@click.option("--trace", metavar="FILE", help="Joints and TCP over time: .csv .parquet .json")
+@click.option(
+    "--dt",
+    metavar="SECONDS",
+    type=click.FloatRange(min=0.0, min_open=True),
+    default=_TRACE_STEP_S,
+    show_default=True,
+    help="Step of the trace.",
+)
+@click.option("--events", metavar="FILE.jsonl", help="What happened, one JSON object a line.")
+@click.option("--answers", metavar="FILE", help="Answers to the program's questions, one a line.")
+@click.option(
+    "--home", metavar="DIR", help="The folder HOME: stands for; else <program>.home here."
+)
+@click.option(
+    "--max-time",
+    metavar="SECONDS",
+    type=click.FloatRange(min=0.0, min_open=True),
+    default=3600.0,
+    show_default=True,
+    help="Simulated time after which the run is cut off.",
+)
+@click.option(
+    "--cycles",
+    metavar="N",
+    type=click.IntRange(min=1),
+    default=1,
+    show_default=True,
+    help="How often the procedure runs.",
+)
+@click.option(
+    "--format",
+    "output_format",
+    type=click.Choice(["table", "json", "none"]),
+    default="table",
+    show_default=True,
+    help="What is printed.",
+)
+@terminal_options
+def run(
+    paths: tuple[str, ...],
+    robot: str | None,
+    station: str | None,
+    proc: str,
+    record: str | None,
+    no_record: bool,
+    trace: str | None,
+    dt: float,
+    events: str | None,
+    answers: str | None,
+    home: str | None,
+    max_time: float,
+    cycles: int,
+    output_format: str,
+) -> int:
+    """Run a RAPID program on a virtual controller with a simulated robot.
+
+    PATH is a module (.mod .modx .sys .sysx .prg), a .pgf program file, a folder, the task folder of
+    a controller backup, or - for standard input. What is named together is one task.
+
+    Exit codes: 0 the program ended, 1 it has errors or stopped with one, 2 wrong usage, 3 the time
+    limit came first.
+    """
+    terminal = current_terminal()
+    if record and no_record:
+        raise InputError("--record and --no-record exclude each other")
+    outputs = _Outputs(
+        recording=None
+        if no_record
+        else _new_file(record or f"{program_name(paths)}.rrd", (".rrd",)),
+        trace=_new_file(trace, _TRACE_SUFFIXES) if trace else None,
+        trace_step_s=dt,
+        events=_new_file(events, (".jsonl",)) if events else None,
+    )
+    cell = choose_station(paths, station)
+    files = one_task(paths, cell)
+    names = tuple(file.name for file in files)
+    choice = choose_robot(robot, cell)
+    arm = open_robot(choice.name)
+    loaded = load(files)
+    if loaded.program is None:
+        if output_format == "json":
+            click.echo(_as_text(rejected_json(names, arm.name, loaded.diagnostics)))
+        elif output_format == "table":
+            _print_findings(loaded.diagnostics, terminal)
+            click.echo(summary_line(merged(loaded.diagnostics), files=len(files), seconds=None))
+        return ExitCode.FINDINGS
+    options = RunOptions(
+        program_files=names,
+        model=cell.model,
+        start_joints_deg=_start(cell, arm),
+        answers=answers_from(answers),
+        home=_home(home, paths),
+        max_time_s=max_time,
+        max_cycles=cycles,
+        entry=_entry(loaded.program, proc),
+        task=cell.task,
+    )
+    with _stage("simulating", terminal):
+        simulation = simulate(loaded.program, arm, options=options)
+    with _stage("writing", terminal):
+        written = _write(simulation, outputs)
+    findings = (*loaded.diagnostics, *simulation.diagnostics)
+    if output_format == "json":
+        report = run_json(simulation, figures(simulation), findings, _json_files(written))
+        click.echo(_as_text(report))
+    elif output_format == "table":
+        _print_findings(findings, terminal)
+        if not terminal.quiet:
+            _print_summary(simulation, choice, written, terminal)
+    return _EXIT_CODES[simulation.end]
+
+
+def _new_file(name: str, suffixes: tuple[str, ...]) -> Path:
+    """The place of a file to write, refused before a long run rather than after it."""
+    path = Path(name)
+    if path.suffix.lower() not in suffixes:
+        raise InputError(f"{path} must end in {' or '.join(suffixes)}")
+    if not path.parent.is_dir():
+        raise InputError(f"{path} cannot be written: {path.parent} is no folder")
+    if path.is_dir():
+        raise InputError(f"{path} cannot be written: it is a folder")
+    return path
+
+
+def _home(home: str | None, paths: Sequence[str]) -> Path:
+    """The folder HOME: stands for; the default one comes to be when the program writes to it."""
+    if home is None:
+        return Path(f"{program_name(paths)}.home")
+    if not Path(home).is_dir():
+        raise InputError(f"--home: {home} is no folder")
+    return Path(home)
+
+
+def _start(cell: Station, robot: Robot) -> tuple[float, ...] | None:
+    start = cell.start_joints_deg
+    if start is not None and len(start) != len(robot.joints):
+        raise InputError(
+            f"{cell.file}: robot.start: {robot.name} has {len(robot.joints)} joints, "
+            f"not {len(start)}"
+        )
+    return start
+
+
+def _entry(program: Program, name: str) -> str:
+    """The procedure to run, refused if it cannot be started on its own."""
+    startable = [
+        routine.name
+        for routine in program.routines.values()
+        if isinstance(routine.node, tree.Proc) and all(p.optional for p in routine.parameters)
+    ]
+    if name.lower() in (one.lower() for one in startable):
+        return name
+    if name.lower() in program.routines:
+        raise InputError(f"`{name}` is no procedure that runs without arguments")
+    there = f"there are {', '.join(startable[:8])}" if startable else None
+    raise InputError(
+        f"the program has no procedure `{name}`",
+        did_you_mean(name, startable) or (f"{there}; --proc names one" if there else None),
+    )
+
+
+def _write(simulation: Simulation, outputs: _Outputs) -> tuple[Written, ...]:
+    """Write the files asked for. What writes them imports rerun and more, so only then."""
+    written = []
+    if outputs.recording:
+        from rapidsim.recording.write import record
+
+        record(simulation, outputs.recording)
+        written.append(Written(outputs.recording, "recording"))
+    if outputs.trace:
+        from rapidsim.export.trace import write_trace
+
+        write_trace(simulation, outputs.trace, outputs.trace_step_s)
+        written.append(Written(outputs.trace, "trace"))
+    if outputs.events:
+        from rapidsim.export.events import write_events
+
+        write_events(simulation, outputs.events)
+        written.append(Written(outputs.events, "events"))
+    return tuple(written)
+
+
+def _json_files(written: Sequence[Written]) -> dict[str, str]:
+    return {one.what: str(one.path) for one in written}
+
+
+def _as_text(report: dict[str, object]) -> str:
+    return json.dumps(report, indent=2, allow_nan=False)
+
+
+def _print_findings(findings: Sequence[Diagnostic], terminal: Terminal) -> None:
+    if terminal.quiet:
+        findings = [finding for finding in findings if finding.severity is Severity.ERROR]
+    click.echo(full(merged(findings), terminal.palette, width=terminal.width), nl=False)
+
+
+def _print_summary(
+    simulation: Simulation, choice: RobotChoice, written: Sequence[Written], terminal: Terminal
+) -> None:
+    console = terminal.console()
+    bar = "█" if console.encoding.startswith("utf") else "#"
+    shown = summary(
+        simulation, figures(simulation), robot_reason=choice.reason, written=written, bar=bar
+    )
+    console.print(shown)
+
+
+@contextmanager
+def _stage(what: str, terminal: Terminal) -> Iterator[None]:
+    """Say on a terminal what is under way; anywhere else say nothing."""
+    if terminal.quiet or not sys.stderr.isatty():
+        yield
+        return
+    from rich.console import Console
+    from rich.status import Status
+
+    with Status(f"{what} ...", console=Console(stderr=True)):
+        yield

@@ -1,0 +1,31 @@
+"""Names of rules that users give: to select, to ignore, to explain."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rapidsim.files import InputError, did_you_mean
+from rapidsim.report.rules import RULES
+
+
+def expect_rules(selectors: Sequence[str]) -> tuple[str, ...]:
+    """The selectors, each of which stands for a rule at least.
+
+    Args:
+        selectors: Codes, beginnings of codes, or names of rules.
+
+    Raises:
+        InputError: If one stands for no rule.
+    """
+    for selector in selectors:
+        code, name = selector.upper(), selector.lower()
+        if not any(rule.code.startswith(code) or rule.name == name for rule in RULES):
+            raise unknown_rule(selector)
+    return tuple(selectors)
+
+
+def unknown_rule(given: str) -> InputError:
+    """The error for what is neither code nor name of a rule."""
+    known = [text for rule in RULES for text in (rule.code, rule.name)]
+    help = did_you_mean(given, known) or "`rapidsim explain --all` lists the rules"
+    return InputError(f"there is no rule `{given}`", help)

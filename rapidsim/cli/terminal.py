@@ -1,0 +1,97 @@
+"""How output is to look: what the options, the environment and the terminal say together."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+
+from rapidsim import __version__
+from rapidsim.report.palette import COLOURED, PLAIN, Palette
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+_MOST_COLUMNS = 120
+_PIPED_COLUMNS = 80
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+
+@dataclass(slots=True)
+class Terminal:
+    """What the options that every command has have set."""
+
+    quiet: bool = False
+    verbose: bool = False
+    no_color: bool = False
+
+    @property
+    def coloured(self) -> bool:
+        """Whether standard output takes colours and nobody declined them."""
+        return (
+            not self.no_color
+            and not os.environ.get("NO_COLOR")
+            and os.environ.get("TERM") != "dumb"
+            and sys.stdout.isatty()
+        )
+
+    @property
+    def palette(self) -> Palette:
+        """Colours for findings."""
+        return COLOURED if self.coloured else PLAIN
+
+    @property
+    def width(self) -> int:
+        """Columns to fill: the terminal's, but not more than a person likes to read across."""
+        fallback = (_PIPED_COLUMNS, 24)
+        return min(shutil.get_terminal_size(fallback).columns, _MOST_COLUMNS)
+
+    def console(self) -> Console:
+        """A rich console on standard output with the same colours and width."""
+        from rich.console import Console
+
+        return Console(
+            width=self.width,
+            color_system="standard" if self.coloured else None,
+            force_terminal=self.coloured,
+            highlight=False,
+            emoji=False,
+            markup=False,
+        )
+
+
+def terminal_options(command: Command) -> Command:
+    """Give a command the options that stand everywhere; the command itself never sees them."""
+    for option in (
+        click.option("-q", "--quiet", **_setting("quiet"), help="Print nothing but errors."),
+        click.option("-v", "--verbose", **_setting("verbose"), help="Print more."),
+        click.option("--no-color", **_setting("no_color"), help="No colours; so does NO_COLOR."),
+        click.version_option(__version__, message="rapidsim %(version)s"),
+        click.help_option("-h", "--help"),
+    ):
+        command = option(command)
+    return command
+
+
+def current_terminal() -> Terminal:
+    """The terminal of the command that runs."""
+    terminal = click.get_current_context().find_object(Terminal)
+    assert terminal is not None
+    return terminal
+
+
+def _setting(name: str) -> dict[str, Any]:
+    """A flag that is noted in the terminal wherever it stands on the command line."""
+
+    def note(context: click.Context, _: click.Parameter, given: bool) -> None:
+        terminal = context.find_object(Terminal)
+        if given and terminal is not None:
+            setattr(terminal, name, True)
+
+    return {"is_flag": True, "expose_value": False, "callback": note}

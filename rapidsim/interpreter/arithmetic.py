@@ -1,0 +1,131 @@
+"""Arithmetic that Python's operators do not do as RAPID does; called by generated code.
+
+RAPID's num is a single; generated code rounds the result of each arithmetic expression inline with
+three float operations, those of `language.single`. The functions here do the rest: integer
+division, positions and orientations, refusals, the values of FOR counters.
+
+Source: Technical reference manual RAPID Overview, "Expressions".
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from typing import NoReturn
+
+from rapidsim.frames import quaternion
+from rapidsim.language.data import Orient, Pos
+from rapidsim.language.error_numbers import (
+    ERR_DIVZERO,
+    ERR_NOTINTVAL,
+    ERR_OVERFLOW,
+    ERR_STRTOOLNG,
+    rapid_error,
+)
+from rapidsim.language.single import single
+
+MAX_DOUBLE = 1.7976931348623157e308
+MAX_INTEGER = 2**24
+"""Up to here a single holds every integer."""
+MAX_STRING = 80
+
+
+def overflow(x: float) -> NoReturn:
+    """Refuse a result beyond the largest number."""
+    raise rapid_error(ERR_OVERFLOW, f"the result {x:g} is too large")
+
+
+def too_long(text: str) -> NoReturn:
+    """Refuse a string of more than 80 characters."""
+    raise rapid_error(
+        ERR_STRTOOLNG, f"the string has {len(text)} characters, {MAX_STRING} are allowed"
+    )
+
+
+def _integers(left: float, right: float, operator: str) -> tuple[int, int]:
+    for operand in (left, right):
+        if operand != int(operand):
+            raise rapid_error(ERR_NOTINTVAL, f"{operator} takes integers, not {operand:g}")
+    if right == 0:
+        raise rapid_error(ERR_DIVZERO, f"{left:g} {operator} 0")
+    return int(left), int(right)
+
+
+def integer_quotient(left: float, right: float) -> float:
+    """DIV: the quotient of integers, its fraction cut off."""
+    a, b = _integers(left, right, "DIV")
+    quotient = abs(a) // abs(b)
+    return float(quotient if (a < 0) == (b < 0) else -quotient)
+
+
+def integer_remainder(left: float, right: float) -> float:
+    """MOD: what DIV leaves, with the sign of the left operand."""
+    a, b = _integers(left, right, "MOD")
+    return math.fmod(a, b)
+
+
+def add_positions(a: Pos, b: Pos) -> Pos:
+    """The sum, each component a single."""
+    return Pos(single(a[0] + b[0]), single(a[1] + b[1]), single(a[2] + b[2]))
+
+
+def subtract_positions(a: Pos, b: Pos) -> Pos:
+    """The difference, each component a single."""
+    return Pos(single(a[0] - b[0]), single(a[1] - b[1]), single(a[2] - b[2]))
+
+
+def negate_position(a: Pos) -> Pos:
+    """The opposite position."""
+    return Pos(-a[0], -a[1], -a[2])
+
+
+def scale_position(a: Pos, factor: float) -> Pos:
+    """The position times a number, each component a single."""
+    return Pos(single(a[0] * factor), single(a[1] * factor), single(a[2] * factor))
+
+
+def cross_product(a: Pos, b: Pos) -> Pos:
+    """The vector product, each component a single."""
+    return Pos(
+        single(a[1] * b[2] - a[2] * b[1]),
+        single(a[2] * b[0] - a[0] * b[2]),
+        single(a[0] * b[1] - a[1] * b[0]),
+    )
+
+
+def compose_orientations(a: Orient, b: Orient) -> Orient:
+    """The rotation b in the frame that a turns to, each component a single."""
+    return Orient(*(single(component) for component in quaternion.multiply(a, b)))
+
+
+def count(first: int, last: float, step: int | None = None) -> Iterable[int]:
+    """The values of a FOR counter that starts and steps by integer literals.
+
+    Without a step it is 1, or -1 when the end is below the start.
+    """
+    if step is None:
+        step = 1 if last >= first else -1
+    bounded = min(max(last, -MAX_INTEGER), MAX_INTEGER)
+    end = math.floor(bounded) + 1 if step > 0 else math.ceil(bounded) - 1
+    values = range(first, end, step) if step else ()
+    if bounded == last and step:
+        return values
+    return _count_on(values, values[-1] + step if values else first, last, step)
+
+
+def _count_on(values: Iterable[int], after: int, last: float, step: int) -> Iterator[int]:
+    """Count beyond what singles hold exactly, rounding as the controller's counter does."""
+    yield from values
+    while after <= last if step >= 0 else after >= last:
+        yield after
+        after = int(single(float(after + step)))
+
+
+def steps(first: float, last: float, step: float | None = None) -> Iterator[float]:
+    """The values of any other FOR counter, each the one before plus the step, as singles."""
+    if step is None:
+        step = 1.0 if last >= first else -1.0
+    value = float(first)
+    while value <= last if step >= 0 else value >= last:
+        yield value
+        value = single(value + step)

@@ -1,0 +1,102 @@
+"""Arrays at run time: nested lists, indices from 1 that are checked, values that are copied."""
+
+from __future__ import annotations
+
+from typing import Any, NoReturn
+
+from rapidsim.language.error_numbers import ERR_NOTEQDIM, ERR_NOTINTVAL, ERR_OUTOFBND, rapid_error
+from rapidsim.interpreter.references import ABSENT, not_present
+
+
+def out_of_bounds(index: float, size: int) -> NoReturn:
+    """Refuse an index that an array of `size` elements does not have."""
+    if index != int(index):
+        raise rapid_error(ERR_NOTINTVAL, f"an index must be an integer, not {index:g}")
+    raise rapid_error(ERR_OUTOFBND, f"index {index:g} is outside the array, which has 1 to {size}")
+
+
+class IndexTable(dict[float, int]):
+    """From RAPID's index to Python's: bounds and integrality in one look-up.
+
+    Equal integers and floats hash alike, so both kinds of num find their entry.
+    """
+
+    def __missing__(self, index: float) -> NoReturn:
+        """Refuse any other index."""
+        out_of_bounds(index, len(self))
+
+
+class _AbsentTable(IndexTable):
+    """Stands for the sizes of an array that was not given."""
+
+    def __missing__(self, index: float) -> NoReturn:
+        """Refuse every index."""
+        not_present("of this routine")
+
+
+_TABLES: dict[int, IndexTable] = {}
+_ABSENT_TABLE = _AbsentTable()
+
+
+def index_table(size: int) -> IndexTable:
+    """The table for arrays of a size; made once, since it depends on nothing else."""
+    table = _TABLES.get(size)
+    if table is None:
+        table = _TABLES[size] = IndexTable((float(i + 1), i) for i in range(size))
+    return table
+
+
+def index_table_of(array: list[Any], depth: int) -> IndexTable:
+    """The table for one dimension of an array whose size the caller chose.
+
+    Args:
+        array: Nested lists, or `ABSENT`.
+        depth: The dimension, from 0.
+    """
+    if array is ABSENT:
+        return _ABSENT_TABLE
+    for _ in range(depth):
+        array = array[0]
+    return index_table(len(array))
+
+
+def copy_array(array: list[Any]) -> list[Any]:
+    """A copy that shares no list with the original; elements are immutable."""
+    if array and isinstance(array[0], list):
+        return [copy_array(row) for row in array]
+    if array is ABSENT:
+        not_present("of this routine")
+    return array[:]
+
+
+def assign_array(target: list[Any], value: list[Any]) -> None:
+    """Copy elements in place, so that references to the target stay good.
+
+    Raises:
+        RapidError: ERR_NOTEQDIM when sizes differ, which only conformant arrays can bring about.
+    """
+    if len(target) != len(value):
+        raise rapid_error(
+            ERR_NOTEQDIM, f"an array of {len(value)} cannot be assigned to one of {len(target)}"
+        )
+    if target and isinstance(target[0], list):
+        for row, new in zip(target, value, strict=True):
+            assign_array(row, new)
+    else:
+        target[:] = value
+
+
+def dimension(array: list[Any], number: float) -> float:
+    """RAPID's Dim: the size of one dimension, counted from 1.
+
+    Raises:
+        RapidError: ERR_OUTOFBND when the array has no such dimension.
+    """
+    value: object = array
+    if array is ABSENT:
+        not_present("of this routine")
+    for _ in range(int(number) - 1):
+        value = value[0] if isinstance(value, list) else None
+    if number < 1 or not isinstance(value, list):
+        raise rapid_error(ERR_OUTOFBND, f"the array has no dimension {number:g}")
+    return float(len(value))

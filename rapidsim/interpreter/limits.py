@@ -1,0 +1,69 @@
+"""What a program may not exceed to be turned into Python code, and the finding when it does."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from rapidsim.diagnostics import Diagnostic, Severity, Span, Violation
+
+MAX_LOOPS = 15
+"""Loops within loops; CPython allows 20 blocks, and error handling takes up to five."""
+MAX_EXPRESSION = 200
+"""Depth of an expression."""
+MAX_BRANCHES = 1000
+"""ELSEIF or CASE branches of one statement, which nest in Python."""
+
+
+@dataclass(frozen=True)
+class NotExecutable(Violation):
+    """A valid program goes beyond what the simulator can run.
+
+    A controller may run it; the simulator says so instead of running something else.
+
+    ## Example
+    ```rapid
+    MODULE deep
+      PROC main()
+        FOR a FROM 1 TO 2 DO FOR b FROM 1 TO 2 DO FOR c FROM 1 TO 2 DO FOR d FROM 1 TO 2 DO
+        FOR e FROM 1 TO 2 DO FOR f FROM 1 TO 2 DO FOR g FROM 1 TO 2 DO FOR h FROM 1 TO 2 DO
+        FOR i FROM 1 TO 2 DO FOR j FROM 1 TO 2 DO FOR k FROM 1 TO 2 DO FOR l FROM 1 TO 2 DO
+        FOR m FROM 1 TO 2 DO FOR n FROM 1 TO 2 DO FOR o FROM 1 TO 2 DO FOR p FROM 1 TO 2 DO
+          Incr reg1;
+        ENDFOR ENDFOR ENDFOR ENDFOR ENDFOR ENDFOR ENDFOR ENDFOR
+        ENDFOR ENDFOR ENDFOR ENDFOR ENDFOR ENDFOR ENDFOR ENDFOR
+      ENDPROC
+    ENDMODULE
+    ```
+    ## Fix
+    ```rapid
+    MODULE deep
+      PROC main()
+        FOR a FROM 1 TO 2 DO
+          inner;
+        ENDFOR
+      ENDPROC
+      PROC inner()
+        FOR b FROM 1 TO 2 DO
+          Incr reg1;
+        ENDFOR
+      ENDPROC
+    ENDMODULE
+    ```
+    """
+
+    code: ClassVar[str] = "E190"
+    name: ClassVar[str] = "not-executable"
+    template: ClassVar[str] = "{what} cannot be simulated"
+    severity: ClassVar[Severity] = Severity.ERROR
+
+    what: str
+
+
+class NotExecutableError(Exception):
+    """Raised by `load` instead of running a program wrongly."""
+
+    def __init__(self, what: str, span: Span) -> None:
+        """Say what cannot be run, in the words of the program, and where it stands."""
+        self.diagnostic = Diagnostic(NotExecutable(what), span)
+        super().__init__(f"{span.file}:{span.line}: {self.diagnostic.violation.message}")

@@ -1,0 +1,242 @@
+"""Python syntax nodes at RAPID places: the one file that stamps positions.
+
+An `At` is a place on one line of a RAPID file and builds Python nodes there, so that Python's own
+tracebacks, debugger and coverage speak of RAPID lines. Python counts columns in UTF-8 bytes, and it
+moves an attribute that spans lines to its last line; so every place ends on the line it begins on.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Sequence
+from typing import Any
+
+from rapidsim.diagnostics import Source
+from rapidsim.syntax import tree
+
+_LOAD = ast.Load()
+_STORE = ast.Store()
+
+
+class At:
+    """Builds Python nodes that stand at one place of a RAPID file."""
+
+    __slots__ = ("_where", "line")
+
+    def __init__(self, line: int, column: int, end_column: int) -> None:
+        """Name the place: line from 1, columns from 0 in UTF-8 bytes."""
+        self.line = line
+        self._where: dict[str, Any] = {
+            "lineno": line,
+            "col_offset": column,
+            "end_lineno": line,
+            "end_col_offset": end_column,
+        }
+
+    def name(self, name: str) -> ast.Name:
+        """Read a variable."""
+        return ast.Name(name, _LOAD, **self._where)
+
+    def store(self, name: str) -> ast.Name:
+        """A variable as the target of an assignment."""
+        return ast.Name(name, _STORE, **self._where)
+
+    def constant(self, value: float | str | bool | None) -> ast.Constant:
+        """A constant of Python's own."""
+        return ast.Constant(value, None, **self._where)
+
+    def attribute(self, value: ast.expr | str, name: str) -> ast.Attribute:
+        """Read an attribute."""
+        return ast.Attribute(self._expression(value), name, _LOAD, **self._where)
+
+    def store_attribute(self, value: ast.expr | str, name: str) -> ast.Attribute:
+        """An attribute as the target of an assignment."""
+        return ast.Attribute(self._expression(value), name, _STORE, **self._where)
+
+    def item(self, value: ast.expr | str, index: ast.expr) -> ast.Subscript:
+        """Read an element."""
+        return ast.Subscript(self._expression(value), index, _LOAD, **self._where)
+
+    def store_item(self, value: ast.expr | str, index: ast.expr) -> ast.Subscript:
+        """An element as the target of an assignment."""
+        return ast.Subscript(self._expression(value), index, _STORE, **self._where)
+
+    def call(
+        self,
+        function: ast.expr | str,
+        arguments: Sequence[ast.expr] = (),
+        options: Sequence[tuple[str, ast.expr]] = (),
+    ) -> ast.Call:
+        """Call a function with positional arguments and keyword options."""
+        keywords = [ast.keyword(name, value, **self._where) for name, value in options]
+        return ast.Call(self._expression(function), list(arguments), keywords, **self._where)
+
+    def operation(self, left: ast.expr, operator: ast.operator, right: ast.expr) -> ast.BinOp:
+        """Arithmetic on two operands."""
+        return ast.BinOp(left, operator, right, **self._where)
+
+    def unary(self, operator: ast.unaryop, operand: ast.expr) -> ast.UnaryOp:
+        """`-x` or `not x`."""
+        return ast.UnaryOp(operator, operand, **self._where)
+
+    def compare(self, left: ast.expr, *rest: tuple[ast.cmpop, ast.expr]) -> ast.Compare:
+        """A comparison, chained where several follow."""
+        operators = [operator for operator, _ in rest]
+        return ast.Compare(left, operators, [operand for _, operand in rest], **self._where)
+
+    def both_or_either(self, operator: ast.boolop, *operands: ast.expr) -> ast.BoolOp:
+        """`and` or `or`, the right operand evaluated only where it matters."""
+        return ast.BoolOp(operator, list(operands), **self._where)
+
+    def choice(self, condition: ast.expr, value: ast.expr, otherwise: ast.expr) -> ast.IfExp:
+        """`value if condition else otherwise`."""
+        return ast.IfExp(condition, value, otherwise, **self._where)
+
+    def named(self, name: str, value: ast.expr) -> ast.NamedExpr:
+        """`(name := value)`."""
+        return ast.NamedExpr(self.store(name), value, **self._where)
+
+    def tuple(self, elements: Sequence[ast.expr]) -> ast.Tuple:
+        """A tuple."""
+        return ast.Tuple(list(elements), _LOAD, **self._where)
+
+    def list(self, elements: Sequence[ast.expr]) -> ast.List:
+        """A list."""
+        return ast.List(list(elements), _LOAD, **self._where)
+
+    def function(self, body: ast.expr) -> ast.Lambda:
+        """`lambda: body`."""
+        return ast.Lambda(ast.arguments([], [], None, [], [], None, []), body, **self._where)
+
+    def assign(self, target: ast.expr, value: ast.expr) -> ast.Assign:
+        """`target = value`."""
+        return ast.Assign([target], value, None, **self._where)
+
+    def set(self, name: str, value: ast.expr) -> ast.Assign:
+        """`name = value`."""
+        return self.assign(self.store(name), value)
+
+    def decrement(self, target: ast.Attribute) -> ast.AugAssign:
+        """`target -= 1`."""
+        return ast.AugAssign(target, ast.Sub(), self.constant(1), **self._where)
+
+    def do(self, value: ast.expr) -> ast.Expr:
+        """An expression for its effect."""
+        return ast.Expr(value, **self._where)
+
+    def when(
+        self, condition: ast.expr, body: Sequence[ast.stmt], otherwise: Sequence[ast.stmt] = ()
+    ) -> ast.If:
+        """`if`; an empty body becomes `pass`."""
+        return ast.If(condition, self._body(body), list(otherwise), **self._where)
+
+    def repeat(self, condition: ast.expr, body: Sequence[ast.stmt]) -> ast.While:
+        """`while`."""
+        return ast.While(condition, self._body(body), [], **self._where)
+
+    def forever(self, body: Sequence[ast.stmt]) -> ast.While:
+        """`while True`."""
+        return self.repeat(self.constant(True), body)
+
+    def each(self, target: ast.expr, values: ast.expr, body: Sequence[ast.stmt]) -> ast.For:
+        """`for target in values`."""
+        return ast.For(target, values, self._body(body), [], None, **self._where)
+
+    def attempt(
+        self, body: Sequence[ast.stmt], error: ast.expr, name: str, handler: Sequence[ast.stmt]
+    ) -> ast.Try:
+        """`try: body; except error as name: handler`."""
+        clause = ast.ExceptHandler(error, name, self._body(handler), **self._where)
+        return ast.Try(self._body(body), [clause], [], [], **self._where)
+
+    def leave(self, value: ast.expr | None = None) -> ast.Return:
+        """`return`."""
+        return ast.Return(value, **self._where)
+
+    def throw(self, error: ast.expr | None = None) -> ast.Raise:
+        """`raise`."""
+        return ast.Raise(error, None, **self._where)
+
+    def go_on(self) -> ast.Continue:
+        """`continue`."""
+        return ast.Continue(**self._where)
+
+    def stop(self) -> ast.Break:
+        """`break`."""
+        return ast.Break(**self._where)
+
+    def nothing(self) -> ast.Pass:
+        """`pass`: leaves a line for tools where RAPID has a statement that does nothing."""
+        return ast.Pass(**self._where)
+
+    def outer(self, names: Sequence[str]) -> ast.Nonlocal:
+        """`nonlocal names`."""
+        return ast.Nonlocal(list(names), **self._where)
+
+    def define(
+        self,
+        name: str,
+        parameters: Sequence[str],
+        defaults: Sequence[ast.expr],
+        body: Sequence[ast.stmt],
+    ) -> ast.FunctionDef:
+        """`def`; the defaults belong to the last parameters."""
+        arguments = ast.arguments(
+            posonlyargs=[],
+            args=[ast.arg(parameter, None, None, **self._where) for parameter in parameters],
+            vararg=None,
+            kwonlyargs=[],
+            kw_defaults=[],
+            kwarg=None,
+            defaults=list(defaults),
+        )
+        # Through a mapping: Python 3.12 added `type_params`, which 3.11 does not take.
+        fields: dict[str, Any] = {
+            "name": name,
+            "args": arguments,
+            "body": self._body(body),
+            "decorator_list": [],
+            "returns": None,
+            "type_comment": None,
+        }
+        if "type_params" in ast.FunctionDef._fields:
+            fields["type_params"] = []
+        return ast.FunctionDef(**fields, **self._where)
+
+    def _expression(self, value: ast.expr | str) -> ast.expr:
+        return self.name(value) if isinstance(value, str) else value
+
+    def _body(self, body: Sequence[ast.stmt]) -> list[ast.stmt]:
+        return list(body) or [self.nothing()]
+
+
+class Positions:
+    """Turns character offsets of one source into places."""
+
+    def __init__(self, source: Source) -> None:
+        """Read positions of a source."""
+        self._source = source
+        self._ascii = source.text.isascii()
+
+    def at(self, node: tree.Node) -> At:
+        """Where a node begins, as far as it goes on its first line."""
+        return self.between(node.start, node.end)
+
+    def between(self, start: int, end: int) -> At:
+        """The stretch from `start` as far as it goes on its first line."""
+        line, column = self._source.position(start)
+        end_line, end_column = self._source.position(end)
+        if end_line == line and self._ascii:
+            return At(line, column - 1, end_column - 1)
+        text = self._source.line(line)
+        last = end_column - 1 if end_line == line else len(text)
+        return At(line, len(text[: column - 1].encode()), len(text[:last].encode()))
+
+    def within(self, statement: At, node: tree.Node) -> At:
+        """Where a part of a statement stands.
+
+        Parts on later lines take the place of the whole statement: so a statement is one line event
+        to debuggers and coverage, however many lines it is written on.
+        """
+        at = self.at(node)
+        return at if at.line == statement.line else statement

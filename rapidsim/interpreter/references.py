@@ -1,0 +1,104 @@
+"""References that are not whole variables: array elements, record components, and absent ones.
+
+A routine that gets a reference reads and writes its `value` and never learns what it is. Arrays
+need no reference: the list is one.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NoReturn
+
+from rapidsim.language.error_numbers import ERR_NOTPRES, rapid_error
+from rapidsim.language.reference import Reference
+
+_new = tuple.__new__
+
+
+def not_present(name: str) -> NoReturn:
+    """Refuse to read an optional parameter that was not given."""
+    raise rapid_error(ERR_NOTPRES, f"the optional argument {name} is used but was not given")
+
+
+class Absent:
+    """What an optional parameter holds when it was not given; every use of it is an error."""
+
+    __slots__ = ()
+
+    @property
+    def value(self) -> NoReturn:
+        """Refuse to be read."""
+        not_present("of this routine")
+
+    @value.setter
+    def value(self, value: object) -> None:
+        not_present("of this routine")
+
+    def __getitem__(self, index: object) -> NoReturn:
+        """Refuse to be indexed as an array."""
+        not_present("of this routine")
+
+    def __setitem__(self, index: object, value: object) -> None:
+        """Refuse to be written as an array."""
+        not_present("of this routine")
+
+    def __len__(self) -> int:
+        """Refuse to have a size."""
+        not_present("of this routine")
+
+    def __repr__(self) -> str:
+        """For debuggers."""
+        return "ABSENT"
+
+
+ABSENT = Absent()
+
+
+class Element:
+    """An element of an array, its index checked when the reference is made."""
+
+    __slots__ = ("_array", "_index")
+
+    def __init__(self, array: list[Any], index: int) -> None:
+        """Refer to `array[index]`, counted from 0."""
+        self._array = array
+        self._index = index
+
+    @property
+    def value(self) -> Any:  # noqa: ANN401 - whatever the array holds
+        """The element."""
+        return self._array[self._index]
+
+    @value.setter
+    def value(self, value: object) -> None:
+        self._array[self._index] = value
+
+
+class Component:
+    """A component of a record, itself somewhere behind a reference."""
+
+    __slots__ = ("_path", "_record")
+
+    def __init__(self, record: Reference[Any], path: tuple[int, ...]) -> None:
+        """Refer to the component reached by positions, counted from 0, one a nesting level."""
+        self._record = record
+        self._path = path
+
+    @property
+    def value(self) -> Any:  # noqa: ANN401 - whatever the component holds
+        """The component."""
+        value = self._record.value
+        for position in self._path:
+            value = value[position]
+        return value
+
+    @value.setter
+    def value(self, value: object) -> None:
+        self._record.value = with_component(self._record.value, self._path, value)
+
+
+def with_component(record: Any, path: tuple[int, ...], value: object) -> Any:  # noqa: ANN401
+    """The record with one component, however deep, replaced."""
+    position = path[0]
+    if len(path) > 1:
+        value = with_component(record[position], path[1:], value)
+    return _new(type(record), (*record[:position], value, *record[position + 1 :]))

@@ -1,0 +1,43 @@
+"""What data hold before anybody gave them a value: zero, FALSE, "", component by component."""
+
+from __future__ import annotations
+
+from rapidsim.language import types
+from rapidsim.language.data import ClockState, Signal
+from rapidsim.language.types import Alias, ArrayOf, Atomic, Record, Type
+
+_ATOMS: dict[str, object] = {
+    "num": 0.0,
+    "dnum": 0.0,
+    "bool": False,
+    "switch": False,
+    "string": "",
+    "rawbytes": b"",
+    "clock": ClockState(),
+    **{signal.name: Signal("") for signal in types.SIGNALS},
+}
+
+
+def initial_value(of: Type) -> object:
+    """The value of data of a type that were declared without one.
+
+    Records are new tuples and arrays new nested lists. Types that nothing looks into start as None,
+    as does a device that is not open.
+
+    Raises:
+        ValueError: If an array has an open dimension; only parameters have those.
+    """
+    match of:
+        case Atomic(name=name):
+            return _ATOMS.get(name)
+        case Alias(of=base):
+            return initial_value(base)
+        case Record(components=components, python=python):
+            return tuple.__new__(python, [initial_value(part.type) for part in components])
+        case ArrayOf(element=element, dimensions=(size, *inner)):
+            if size is None:
+                raise ValueError(f"an array of type {of.name} has no size of its own")
+            part: Type = ArrayOf(element, tuple(inner)) if inner else element
+            return [initial_value(part) for _ in range(size)]
+        case _:
+            raise ValueError(f"{of} is no type of data")

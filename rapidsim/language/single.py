@@ -1,0 +1,40 @@
+"""RAPID's `num`: a single-precision number, kept in a Python float.
+
+Source: IEEE 754 binary32; the splitting constant is Veltkamp's, 2**29 + 1, which leaves the 24 bits
+that a single has of the 53 of a double, rounded to nearest, ties to even.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from rapidsim.language.data import UNUSED_AXIS
+from rapidsim.language.error_numbers import ERR_OVERFLOW, rapid_error
+
+LARGEST_SINGLE: Final = 3.4028234663852886e38
+LARGEST_EXACT_INTEGER: Final = 8388608.0
+"""2**23: the controller counts and converts whole `num` numbers up to here."""
+SPLIT: Final = 536870913.0
+
+
+def single(x: float) -> float:
+    """The nearest single-precision number.
+
+    Raises:
+        RapidError: ERR_OVERFLOW, if it is not finite or larger than a `num` can be.
+    """
+    if not -LARGEST_SINGLE <= x <= LARGEST_SINGLE:
+        raise rapid_error(
+            ERR_OVERFLOW, f"the result {x:g} is beyond the range of num, ±3.40282E+38"
+        )
+    t = x * SPLIT
+    return t - (t - x)
+
+
+def single_literal(x: float) -> float:
+    """The number that a literal in a `num` place means.
+
+    9E9, the mark of an axis that is not used, is no single; it stays as it is written, so that it
+    equals the mark wherever it comes from.
+    """
+    return x if abs(x) == UNUSED_AXIS else single(x)

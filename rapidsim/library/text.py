@@ -1,0 +1,139 @@
+"""How RAPID writes values as text and reads them back.
+
+A `num` is written with 6 significant digits, a `dnum` with 15, exponents as `1E+06`; records and
+arrays as they stand in a program.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types, "ValToStr",
+"StrToVal", "TPWrite"; the number of digits was measured on controllers.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from rapidsim.language.error_numbers import ERR_STRTOOLNG, rapid_error
+from rapidsim.language.errors import RapidError
+from rapidsim.language.single import single_literal
+from rapidsim.language.types import BOOL, DNUM, NUM, STRING, ArrayOf, Record, Type, resolved
+
+MAX_STRING = 80
+"""The most characters a RAPID string holds."""
+
+_NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:E[+-]?\d+)?", re.IGNORECASE)
+_STRING = re.compile(r'"((?:[^"\\]|""|\\\\|\\[0-9A-Fa-f]{2})*)"')
+_ESCAPE = re.compile(r'""|\\\\|\\([0-9A-Fa-f]{2})')
+_BLANKS = re.compile(r"\s*")
+
+
+def checked(text: str) -> str:
+    """The text itself.
+
+    Raises:
+        RapidError: ERR_STRTOOLNG, if it is longer than a string can be.
+    """
+    if len(text) > MAX_STRING:
+        raise rapid_error(
+            ERR_STRTOOLNG, f"the string has {len(text)} characters; {MAX_STRING} are possible"
+        )
+    return text
+
+
+def number_text(value: float) -> str:
+    """A `num` with 6 significant digits: `12`, `0.333333`, `1E+06`."""
+    return f"{value + 0.0:.6G}"
+
+
+def dnum_text(value: float) -> str:
+    """A `dnum` with 15 significant digits."""
+    return f"{value + 0.0:.15G}"
+
+
+def value_text(value: object, of: Type) -> str:
+    """A value of any type as it would stand in a program."""
+    of = resolved(of)
+    match value:
+        case bool():
+            return "TRUE" if value else "FALSE"
+        case int() | float():
+            return dnum_text(value) if of == DNUM else number_text(value)
+        case str():
+            return '"' + value.replace("\\", "\\\\").replace('"', '""') + '"'
+        case tuple() if isinstance(of, Record):
+            parts = zip(value, of.components, strict=True)
+            return "[" + ",".join(value_text(part, c.type) for part, c in parts) + "]"
+        case list() if isinstance(of, ArrayOf):
+            element = _element(of)
+            return "[" + ",".join(value_text(part, element) for part in value) + "]"
+        case _:
+            raise TypeError(f"a value of type {of.name} has no text")
+
+
+def parsed_value(text: str, of: Type, sample: object) -> object | None:
+    """The value that a text means for a type; None if it means none.
+
+    Args:
+        text: What would stand in a program after `:=`.
+        of: The type of the data.
+        sample: A value of that type; it gives arrays their sizes.
+    """
+    try:
+        value, end = _parse(text, _skip(text, 0), of, sample)
+    except (ValueError, RapidError):
+        return None
+    return value if _skip(text, end) == len(text) else None
+
+
+def _parse(text: str, at: int, of: Type, sample: object) -> tuple[object, int]:
+    of = resolved(of)
+    if isinstance(of, Record):
+        assert isinstance(sample, tuple)
+        part_types = [component.type for component in of.components]
+        parts, end = _parse_parts(text, at, part_types, sample)
+        return tuple.__new__(of.python, parts), end
+    if isinstance(of, ArrayOf):
+        assert isinstance(sample, list)
+        return _parse_parts(text, at, [_element(of)] * len(sample), sample)
+    if of == BOOL:
+        for word, value in (("TRUE", True), ("FALSE", False)):
+            if text[at : at + len(word)].upper() == word:
+                return value, at + len(word)
+    elif of in (NUM, DNUM):
+        if number := _NUMBER.match(text, at):
+            read = float(number[0])
+            return single_literal(read) if of == NUM else read, number.end()
+    elif of == STRING and (literal := _STRING.match(text, at)):
+        return checked(_ESCAPE.sub(_unescaped, literal[1])), literal.end()
+    raise ValueError(f"no {of.name} at {at}")
+
+
+def _parse_parts(
+    text: str, at: int, types: Sequence[Type], samples: Sequence[object]
+) -> tuple[list[object], int]:
+    parts = []
+    for index, (of, sample) in enumerate(zip(types, samples, strict=True)):
+        at = _expect(text, at, "," if index else "[")
+        value, at = _parse(text, at, of, sample)
+        parts.append(value)
+    return parts, _expect(text, at, "]")
+
+
+def _expect(text: str, at: int, mark: str) -> int:
+    at = _skip(text, at)
+    if text[at : at + 1] != mark:
+        raise ValueError(f"no {mark} at {at}")
+    return at + 1 if mark == "]" else _skip(text, at + 1)
+
+
+def _skip(text: str, at: int) -> int:
+    blanks = _BLANKS.match(text, at)
+    return blanks.end() if blanks else at
+
+
+def _unescaped(escape: re.Match[str]) -> str:
+    return chr(int(escape[1], 16)) if escape[1] else escape[0][0]
+
+
+def _element(of: ArrayOf) -> Type:
+    inner = of.dimensions[1:]
+    return ArrayOf(of.element, inner) if inner else of.element

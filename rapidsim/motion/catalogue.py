@@ -1,0 +1,173 @@
+"""The robots that ship with rapidsim: one folder each, with a `robot.toml` that says it all.
+
+Enters a name, leaves a `CatalogueEntry` in SI units. Shapes are generated from the same entry
+by `scripts/build_robots.py` and lie beside it.
+"""
+
+from __future__ import annotations
+
+import difflib
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from math import radians
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.opw import JOINT_COUNT, OpwGeometry, OrthoParallel
+
+ORTHO_PARALLEL = "ortho-parallel"
+NEAR_NAMES = 5
+"""How many similar names an unknown one is answered with."""
+
+
+class RobotError(Exception):
+    """A robot that cannot be loaded; the message says which, why, and what would do."""
+
+
+@dataclass(frozen=True, slots=True)
+class CatalogueEntry:
+    """What is known of one arm."""
+
+    name: str
+    title: str
+    maker: str
+    aliases: tuple[str, ...]
+    geometry: OpwGeometry
+    joint_names: tuple[str, ...]
+    limits: tuple[tuple[float, float], ...]
+    """Lower and upper limit of each joint [rad]."""
+    max_speeds: tuple[float | None, ...]
+    """[rad/s]; None where no source gives it."""
+    payload_kg: float | None
+    reach_m: float | None
+    sources: tuple[str, ...]
+    """Where the numbers come from."""
+    checks: tuple[str, ...]
+    """What they were compared with."""
+    notes: tuple[str, ...]
+    folder: Path
+
+    @property
+    def urdf(self) -> Path | None:
+        """The description with link shapes, where there is one."""
+        file = self.folder / f"{self.name}.urdf"
+        return file if file.is_file() else None
+
+
+def robots_folder() -> Path:
+    """Where the catalogue lies, in a checkout and in an installation alike."""
+    return Path(str(files("rapidsim.robots")))
+
+
+@cache
+def robot_names() -> tuple[str, ...]:
+    """The names of all robots of the catalogue, sorted."""
+    return tuple(sorted(file.parent.name for file in robots_folder().glob("*/robot.toml")))
+
+
+@cache
+def aliases() -> Mapping[str, str]:
+    """The short names of robots, and what they stand for."""
+    return {
+        alias: entry.name
+        for entry in (read_entry(robots_folder() / name) for name in robot_names())
+        for alias in entry.aliases
+    }
+
+
+def find_entry(name: str) -> CatalogueEntry:
+    """The robot of a name or alias, in any case.
+
+    Raises:
+        RobotError: If there is none; the message lists the nearest names.
+    """
+    wanted = name.lower()
+    if wanted not in robot_names():
+        if wanted not in aliases():
+            raise RobotError(_unknown(name))
+        wanted = aliases()[wanted]
+    return read_entry(robots_folder() / wanted)
+
+
+def read_entry(folder: Path) -> CatalogueEntry:
+    """Read the `robot.toml` of a folder.
+
+    Raises:
+        RobotError: If the file says something that is not understood.
+    """
+    file = folder / "robot.toml"
+    try:
+        return _entry(tomllib.loads(file.read_text(encoding="utf-8")), folder)
+    except KeyError as missing:
+        raise RobotError(f"{file}: {missing} is missing") from None
+    except (tomllib.TOMLDecodeError, TypeError, ValueError) as mistake:
+        raise RobotError(f"{file}: {mistake}") from None
+
+
+def arm_from_geometry(geometry: OpwGeometry) -> OrthoParallel:
+    """The arm with link frames that are parallel to the base where all joints are 0.
+
+    Link 1 stands at the foot, 2 and 3 on their axes, 4 beside the elbow on axis 4, 5 in the wrist
+    centre, 6 in the flange. The flange frame is that of the formulas, which for ABB's zero position
+    is `tool0`.
+    """
+    to_flange = np.array([0.0, 0.0, geometry.c4])
+    unnamed = Transform(np.broadcast_to(np.eye(3), (JOINT_COUNT, 3, 3)), np.zeros((JOINT_COUNT, 3)))
+    opw6_from_flange = Transform(np.eye(3), to_flange)
+    formulas = OrthoParallel(geometry, Transform.identity(), unnamed, opw6_from_flange)
+    home = formulas.link_frames(np.zeros(JOINT_COUNT)).rotation
+    origins: Array = np.zeros((JOINT_COUNT, 3))
+    origins[-1] = to_flange
+    named = Transform(np.swapaxes(home, -1, -2), origins)
+    return OrthoParallel(geometry, Transform.identity(), named, opw6_from_flange)
+
+
+def _entry(table: Mapping[str, Any], folder: Path) -> CatalogueEntry:
+    if table["structure"] != ORTHO_PARALLEL:
+        raise ValueError(f"structure `{table['structure']}` is not known, only `{ORTHO_PARALLEL}`")
+    if table["name"] != folder.name:
+        raise ValueError(f"name `{table['name']}` is not that of the folder")
+    joints = table["joint"]
+    zero = table["zero"]
+    if not len(joints) == len(zero["offsets_deg"]) == len(zero["signs"]) == JOINT_COUNT:
+        raise ValueError(f"the arm needs {JOINT_COUNT} joints, offsets and signs")
+    lengths = {key: millimetres / 1000.0 for key, millimetres in table["geometry_mm"].items()}
+    geometry = OpwGeometry(
+        **lengths,
+        offsets=tuple(radians(degrees) for degrees in zero["offsets_deg"]),
+        signs=tuple(zero["signs"]),
+        coupling=zero["coupling_3_2"],
+    )
+    speeds = (joint.get("max_speed_deg_s") for joint in joints)
+    return CatalogueEntry(
+        name=table["name"],
+        title=table["title"],
+        maker=table["maker"],
+        aliases=tuple(table["aliases"]),
+        geometry=geometry,
+        joint_names=tuple(f"joint_{number}" for number in range(1, JOINT_COUNT + 1)),
+        limits=tuple(
+            (radians(lower), radians(upper)) for lower, upper in (j["limits_deg"] for j in joints)
+        ),
+        max_speeds=tuple(None if speed is None else radians(speed) for speed in speeds),
+        payload_kg=table.get("payload_kg"),
+        reach_m=table.get("reach_m"),
+        sources=tuple(table["sources"]),
+        checks=tuple(table["checks"]),
+        notes=tuple(table["notes"]),
+        folder=folder,
+    )
+
+
+def _unknown(name: str) -> str:
+    known = (*robot_names(), *aliases())
+    near = difflib.get_close_matches(name.lower(), known, n=NEAR_NAMES, cutoff=0.4)
+    if not near:
+        return f"robot `{name}` is not in the catalogue, which holds {', '.join(robot_names())}"
+    return f"robot `{name}` is not in the catalogue; near it are {', '.join(near)}"

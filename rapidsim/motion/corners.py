@@ -1,0 +1,247 @@
+"""Corner paths: how far around each programmed point the arm leaves the programmed curves.
+
+A corner path replaces the last `radius` of one curve and the first `radius` of the next. It adds
+the two curves' deviations from the corner, slowed down by a shape phi with phi(0) = phi'(0) = 0,
+phi(1) = 1, phi'(1) = 2, so that it meets both curves with their own speed:
+
+    B(t) = C + [in(radius phi(1 - t)) - C] + [out(radius phi(t)) - C],   0 <= t <= 1
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import assert_never
+
+import numpy as np
+import numpy.typing as npt
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.curves import Curves
+from rapidsim.motion.kinematics import Kinematics
+from rapidsim.motion.model import Corner as Shape
+from rapidsim.motion.model import MotionModel
+from rapidsim.motion.segments import Segment
+
+_SMALLEST_RADIUS = 1e-6
+_SMALLEST_SHARE = 1e-4
+_ZONE_SAMPLES = 16
+
+
+class Limit(IntEnum):
+    """What decided the radius of a corner."""
+
+    ZONE = 0
+    HALF = 1
+    REORIENTATION = 2
+    TURN_ONLY = 3
+    STOP_POINT = 4
+    NO_LENGTH = 5
+
+
+@dataclass(frozen=True, slots=True)
+class Corner:
+    """What became of the end of a segment."""
+
+    radius: float
+    """Radius [m] around the programmed point in which the corner path runs; 0 if there is none."""
+    in_joints: bool
+    """Whether the corner path is made in joint space."""
+    stops: bool
+    """Whether the arm comes to rest at the programmed point."""
+    reason: str
+    """Why the zone was reduced or the arm stops; empty where the zone is as programmed."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Corners:
+    """Corners between curves, row c between curves c and c + 1, shapes (m - 1,)."""
+
+    radius: Array
+    """In units of the path parameter, for the position or for the joints."""
+    orientation_radius: Array
+    """The same for the orientation, at least `radius`."""
+    in_joints: npt.NDArray[np.bool_]
+    limit: npt.NDArray[np.int64]
+    """Values of `Limit`."""
+
+
+def shape(corner: Shape, t: Array) -> tuple[Array, Array, Array]:
+    """phi and its first two derivatives at t (k,) in 0..1."""
+    match corner:
+        case "c2":
+            return t**3 * (2.0 - t), t**2 * (6.0 - 4.0 * t), 12.0 * t * (1.0 - t)
+        case "parabola":
+            return t**2, 2.0 * t, np.full_like(t, 2.0)
+        case _:
+            assert_never(corner)
+
+
+def corners_of(
+    segments: Sequence[Segment], curves: Curves, kinematics: Kinematics, model: MotionModel
+) -> Corners:
+    """Find the corner between each two consecutive curves.
+
+    A zone is reduced to half of either curve, and by the share of the reorientation that its
+    angle allows (a zone of 9 deg on a turn of 25 deg leaves 36 % of the curve). Where only one of
+    the two curves moves the TCP there is no corner path.
+
+    Source: zonedata and the motion principles of the RAPID reference; that the orientation follows
+    the position's zone is measured (`MotionModel.orientation_zone`).
+    """
+    count = len(segments) - 1
+    zones = [segment.zone for segment in segments[:count]]
+    stop = np.array([zone is None for zone in zones], dtype=bool)
+    position = np.array([zone.position if zone else 0.0 for zone in zones])
+    orientation = np.array([zone.orientation if zone else 0.0 for zone in zones])
+    angle = np.array([zone.angle if zone else 0.0 for zone in zones])
+    if model.orientation_zone == "position":
+        orientation = position
+
+    into, out = slice(0, count), slice(1, count + 1)
+    turn_only = curves.turns_only[into] != curves.turns_only[out]
+    candidates = np.full((2, 3, count), np.inf)
+    widest = np.full((2, count), np.inf)
+    for side, rows in enumerate((into, out)):
+        length = curves.length[rows]
+        turned = np.maximum(curves.angle[rows], 1e-12)
+        candidates[side, Limit.ZONE] = _zone_on_curve(
+            segments, curves, kinematics, position, angle, side
+        )
+        candidates[side, Limit.HALF] = 0.5 * length
+        candidates[side, Limit.REORIENTATION] = length * angle / turned
+        widest[side] = np.where(
+            curves.turns_only[rows],
+            candidates[side, Limit.ZONE],
+            np.minimum(orientation * length / np.maximum(curves.travel[rows], 1e-12), 0.5 * length),
+        )
+        widest[side] = np.minimum(widest[side], candidates[side, Limit.REORIENTATION])
+    smallest = candidates.min(axis=0)
+    limit = smallest.argmin(axis=0)
+    radius = smallest.min(axis=0)
+    orientation_radius = np.maximum(radius, widest.min(axis=0))
+
+    shorter = np.minimum(curves.length[into], curves.length[out])
+    none = stop | turn_only | (radius < np.minimum(_SMALLEST_RADIUS, _SMALLEST_SHARE * shorter))
+    limit = np.where(stop, Limit.STOP_POINT, np.where(turn_only, Limit.TURN_ONLY, limit))
+    in_joints = curves.in_joints[into] | curves.in_joints[out] | _tool_changes(segments)
+    return Corners(
+        radius=np.where(none, 0.0, radius),
+        orientation_radius=np.where(none, 0.0, np.where(in_joints, radius, orientation_radius)),
+        in_joints=in_joints,
+        limit=limit.astype(np.int64),
+    )
+
+
+def describe(
+    limit: Limit, programmed: float, radius: float, angle: float, turned: float, *, stops: bool
+) -> str:
+    """Why a corner is not as programmed; empty if it is.
+
+    Args:
+        limit: What decided.
+        programmed: Zone [m].
+        radius: Radius used [m].
+        angle: Zone for reorientation [rad].
+        turned: Larger reorientation of the two moves at the corner [rad].
+        stops: Whether the arm comes to rest.
+    """
+    reduced = f"zone {programmed * 1e3:g} mm reduced to {radius * 1e3:.3g} mm"
+    match limit:
+        case Limit.ZONE:
+            text = "zone without size" if stops else ""
+        case Limit.HALF:
+            text = f"{reduced}: half of the shorter move at it"
+        case Limit.REORIENTATION:
+            text = (
+                f"{reduced}: reorientation of {math.degrees(turned):.1f} deg with a zone of "
+                f"{math.degrees(angle):.2g} deg"
+            )
+        case Limit.TURN_ONLY:
+            text = "no corner path between TCP travel and pure reorientation"
+        case Limit.STOP_POINT:
+            text = "stop point"
+        case Limit.NO_LENGTH:
+            text = "no corner path at a move without length"
+        case _:
+            assert_never(limit)
+    return text
+
+
+def _zone_on_curve(
+    segments: Sequence[Segment],
+    curves: Curves,
+    kinematics: Kinematics,
+    position: Array,
+    angle: Array,
+    side: int,
+) -> Array:
+    """Zones (m - 1,) in units of the path parameter on the curve before or after each corner."""
+    count = len(position)
+    rows = slice(side, count + side)
+    length = curves.length[rows]
+    arc = np.linalg.norm(curves.spoke[rows], axis=-1)
+    # The zone is a sphere: on an arc its edge is a chord away.
+    half_chord = np.minimum(position / np.maximum(2.0 * arc, 1e-12), 1.0)
+    on_arc = 2.0 * arc * np.arcsin(half_chord)
+    zone = np.where(arc > 0.0, on_arc, position * length / np.maximum(curves.travel[rows], 1e-12))
+    turned = np.maximum(curves.angle[rows], np.abs(curves.joint_travel[rows]).max(axis=-1))
+    zone = np.where(curves.turns_only[rows], length * angle / np.maximum(turned, 1e-12), zone)
+    moves = np.flatnonzero(curves.in_joints[rows] & ~curves.turns_only[rows] & (position > 0.0))
+    if len(moves):
+        zone[moves] = _zone_on_joint_moves(
+            segments, curves, kinematics, moves + side, position[moves], at_end=side == 0
+        )
+    return zone
+
+
+def _zone_on_joint_moves(
+    segments: Sequence[Segment],
+    curves: Curves,
+    kinematics: Kinematics,
+    row: npt.NDArray[np.int64],
+    position: Array,
+    *,
+    at_end: bool,
+) -> Array:
+    """How far (k,) along joint moves the TCP stays within a distance (k,) [m] of their end."""
+    tcp_in_flange = np.array([segments[i].tcp_from_flange.inverse().translation for i in row])
+
+    def distance(share: Array) -> Array:
+        """TCP distance (k, j) from the corner at shares (k, j) of the move, counted from it."""
+        along = 1.0 - share if at_end else share
+        joints = curves.start_joints[row, None] + along[..., None] * curves.joint_travel[row, None]
+        tcp = kinematics.forward(joints).apply(
+            np.broadcast_to(tcp_in_flange[:, None], (*joints.shape[:2], 3))
+        )
+        corner = (curves.end if at_end else curves.start).translation[row]
+        away: Array = np.linalg.norm(tcp - corner[:, None], axis=-1)
+        return away
+
+    share = np.broadcast_to(np.linspace(0.0, 0.5, _ZONE_SAMPLES + 1), (len(row), _ZONE_SAMPLES + 1))
+    outside = distance(share) > position[:, None]
+    leaves = outside.any(axis=1)
+    first = np.where(leaves, outside.argmax(axis=1), _ZONE_SAMPLES)
+    low = share[0, np.maximum(first - 1, 0)]
+    high = share[0, first]
+    # The controller itself converts zones of joint moves only to within 10 %.
+    for _ in range(12):
+        middle = 0.5 * (low + high)
+        within = distance(middle[:, None])[:, 0] <= position
+        low, high = np.where(within, middle, low), np.where(within, high, middle)
+    zone: Array = np.where(leaves, low, np.inf) * curves.length[row]
+    return zone
+
+
+def _tool_changes(segments: Sequence[Segment]) -> npt.NDArray[np.bool_]:
+    """Whether the corner after each segment but the last joins different tools."""
+    changes = []
+    for before, after in zip(segments, segments[1:], strict=False):
+        a, b = before.tcp_from_flange, after.tcp_from_flange
+        same = a is b or (
+            np.array_equal(a.rotation, b.rotation) and np.array_equal(a.translation, b.translation)
+        )
+        changes.append(before.joint_corner or not same)
+    return np.array(changes, dtype=bool)

@@ -1,0 +1,219 @@
+"""The usual industrial arm: three axes that place the wrist centre, three that meet in it.
+
+An ortho-parallel basis (axis 2 square to axis 1, axis 3 parallel to axis 2) with a spherical wrist,
+described by seven lengths. The angles theta of the formulas are zero with the arm straight up; the
+joint values differ from them by a sign, an offset and, for arms that move axis 3 through a rod, by
+the angle of axis 2.
+
+Source:
+    Brandstötter, Angerer, Hofbaur (2014), An analytical solution of the inverse kinematics problem
+    of industrial serial manipulators with an ortho-parallel basis and a spherical wrist. The
+    inverse differs from theirs where theirs loses solutions; see `opw_inverse`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import numpy.typing as npt
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion import opw_inverse
+from rapidsim.motion.kinematics import Branches, Followed
+
+JOINT_COUNT = 6
+_JOINT = np.arange(JOINT_COUNT)
+_AXIS = np.array([2, 1, 1, 2, 1, 2])
+"""Which column of its frame each axis is: z, or y for axes 2, 3 and 5."""
+ROUNDING = 1e-12
+"""Angles [rad] and shares of the arm's length up to this are zero spoiled by rounding."""
+
+
+@dataclass(frozen=True, slots=True)
+class OpwGeometry:
+    """The lengths [m] and the zero positions of an ortho-parallel arm."""
+
+    a1: float
+    """Axis 1 to axis 2, forward."""
+    a2: float
+    """Axis 3 to axis 4; negative where the forearm lies above the elbow with the arm forward."""
+    b: float
+    """Sideways offset of the wrist centre from axis 1."""
+    c1: float
+    """Base to axis 2, upward."""
+    c2: float
+    """Axis 2 to axis 3."""
+    c3: float
+    """Elbow to wrist centre, along axis 4."""
+    c4: float
+    """Wrist centre to flange, along axis 6."""
+    offsets: tuple[float, ...] = (0.0,) * JOINT_COUNT
+    """theta = sign * joint - offset [rad]."""
+    signs: tuple[int, ...] = (1,) * JOINT_COUNT
+    coupling: int = 0
+    """Axis 3 turns by joint 3 plus this times joint 2: -1 for arms with a parallel rod, else 0."""
+
+    @property
+    def reach(self) -> float:
+        """Longest distance [m] of the wrist centre from axis 2; the scale of every tolerance."""
+        return self.c2 + float(np.hypot(self.a2, self.c3))
+
+
+@dataclass(frozen=True, eq=False)
+class OrthoParallel:
+    """Kinematics of an ortho-parallel arm with a spherical wrist.
+
+    The branch is ABB's cfx for arms whose signs are ABB's, all +1: 4 where the wrist centre is
+    behind axis 1, plus 2 where it is behind the lower arm, plus 1 where axis 5 is negative.
+    """
+
+    geometry: OpwGeometry
+    base_from_opw: Transform
+    """Where the frame of the formulas stands: z is axis 1, x points forward."""
+    opw_from_link: Transform
+    """From link frames to the frames of the formulas, shape (6,): naming, no motion."""
+    opw6_from_flange: Transform
+    """The flange seen from the wrist centre, z along axis 6."""
+
+    @property
+    def joint_count(self) -> int:
+        """Six."""
+        return JOINT_COUNT
+
+    @property
+    def branch_count(self) -> int:
+        """Eight: two sides of axis 1, two elbows, two wrists."""
+        return 8
+
+    @cached_property
+    def _signs(self) -> Array:
+        return np.array(self.geometry.signs, dtype=np.float64)
+
+    @cached_property
+    def _offsets(self) -> Array:
+        return np.array(self.geometry.offsets, dtype=np.float64)
+
+    @cached_property
+    def _flange_from_opw6(self) -> Transform:
+        return self.opw6_from_flange.inverse()
+
+    @cached_property
+    def _opw_from_base(self) -> Transform:
+        return self.base_from_opw.inverse()
+
+    def theta_from_joints(self, joints: Array) -> Array:
+        """Angles of the formulas (..., 6) [rad] of joint vectors (..., 6) [rad]."""
+        serial = np.array(joints, dtype=np.float64)
+        serial[..., 2] += self.geometry.coupling * serial[..., 1]
+        return self._signs * serial - self._offsets
+
+    def joints_from_theta(self, theta: Array) -> Array:
+        """Joint vectors (..., 6) [rad], each joint in its principal turn -180..180 deg."""
+        joints = (theta + self._offsets) * self._signs
+        joints[..., 2] -= self.geometry.coupling * joints[..., 1]
+        return joints - 2.0 * np.pi * np.round(joints / (2.0 * np.pi))
+
+    def forward(self, joints: Array) -> Transform:
+        """base_from_flange of joint vectors (..., 6) [rad]; the flange is ABB's tool0."""
+        return self.base_from_opw @ self._opw_frames(joints)[..., 5] @ self.opw6_from_flange
+
+    def link_frames(self, joints: Array) -> Transform:
+        """base_from_link of each moving link, shape (..., 6), of joint vectors (..., 6) [rad]."""
+        return self.base_from_opw @ self._opw_frames(joints) @ self.opw_from_link
+
+    def jacobian(self, joints: Array) -> Array:
+        """Twist of the flange per joint speed, (..., 6, 6): [m/rad] over [rad/rad], in base."""
+        frames = self.base_from_opw @ self._opw_frames(joints)
+        flange = frames[..., 5] @ self.opw6_from_flange
+        columns_of_axes = frames.rotation[..., _JOINT, :, _AXIS]  # (6, ..., 3)
+        axes = np.moveaxis(columns_of_axes, 0, -2)
+        arms = flange.translation[..., None, :] - frames.translation
+        columns = np.concatenate([np.cross(axes, arms), axes], axis=-1) * self._signs[:, None]
+        columns[..., 1, :] += self.geometry.coupling * columns[..., 2, :]
+        return np.swapaxes(columns, -1, -2)
+
+    def inverse(self, base_from_flange: Transform) -> Branches:
+        """All eight branches of a batch of poses (...,).
+
+        Joints that a pose leaves undetermined are 0: axis 1 where the wrist centre is on it, axis 4
+        where axis 5 is 0.
+        """
+        theta, exists, shortfall = opw_inverse.all_branches(
+            self.geometry, self._opw6(base_from_flange)
+        )
+        joints = np.where(exists[..., None], self.joints_from_theta(theta), 0.0)
+        return Branches(joints, exists, shortfall)
+
+    def inverse_on_branch(self, base_from_flange: Transform, branch: int, near: Array) -> Followed:
+        """Joints of poses (k,) on one branch; see `Kinematics.inverse_on_branch`."""
+        near = np.asarray(near, dtype=np.float64)
+        theta, exists = opw_inverse.one_branch(
+            self.geometry, self._opw6(base_from_flange), branch, self.theta_from_joints(near)
+        )
+        principal = self.joints_from_theta(theta)
+        joints = np.zeros_like(principal)
+        if near.ndim == 1:
+            # Rows out of reach have no joints; what follows them is near to what came before.
+            row = np.concatenate([near[None], principal[exists]])
+            joints[exists] = np.unwrap(row, axis=0)[1:]
+        else:
+            turns = np.round((near - principal) / (2.0 * np.pi))
+            joints[exists] = (principal + 2.0 * np.pi * turns)[exists]
+        return Followed(joints, exists)
+
+    def branch_of(self, joints: Array) -> npt.NDArray[np.int64]:
+        """The branch of joint vectors (..., 6); on a border it is the front, the positive one."""
+        g = self.geometry
+        theta = self.theta_from_joints(joints)
+        t2, t3, t5 = theta[..., 1], theta[..., 2], theta[..., 4]
+        forward = g.a1 + g.c2 * np.sin(t2) + g.c3 * np.sin(t2 + t3) + g.a2 * np.cos(t2 + t3)
+        behind_axis_1 = forward < -ROUNDING * g.reach
+        behind_lower_arm = np.sin(t3 + np.arctan2(g.a2, g.c3)) < -ROUNDING
+        negative_wrist = np.sin(t5) < -ROUNDING
+        branch: npt.NDArray[np.int64] = 4 * behind_axis_1 + 2 * behind_lower_arm + negative_wrist
+        return branch
+
+    def _opw6(self, base_from_flange: Transform) -> Transform:
+        """The last frame of the formulas: its origin is the wrist centre."""
+        return self._opw_from_base @ base_from_flange @ self._flange_from_opw6
+
+    def _opw_frames(self, joints: Array) -> Transform:
+        """The frames (..., 6) of the formulas in their base.
+
+        Frame 1 stands at the foot of axis 1, 2 and 3 on their axes, 4 on axis 4 beside the elbow,
+        5 and 6 in the wrist centre. z is the axis, but y for 2, 3 and 5.
+        """
+        g = self.geometry
+        theta = self.theta_from_joints(joints)
+        t1, t2, t4, t5, t6 = (theta[..., i] for i in (0, 1, 3, 4, 5))
+        t23 = t2 + theta[..., 2]
+        turned = _about_z(t1)
+        upper = turned @ _about_y(t2)
+        elbow = turned @ _about_y(t23)
+        rolled = elbow @ _about_z(t4)
+        bent = rolled @ _about_y(t5)
+        rotation = np.stack([turned, upper, elbow, rolled, bent, bent @ _about_z(t6)], axis=-3)
+
+        foot = np.zeros_like(turned[..., 0])
+        shoulder = turned @ np.array([g.a1, 0.0, g.c1])
+        elbow_origin = shoulder + g.c2 * upper[..., 2] + g.b * turned[..., 1]
+        forearm = elbow_origin + g.a2 * elbow[..., 0]
+        wrist = forearm + g.c3 * elbow[..., 2]
+        translation = np.stack([foot, shoulder, elbow_origin, forearm, wrist, wrist], axis=-2)
+        return Transform(rotation, translation)
+
+
+def _about_z(angle: Array) -> Array:
+    """Rotation matrices (..., 3, 3) about z."""
+    c, s, zero = np.cos(angle), np.sin(angle), np.zeros_like(angle)
+    rows = [c, -s, zero, s, c, zero, zero, zero, np.ones_like(angle)]
+    return np.stack(rows, axis=-1).reshape(*angle.shape, 3, 3)
+
+
+def _about_y(angle: Array) -> Array:
+    """Rotation matrices (..., 3, 3) about y."""
+    c, s, zero = np.cos(angle), np.sin(angle), np.zeros_like(angle)
+    rows = [c, zero, s, zero, np.ones_like(angle), zero, -s, zero, c]
+    return np.stack(rows, axis=-1).reshape(*angle.shape, 3, 3)

@@ -1,0 +1,81 @@
+"""Why a pose cannot be reached: as a value with numbers, never NaN."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import degrees
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.robot import Robot
+
+LIMIT_TOLERANCE = 1e-9
+"""A joint counts as within its limits up to this [rad], for rounding."""
+
+
+@dataclass(frozen=True, slots=True)
+class Unreachable:
+    """What keeps an arm from a pose: its geometry, or else the joint limit that gives least."""
+
+    shortfall: float
+    """How far [m] the wrist centre is outside what the arm can reach; 0 if a limit is the cause."""
+    branch: int | None = None
+    """The branch that comes nearest to its limits; None if the geometry is the cause."""
+    joint: int | None = None
+    """The joint that is furthest over on that branch, counted from 1."""
+    excess: float = 0.0
+    """How far [rad] that joint is above its upper limit, or, if negative, below its lower one."""
+
+    @property
+    def message(self) -> str:
+        """The reason in the words of a shop floor: mm and degrees."""
+        if self.joint is None:
+            return f"wrist centre {1000.0 * self.shortfall:.1f} mm beyond reach"
+        limit = "upper" if self.excess > 0.0 else "lower"
+        over = degrees(abs(self.excess))
+        return f"joint {self.joint} over by {over:.1f} deg at its {limit} limit"
+
+
+def turns_within_limits(robot: Robot, joints: Array) -> Array:
+    """Joint vectors (..., n) [rad] with each joint in the whole turn that is nearest to its range.
+
+    What lies outside afterwards has no turn within the limits.
+    """
+    endless = np.isinf(robot.lower) | np.isinf(robot.upper)
+    lower, upper = (np.where(endless, 0.0, limits) for limits in (robot.lower, robot.upper))
+    middle = 0.5 * (lower + upper)
+    return joints + 2.0 * np.pi * np.round((middle - joints) / (2.0 * np.pi))
+
+
+def limit_excess(robot: Robot, joints: Array) -> Array:
+    """How far joint vectors (..., n) [rad] are over their limits: + above, - below, 0 within."""
+    above = np.maximum(joints - robot.upper - LIMIT_TOLERANCE, 0.0)
+    below = np.maximum(robot.lower - joints - LIMIT_TOLERANCE, 0.0)
+    return above - below
+
+
+def why_unreachable(
+    robot: Robot, base_from_flange: Transform, branch: int | None = None
+) -> Unreachable | None:
+    """The reason why one pose cannot be reached, None if it can.
+
+    Args:
+        robot: The arm.
+        base_from_flange: One pose.
+        branch: Look at this branch only; without it, at all.
+    """
+    branches = robot.kinematics.inverse(base_from_flange)
+    wanted = branches.exists.copy()
+    if branch is not None:
+        wanted[:] = False
+        wanted[branch] = branches.exists[branch]
+    if not wanted.any():
+        return Unreachable(shortfall=float(branches.shortfall))
+    excess = limit_excess(robot, turns_within_limits(robot, branches.joints))
+    worst = np.where(wanted, np.max(np.abs(excess), axis=-1), np.inf)
+    best = int(np.argmin(worst))
+    if worst[best] == 0.0:
+        return None
+    joint = int(np.argmax(np.abs(excess[best])))
+    return Unreachable(0.0, best, joint + 1, float(excess[best, joint]))

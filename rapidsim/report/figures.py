@@ -1,0 +1,140 @@
+"""Figures of a run: what a person asks first, computed from moves and trajectory.
+
+Everything is a function of the simulation alone, so a report of the same run is the same text.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.language.controller import Place
+from rapidsim.simulation.result import CornerKind, ExecutedMove, Simulation
+
+_SAMPLE_S = 0.012
+_MOST_SAMPLES = 20_000
+_SLOWEST = 5
+
+
+@dataclass(frozen=True, slots=True)
+class LineTime:
+    """Time spent in the moves of one source line."""
+
+    place: Place
+    instruction: str
+    to: str
+    seconds: float
+    times: int
+    """How often the line was run."""
+
+
+@dataclass(frozen=True, slots=True)
+class JointMargin:
+    """The nearest that any joint came to a limit."""
+
+    degrees: float
+    """What is left; negative beyond the limit."""
+    joint: int
+    """From 1."""
+    time_s: float
+    move: ExecutedMove
+
+
+@dataclass(frozen=True, slots=True)
+class Singularity:
+    """The nearest that the arm came to a singularity."""
+
+    smallest_singular_value: float
+    """Of the flange's Jacobian in m and rad; 0 in a singularity."""
+    time_s: float
+    move: ExecutedMove
+
+
+@dataclass(frozen=True, slots=True)
+class Figures:
+    """What the summary of a run shows beside its events."""
+
+    moves_by_instruction: tuple[tuple[str, int], ...]
+    """In order of first use."""
+    moves_by_corner: tuple[tuple[CornerKind, int], ...]
+    slowest: tuple[LineTime, ...]
+    joint_margin: JointMargin | None
+    """None where nothing moved."""
+    singularity: Singularity | None
+
+
+def figures(simulation: Simulation) -> Figures:
+    """Compute the figures of a run."""
+    moves = simulation.moves
+    corners = Counter(move.corner for move in moves)
+    margin, singularity = _along_the_path(simulation) if moves else (None, None)
+    return Figures(
+        moves_by_instruction=tuple(Counter(m.move.instruction for m in moves).items()),
+        moves_by_corner=tuple((kind, corners[kind]) for kind in CornerKind if kind in corners),
+        slowest=_slowest(moves),
+        joint_margin=margin,
+        singularity=singularity,
+    )
+
+
+def argument(move: ExecutedMove, *names: str) -> str | None:
+    """Source text of the first of some arguments of a move that was written."""
+    given = (move.place.arguments.get(name) for name in names)
+    return next((text for text in given if text is not None), None)
+
+
+def end_point(move: ExecutedMove) -> str:
+    """What the program calls the end of a move; `*` where it is written out in place."""
+    text = argument(move, "topoint", "tojointpos") or "*"
+    return "*" if text.startswith("[") else text
+
+
+def _slowest(moves: tuple[ExecutedMove, ...]) -> tuple[LineTime, ...]:
+    by_line: dict[tuple[str, int], list[ExecutedMove]] = {}
+    for move in moves:
+        by_line.setdefault((move.place.span.file, move.place.span.start), []).append(move)
+    times = (
+        LineTime(
+            place=same[0].place,
+            instruction=same[0].move.instruction,
+            to=end_point(same[0]),
+            seconds=sum(move.end_s - move.start_s for move in same),
+            times=len(same),
+        )
+        for same in by_line.values()
+    )
+    return tuple(sorted(times, key=lambda line: -line.seconds)[:_SLOWEST])
+
+
+def _along_the_path(simulation: Simulation) -> tuple[JointMargin, Singularity]:
+    robot = simulation.robot
+    times = _sample_times(simulation)
+    samples = simulation.trajectory.at(times)
+    left = np.minimum(samples.joints - robot.lower, robot.upper - samples.joints)
+    row, joint = (int(i) for i in np.unravel_index(np.argmin(left), left.shape))
+    margin = JointMargin(
+        degrees=float(np.degrees(left[row, joint])),
+        joint=joint + 1,
+        time_s=float(times[row]),
+        move=simulation.moves[int(samples.move[row])],
+    )
+    jacobians = robot.kinematics.jacobian(samples.joints)
+    smallest = np.linalg.svd(jacobians, compute_uv=False)[:, -1]
+    row = int(np.argmin(smallest))
+    singularity = Singularity(
+        smallest_singular_value=float(smallest[row]),
+        time_s=float(times[row]),
+        move=simulation.moves[int(samples.move[row])],
+    )
+    return margin, singularity
+
+
+def _sample_times(simulation: Simulation) -> Array:
+    """Instants under way; the ends of moves are among them, standstill before the first is not."""
+    start, end = simulation.moves[0].start_s, simulation.trajectory.duration
+    count = min(_MOST_SAMPLES, int((end - start) / _SAMPLE_S) + 2)
+    ends = np.array([move.end_s for move in simulation.moves])
+    return np.unique(np.concatenate([np.linspace(start, end, count), ends.clip(start, end)]))

@@ -1,0 +1,51 @@
+"""The few colours of terminal output, by what they mean.
+
+Findings are coloured with these plain escape codes and not with rich: `rapidsim check` on a small
+file shall start fast.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rapidsim.diagnostics import Severity
+
+_RESET = "\x1b[0m"
+
+
+@dataclass(frozen=True, slots=True)
+class Palette:
+    """Escape codes; empty strings give plain text."""
+
+    error: str = ""
+    warning: str = ""
+    note: str = ""
+    frame: str = ""
+    """Line numbers and rules around source text."""
+    strong: str = ""
+    help: str = ""
+
+    def paint(self, text: str, code: str) -> str:
+        """The text in a colour of this palette."""
+        return f"{code}{text}{_RESET}" if code and text else text
+
+    def of(self, severity: Severity) -> str:
+        """The colour of a severity."""
+        match severity:
+            case Severity.ERROR:
+                return self.error
+            case Severity.WARNING:
+                return self.warning
+            case Severity.NOTE:
+                return self.note
+
+
+PLAIN = Palette()
+COLOURED = Palette(
+    error="\x1b[1;31m",
+    warning="\x1b[1;33m",
+    note="\x1b[1;36m",
+    frame="\x1b[34m",
+    strong="\x1b[1m",
+    help="\x1b[32m",
+)

@@ -1,0 +1,193 @@
+"""A run as one JSON object: plain Python numbers, all finite, keys in a fixed order."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.motion.model import MotionModel
+from rapidsim.report.diagnostics import diagnostic_json
+from rapidsim.report.figures import Figures, JointMargin, LineTime, Singularity, argument
+from rapidsim.report.merging import merged
+from rapidsim.simulation.result import Event, ExecutedMove, Simulation
+
+SCHEMA = 1
+PROGRAM_POINTER = (
+    "runs ahead of the robot; goes on after a fly-by move when the robot starts that move"
+)
+
+
+def run_json(
+    simulation: Simulation,
+    figures: Figures,
+    findings: Sequence[Diagnostic],
+    files: Mapping[str, str],
+) -> dict[str, object]:
+    """The object that `rapidsim run --format json` prints.
+
+    Args:
+        simulation: The run.
+        figures: Its figures.
+        findings: What checking and running found.
+        files: Paths of the files written, by what they are.
+    """
+    return {
+        "schema": SCHEMA,
+        "program": list(simulation.program),
+        "robot": simulation.robot.name,
+        "end": simulation.end.value,
+        "time_s": _number(simulation.time_s),
+        "motion_s": _number(simulation.motion_s),
+        "wait_s": _number(simulation.wait_s),
+        "path_mm": _number(simulation.path_m * 1000.0),
+        "moves": [_move(move) for move in simulation.moves],
+        "slowest": [_line_time(line) for line in figures.slowest],
+        "min_joint_margin": _margin(figures.joint_margin),
+        "min_singularity": _singularity(figures.singularity),
+        "diagnostics": [diagnostic_json(finding) for finding in merged(findings)],
+        "events": [_event(event) for event in simulation.events],
+        "unsimulated": [
+            {"name": one.name, "count": one.count, "treated_as": one.treated_as}
+            for one in simulation.unsimulated
+        ],
+        "models": models(simulation.model),
+        "files": {
+            **files,
+            "home": [{"path": file.path, "size": file.size} for file in simulation.home_files],
+        },
+    }
+
+
+def rejected_json(
+    program: Sequence[str], robot: str, findings: Sequence[Diagnostic]
+) -> dict[str, object]:
+    """The same object for a program that cannot run because of the errors in it."""
+    return {
+        "schema": SCHEMA,
+        "program": list(program),
+        "robot": robot,
+        "end": "error",
+        "time_s": 0.0,
+        "motion_s": 0.0,
+        "wait_s": 0.0,
+        "path_mm": 0.0,
+        "moves": [],
+        "slowest": [],
+        "min_joint_margin": None,
+        "min_singularity": None,
+        "diagnostics": [diagnostic_json(finding) for finding in merged(findings)],
+        "events": [],
+        "unsimulated": [],
+        "models": {},
+        "files": {},
+    }
+
+
+def models(model: MotionModel) -> dict[str, object]:
+    """The models behind the numbers and their parameters."""
+    if model.acceleration is None:
+        acceleration = f"axis acceleration = axis speed / {model.acceleration_time:g} s"
+    else:
+        degrees = ", ".join(f"{math.degrees(a):g}" for a in model.acceleration)
+        acceleration = f"axis accelerations {degrees} deg/s2"
+    return {
+        "acceleration": acceleration,
+        "corner": model.corner,
+        "program_pointer": PROGRAM_POINTER,
+        "filter_time_s": model.filter_time,
+        "fine_dwell_s": model.fine_dwell,
+    }
+
+
+def _move(move: ExecutedMove) -> dict[str, object]:
+    return {
+        "index": move.index,
+        "task": move.task,
+        "instruction": move.move.instruction,
+        **_place(move),
+        "routine": move.place.routine,
+        "to": argument(move, "topoint", "tojointpos"),
+        "tool": argument(move, "tool"),
+        "wobj": argument(move, "wobj") or "wobj0",
+        "speed_mm_s": _number(move.move.speed.v_tcp),
+        "zone_mm": _number(move.zone_m * 1000.0),
+        "start_s": _number(move.start_s),
+        "end_s": _number(move.end_s),
+        "length_mm": _number(move.length_m * 1000.0),
+        "corner": move.corner.value,
+        "target": {
+            "position_mm": [_number(x * 1000.0) for x in move.base_from_tcp.translation],
+            "quaternion": [_number(q) for q in move.base_from_tcp.quaternion],
+            "frame": "base",
+        },
+        "joints_deg": [_number(q) for q in np.degrees(move.joints)],
+        "conf": [int(value) for value in move.conf],
+    }
+
+
+def _event(event: Event) -> dict[str, object]:
+    span = event.place.span if event.place else None
+    return {
+        "time_s": _number(event.time_s),
+        "task": event.task,
+        "kind": event.kind.value,
+        "file": span.file if span else None,
+        "line": span.line if span else None,
+        "message": event.message,
+        **{name: _plain(value) for name, value in event.details.items()},
+    }
+
+
+def _line_time(line: LineTime) -> dict[str, object]:
+    return {
+        "file": line.place.span.file,
+        "line": line.place.span.line,
+        "routine": line.place.routine,
+        "instruction": line.instruction,
+        "to": line.to,
+        "time_s": _number(line.seconds),
+        "times": line.times,
+    }
+
+
+def _margin(margin: JointMargin | None) -> dict[str, object] | None:
+    if margin is None:
+        return None
+    return {
+        "margin_deg": _number(margin.degrees),
+        "joint": margin.joint,
+        "time_s": _number(margin.time_s),
+        "move": margin.move.index,
+        **_place(margin.move),
+    }
+
+
+def _singularity(singularity: Singularity | None) -> dict[str, object] | None:
+    if singularity is None:
+        return None
+    return {
+        "smallest_singular_value": _number(singularity.smallest_singular_value),
+        "time_s": _number(singularity.time_s),
+        "move": singularity.move.index,
+        **_place(singularity.move),
+    }
+
+
+def _place(move: ExecutedMove) -> dict[str, object]:
+    return {"file": move.place.span.file, "line": move.place.span.line}
+
+
+def _plain(value: object) -> object:
+    """A detail of an event as JSON; what is no plain value becomes its text."""
+    if isinstance(value, float | np.floating):
+        return _number(value)
+    return value if isinstance(value, str | int | bool | None) else str(value)
+
+
+def _number(value: float | np.floating[np.typing.NBitBase]) -> float | None:
+    """A finite number; JSON has no others, so they become null."""
+    plain = float(value)
+    return plain if math.isfinite(plain) else None

@@ -1,0 +1,222 @@
+"""The summary of a run for a person: how it ended, how long it took, where the time went.
+
+Built of rich tables without boxes, so that it reads in 80 columns and in a log file.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from rich.console import Group, RenderableType
+from rich.rule import Rule
+from rich.table import Table
+from rich.text import Text
+
+from rapidsim.report.figures import Figures, JointMargin, LineTime, Singularity
+from rapidsim.report.run_json import models
+from rapidsim.report.source_frame import printable
+from rapidsim.simulation.result import CornerKind, End, EventKind, ExecutedMove, Simulation
+
+_BAR_CELLS = 24
+_SHOWN_TEXTS = 8
+_LOW_MARGIN_DEG = 5.0
+_NEAR_SINGULAR = 0.05
+
+_ENDS = {
+    End.ENDED: ("ended as programmed", "green"),
+    End.STOPPED: ("stopped by the program", "green"),
+    End.TIME_LIMIT: ("cut off at the time limit", "yellow"),
+    End.CYCLE_LIMIT: ("ended after the cycles asked for", "green"),
+    End.ERROR: ("stopped with an error", "red"),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """A file the command wrote."""
+
+    path: Path
+    what: str
+    """Such as "recording"."""
+
+
+def summary(
+    simulation: Simulation,
+    figures: Figures,
+    *,
+    robot_reason: str | None,
+    written: Sequence[Written],
+    bar: str = "█",
+) -> RenderableType:
+    """The summary of a run.
+
+    Args:
+        simulation: The run.
+        figures: Its figures.
+        robot_reason: Why this robot, unless the user named it.
+        written: Files of the command, the recording among them.
+        bar: The character bars are made of.
+    """
+    parts: list[RenderableType] = [_headline(simulation), Rule(style="dim"), Text()]
+    parts.append(_facts(simulation, figures, robot_reason, bar))
+    if figures.slowest:
+        parts += [Text(), _slowest(figures.slowest, bar)]
+    parts += [Text(), _models(simulation)]
+    if written or simulation.home_files:
+        parts += [Text(), _files(simulation, written)]
+    return Group(*parts)
+
+
+def _headline(simulation: Simulation) -> Text:
+    words, colour = _ENDS[simulation.end]
+    names = [Path(name).name for name in simulation.program]
+    program = names[0] if len(names) == 1 else f"{names[0]} and {len(names) - 1} more"
+    return Text.assemble(
+        (program, "bold"),
+        f" on {simulation.robot.title} ",
+        (f"{words} after {simulation.time_s:.3f} s", f"bold {colour}"),
+    )
+
+
+def _facts(
+    simulation: Simulation, figures: Figures, robot_reason: str | None, bar: str
+) -> RenderableType:
+    facts = Table.grid(padding=(0, 2))
+    facts.add_column(style="cyan", no_wrap=True)
+    facts.add_column()
+    reason = f" ({robot_reason})" if robot_reason else ""
+    facts.add_row("robot", f"{simulation.robot.name}{reason}")
+    facts.add_row("time", _time_split(simulation, bar))
+    facts.add_row("moves", _moves(simulation, figures))
+    if figures.moves_by_corner:
+        facts.add_row("corners", _corners(figures))
+    if figures.joint_margin:
+        facts.add_row("joint limits", _margin(figures.joint_margin))
+    if figures.singularity:
+        facts.add_row("singularity", _singularity(figures.singularity))
+    for name, value in _happenings(simulation):
+        facts.add_row(name, value)
+    return facts
+
+
+def _time_split(simulation: Simulation, bar: str) -> Text:
+    total = simulation.time_s
+    if total <= 0.0:
+        return Text("no time passed")
+    moving = round(_BAR_CELLS * min(1.0, simulation.motion_s / total))
+    return Text.assemble(
+        (bar * moving, "green"),
+        (bar * (_BAR_CELLS - moving) if bar != "#" else "." * (_BAR_CELLS - moving), "yellow"),
+        ("  moving ", "green"),
+        f"{simulation.motion_s:.3f} s",
+        ("  waiting ", "yellow"),
+        f"{simulation.wait_s:.3f} s",
+    )
+
+
+def _moves(simulation: Simulation, figures: Figures) -> str:
+    if not simulation.moves:
+        return "none"
+    kinds = ", ".join(f"{count} {name}" for name, count in figures.moves_by_instruction)
+    return f"{len(simulation.moves)} ({kinds}), {simulation.path_m * 1000.0:.1f} mm travelled"
+
+
+def _corners(figures: Figures) -> Text:
+    words = {
+        CornerKind.FLY_BY: ("passed by", ""),
+        CornerKind.STOP: ("stopped at", ""),
+        CornerKind.STOP_CORNER_PATH_FAILURE: (
+            "stopped because the next move came too late (cf. ABB 50024)",
+            "yellow",
+        ),
+    }
+    texts = [Text(f"{n} {words[kind][0]}", words[kind][1]) for kind, n in figures.moves_by_corner]
+    return Text(", ").join(texts)
+
+
+def _margin(margin: JointMargin) -> Text:
+    text = f"joint {margin.joint} came within {margin.degrees:.1f}° of its limit{_at(margin.move)}"
+    return Text(text, "yellow" if margin.degrees < _LOW_MARGIN_DEG else "")
+
+
+def _singularity(singularity: Singularity) -> Text:
+    value = singularity.smallest_singular_value
+    text = f"smallest singular value {value:.3f}{_at(singularity.move)} (0 in a singularity)"
+    return Text(text, "yellow" if value < _NEAR_SINGULAR else "")
+
+
+def _happenings(simulation: Simulation) -> list[tuple[str, RenderableType]]:
+    """Rows that only some runs have."""
+    rows: list[tuple[str, RenderableType]] = []
+    counts = Counter(event.kind for event in simulation.events)
+    if interrupts := counts[EventKind.INTERRUPT]:
+        rows.append(("interrupts", str(interrupts)))
+    if signals := counts[EventKind.SIGNAL]:
+        rows.append(("signals", f"{signals} changes"))
+    texts = [event for event in simulation.events if event.kind is EventKind.TEXT]
+    if texts:
+        shown = Text("\n").join(
+            Text.assemble((f"{event.time_s:9.3f} s  ", "dim"), printable(event.message))
+            for event in texts[:_SHOWN_TEXTS]
+        )
+        if len(texts) > _SHOWN_TEXTS:
+            shown.append(f"\nand {len(texts) - _SHOWN_TEXTS} more", "dim")
+        rows.append(("operator", shown))
+    if simulation.unsimulated:
+        lines = (
+            f"{one.name} ({one.count} {'time' if one.count == 1 else 'times'}): {one.treated_as}"
+            for one in simulation.unsimulated
+        )
+        rows.append(("not simulated", Text("\n".join(lines), "yellow")))
+    return rows
+
+
+def _slowest(lines: Sequence[LineTime], bar: str) -> Table:
+    table = Table(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
+    table.add_column("slowest lines", no_wrap=True)
+    table.add_column("routine")
+    table.add_column("move")
+    table.add_column("times", justify="right")
+    table.add_column("time", justify="right", no_wrap=True)
+    table.add_column("")
+    longest = max(line.seconds for line in lines) or 1.0
+    for line in lines:
+        span = line.place.span
+        table.add_row(
+            f"{Path(span.file).name}:{span.line}",
+            line.place.routine,
+            f"{line.instruction} {printable(line.to)}",
+            str(line.times),
+            f"{line.seconds:.3f} s",
+            Text(bar * round(_BAR_CELLS * line.seconds / longest), "green"),
+        )
+    return table
+
+
+def _models(simulation: Simulation) -> Text:
+    behind = models(simulation.model)
+    return Text(
+        f"Modelled, not measured: {behind['acceleration']}; corners {behind['corner']}; command "
+        f"smoothed over {behind['filter_time_s']} s; {behind['fine_dwell_s']} s at a fine point; "
+        f"the program pointer {behind['program_pointer']}.",
+        "dim",
+    )
+
+
+def _files(simulation: Simulation, written: Sequence[Written]) -> Text:
+    files = [f"{one.path} ({one.what})" for one in written]
+    files += [f"{file.path} (by the program)" for file in simulation.home_files]
+    text = Text(f"Written: {', '.join(files)}")
+    for one in written:
+        if one.path.suffix == ".rrd":
+            text.append("\nOpen the recording with: ")
+            text.append(f"rerun {one.path}", "bold")
+    return text
+
+
+def _at(move: ExecutedMove) -> str:
+    span = move.place.span
+    return f" at {Path(span.file).name}:{span.line}"

@@ -1,0 +1,112 @@
+"""What happened when, while the times themselves may still be unknown.
+
+The program runs ahead of the robot: an output set after a fly-by move happens when the robot starts
+that move, and that time is only known once the path is planned. An `Instant` stands for such a
+time until it is; entries refer to it and are dated when the run is over.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.language.controller import Place
+from rapidsim.simulation.result import Event, EventKind, ExecutedLine, Unsimulated
+
+
+class Instant:
+    """A point in virtual time; `time` [s] is None until the path that decides it is planned."""
+
+    __slots__ = ("time",)
+
+    def __init__(self, time: float | None = None) -> None:
+        """Known from the start, or to be known later."""
+        self.time = time
+
+
+@dataclass(frozen=True, slots=True)
+class Moment:
+    """So many seconds after an instant."""
+
+    instant: Instant
+    offset_s: float = 0.0
+
+    @property
+    def time_s(self) -> float:
+        """Virtual time [s]; the instant must be known."""
+        assert self.instant.time is not None
+        return self.instant.time + self.offset_s
+
+
+@dataclass(frozen=True, slots=True)
+class _Entry:
+    moment: Moment
+    kind: EventKind
+    place: Place | None
+    message: str
+    details: Mapping[str, object]
+
+
+@dataclass(slots=True)
+class Journal:
+    """Everything a task reports while it runs."""
+
+    task: str
+    _events: list[_Entry] = field(default_factory=list)
+    _lines: list[tuple[Moment, Place]] = field(default_factory=list)
+    _diagnostics: list[Diagnostic] = field(default_factory=list)
+    _reported: set[object] = field(default_factory=set)
+    _unsimulated: dict[tuple[str, str], int] = field(default_factory=dict)
+
+    def event(
+        self, moment: Moment, kind: EventKind, place: Place | None, message: str, **details: object
+    ) -> None:
+        """Note an event."""
+        self._events.append(_Entry(moment, kind, place, message, details))
+
+    def line(self, moment: Moment, place: Place) -> None:
+        """Note that the program pointer reached a statement."""
+        if not self._lines or self._lines[-1] != (moment, place):
+            self._lines.append((moment, place))
+
+    def finding(self, violation: Violation, place: Place | None, *, once: object = None) -> None:
+        """Note a finding; with `once`, only the first of those that share the key."""
+        if once is not None:
+            if once in self._reported:
+                return
+            self._reported.add(once)
+        span = place.span if place else None
+        routine = place.routine if place else None
+        self._diagnostics.append(Diagnostic(violation, span, routine=routine))
+
+    def unsimulated(self, name: str, treated_as: str) -> None:
+        """Count a routine that was not simulated."""
+        key = (name, treated_as)
+        self._unsimulated[key] = self._unsimulated.get(key, 0) + 1
+
+    def events(self) -> tuple[Event, ...]:
+        """All events in order of time; those at one time in the order they were noted."""
+        dated = [
+            Event(e.moment.time_s, self.task, e.kind, e.place, e.message, e.details)
+            for e in self._events
+            if e.moment.instant.time is not None
+        ]
+        return tuple(sorted(dated, key=lambda event: event.time_s))
+
+    def lines(self) -> tuple[ExecutedLine, ...]:
+        """All statements in order of time."""
+        dated = [
+            ExecutedLine(moment.time_s, self.task, place)
+            for moment, place in self._lines
+            if moment.instant.time is not None
+        ]
+        return tuple(sorted(dated, key=lambda line: line.time_s))
+
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """All findings, in the order they were made."""
+        return tuple(self._diagnostics)
+
+    def not_simulated(self) -> tuple[Unsimulated, ...]:
+        """All routines that were not simulated, in the order they were met."""
+        return tuple(Unsimulated(n, count, how) for (n, how), count in self._unsimulated.items())

@@ -1,0 +1,156 @@
+"""Findings that only a run can make (family R).
+
+The examples of these pages are run, not only checked.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from rapidsim.diagnostics import Severity, Violation
+
+
+@dataclass(frozen=True)
+class UncaughtError(Violation):
+    """An error reached the top of the call chain and no ERROR clause handled it.
+
+    The controller logs the error and stops the program with the pointer at the statement; the call
+    chain under the message leads there.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            VAR num parts:=0;
+            VAR num each;
+            each:=100/parts;
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            VAR num parts:=0;
+            VAR num each;
+            IF parts>0 THEN
+              each:=100/parts;
+            ENDIF
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "R101"
+    name: ClassVar[str] = "uncaught-error"
+    template: ClassVar[str] = "{what}"
+
+    what: str
+
+
+@dataclass(frozen=True)
+class QuestionUnanswered(Violation):
+    """The program asked the operator, and nobody was there to answer.
+
+    A default is taken so that the run goes on. Give answers in a file, one a line, with
+    `--answers`; on a terminal the question is asked.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            VAR num count;
+            TPReadNum count, "How many parts?";
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            VAR num count:=3;
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "R102"
+    name: ClassVar[str] = "question-unanswered"
+    template: ClassVar[str] = "nobody answered `{prompt}`; {default} was taken"
+    severity: ClassVar[Severity] = Severity.WARNING
+
+    prompt: str
+    default: str
+
+    @property
+    def help(self) -> str:
+        """Where answers come from."""
+        return "give answers with `--answers FILE`, one a line"
+
+
+@dataclass(frozen=True)
+class AnswerNotANumber(Violation):
+    """The program asked the operator for a number and the answer is none.
+
+    A default is taken so that the run goes on.
+    """
+
+    code: ClassVar[str] = "R103"
+    name: ClassVar[str] = "answer-not-a-number"
+    template: ClassVar[str] = (
+        "the answer `{answer}` to `{prompt}` is no number; {default} was taken"
+    )
+    severity: ClassVar[Severity] = Severity.WARNING
+
+    prompt: str
+    answer: str
+    default: str
+
+
+@dataclass(frozen=True)
+class AnswerNotAChoice(Violation):
+    """The program asked the operator to press a key and the answer names none of them.
+
+    The first key is taken so that the run goes on. Answer with the text on the key or its number.
+    """
+
+    code: ClassVar[str] = "R105"
+    name: ClassVar[str] = "answer-not-a-choice"
+    template: ClassVar[str] = (
+        "the answer `{answer}` to `{prompt}` names no key; {default} was taken"
+    )
+    severity: ClassVar[Severity] = Severity.WARNING
+
+    prompt: str
+    answer: str
+    default: str
+
+
+@dataclass(frozen=True)
+class EndlessWait(Violation):
+    """The program waits for something that nothing can make happen.
+
+    On the cell the program would hang here until somebody acts. In a run nobody does.
+    """
+
+    code: ClassVar[str] = "R106"
+    name: ClassVar[str] = "endless-wait"
+    template: ClassVar[str] = "{what}"
+
+    what: str
+
+
+@dataclass(frozen=True)
+class RoutineNotSimulated(Violation):
+    """The program called a routine that rapidsim parses but does not simulate.
+
+    What was done instead stands in the message; times and outputs after it may differ from the
+    controller's.
+    """
+
+    code: ClassVar[str] = "R104"
+    name: ClassVar[str] = "routine-not-simulated"
+    template: ClassVar[str] = "`{routine}` is not simulated: {treated_as}"
+    severity: ClassVar[Severity] = Severity.WARNING
+
+    routine: str
+    treated_as: str

@@ -1,0 +1,166 @@
+"""Let Lark compute the LALR table of the grammar: `python -m rapidsim.syntax.build_table`.
+
+The only module that imports Lark, and the only place that reads Lark's internal parse table; that
+is why `pyproject.toml` pins Lark's minor version.
+"""
+
+from __future__ import annotations
+
+import io
+import json
+import logging
+from pathlib import Path
+from typing import Any
+
+import lark
+from lark.grammar import Rule as LarkRule
+from lark.lexer import PatternStr
+from lark.parsers.lalr_analysis import Shift
+
+from rapidsim.syntax.table import ACCEPT, END, GRAMMAR_FILE, TABLE_FILE, Exported, fingerprint
+
+
+class GrammarConflict(Exception):
+    """The grammar is not LALR(1); the message is Lark's list of conflicts."""
+
+
+def main() -> None:
+    """Write the table beside the grammar."""
+    folder = Path(__file__).parents[2] / "grammars"
+    table = export((folder / GRAMMAR_FILE).read_text(encoding="utf-8"))
+    (folder / TABLE_FILE).write_text(written(table), encoding="utf-8", newline="\n")
+
+
+def export(grammar: str) -> Exported:
+    """Compute the table of a grammar.
+
+    Raises:
+        GrammarConflict: When the grammar is not LALR(1).
+    """
+    parser = _lark(grammar)
+    rules = sorted(parser.rules, key=str)
+    states, terminals, nonterminals = _numbered_states(parser, rules)
+    strings = {
+        terminal.name: terminal.pattern.value
+        for terminal in parser.terminals
+        if isinstance(terminal.pattern, PatternStr)
+    }
+    return {
+        "grammar": fingerprint(grammar),
+        "terminals": len(terminals),
+        "symbols": terminals + nonterminals,
+        "words": {text: name for name, text in sorted(strings.items()) if text.isalpha()},
+        "marks": {text: name for name, text in sorted(strings.items()) if not text.isalpha()},
+        "patterns": {
+            terminal.name: terminal.pattern.value
+            for terminal in sorted(parser.terminals, key=lambda terminal: str(terminal.name))
+            if terminal.name not in strings
+        },
+        "rules": [_rule(rule) for rule in rules],
+        "states": states,
+    }
+
+
+def written(table: Exported) -> str:
+    """The table as text, one rule and one state a line, so that a change can be reviewed."""
+    lines = []
+    for key, value in table.items():
+        if key in {"rules", "states"}:
+            rows = ",\n".join(json.dumps(row, separators=(",", ":")) for row in value)
+            lines.append(f'"{key}": [\n{rows}\n]')
+        else:
+            lines.append(f'"{key}": {json.dumps(value)}')
+    return "{\n" + ",\n".join(lines) + "\n}\n"
+
+
+def _lark(grammar: str) -> lark.Lark:
+    # Lark settles a shift/reduce conflict in silence unless its debug log is read.
+    log = io.StringIO()
+    handler = logging.StreamHandler(log)
+    level = lark.logger.level
+    lark.logger.addHandler(handler)
+    lark.logger.setLevel(logging.DEBUG)
+    try:
+        parser = lark.Lark(
+            grammar, parser="lalr", lexer="basic", start="file", maybe_placeholders=True, debug=True
+        )
+    except lark.exceptions.GrammarError as error:
+        raise GrammarConflict(str(error)) from error
+    finally:
+        lark.logger.removeHandler(handler)
+        lark.logger.setLevel(level)
+    if "conflict" in log.getvalue().lower():
+        raise GrammarConflict(log.getvalue())
+    return parser
+
+
+def _numbered_states(
+    parser: lark.Lark, rules: list[LarkRule]
+) -> tuple[list[list[int]], list[str], list[str]]:
+    """Number states in the order a search from the start meets them.
+
+    Lark's own numbers follow the order of sets, which differs from run to run.
+
+    Returns:
+        The rows, the terminals and the nonterminals; a row alternates symbol and action.
+    """
+    table: Any = parser.parser.parser._parse_table  # type: ignore[attr-defined]
+    rule_numbers = {rule: number for number, rule in enumerate(rules)}
+    nonterminal_names = {str(rule.origin.name) for rule in rules}
+    nonterminals = sorted(nonterminal_names)
+    terminals = sorted(
+        {symbol for row in table.states.values() for symbol in row} - nonterminal_names
+    )
+    symbol_numbers = {symbol: number for number, symbol in enumerate(terminals + nonterminals)}
+    start, end = table.start_states["file"], table.end_states["file"]
+    numbers = {start: 0}
+    order = [start]
+    rows: list[list[int]] = []
+    for state in order:
+        if state == end:
+            rows.append([symbol_numbers[END], ACCEPT])
+            continue
+        row: list[int] = []
+        for symbol in sorted(table.states[state], key=symbol_numbers.__getitem__):
+            action, target = table.states[state][symbol]
+            if action is Shift:
+                if target not in numbers:
+                    numbers[target] = len(order)
+                    order.append(target)
+                encoded = numbers[target] + (symbol not in nonterminal_names)
+            else:
+                encoded = -(rule_numbers[target] + 1)
+            row += [symbol_numbers[symbol], encoded]
+        rows.append(row)
+    return rows, terminals, nonterminals
+
+
+def _rule(rule: LarkRule) -> tuple[str, int, str | None, list[int | None]]:
+    """A rule as origin, length, build, children; see `table.Rule`."""
+    origin = str(rule.origin.name)
+    absent = _absent_before(rule)
+    children: list[int | None] = []
+    for position, symbol in enumerate(rule.expansion):
+        children += [None] * absent[position]
+        if not (symbol.is_term and symbol.filter_out):
+            children.append(position)
+    children += [None] * absent[-1]
+    build: str | None = rule.alias or origin
+    if origin.startswith("__"):
+        build = ""
+    elif origin.startswith("_") or (rule.options.expand1 and not rule.alias and len(children) == 1):
+        assert len(children) == 1, f"a rule that vanishes needs one child: {rule}"
+        build = None
+    return origin, len(rule.expansion), build, children
+
+
+def _absent_before(rule: LarkRule) -> list[int]:
+    """How many absent optional children stand before each symbol, and after the last."""
+    if not rule.options.empty_indices:
+        return [0] * (len(rule.expansion) + 1)
+    flags = "".join(str(int(absent)) for absent in rule.options.empty_indices)
+    return [len(ones) for ones in flags.split("0")]
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,496 @@
+"""One function for each rule of the grammar: from the rule's children to a node of the tree.
+
+Every function takes the offsets of the first and past the last character, then the children as the
+grammar lists them. Where these are the fields of a node in order, the node's class itself is the
+function. Words and marks that the grammar keeps arrive as `tree.Name`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from types import MappingProxyType
+from typing import Any, NamedTuple, TypeAlias, TypeVar
+
+from rapidsim.diagnostics import Source
+from rapidsim.syntax import literals, tree
+
+Build: TypeAlias = Callable[..., Any]
+"""`build(start, end, *children)`; what the children are is said by the grammar."""
+BuildTerminal: TypeAlias = Callable[[int, int, str], tree.Node]
+"""`build(start, end, text)`."""
+
+T = TypeVar("T")
+Dimensions: TypeAlias = "tuple[tree.Expression, ...] | None"
+Clause: TypeAlias = "tuple[str, tree.Node, tree.Body | tree.ErrorHandler]"
+Parameters: TypeAlias = "tuple[tree.Parameter | tree.OptionalGroup | tree.Placeholder, ...]"
+
+
+class Head(NamedTuple):
+    """The head of a routine; `type` is None unless it is a function."""
+
+    end: int
+    scope: str | None
+    type: tree.Name | None
+    name: tree.Name
+    parameters: Parameters
+    parentheses_missing: bool
+
+
+def _children(start: int, end: int, *children: T) -> tuple[T, ...]:
+    """A list rule: its value is its children."""
+    return children
+
+
+class Builder:
+    """Builds the modules of one source, and notes what only the builder sees."""
+
+    def __init__(self, source: Source) -> None:
+        """Build nodes of a source."""
+        self.source = source
+        self.text = source.text
+        self.line_end = "\n" if "\n" in source.text else "\r"
+        self.cut_calls: list[int] = []
+        """Offsets of arguments that must be statements: the semicolon before them is missing."""
+        self.repeated_clauses: list[tuple[str, tree.Node]] = []
+        """Second ERROR, UNDO and BACKWARD clauses, by keyword."""
+
+    # --- modules and declarations
+
+    def module(
+        self,
+        start: int,
+        end: int,
+        name: tree.Name,
+        attributes: tuple[tree.Name, ...] | None,
+        items: tuple[tree.Item, ...],
+    ) -> tree.Module:
+        """MODULE."""
+        return tree.Module(start, end, self.source, name, attributes or (), items)
+
+    def record(
+        self, start: int, end: int, local: tree.Name | None, *parts: Any
+    ) -> tree.RecordType:
+        """RECORD."""
+        return tree.RecordType(start, end, _word(local), *parts)
+
+    def field(
+        self, start: int, end: int, type: tree.Name, name: tree.Name, dimensions: Dimensions
+    ) -> tree.Field:
+        """A component of a record."""
+        return tree.Field(start, end, type, name, dimensions or ())
+
+    def alias(self, start: int, end: int, local: tree.Name | None, *names: tree.Name) -> tree.Node:
+        """ALIAS."""
+        return tree.AliasType(start, end, _word(local), *names)
+
+    def data(
+        self,
+        start: int,
+        end: int,
+        scope: tree.Name | None,
+        storage: tree.Name,
+        type: tree.Name,
+        name: tree.Name,
+        dimensions: Dimensions,
+        value: tree.Expression | None,
+        *,
+        equals_sign: bool = False,
+    ) -> tree.Data:
+        """A data declaration."""
+        kept = storage.text.upper()
+        return tree.Data(
+            start, end, _word(scope), kept, type, name, dimensions or (), value, equals_sign
+        )
+
+    def data_equals(self, *parts: Any) -> tree.Data:
+        """A data declaration with `=` for `:=`."""
+        return self.data(*parts, equals_sign=True)
+
+    # --- routines
+
+    def proc_head(
+        self,
+        start: int,
+        end: int,
+        local: tree.Name | None,
+        name: tree.Name,
+        parameters: Parameters | None,
+    ) -> Head:
+        """PROC up to its body."""
+        return Head(end, _word(local), None, name, parameters or (), parameters is None)
+
+    def func_head(
+        self,
+        start: int,
+        end: int,
+        local: tree.Name | None,
+        type: tree.Name,
+        name: tree.Name,
+        parameters: Parameters | None,
+    ) -> Head:
+        """FUNC up to its body."""
+        return Head(end, _word(local), type, name, parameters or (), parameters is None)
+
+    def trap_head(self, start: int, end: int, local: tree.Name | None, name: tree.Name) -> Head:
+        """TRAP up to its body."""
+        return Head(end, _word(local), None, name, (), False)
+
+    def proc(
+        self, start: int, end: int, head: Head, body: tree.Body, clauses: tuple[Clause, ...]
+    ) -> tree.Proc:
+        """PROC."""
+        return tree.Proc(start, end, *self._routine(head, body, clauses))
+
+    def func(
+        self, start: int, end: int, head: Head, body: tree.Body, clauses: tuple[Clause, ...]
+    ) -> tree.Func:
+        """FUNC."""
+        assert head.type is not None
+        return tree.Func(start, end, *self._routine(head, body, clauses), head.type)
+
+    def trap(
+        self, start: int, end: int, head: Head, body: tree.Body, clauses: tuple[Clause, ...]
+    ) -> tree.Trap:
+        """TRAP."""
+        return tree.Trap(start, end, *self._routine(head, body, clauses))
+
+    def _routine(
+        self, head: Head, body: tree.Body, clauses: tuple[Clause, ...]
+    ) -> tuple[Any, ...]:
+        """The fields of a `tree.RoutineNode` after its place."""
+        found: dict[str, Any] = {}
+        for keyword, place, clause in clauses:
+            if keyword in found:
+                self.repeated_clauses.append((keyword, place))
+            else:
+                found[keyword] = clause
+        return (
+            head.scope,
+            head.name,
+            head.parameters,
+            body,
+            found.get("BACKWARD"),
+            found.get("ERROR"),
+            found.get("UNDO"),
+            head.end,
+            head.parentheses_missing,
+        )
+
+    def backward(self, start: int, end: int, body: tree.Body) -> Clause:
+        """The BACKWARD clause."""
+        return "BACKWARD", tree.Node(start, end), body
+
+    def undo(self, start: int, end: int, body: tree.Body) -> Clause:
+        """The UNDO clause."""
+        return "UNDO", tree.Node(start, end), body
+
+    def error(self, start: int, end: int, body: tree.Body) -> Clause:
+        """The ERROR clause."""
+        return "ERROR", tree.Node(start, end), tree.ErrorHandler(start, end, None, body)
+
+    def error_long_jump(
+        self, start: int, end: int, numbers: tuple[tree.Expression, ...], body: tree.Body
+    ) -> Clause:
+        """The ERROR clause with a list of error numbers."""
+        return "ERROR", tree.Node(start, end), tree.ErrorHandler(start, end, numbers, body)
+
+    def parameters(
+        self, start: int, end: int, *parts: tree.Parameter | tree.OptionalGroup | None
+    ) -> tuple[tree.Parameter | tree.OptionalGroup, ...]:
+        """A parameter list in its parentheses; its only part is None where it is empty."""
+        return tuple(part for part in parts if part is not None)
+
+    def parameter(
+        self,
+        start: int,
+        end: int,
+        mode: tree.Name | None,
+        type: tree.Name,
+        name: tree.Name,
+        stars: tuple[tree.Name, ...] | None,
+    ) -> tree.Parameter:
+        """One parameter."""
+        return tree.Parameter(start, end, _word(mode) or "IN", type, name, len(stars or ()))
+
+    def optional_group(
+        self, start: int, end: int, *alternatives: tree.Parameter
+    ) -> tree.OptionalGroup:
+        """Optional parameters that exclude each other."""
+        return tree.OptionalGroup(start, end, alternatives)
+
+    def placeholder(self, start: int, end: int, placeholder: tree.Placeholder) -> tree.Placeholder:
+        """A placeholder where an alias hides the terminal."""
+        return placeholder
+
+    # --- statements
+
+    def assignment(
+        self,
+        start: int,
+        end: int,
+        target: tree.Path | tree.Placeholder,
+        becomes: tree.Name,
+        value: tree.Expression,
+    ) -> tree.Assignment:
+        """`:=`."""
+        return tree.Assignment(start, end, target, value, becomes.start)
+
+    def assignment_equals(
+        self,
+        start: int,
+        end: int,
+        target: tree.Path | tree.Placeholder,
+        equal: tree.Name,
+        value: tree.Expression,
+    ) -> tree.Assignment:
+        """`=` for `:=`."""
+        return tree.Assignment(start, end, target, value, equal.start, True)
+
+    def call(
+        self, start: int, end: int, name: tree.Name, arguments: tuple[tree.Argument, ...] | None
+    ) -> tree.Call:
+        """A procedure call."""
+        if arguments is None:
+            return tree.Call(start, end, name, ())
+        first = arguments[0]
+        if (
+            first.start - name.end > 1
+            and type(first) is tree.Required
+            and self.text.find(self.line_end, name.end, first.start) >= 0
+            and _may_be_a_statement(first, arguments[1:])
+        ):
+            self.cut_calls.append(first.start)
+        return tree.Call(start, end, name, arguments)
+
+    def call_in_parentheses(
+        self,
+        start: int,
+        end: int,
+        name: tree.Name,
+        arguments: tuple[tree.Argument, ...] = (),
+    ) -> tree.Call:
+        """A procedure call with its list in parentheses."""
+        return tree.Call(start, end, name, arguments, True)
+
+    def late_call(
+        self,
+        start: int,
+        end: int,
+        routine: tree.Expression,
+        arguments: tuple[tree.Argument, ...] | None,
+    ) -> tree.LateCall:
+        """A procedure call by name at run time."""
+        return tree.LateCall(start, end, routine, arguments or ())
+
+    def if_(
+        self,
+        start: int,
+        end: int,
+        first: tree.Branch,
+        more: tuple[tree.Branch, ...],
+        otherwise: tree.Body | None,
+    ) -> tree.If:
+        """IF."""
+        return tree.If(start, end, (first, *more), otherwise)
+
+    def branch_without_then(
+        self, start: int, end: int, condition: tree.Expression, body: tree.Body
+    ) -> tree.Branch:
+        """ELSEIF without THEN."""
+        return tree.Branch(start, end, condition, body, True)
+
+    def branch_placeholder(self, start: int, end: int, gap: tree.Placeholder) -> tree.Branch:
+        """`<EIT>`."""
+        return tree.Branch(start, end, gap, ())
+
+    def while_without_do(
+        self, start: int, end: int, condition: tree.Expression, body: tree.Body
+    ) -> tree.While:
+        """WHILE without DO."""
+        return tree.While(start, end, condition, body, True)
+
+    def case_range(
+        self,
+        start: int,
+        end: int,
+        first: tree.Expression,
+        last: tree.Expression,
+        body: tree.Body,
+    ) -> tree.Case:
+        """`CASE 1 TO 5:`."""
+        return tree.Case(start, end, (first,), body, last)
+
+    def case_placeholder(self, start: int, end: int, gap: tree.Placeholder) -> tree.Case:
+        """`<CSE>`."""
+        return tree.Case(start, end, (gap,), ())
+
+    # --- arguments
+
+    def named(
+        self, start: int, end: int, name: tree.Name, value: tree.Expression
+    ) -> tree.Required:
+        """`Par := x`."""
+        return tree.Required(start, end, value, name)
+
+    def star(self, start: int, end: int, mark: tree.Name) -> tree.Required:
+        """`*`, a target that is not taught yet."""
+        return tree.Required(start, end, tree.Placeholder(start, end, "*"))
+
+    def function_call(
+        self, start: int, end: int, name: tree.Name, arguments: tuple[tree.Argument, ...] | None
+    ) -> tree.FunctionCall:
+        """A function call."""
+        return tree.FunctionCall(start, end, name, arguments or ())
+
+    def late_function_call(
+        self,
+        start: int,
+        end: int,
+        routine: tree.Expression,
+        arguments: tuple[tree.Argument, ...] | None,
+    ) -> tree.LateFunctionCall:
+        """A function call by name at run time."""
+        return tree.LateFunctionCall(start, end, routine, arguments or ())
+
+    # --- expressions
+
+    def unary(
+        self, start: int, end: int, operator: tree.Name, operand: tree.Expression
+    ) -> tree.Unary:
+        """A sign or NOT."""
+        return tree.Unary(start, end, operator.text.upper(), operand)
+
+    def unary_inside(
+        self, start: int, end: int, operator: tree.Name, operand: tree.Expression
+    ) -> tree.Unary:
+        """A sign or NOT where the strict grammar has none."""
+        return tree.Unary(start, end, operator.text.upper(), operand, True)
+
+    def binary(
+        self,
+        start: int,
+        end: int,
+        left: tree.Expression,
+        operator: tree.Name,
+        right: tree.Expression,
+    ) -> tree.Binary:
+        """Two operands."""
+        return tree.Binary(start, end, left, operator.text.upper(), operator.start, right)
+
+    def aggregate(
+        self, start: int, end: int, elements: tuple[tree.Expression, ...] | None
+    ) -> tree.Aggregate:
+        """An aggregate that is not of literals alone."""
+        return tree.Aggregate(start, end, elements or ())
+
+    # --- rules whose children are the fields of a node, in order
+
+    branch = tree.Branch
+    compact_if = tree.CompactIf
+    component = tree.Component
+    conditional = tree.Conditional
+    connect = tree.Connect
+    case = tree.Case
+    empty = tree.Empty
+    exit = tree.Exit
+    for_ = tree.For
+    goto = tree.Goto
+    index = tree.Index
+    label = tree.Label
+    optional = tree.Optional
+    parenthesised = tree.Parenthesised
+    positional = tree.Required
+    raise_ = tree.Raise
+    reference = tree.Reference
+    retry = tree.Retry
+    return_ = tree.Return
+    test = tree.Test
+    trynext = tree.TryNext
+    while_ = tree.While
+
+    # --- lists
+
+    arguments = staticmethod(_children)
+    attributes = staticmethod(_children)
+    body = staticmethod(_children)
+    cases = staticmethod(_children)
+    clauses = staticmethod(_children)
+    dimensions = staticmethod(_children)
+    elements = staticmethod(_children)
+    elseif_branches = staticmethod(_children)
+    fields = staticmethod(_children)
+    file = staticmethod(_children)
+    indices = staticmethod(_children)
+    items = staticmethod(_children)
+    numbers = staticmethod(_children)
+    parenthesised_list = staticmethod(_children)
+    stars = staticmethod(_children)
+    values = staticmethod(_children)
+
+
+def _word(word: tree.Name | None) -> str | None:
+    return word.text.upper() if word else None
+
+
+def _may_be_a_statement(first: tree.Required, others: tuple[tree.Argument, ...]) -> bool:
+    r"""Whether an argument list alone on its line reads as an assignment or a call.
+
+    `Stop` above `x:=1;` is a call with a named argument to the grammar, `Stop` above `Home\Fast;`
+    one with two arguments; to the programmer each is two statements.
+    """
+    if first.name is not None:
+        return not others
+    return type(first.value) is tree.Reference and not any(
+        type(other) is tree.Required for other in others
+    )
+
+
+def _number(start: int, end: int, text: str) -> tree.Number:
+    return tree.Number(start, end, text, literals.number(text))
+
+
+def _string(start: int, end: int, text: str) -> tree.String:
+    return tree.String(start, end, literals.string(text))
+
+
+def _bool(start: int, end: int, text: str) -> tree.Bool:
+    return tree.Bool(start, end, text.upper() == "TRUE")
+
+
+def _literals(start: int, end: int, text: str) -> tree.LiteralAggregate:
+    return tree.LiteralAggregate(start, end, literals.aggregate(text))
+
+
+def _placeholder(start: int, end: int, text: str) -> tree.Placeholder:
+    return tree.Placeholder(start, end, text.strip("<>").upper())
+
+
+def _missing_operand(start: int, end: int, text: str) -> tree.Placeholder:
+    """`<EXP>`, written or put in by repair for text that is no expression."""
+    return tree.Placeholder(start, end, "EXP")
+
+
+def _broken(start: int, end: int, text: str) -> tree.Broken:
+    return tree.Broken(start, end)
+
+
+_KEPT = (
+    "NAME STAR SLASH DIV MOD PLUS MINUS EQUAL UNEQUAL LESS LESS_EQUAL GREATER GREATER_EQUAL AND OR"
+    " XOR NOT BECOMES LOCAL TASK VAR PERS CONST INOUT SYSMODULE NOVIEW NOSTEPIN VIEWONLY READONLY"
+)
+_PLACEHOLDERS = "TDN DDN RDN PAR ALT DIM SMT VAR_PLACEHOLDER EIT CSE ARG"
+
+TERMINALS: MappingProxyType[str, BuildTerminal] = MappingProxyType(
+    {
+        **dict.fromkeys(_KEPT.split(), tree.Name),
+        **dict.fromkeys(_PLACEHOLDERS.split(), _placeholder),
+        "EXP": _missing_operand,
+        "NUMBER": _number,
+        "STRING": _string,
+        "TRUE": _bool,
+        "FALSE": _bool,
+        "LITERALS": _literals,
+        "BROKEN": _broken,
+    }
+)
+"""What a kept terminal becomes; the others carry no value."""

@@ -1,0 +1,161 @@
+"""Drive the LALR table over the tokens of a file that has no syntax error, and build its tree.
+
+A loop of our own instead of Lark's engine: it needs no Lark at run time, takes parallel lists
+instead of token objects, and jumps over chains of rules that only pass their child on.
+"""
+
+from __future__ import annotations
+
+import keyword
+from functools import cache
+from typing import Any, NamedTuple
+
+from rapidsim.syntax import tree
+from rapidsim.syntax.builder import TERMINALS, Build, Builder
+from rapidsim.syntax.lexer import Tokens
+from rapidsim.syntax.stored_table import rapid_table
+from rapidsim.syntax.table import ACCEPT
+
+
+class _Reduction(NamedTuple):
+    """A rule ready to run; of `build`, `gather` and `only` one applies."""
+
+    origin: str
+    length: int
+    build: Build | None
+    gather: bool
+    only: int
+    """Which popped value to pass on, where there is nothing to build."""
+    children: tuple[int | None, ...] | None
+    """Which popped values are children; None where all of them are."""
+
+
+def build_tree(tokens: Tokens, builder: Builder) -> tuple[tree.Module, ...] | None:
+    """Parse tokens.
+
+    Returns:
+        The modules, or None where the tokens are not what the grammar describes.
+    """
+    table = rapid_table()
+    actions, gotos = table.actions, table.gotos
+    kinds, starts, ends, text = tokens.kinds, tokens.starts, tokens.ends, builder.text
+    reductions = _reductions(builder)
+    settled = _settled()
+    states = [0]
+    values: list[Any] = []
+    firsts: list[int] = []  # offset where each value begins
+    position = 0
+    kind = kinds[0]
+    while True:
+        action = actions[states[-1]].get(kind)
+        if action is None:
+            return None
+        if action > 0:
+            start = starts[position]
+            firsts.append(start)
+            make = TERMINALS.get(kind)
+            if make is None:
+                values.append(None)
+            else:
+                end = ends[position]
+                values.append(make(start, end, text[start:end]))
+            position += 1
+            kind = kinds[position]
+            state = action - 1
+        elif action == ACCEPT:
+            modules: tuple[tree.Module, ...] = values[0]
+            return modules
+        else:
+            origin, length, build, gather, only, children = reductions[-action - 1]
+            if length:
+                popped = values[-length:]
+                start = firsts[-length]
+                del values[-length:], firsts[-length:], states[-length:]
+            else:
+                popped = []
+                start = starts[position]
+            if build is not None:
+                if children is not None:
+                    popped = [None if child is None else popped[child] for child in children]
+                value = build(start, ends[position - 1], *_flattened(popped))
+            elif gather:
+                value = _gathered(popped, children)
+            else:
+                value = popped[only]
+            values.append(value)
+            firsts.append(start)
+            state = gotos[states[-1]][origin]
+        key = (states[-1], state, kind)
+        final = settled.get(key)
+        if final is None:
+            final = settled[key] = _after_passes(*key)
+        states.append(final)
+
+
+class _Gathered(list[Any]):
+    """Children of a repeated part, on their way into the rule that holds it."""
+
+
+def _gathered(popped: list[Any], children: tuple[int | None, ...] | None) -> _Gathered:
+    if children is not None:
+        popped = [popped[child] for child in children if child is not None]
+    if type(popped[0]) is _Gathered:
+        gathered = popped[0]
+        gathered.extend(popped[1:])
+        return gathered
+    return _Gathered(popped)
+
+
+def _flattened(children: list[Any]) -> list[Any]:
+    for child in children:
+        if type(child) is _Gathered:
+            break
+    else:
+        return children
+    flat: list[Any] = []
+    for child in children:
+        if type(child) is _Gathered:
+            flat += child
+        else:
+            flat.append(child)
+    return flat
+
+
+@cache
+def _settled() -> dict[tuple[int, int, str], int]:
+    """What `_after_passes` has answered; at most one entry for each state, goto and terminal."""
+    return {}
+
+
+def _after_passes(below: int, state: int, kind: str) -> int:
+    """The state once every rule that only passes its single symbol on has been reduced.
+
+    From a number to a whole expression there are eight such rules; none of them does anything.
+    """
+    table = rapid_table()
+    while True:
+        action = table.actions[state].get(kind)
+        if action is None or action >= 0:
+            return state
+        rule = table.rules[-action - 1]
+        if rule.length != 1 or rule.build is not None:
+            return state
+        state = table.gotos[below][rule.origin]
+
+
+def _reductions(builder: Builder) -> list[_Reduction]:
+    return [
+        _Reduction(
+            origin=rule.origin,
+            length=rule.length,
+            build=getattr(builder, _function(rule.build)) if rule.build else None,
+            gather=rule.build == "",
+            only=rule.children[0] or 0 if rule.build is None else 0,
+            children=None if rule.children == tuple(range(rule.length)) else rule.children,
+        )
+        for rule in rapid_table().rules
+    ]
+
+
+def _function(rule: str) -> str:
+    return f"{rule}_" if keyword.iskeyword(rule) else rule

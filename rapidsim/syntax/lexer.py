@@ -1,0 +1,149 @@
+"""Text to tokens: three parallel lists, no object a token.
+
+One regular expression made from the terminals of the grammar finds every token. Lexing never fails:
+a character that no token begins with becomes a token of kind `UNKNOWN`, a string that is not closed
+becomes a STRING that ends where its line's code seems to go on; both are reported by the parser.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cache
+
+from rapidsim.syntax import tree
+from rapidsim.syntax.stored_table import rapid_table
+from rapidsim.syntax.table import END
+
+UNKNOWN = "UNKNOWN"
+"""The kind of a character that no token begins with; the grammar has no such terminal."""
+
+# Deeper aggregates of literals are read bracket by bracket.
+_LITERAL_DEPTH = 6
+# After a backslash these are parameter modes; any other word is the name of an option.
+_MODES = frozenset({"VAR", "PERS", "INOUT"})
+_CODE_AFTER_STRING = (";", ")", "]", " ", "\t")
+_WORDS_AFTER_STRING = ("THEN", "DO")
+_LAST_WORD = re.compile(r"(?<!\w)[A-Za-z]{2,4}$")
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Tokens:
+    """The tokens of a text; the last is `END`, of no width."""
+
+    kinds: list[str]
+    """Terminals of the grammar, or `UNKNOWN`."""
+    starts: list[int]
+    """Offset of the first character."""
+    ends: list[int]
+    """Offset past the last character."""
+    comments: tuple[tree.Comment, ...]
+    unterminated: tuple[int, ...]
+    """Offsets of the strings that are not closed."""
+    words: frozenset[str]
+    """Every name and reserved word, as written."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Lexicon:
+    pattern: re.Pattern[str]
+    header: re.Pattern[str]
+    marks: dict[str, str]
+    words: dict[str, str]
+
+
+def lex(text: str) -> Tokens:
+    """Split a text into tokens."""
+    lexicon = _lexicon()
+    words: dict[str, str] = {}
+    kinds: list[str] = []
+    starts: list[int] = []
+    ends: list[int] = []
+    comments: list[tree.Comment] = []
+    unterminated: list[int] = []
+    header = lexicon.header.match(text)
+    matches = lexicon.pattern.finditer(text, header.end() if header else 0)
+    while found := next(matches, None):
+        kind = found.lastgroup or UNKNOWN
+        start, end = found.span()
+        if kind == "BLANK":
+            continue
+        if kind == "WORD":
+            word = found.group()
+            known = words.get(word)
+            if known is None:
+                known = words[word] = lexicon.words.get(word.upper(), "NAME")
+            kind = known
+            if kind != "NAME" and kinds and kinds[-1] == "BACKSLASH" and kind not in _MODES:
+                kind = "NAME"
+        elif kind == "MARK":
+            kind = lexicon.marks[found.group().upper()]
+        elif kind == "COMMENT":
+            comments.append(tree.Comment(start, found.group()))
+            continue
+        elif kind == "UNCLOSED":
+            kind = "STRING"
+            end = _string_end(text, start, end)
+            unterminated.append(start)
+            matches = lexicon.pattern.finditer(text, end)
+        kinds.append(kind)
+        starts.append(start)
+        ends.append(end)
+    kinds.append(END)
+    starts.append(len(text))
+    ends.append(len(text))
+    return Tokens(
+        kinds, starts, ends, tuple(comments), tuple(unterminated), frozenset(words)
+    )
+
+
+def literal_pattern() -> str:
+    """One literal inside an aggregate: a number with its sign, a string or a truth value."""
+    patterns = rapid_table().patterns
+    return rf"[+-]?(?:{patterns['NUMBER']})|{patterns['STRING']}|\b(?:TRUE|FALSE)\b"
+
+
+def _string_end(text: str, start: int, line_end: int) -> int:
+    """Where a string without closing quote most likely ends: before what closes the statement."""
+    end = line_end
+    while end > start + 1:
+        if text[end - 1] in _CODE_AFTER_STRING:
+            end -= 1
+            continue
+        word = _LAST_WORD.search(text, start + 1, end)
+        if word is None or word.group().upper() not in _WORDS_AFTER_STRING:
+            break
+        end = word.start()
+    return end
+
+
+@cache
+def _lexicon() -> _Lexicon:
+    table = rapid_table()
+    patterns = table.patterns
+    marks = sorted(table.marks, key=lambda mark: (-len(mark), mark))
+    # Atomic groups: a pattern that has matched an element never takes it back, so a long aggregate
+    # that fails at its end fails once. A comma must be followed by an element.
+    element = literal_pattern()
+    for _ in range(_LITERAL_DEPTH):
+        element_and_comma = rf"\s*(?>{element})\s*(?:,\s*(?!\])|(?=\]))"
+        element = rf"{literal_pattern()}|\[(?>(?:{element_and_comma})+)\]"
+    literals = rf"\[(?>(?:{element_and_comma})+)\]"
+    alternatives = (
+        ("BLANK", patterns["BLANK"]),
+        ("WORD", patterns["NAME"]),
+        ("LITERALS", literals),
+        ("NUMBER", patterns["NUMBER"]),
+        ("STRING", patterns["STRING"]),
+        ("UNCLOSED", r'"[^\r\n]*'),
+        ("COMMENT", patterns["COMMENT"]),
+        ("MARK", "|".join(map(re.escape, marks))),
+        (UNKNOWN, r"[^\w\s]|\w+"),
+    )
+    pattern = "|".join(f"(?P<{kind}>{text})" for kind, text in alternatives)
+    return _Lexicon(
+        pattern=re.compile(pattern, re.IGNORECASE),
+        header=re.compile(rf"(?:{patterns['BLANK']})?{patterns['HEADER']}"),
+        marks=table.marks,
+        words=table.words,
+    )

@@ -1,0 +1,91 @@
+"""The values of literals: numbers, strings, aggregates of them.
+
+Source: Technical reference manual RAPID Kernel, "Lexical elements".
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from functools import cache
+
+from rapidsim.syntax.lexer import literal_pattern
+from rapidsim.syntax.tree import LiteralValue
+
+_BASES = {"0X": 16, "0O": 8, "0B": 2}
+# `""` is a quote, `\\` a backslash, `\0D` the character of that code.
+_ESCAPE = re.compile(r'""|\\\\|\\[0-9A-Fa-f]{2}')
+BAD_ESCAPE = re.compile(r"(?:\\\\|\\[0-9A-Fa-f]{2}|[^\\])*(\\)")
+"""Finds the first backslash of a string that begins no escape."""
+
+
+def number(text: str) -> float:
+    """The value of a number as written, without a sign; infinite when no dnum can hold it."""
+    base = _BASES.get(text[:2].upper())
+    if base is None:
+        return float(text)
+    try:
+        return float(int(text[2:], base))
+    except OverflowError:
+        return float("inf")
+
+
+def string(text: str) -> str:
+    """The characters of a string as written, whose closing quote may be missing."""
+    inner = text[1:-1] if len(text) > 1 and text.endswith('"') else text[1:]
+    if "\\" not in inner and '"' not in inner:
+        return inner
+    return _ESCAPE.sub(_unescaped, inner)
+
+
+def aggregate(text: str) -> tuple[LiteralValue, ...]:
+    """The value of an aggregate of literals: nested tuples of numbers, strings and truth values."""
+    if '"' not in text:
+        # Most aggregates are also JSON, which Python reads ten times as fast.
+        try:
+            return _frozen(json.loads(text, parse_int=float))
+        except ValueError:
+            pass
+    return _read(text)
+
+
+def _unescaped(match: re.Match[str]) -> str:
+    escape = match.group()
+    if escape in {'""', "\\\\"}:
+        return escape[0]
+    return chr(int(escape[1:], 16))
+
+
+def _frozen(elements: list[LiteralValue | list[LiteralValue]]) -> tuple[LiteralValue, ...]:
+    return tuple(_frozen(e) if type(e) is list else e for e in elements)  # type: ignore[misc]
+
+
+def _read(text: str) -> tuple[LiteralValue, ...]:
+    stack: list[list[LiteralValue]] = [[]]
+    for match in _element().finditer(text):
+        part = match.group()
+        if part == "[":
+            stack.append([])
+        elif part == "]":
+            closed = tuple(stack.pop())
+            stack[-1].append(closed)
+        else:
+            stack[-1].append(_literal(part))
+    outermost = stack[0][0]
+    assert isinstance(outermost, tuple)
+    return outermost
+
+
+def _literal(text: str) -> LiteralValue:
+    if text[0] == '"':
+        return string(text)
+    if text[0] in "tTfF":
+        return text[0] in "tT"
+    if text[0] == "-":
+        return -number(text[1:])
+    return number(text.removeprefix("+"))
+
+
+@cache
+def _element() -> re.Pattern[str]:
+    return re.compile(rf"[\[\]]|{literal_pattern()}", re.IGNORECASE)

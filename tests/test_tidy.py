@@ -1,0 +1,53 @@
+"""The tools that settle taste and the layer contract, run as tests so that one command is all."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+BIN = Path(sys.executable).parent
+
+TOOLS = {
+    "ruff-format": ["ruff", "format", "--check", "."],
+    "ruff-check": ["ruff", "check", "."],
+    "mypy": ["mypy"],
+    "import-linter": ["lint-imports"],
+}
+
+LONGEST_FILE = 500
+"""Lines; a longer file holds more than one idea."""
+
+
+@pytest.mark.parametrize("command", TOOLS.values(), ids=TOOLS.keys())
+def test_tool_finds_nothing(command: list[str]) -> None:
+    run = subprocess.run(
+        [str(BIN / command[0]), *command[1:]], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
+def test_no_file_is_too_long() -> None:
+    lengths = {
+        str(path.relative_to(ROOT)): len(path.read_text(encoding="utf-8").splitlines())
+        for folder in ("rapidsim", "scripts", "benchmarks")
+        for path in sorted((ROOT / folder).rglob("*.py"))
+    }
+    too_long = {path: lines for path, lines in lengths.items() if lines > LONGEST_FILE}
+    assert not too_long
+
+
+def test_architecture_names_every_folder() -> None:
+    text = (ROOT / "ARCHITECTURE.md").read_text(encoding="utf-8")
+    folders = sorted(p.parent.name for p in (ROOT / "rapidsim").glob("*/__init__.py"))
+    missing = [folder for folder in folders if f"`{folder}" not in text]
+    assert not missing
+
+
+def test_ci_runs_the_test_command_of_the_readme() -> None:
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    commands = re.findall(r"^python3 -m venv .*pytest$", readme, flags=re.MULTILINE)
+    assert len(commands) == 1
+    assert commands[0] in (ROOT / ".ci" / "run").read_text(encoding="utf-8").splitlines()
