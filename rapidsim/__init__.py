@@ -1,3 +1,39 @@
 """RAPID interpreter and command-line simulator for ABB robots."""
 
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from rapidsim.motion.robot import load_robot
+    from rapidsim.recording.write import record
+    from rapidsim.simulation.check_files import check
+    from rapidsim.simulation.run_files import simulate
+    from rapidsim.syntax.parser import parse
+
 __version__ = "0.1.0"
+
+__all__ = ["__version__", "check", "load_robot", "parse", "record", "simulate"]
+
+# Where the public names live. They are imported when first used, so that parsing or checking a
+# program does not pay for NumPy or rerun.
+_HOMES = {
+    "check": "rapidsim.simulation.check_files",
+    "load_robot": "rapidsim.motion.robot",
+    "parse": "rapidsim.syntax.parser",
+    "record": "rapidsim.recording.write",
+    "simulate": "rapidsim.simulation.run_files",
+}
+
+
+def __getattr__(name: str) -> Any:
+    """Import a public name."""
+    if name not in _HOMES:
+        raise AttributeError(f"module 'rapidsim' has no attribute {name!r}")
+    return getattr(import_module(_HOMES[name]), name)
+
+
+def __dir__() -> list[str]:
+    """All public names, imported or not."""
+    return sorted(__all__)

@@ -77,7 +77,8 @@ def _usage_error(error: click.ClickException) -> tuple[str, str | None]:
         case click.MissingParameter(param=click.Argument() as argument):
             return f"{argument.make_metavar(context)} is missing", shown  # type: ignore[arg-type]
         case _:
-            return error.format_message().rstrip("."), shown
+            message = error.format_message().rstrip(".")
+            return message[:1].lower() + message[1:], shown
 
 
 def _defect(error: Exception) -> str:

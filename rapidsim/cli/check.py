@@ -15,7 +15,7 @@ from rapidsim.cli.terminal import current_terminal, terminal_options
 from rapidsim.diagnostics import Severity
 from rapidsim.report.diagnostics import concise, diagnostic_json, full, summary_line
 from rapidsim.report.merging import Finding, merged, selected
-from rapidsim.simulation.load import load
+from rapidsim.simulation.check_files import CheckResult, check_tasks
 
 _SEVERITIES = tuple(Severity)
 
@@ -62,20 +62,23 @@ def check(
     cell = choose_station(paths, station)
     if robot is not None or cell.robot is not None:
         _expect_robot(choose_robot(robot, cell).name)
-    tasks = all_tasks(paths, cell)
-    diagnostics = [d for task in tasks for d in load(task.files).diagnostics]
-    kept = selected(diagnostics, _codes(select), (*_codes(ignore), *expect_rules(cell.ignore)))
+    wanted, unwanted = _codes(select), (*_codes(ignore), *expect_rules(cell.ignore))
+    result = check_tasks(all_tasks(paths, cell))
+    kept = selected(result.diagnostics, wanted, unwanted)
     findings = merged(kept, merge=not no_merge)
-    files = sum(len(task.files) for task in tasks)
     match output_format:
         case "json":
-            click.echo(_json(findings, files))
+            click.echo(json.dumps(_report(findings, result), indent=2, allow_nan=False))
         case "full":
             click.echo(full(findings, terminal.palette, width=terminal.width), nl=False)
         case _:
             click.echo(concise(findings, terminal.palette), nl=False)
     if output_format != "json" and not terminal.quiet:
-        click.echo(summary_line(findings, files=files, seconds=time.perf_counter() - started))
+        seconds = time.perf_counter() - started
+        click.echo(summary_line(findings, files=len(result.files), seconds=seconds))
+        if moves := len(result.unchecked_moves):
+            what = "1 move was" if moves == 1 else f"{moves} moves were"
+            click.echo(f"{what} not checked for reach and limits; `rapidsim run` does that.")
     failing = _SEVERITIES[: _SEVERITIES.index(Severity(fail_on)) + 1]
     failed = any(diagnostic.severity in failing for diagnostic in kept)
     return ExitCode.FINDINGS if failed else ExitCode.CLEAN
@@ -93,10 +96,17 @@ def _expect_robot(name: str) -> None:
     open_robot(name)
 
 
-def _json(findings: Sequence[Finding], files: int) -> str:
-    report = {
+def _report(findings: Sequence[Finding], result: CheckResult) -> dict[str, object]:
+    unchecked = [{"file": move.file, "line": move.line} for move in result.unchecked_moves]
+    return {
         "schema": 1,
-        "files": files,
+        "files": len(result.files),
         "diagnostics": [diagnostic_json(finding) for finding in findings],
+        "coverage": {
+            "moves": len(unchecked),
+            "checked": 0,
+            "by_value": 0,
+            "by_run": 0,
+            "unchecked": unchecked,
+        },
     }
-    return json.dumps(report, indent=2, allow_nan=False)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from importlib import import_module
+from types import MappingProxyType
 from typing import cast
 
 import click
@@ -11,16 +13,25 @@ from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.terminal import terminal_options
 from rapidsim.files import InputError, did_you_mean
 
-# In the order of the help page. `rapidsim.cli.<name>` holds a command of the same name.
-_NAMES = ("run", "check", "explain", "robots", "frames")
+# In the order of the help page, which is written from here: it must not import every command.
+# `rapidsim.cli.<name>` holds the command of that name.
+_COMMANDS: Mapping[str, str] = MappingProxyType(
+    {
+        "run": "Run a program and say what happened.",
+        "check": "Find the mistakes in a program without running it.",
+        "explain": "Explain a rule, with an example and a fix.",
+        "robots": "List the robots, or show one.",
+        "frames": "Show the frames of a program: tools, work objects, targets.",
+    }
+)
 
 
 class _Commands(click.Group):
     def list_commands(self, ctx: click.Context) -> list[str]:
-        return list(_NAMES)
+        return list(_COMMANDS)
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        if cmd_name not in _NAMES:
+        if cmd_name not in _COMMANDS:
             return None
         return cast(click.Command, getattr(import_module(f"rapidsim.cli.{cmd_name}"), cmd_name))
 
@@ -28,10 +39,14 @@ class _Commands(click.Group):
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         name = args[0]
-        if self.get_command(ctx, name) is None:
-            help = did_you_mean(name, _NAMES) or f"there are {', '.join(_NAMES)}"
+        if name not in _COMMANDS:
+            help = did_you_mean(name, _COMMANDS) or f"there are {', '.join(_COMMANDS)}"
             raise InputError(f"there is no command `{name}`", help)
         return super().resolve_command(ctx, args)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        with formatter.section("Commands"):
+            formatter.write_dl(list(_COMMANDS.items()))
 
 
 @click.command(cls=_Commands, invoke_without_command=True)

@@ -7,7 +7,8 @@ import click
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.selectors import unknown_rule
 from rapidsim.cli.terminal import current_terminal, terminal_options
-from rapidsim.report.rules import RULES, rule_list, rule_page
+from rapidsim.diagnostics import Violation
+from rapidsim.report.rules import rule_list, rule_page, rules
 
 
 @click.command()
@@ -17,16 +18,24 @@ from rapidsim.report.rules import RULES, rule_list, rule_page
 def explain(code: str | None, everything: bool) -> int:
     """Explain a rule: what it finds and why it matters, with an example and a fix.
 
-    CODE is the code of a rule or its name: `N201` or `undefined-name`.
+    CODE is the code of a rule or its name: `N201` or `undefined-name`. The number of an event of
+    the controller explains the rules that stand for it: `50050`.
     """
     palette = current_terminal().palette
     if everything:
-        click.echo(rule_list(RULES, palette))
+        click.echo(rule_list(rules(), palette))
         return ExitCode.CLEAN
     if code is None:
         raise click.UsageError("name a rule, or list them with --all", click.get_current_context())
-    for rule in RULES:
-        if code.upper() == rule.code or code.lower() == rule.name:
-            click.echo(rule_page(rule, palette))
-            return ExitCode.CLEAN
+    meant = [rule for rule in rules() if _means(rule, code)]
+    if meant:
+        click.echo("\n\n".join(rule_page(rule, palette) for rule in meant))
+        return ExitCode.CLEAN
     raise unknown_rule(code)
+
+
+def _means(rule: type[Violation], code: str) -> bool:
+    """Whether a rule has a code or name, or stands for an event of the controller."""
+    if code.isdecimal():
+        return rule.cf == f"ABB {code}"
+    return code.upper() == rule.code or code.lower() == rule.name

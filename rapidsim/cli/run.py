@@ -6,7 +6,6 @@ import json
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 
 import click
@@ -21,16 +20,25 @@ from rapidsim.cli.inputs import (
     one_task,
     program_name,
 )
+from rapidsim.cli.outputs import (
+    TRACE_STEP_S,
+    Outputs,
+    new_events,
+    new_recording,
+    new_trace,
+    write,
+)
 from rapidsim.cli.robot_choice import open_robot
 from rapidsim.cli.terminal import Terminal, current_terminal, terminal_options
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import InputError, did_you_mean
+from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.motion.robot import Robot
 from rapidsim.report.diagnostics import full, summary_line
 from rapidsim.report.figures import figures
 from rapidsim.report.merging import merged
 from rapidsim.report.run_json import rejected_json, run_json
-from rapidsim.report.summary import Written, summary
+from rapidsim.report.summary import ASCII_BARS, BLOCK_BARS, Written, summary
 from rapidsim.simulation.load import load
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.result import End, Simulation
@@ -38,8 +46,6 @@ from rapidsim.simulation.simulate import simulate
 from rapidsim.simulation.station import Station
 from rapidsim.syntax import tree
 
-_TRACE_SUFFIXES = (".csv", ".parquet", ".json")
-_TRACE_STEP_S = 0.012
 _EXIT_CODES = {
     End.ENDED: ExitCode.CLEAN,
     End.STOPPED: ExitCode.CLEAN,
@@ -47,16 +53,6 @@ _EXIT_CODES = {
     End.TIME_LIMIT: ExitCode.LIMIT,
     End.ERROR: ExitCode.FINDINGS,
 }
-
-
-@dataclass(frozen=True, slots=True)
-class _Outputs:
-    """Files to write; None is not written."""
-
-    recording: Path | None
-    trace: Path | None
-    trace_step_s: float
-    events: Path | None
 
 
 @click.command()
@@ -71,7 +67,7 @@ class _Outputs:
     "--dt",
     metavar="SECONDS",
     type=click.FloatRange(min=0.0, min_open=True),
-    default=_TRACE_STEP_S,
+    default=TRACE_STEP_S,
     show_default=True,
     help="Step of the trace.",
 )
@@ -132,13 +128,11 @@ def run(
     terminal = current_terminal()
     if record and no_record:
         raise InputError("--record and --no-record exclude each other")
-    outputs = _Outputs(
-        recording=None
-        if no_record
-        else _new_file(record or f"{program_name(paths)}.rrd", (".rrd",)),
-        trace=_new_file(trace, _TRACE_SUFFIXES) if trace else None,
+    outputs = Outputs(
+        recording=None if no_record else new_recording(record or f"{program_name(paths)}.rrd"),
+        trace=new_trace(trace) if trace else None,
         trace_step_s=dt,
-        events=_new_file(events, (".jsonl",)) if events else None,
+        events=new_events(events) if events else None,
     )
     cell = choose_station(paths, station)
     files = one_task(paths, cell)
@@ -147,12 +141,7 @@ def run(
     arm = open_robot(choice.name)
     loaded = load(files)
     if loaded.program is None:
-        if output_format == "json":
-            click.echo(_as_text(rejected_json(names, arm.name, loaded.diagnostics)))
-        elif output_format == "table":
-            _print_findings(loaded.diagnostics, terminal)
-            click.echo(summary_line(merged(loaded.diagnostics), files=len(files), seconds=None))
-        return ExitCode.FINDINGS
+        return _reject(loaded.diagnostics, names, arm, output_format, terminal)
     options = RunOptions(
         program_files=names,
         model=cell.model,
@@ -164,10 +153,14 @@ def run(
         entry=_entry(loaded.program, proc),
         task=cell.task,
     )
-    with _stage("simulating", terminal):
-        simulation = simulate(loaded.program, arm, options=options)
+    try:
+        with _stage("simulating", terminal):
+            simulation = simulate(loaded.program, arm, options=options)
+    except NotExecutableError as error:
+        findings = (*loaded.diagnostics, error.diagnostic)
+        return _reject(findings, names, arm, output_format, terminal)
     with _stage("writing", terminal):
-        written = _write(simulation, outputs)
+        written = write(simulation, outputs)
     findings = (*loaded.diagnostics, *simulation.diagnostics)
     if output_format == "json":
         report = run_json(simulation, figures(simulation), findings, _json_files(written))
@@ -179,16 +172,21 @@ def run(
     return _EXIT_CODES[simulation.end]
 
 
-def _new_file(name: str, suffixes: tuple[str, ...]) -> Path:
-    """The place of a file to write, refused before a long run rather than after it."""
-    path = Path(name)
-    if path.suffix.lower() not in suffixes:
-        raise InputError(f"{path} must end in {' or '.join(suffixes)}")
-    if not path.parent.is_dir():
-        raise InputError(f"{path} cannot be written: {path.parent} is no folder")
-    if path.is_dir():
-        raise InputError(f"{path} cannot be written: it is a folder")
-    return path
+def _reject(
+    findings: Sequence[Diagnostic],
+    names: Sequence[str],
+    arm: Robot,
+    output_format: str,
+    terminal: Terminal,
+) -> int:
+    """Say why the program does not run."""
+    if output_format == "json":
+        click.echo(_as_text(rejected_json(names, arm.name, findings)))
+    elif output_format == "table":
+        _print_findings(findings, terminal)
+        if not terminal.quiet:
+            click.echo(summary_line(merged(findings), files=len(names), seconds=None))
+    return ExitCode.FINDINGS
 
 
 def _home(home: str | None, paths: Sequence[str]) -> Path:
@@ -228,27 +226,6 @@ def _entry(program: Program, name: str) -> str:
     )
 
 
-def _write(simulation: Simulation, outputs: _Outputs) -> tuple[Written, ...]:
-    """Write the files asked for. What writes them imports rerun and more, so only then."""
-    written = []
-    if outputs.recording:
-        from rapidsim.recording.write import record
-
-        record(simulation, outputs.recording)
-        written.append(Written(outputs.recording, "recording"))
-    if outputs.trace:
-        from rapidsim.export.trace import write_trace
-
-        write_trace(simulation, outputs.trace, outputs.trace_step_s)
-        written.append(Written(outputs.trace, "trace"))
-    if outputs.events:
-        from rapidsim.export.events import write_events
-
-        write_events(simulation, outputs.events)
-        written.append(Written(outputs.events, "events"))
-    return tuple(written)
-
-
 def _json_files(written: Sequence[Written]) -> dict[str, str]:
     return {one.what: str(one.path) for one in written}
 
@@ -267,11 +244,15 @@ def _print_summary(
     simulation: Simulation, choice: RobotChoice, written: Sequence[Written], terminal: Terminal
 ) -> None:
     console = terminal.console()
-    bar = "█" if console.encoding.startswith("utf") else "#"
-    shown = summary(
-        simulation, figures(simulation), robot_reason=choice.reason, written=written, bar=bar
+    console.print(
+        summary(
+            simulation,
+            figures(simulation),
+            robot_reason=choice.reason,
+            written=written,
+            bars=BLOCK_BARS if console.encoding.startswith("utf") else ASCII_BARS,
+        )
     )
-    console.print(shown)
 
 
 @contextmanager

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rapidsim.files import InputError, did_you_mean
-from rapidsim.report.rules import RULES
+from rapidsim.report.rules import rules
 
 
 def expect_rules(selectors: Sequence[str]) -> tuple[str, ...]:
@@ -19,13 +19,13 @@ def expect_rules(selectors: Sequence[str]) -> tuple[str, ...]:
     """
     for selector in selectors:
         code, name = selector.upper(), selector.lower()
-        if not any(rule.code.startswith(code) or rule.name == name for rule in RULES):
+        if not any(rule.code.startswith(code) or rule.name == name for rule in rules()):
             raise unknown_rule(selector)
     return tuple(selectors)
 
 
 def unknown_rule(given: str) -> InputError:
     """The error for what is neither code nor name of a rule."""
-    known = [text for rule in RULES for text in (rule.code, rule.name)]
+    known = [text for rule in rules() for text in (rule.code, rule.name)]
     help = did_you_mean(given, known) or "`rapidsim explain --all` lists the rules"
     return InputError(f"there is no rule `{given}`", help)

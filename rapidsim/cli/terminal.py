@@ -68,12 +68,13 @@ class Terminal:
 
 def terminal_options(command: Command) -> Command:
     """Give a command the options that stand everywhere; the command itself never sees them."""
+    # Decorators stand on the help page from the last applied to the first.
     for option in (
-        click.option("-q", "--quiet", **_setting("quiet"), help="Print nothing but errors."),
-        click.option("-v", "--verbose", **_setting("verbose"), help="Print more."),
-        click.option("--no-color", **_setting("no_color"), help="No colours; so does NO_COLOR."),
-        click.version_option(__version__, message="rapidsim %(version)s"),
         click.help_option("-h", "--help"),
+        click.version_option(__version__, message="rapidsim %(version)s"),
+        click.option("--no-color", **_setting("no_color"), help="No colours; so does NO_COLOR."),
+        click.option("-v", "--verbose", **_setting("verbose"), help="Print more."),
+        click.option("-q", "--quiet", **_setting("quiet"), help="Print nothing but errors."),
     ):
         command = option(command)
     return command

@@ -84,6 +84,11 @@ def scale_position(a: Pos, factor: float) -> Pos:
     return Pos(single(a[0] * factor), single(a[1] * factor), single(a[2] * factor))
 
 
+def scaled_position(factor: float, a: Pos) -> Pos:
+    """As `scale_position`, for the number on the left."""
+    return scale_position(a, factor)
+
+
 def cross_product(a: Pos, b: Pos) -> Pos:
     """The vector product, each component a single."""
     return Pos(

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any, NoReturn
 
+from rapidsim.interpreter.references import Absent, not_present
 from rapidsim.language.error_numbers import ERR_NOTEQDIM, ERR_NOTINTVAL, ERR_OUTOFBND, rapid_error
-from rapidsim.interpreter.references import ABSENT, not_present
 
 
 def out_of_bounds(index: float, size: int) -> NoReturn:
@@ -46,26 +46,26 @@ def index_table(size: int) -> IndexTable:
     return table
 
 
-def index_table_of(array: list[Any], depth: int) -> IndexTable:
+def index_table_of(array: list[Any] | Absent, depth: int) -> IndexTable:
     """The table for one dimension of an array whose size the caller chose.
 
     Args:
         array: Nested lists, or `ABSENT`.
         depth: The dimension, from 0.
     """
-    if array is ABSENT:
+    if isinstance(array, Absent):
         return _ABSENT_TABLE
     for _ in range(depth):
         array = array[0]
     return index_table(len(array))
 
 
-def copy_array(array: list[Any]) -> list[Any]:
+def copy_array(array: list[Any] | Absent) -> list[Any]:
     """A copy that shares no list with the original; elements are immutable."""
+    if isinstance(array, Absent):
+        not_present("of this routine")
     if array and isinstance(array[0], list):
         return [copy_array(row) for row in array]
-    if array is ABSENT:
-        not_present("of this routine")
     return array[:]
 
 
@@ -86,14 +86,14 @@ def assign_array(target: list[Any], value: list[Any]) -> None:
         target[:] = value
 
 
-def dimension(array: list[Any], number: float) -> float:
+def dimension(array: list[Any] | Absent, number: float) -> float:
     """RAPID's Dim: the size of one dimension, counted from 1.
 
     Raises:
         RapidError: ERR_OUTOFBND when the array has no such dimension.
     """
     value: object = array
-    if array is ABSENT:
+    if isinstance(array, Absent):
         not_present("of this routine")
     for _ in range(int(number) - 1):
         value = value[0] if isinstance(value, list) else None

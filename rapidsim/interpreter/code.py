@@ -36,7 +36,7 @@ class Interval:
     @property
     def exact(self) -> bool:
         """Whether a single holds each of them."""
-        return -MAX_INTEGER <= self.low and self.high <= MAX_INTEGER
+        return self.low >= -MAX_INTEGER and self.high <= MAX_INTEGER
 
 
 @dataclass(slots=True)
@@ -70,25 +70,25 @@ def finished(code: Code, at: At) -> Code:
             return Code(_rounded(code.node, at), calls=code.calls, may_raise=code.may_raise)
         whole = at.operation(code.node, ast.Add(), at.constant(0.0))
         return Code(whole, calls=code.calls, may_raise=code.may_raise)
-    match code.owed:
-        case Owed.NOTHING:
-            return code
-        case Owed.SINGLE:
-            node: ast.expr = _rounded(code.node, at)
-        case Owed.CHECKED_SINGLE:
-            node = _rounded(_in_range(code.node, LARGEST_SINGLE, at), at)
-        case Owed.CHECKED_DOUBLE:
-            node = _in_range(code.node, MAX_DOUBLE, at)
-        case Owed.STRING:
-            length = at.call("_len", [at.named("_s", code.node)])
-            fits = at.compare(length, (ast.LtE(), at.constant(MAX_STRING)))
-            node = at.choice(fits, at.name("_s"), at.call("_too_long", [at.name("_s")]))
+    if code.owed is Owed.NOTHING:
+        return code
+    if code.owed is Owed.SINGLE:
+        node: ast.expr = _rounded(code.node, at)
+    elif code.owed is Owed.CHECKED_SINGLE:
+        node = _rounded(_in_range(code.node, LARGEST_SINGLE, at), at)
+    elif code.owed is Owed.CHECKED_DOUBLE:
+        node = _in_range(code.node, MAX_DOUBLE, at)
+    else:
+        length = at.call("_len", [at.named("_s", code.node)])
+        fits = at.compare(length, (ast.LtE(), at.constant(MAX_STRING)))
+        node = at.choice(fits, at.name("_s"), at.call("_too_long", [at.name("_s")]))
     return Code(node, may_raise=code.may_raise or code.owed is not Owed.SINGLE, calls=code.calls)
 
 
 def comparable(code: Code, at: At) -> Code:
     """As `finished`, but integers stay what they are: equal ints and floats compare equal."""
-    return code if code.stays_integer and code.integer and code.integer.exact else finished(code, at)
+    exact = code.stays_integer and code.integer is not None and code.integer.exact
+    return code if exact else finished(code, at)
 
 
 def _rounded(node: ast.expr, at: At) -> ast.expr:

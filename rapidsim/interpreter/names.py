@@ -12,14 +12,19 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
-from rapidsim.analysis.program import DataSymbol, RoutineSymbol, Symbol, UnknownSymbol
+from rapidsim.analysis.program import (
+    DataSymbol,
+    ParameterSymbol,
+    RoutineSymbol,
+    Symbol,
+    UnknownSymbol,
+)
 from rapidsim.interpreter.arrays import index_table
 from rapidsim.language.controller import Place
 from rapidsim.language.data import Signal
 from rapidsim.language.reference import Cell
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.syntax import tree
-
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -102,6 +107,7 @@ class LocalNames:
     module: ModuleNames
     routine: str
     """The routine as RAPID spells it; "" for the initial values of a module."""
+    parameters: tuple[ParameterSymbol, ...] = ()
     reserved: frozenset[str] = frozenset()
     """Names of the module's namespace that the routine uses."""
     in_cell: frozenset[Symbol] = frozenset()

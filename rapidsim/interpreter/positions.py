@@ -96,15 +96,15 @@ class At:
         """`(name := value)`."""
         return ast.NamedExpr(self.store(name), value, **self._where)
 
-    def tuple(self, elements: Sequence[ast.expr]) -> ast.Tuple:
+    def tuple_of(self, elements: Sequence[ast.expr]) -> ast.Tuple:
         """A tuple."""
         return ast.Tuple(list(elements), _LOAD, **self._where)
 
-    def list(self, elements: Sequence[ast.expr]) -> ast.List:
+    def list_of(self, elements: Sequence[ast.expr]) -> ast.List:
         """A list."""
         return ast.List(list(elements), _LOAD, **self._where)
 
-    def function(self, body: ast.expr) -> ast.Lambda:
+    def deferred(self, body: ast.expr) -> ast.Lambda:
         """`lambda: body`."""
         return ast.Lambda(ast.arguments([], [], None, [], [], None, []), body, **self._where)
 

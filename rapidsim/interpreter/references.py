@@ -64,7 +64,7 @@ class Element:
         self._index = index
 
     @property
-    def value(self) -> Any:  # noqa: ANN401 - whatever the array holds
+    def value(self) -> Any:
         """The element."""
         return self._array[self._index]
 
@@ -84,7 +84,7 @@ class Component:
         self._path = path
 
     @property
-    def value(self) -> Any:  # noqa: ANN401 - whatever the component holds
+    def value(self) -> Any:
         """The component."""
         value = self._record.value
         for position in self._path:
@@ -96,7 +96,7 @@ class Component:
         self._record.value = with_component(self._record.value, self._path, value)
 
 
-def with_component(record: Any, path: tuple[int, ...], value: object) -> Any:  # noqa: ANN401
+def with_component(record: Any, path: tuple[int, ...], value: object) -> Any:
     """The record with one component, however deep, replaced."""
     position = path[0]
     if len(path) > 1:

@@ -12,6 +12,7 @@ from rapidsim.syntax import tree
 Value: TypeAlias = Any
 """A float, bool or str; a record's tuple; a list for an array; whatever a library type holds."""
 
+
 def literal(expression: tree.Expression, of: Type) -> Value | None:
     """The value of an expression of literals alone, or None when it is more than that."""
     target = resolved(of)
@@ -23,11 +24,11 @@ def literal(expression: tree.Expression, of: Type) -> Value | None:
         case tree.Parenthesised(inner=inner):
             return literal(inner, target)
         case tree.Unary(operator="-", operand=operand):
-            value = literal(operand, target)
-            return -value if isinstance(value, float) else None
+            number = literal(operand, target)
+            return -number if isinstance(number, float) else None
         case tree.Unary(operator="+", operand=operand):
-            value = literal(operand, target)
-            return value if isinstance(value, float) else None
+            number = literal(operand, target)
+            return number if isinstance(number, float) else None
         case tree.Aggregate(elements=elements):
             return _aggregate(elements, target)
         case _:

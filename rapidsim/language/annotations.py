@@ -11,6 +11,7 @@ part of the signature. Python's `max_time` is RAPID's `MaxTime`; `X | Y` takes e
 - A keyword-only `ArgumentType` is not part of the signature either: it is given the type of the
   argument for the first parameter that takes `anytype` or several types, where num and dnum must be
   told apart.
+- `**options: Unpack[SomeTypedDict]` stands for one optional argument each.
 - Signals arrive as references to a `Signal`, which names the signal; a signal that no module
   declares is as if it were declared with its own name.
 """
@@ -69,6 +70,10 @@ OpCalc = Annotated[float, types.Alias("opcalc", types.NUM)]
 OpNum = Annotated[float, types.Alias("opnum", types.NUM)]
 StringDig = Annotated[str, types.Alias("stringdig", types.STRING)]
 SymNum = Annotated[float, types.Alias("symnum", types.NUM)]
+
+_OPAQUE = {atom.name: atom for atom in types.OPAQUE}
+TaskId = Annotated[object, _OPAQUE["taskid"]]
+MecUnit = Annotated[object, _OPAQUE["mecunit"]]
 
 Clock = Annotated[ClockState, types.CLOCK]
 IoDev = Annotated[OpenFile | None, types.IODEV]

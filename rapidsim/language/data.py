@@ -320,9 +320,7 @@ _MILLI = 0.0010000000474974513
 
 NO_EXTERNAL_AXES = ExtJoint(*(UNUSED_AXIS,) * 6)
 IDENTITY_POSE = Pose(Pos(0.0, 0.0, 0.0), Orient(1.0, 0.0, 0.0, 0.0))
-LOAD0 = LoadData(
-    single(0.001), Pos(0.0, 0.0, single(0.001)), Orient(1.0, 0.0, 0.0, 0.0), 0.0, 0.0, 0.0
-)
+LOAD0 = LoadData(_MILLI, Pos(0.0, 0.0, _MILLI), Orient(1.0, 0.0, 0.0, 0.0), 0.0, 0.0, 0.0)
 TOOL0 = ToolData(True, IDENTITY_POSE, LOAD0)
 WOBJ0 = WobjData(False, True, "", IDENTITY_POSE, IDENTITY_POSE)
 FINE = ZoneData(True, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)

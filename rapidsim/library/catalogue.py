@@ -1,21 +1,72 @@
-"""All installed routines: the chapters of the library, and those that are declared only.
+"""All installed routines: the chapters of the library, and those that are only declared.
 
-The list of declared routines is read when a name is asked for that no chapter has.
+A user's name hides an installed one, so this table is asked last.
 """
 
 from __future__ import annotations
 
-from collections import ChainMap
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
 from rapidsim.library.bits import BITS
+from rapidsim.library.declared import read_declared
+from rapidsim.library.displacement import DISPLACEMENT
+from rapidsim.library.errors import ERRORS
+from rapidsim.library.files import FILES
+from rapidsim.library.flow import FLOW
+from rapidsim.library.interrupts import INTERRUPTS
 from rapidsim.library.mathematics import MATHEMATICS
+from rapidsim.library.motion import MOTION
+from rapidsim.library.motion_settings import MOTION_SETTINGS
+from rapidsim.library.operator import OPERATOR
+from rapidsim.library.positions import POSITIONS
+from rapidsim.library.robot_state import ROBOT_STATE
+from rapidsim.library.signal_waits import SIGNAL_WAITS
+from rapidsim.library.signals import SIGNALS
 from rapidsim.library.strings import STRINGS
 from rapidsim.library.table import LibraryRoutine
+from rapidsim.library.timing import TIMING
 
-SIMULATED: Mapping[str, LibraryRoutine] = MappingProxyType(
-    dict(ChainMap(*map(dict, (MATHEMATICS, BITS, STRINGS))))
+CHAPTERS: Mapping[str, Mapping[str, LibraryRoutine]] = MappingProxyType(
+    {
+        "Motion": MOTION,
+        "Motion settings": MOTION_SETTINGS,
+        "Displacement": DISPLACEMENT,
+        "Robot state": ROBOT_STATE,
+        "Positions": POSITIONS,
+        "Signals": SIGNALS,
+        "Signal waits": SIGNAL_WAITS,
+        "Timing": TIMING,
+        "Interrupts": INTERRUPTS,
+        "Flow": FLOW,
+        "Errors": ERRORS,
+        "Operator": OPERATOR,
+        "Files": FILES,
+        "Mathematics": MATHEMATICS,
+        "Bits": BITS,
+        "Strings": STRINGS,
+    }
 )
-ROUTINES: Mapping[str, LibraryRoutine] = SIMULATED
+"""The routines written in Python, by chapter."""
+
+
+class _Catalogue(Mapping[str, LibraryRoutine]):
+    """Chapters first; the declared routines are read when something else is asked for."""
+
+    def __init__(self) -> None:
+        self._written = {key: row for chapter in CHAPTERS.values() for key, row in chapter.items()}
+
+    def __getitem__(self, key: str) -> LibraryRoutine:
+        found = self._written.get(key)
+        return read_declared()[key] if found is None else found
+
+    def __iter__(self) -> Iterator[str]:
+        yield from self._written
+        yield from read_declared()
+
+    def __len__(self) -> int:
+        return len(self._written) + len(read_declared())
+
+
+ROUTINES: Mapping[str, LibraryRoutine] = _Catalogue()
 """Every installed routine by folded name."""

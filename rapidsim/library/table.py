@@ -117,6 +117,11 @@ def _read_signature(body: Callable[..., Any], order: str) -> Signature:
         if get_origin(hint) is Annotated and Marker.ARGUMENT_TYPE in get_args(hint)[1:]:
             type_keyword = python.name
             continue
+        if python.kind is inspect.Parameter.VAR_KEYWORD:
+            (group,) = get_args(hint)
+            for name, member in get_type_hints(group, include_extras=True).items():
+                read[_folded(name)] = _read_parameter(name, member, optional=True)
+            continue
         optional = python.kind is inspect.Parameter.KEYWORD_ONLY
         read[_folded(python.name)] = _read_parameter(python.name, hint, optional)
     parameters = _ordered(read, order) if order else tuple(read.values())

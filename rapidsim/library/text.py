@@ -69,6 +69,12 @@ def value_text(value: object, of: Type) -> str:
             raise TypeError(f"a value of type {of.name} has no text")
 
 
+def parsed_number(text: str) -> float | None:
+    """The `num` that a text means, blanks around it allowed; None if it means none."""
+    value = parsed_value(text, NUM, 0.0)
+    return value if isinstance(value, float) else None
+
+
 def parsed_value(text: str, of: Type, sample: object) -> object | None:
     """The value that a text means for a type; None if it means none.
 

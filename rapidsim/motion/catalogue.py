@@ -19,7 +19,8 @@ from typing import Any
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.opw import JOINT_COUNT, OpwGeometry, OrthoParallel
+from rapidsim.motion.opw import OrthoParallel
+from rapidsim.motion.opw_geometry import JOINT_COUNT, OpwGeometry
 
 ORTHO_PARALLEL = "ortho-parallel"
 NEAR_NAMES = 5

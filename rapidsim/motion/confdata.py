@@ -65,7 +65,9 @@ def confdata_of(kinematics: Kinematics, joints: Array) -> Integers:
     return np.concatenate([_quarters(joints[..., COUNTED]), branch[..., None]], axis=-1)
 
 
-def select(robot: Robot, base_from_flange: Transform, confdata: Array, near: Array) -> Selected:
+def select(
+    robot: Robot, base_from_flange: Transform, confdata: Array | Integers, near: Array
+) -> Selected:
     """Joint vectors of poses with confdata.
 
     Args:
@@ -105,14 +107,28 @@ def configurations(robot: Robot, base_from_flange: Transform) -> tuple[Configura
     be shared out in endless ways; only those with axis 4 at whole half turns are listed.
     """
     branches = robot.kinematics.inverse(base_from_flange)
-    found: list[Array] = []
-    for joints in branches.joints[branches.exists]:
-        for turned in product(*map(_turns, joints, robot.lower, robot.upper)):
-            candidate = np.array(turned)
-            if not any(np.max(np.abs(candidate - other)) < SAME for other in found):
-                found.append(candidate)
-    named = [(confdata_of(robot.kinematics, joints), joints) for joints in found]
-    return tuple(Configuration(joints, _four(confdata)) for confdata, joints in named)
+    vectors = [
+        turned
+        for joints in _distinct(branches.joints[branches.exists])
+        for turned in product(*map(_turns, joints, robot.lower, robot.upper))
+    ]
+    if not vectors:
+        return ()
+    found = np.array(vectors)
+    named = confdata_of(robot.kinematics, found)
+    return tuple(
+        Configuration(joints, _four(confdata))
+        for joints, confdata in zip(found, named, strict=True)
+    )
+
+
+def _distinct(joints: Array) -> list[Array]:
+    """Joint vectors (k, 6) [rad] without those that an earlier one is but for whole turns."""
+    difference = joints[:, None] - joints
+    difference -= TURN * np.round(difference / TURN)
+    alike = np.max(np.abs(difference), axis=-1, initial=0.0) < SAME
+    first = np.argmax(alike, axis=-1) if len(joints) else []
+    return [row for index, row in enumerate(joints) if first[index] == index]
 
 
 def _quarters(angles: Array) -> Integers:

@@ -13,6 +13,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import IntEnum
+from itertools import pairwise
 from typing import assert_never
 
 import numpy as np
@@ -69,7 +70,7 @@ class Corners:
 
 
 def shape(corner: Shape, t: Array) -> tuple[Array, Array, Array]:
-    """phi and its first two derivatives at t (k,) in 0..1."""
+    """Phi and its first two derivatives at t (k,) in 0..1."""
     match corner:
         case "c2":
             return t**3 * (2.0 - t), t**2 * (6.0 - 4.0 * t), 12.0 * t * (1.0 - t)
@@ -187,7 +188,7 @@ def _zone_on_curve(
     half_chord = np.minimum(position / np.maximum(2.0 * arc, 1e-12), 1.0)
     on_arc = 2.0 * arc * np.arcsin(half_chord)
     zone = np.where(arc > 0.0, on_arc, position * length / np.maximum(curves.travel[rows], 1e-12))
-    turned = np.maximum(curves.angle[rows], np.abs(curves.joint_travel[rows]).max(axis=-1))
+    turned = curves.turned[rows]
     zone = np.where(curves.turns_only[rows], length * angle / np.maximum(turned, 1e-12), zone)
     moves = np.flatnonzero(curves.in_joints[rows] & ~curves.turns_only[rows] & (position > 0.0))
     if len(moves):
@@ -238,7 +239,7 @@ def _zone_on_joint_moves(
 def _tool_changes(segments: Sequence[Segment]) -> npt.NDArray[np.bool_]:
     """Whether the corner after each segment but the last joins different tools."""
     changes = []
-    for before, after in zip(segments, segments[1:], strict=False):
+    for before, after in pairwise(segments):
         a, b = before.tcp_from_flange, after.tcp_from_flange
         same = a is b or (
             np.array_equal(a.rotation, b.rotation) and np.array_equal(a.translation, b.translation)

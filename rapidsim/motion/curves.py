@@ -1,4 +1,4 @@
-"""The programmed curves of segments, before corners cut them: TCP poses and derivatives, in batches.
+"""The programmed curves of segments, before corners cut them: TCP poses and derivatives.
 
 A curve runs in x from 0 to its length. For what moves the TCP the length is the TCP's travel [m].
 For what only turns it, it is the travel the TCP would have made in the same time at its programmed
@@ -63,6 +63,8 @@ class Curves:
     """Way of the TCP [m]."""
     angle: Array
     """Reorientation from start to end [rad]."""
+    turned: Array
+    """The same, or the largest joint travel of a joint move, which may turn and end as it began."""
     turns_only: npt.NDArray[np.bool_]
     """Whether the arm turns and the TCP hardly moves: less than a robtarget's last digit."""
     start: Transform
@@ -152,6 +154,7 @@ def curves_of(segments: Sequence[Segment], kinematics: Kinematics) -> Curves:
         length=length,
         travel=travel,
         angle=angle,
+        turned=turned,
         turns_only=turns_only,
         start=start,
         end=end,

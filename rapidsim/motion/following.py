@@ -37,6 +37,8 @@ class PathFault:
     """Share of that segment, 0 to 1."""
     place: float
     """s of the path [m]."""
+    distance: float
+    """TCP travel [m] on that segment before it fails."""
     reason: str
     """What is wrong, with numbers."""
 
@@ -117,16 +119,15 @@ def follow(
         exists = np.insert(exists, at + 1, new_exists)
     joints = _continuous(joints, layout.row[piece])
     nodes = Nodes(s, piece, joints)
-    faults = [
-        fault
-        for fault in (
-            _unreached(layout, arms, nodes, exists),
-            _jump(layout, nodes, exists),
-            _missed_waypoint(layout, nodes, segments),
-            limit_fault(layout, s, layout.row[piece], joints, lower, upper),
-        )
-        if fault is not None
-    ]
+    # In corners made in joint space the arm is not on the curve.
+    on_path = np.flatnonzero(layout.joint_corner[piece] < 0)
+    candidates = (
+        _unreached(layout, arms, nodes, exists),
+        _jump(layout, nodes, exists),
+        _missed_waypoint(layout, nodes, segments),
+        limit_fault(layout, s[on_path], layout.row[piece[on_path]], joints[on_path], lower, upper),
+    )
+    faults = [fault for fault in candidates if fault is not None]
     return min(faults, key=lambda fault: fault.place) if faults else nodes
 
 
@@ -242,16 +243,13 @@ def _jump(layout: Layout, nodes: Nodes, exists: Mask) -> PathFault | None:
     return _fault(layout, int(row[first]), float(nodes.s[first]), reason)
 
 
-def _missed_waypoint(
-    layout: Layout, nodes: Nodes, segments: Sequence[Segment]
-) -> PathFault | None:
+def _missed_waypoint(layout: Layout, nodes: Nodes, segments: Sequence[Segment]) -> PathFault | None:
     """Where the branch does not lead from a segment's start joints to its end joints."""
     row = layout.row[nodes.piece]
     rows = np.unique(row)
     first = np.searchsorted(row, rows, side="left")
     last = np.searchsorted(row, rows, side="right") - 1
-    cut = layout.position_corner >= 0
-    turns = (layout.position_corner >= 0) | (layout.orientation_corner >= 0)
+    cut = (layout.position_corner >= 0) | (layout.orientation_corner >= 0)
     for i, at_first, at_last in zip(rows, first, last, strict=True):
         ends = (
             (at_first, segments[i].start.joints, "starts", "the arm stands"),
@@ -260,7 +258,7 @@ def _missed_waypoint(
         for node, waypoint, verb, other in ends:
             miss = np.abs(nodes.joints[node] - waypoint)
             # Within a corner path the node is not the waypoint; only a whole turn can be told.
-            allowed = 1.5 * math.pi if turns[nodes.piece[node]] else _MATCH_TOLERANCE
+            allowed = 1.5 * math.pi if cut[nodes.piece[node]] else _MATCH_TOLERANCE
             axis = int(miss.argmax())
             if miss[axis] > allowed:
                 reason = (
@@ -269,11 +267,11 @@ def _missed_waypoint(
                     f"{math.degrees(waypoint[axis]):.1f} deg"
                 )
                 return _fault(layout, int(i), float(nodes.s[node]), reason)
-    del cut
     return None
 
 
 def _fault(layout: Layout, row: int, place: float, reason: str) -> PathFault:
     length = float(layout.curves.length[row])
     fraction = (place - float(layout.places[row])) / length if length > 0.0 else 0.0
-    return PathFault(row, min(max(fraction, 0.0), 1.0), place, reason)
+    fraction = min(max(fraction, 0.0), 1.0)
+    return PathFault(row, fraction, place, fraction * float(layout.curves.travel[row]), reason)

@@ -168,4 +168,3 @@ def layout_of(curves: Curves, corners: Corners, corner_shape: Corner) -> Layout:
         orientation_corner=within(corners.orientation_radius, cartesian),
         joint_corner=within(corners.radius, corners.in_joints),
     )
-

@@ -22,43 +22,14 @@ import numpy.typing as npt
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion import opw_inverse
 from rapidsim.motion.kinematics import Branches, Followed
+from rapidsim.motion.opw_geometry import JOINT_COUNT, OpwGeometry
+from rapidsim.motion.turns import cross
 
-JOINT_COUNT = 6
 _JOINT = np.arange(JOINT_COUNT)
 _AXIS = np.array([2, 1, 1, 2, 1, 2])
 """Which column of its frame each axis is: z, or y for axes 2, 3 and 5."""
 ROUNDING = 1e-12
 """Angles [rad] and shares of the arm's length up to this are zero spoiled by rounding."""
-
-
-@dataclass(frozen=True, slots=True)
-class OpwGeometry:
-    """The lengths [m] and the zero positions of an ortho-parallel arm."""
-
-    a1: float
-    """Axis 1 to axis 2, forward."""
-    a2: float
-    """Axis 3 to axis 4; negative where the forearm lies above the elbow with the arm forward."""
-    b: float
-    """Sideways offset of the wrist centre from axis 1."""
-    c1: float
-    """Base to axis 2, upward."""
-    c2: float
-    """Axis 2 to axis 3."""
-    c3: float
-    """Elbow to wrist centre, along axis 4."""
-    c4: float
-    """Wrist centre to flange, along axis 6."""
-    offsets: tuple[float, ...] = (0.0,) * JOINT_COUNT
-    """theta = sign * joint - offset [rad]."""
-    signs: tuple[int, ...] = (1,) * JOINT_COUNT
-    coupling: int = 0
-    """Axis 3 turns by joint 3 plus this times joint 2: -1 for arms with a parallel rod, else 0."""
-
-    @property
-    def reach(self) -> float:
-        """Longest distance [m] of the wrist centre from axis 2; the scale of every tolerance."""
-        return self.c2 + float(np.hypot(self.a2, self.c3))
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,7 +88,7 @@ class OrthoParallel:
 
     def forward(self, joints: Array) -> Transform:
         """base_from_flange of joint vectors (..., 6) [rad]; the flange is ABB's tool0."""
-        return self.base_from_opw @ self._opw_frames(joints)[..., 5] @ self.opw6_from_flange
+        return self.base_from_opw @ self._last_opw_frame(joints) @ self.opw6_from_flange
 
     def link_frames(self, joints: Array) -> Transform:
         """base_from_link of each moving link, shape (..., 6), of joint vectors (..., 6) [rad]."""
@@ -130,7 +101,7 @@ class OrthoParallel:
         columns_of_axes = frames.rotation[..., _JOINT, :, _AXIS]  # (6, ..., 3)
         axes = np.moveaxis(columns_of_axes, 0, -2)
         arms = flange.translation[..., None, :] - frames.translation
-        columns = np.concatenate([np.cross(axes, arms), axes], axis=-1) * self._signs[:, None]
+        columns = np.concatenate([cross(axes, arms), axes], axis=-1) * self._signs[:, None]
         columns[..., 1, :] += self.geometry.coupling * columns[..., 2, :]
         return np.swapaxes(columns, -1, -2)
 
@@ -178,6 +149,30 @@ class OrthoParallel:
     def _opw6(self, base_from_flange: Transform) -> Transform:
         """The last frame of the formulas: its origin is the wrist centre."""
         return self._opw_from_base @ base_from_flange @ self._flange_from_opw6
+
+    def _last_opw_frame(self, joints: Array) -> Transform:
+        """The last of `_opw_frames`, several times as fast as all of them."""
+        g = self.geometry
+        theta = self.theta_from_joints(joints)
+        c, s = np.cos(theta), np.sin(theta)
+        t23 = theta[..., 1] + theta[..., 2]
+        c1, s1, c23, s23 = c[..., 0], s[..., 0], np.cos(t23), np.sin(t23)
+        c4, s4, c5, s5, c6, s6 = (f[..., i] for i in (3, 4, 5) for f in (c, s))
+        elbow = opw_inverse.elbow_rotation(c1, s1, c23, s23)
+        wrist = np.empty_like(elbow)  # Rz(t4) Ry(t5) Rz(t6)
+        wrist[..., 0, 0] = c4 * c5 * c6 - s4 * s6
+        wrist[..., 0, 1] = -c4 * c5 * s6 - s4 * c6
+        wrist[..., 0, 2] = c4 * s5
+        wrist[..., 1, 0] = s4 * c5 * c6 + c4 * s6
+        wrist[..., 1, 1] = -s4 * c5 * s6 + c4 * c6
+        wrist[..., 1, 2] = s4 * s5
+        wrist[..., 2, 0] = -s5 * c6
+        wrist[..., 2, 1] = s5 * s6
+        wrist[..., 2, 2] = c5
+        forward = g.a1 + g.c2 * s[..., 1] + g.a2 * c23 + g.c3 * s23
+        up = g.c1 + g.c2 * c[..., 1] - g.a2 * s23 + g.c3 * c23
+        centre = np.stack([forward * c1 - g.b * s1, forward * s1 + g.b * c1, up], axis=-1)
+        return Transform(elbow @ wrist, centre)
 
     def _opw_frames(self, joints: Array) -> Transform:
         """The frames (..., 6) of the formulas in their base.

@@ -8,15 +8,12 @@ the elbow comes from the tangent of its half angle, the wrist from atan2.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics import Mask
-
-if TYPE_CHECKING:
-    from rapidsim.motion.opw import OpwGeometry
+from rapidsim.motion.opw_geometry import OpwGeometry
 
 REACH_TOLERANCE = 1e-9
 """Share of the reach by which a wrist centre may lie outside and still count as just reached."""
@@ -91,6 +88,21 @@ def one_branch(
     return theta, arm.shortfall <= REACH_TOLERANCE * geometry.reach
 
 
+def elbow_rotation(c1: Array, s1: Array, c23: Array, s23: Array) -> Array:
+    """Rz(t1) Ry(t2 + t3) as matrices (..., 3, 3), from cosines and sines (...)."""
+    rotation = np.empty((*c1.shape, 3, 3))
+    rotation[..., 0, 0] = c1 * c23
+    rotation[..., 0, 1] = -s1
+    rotation[..., 0, 2] = c1 * s23
+    rotation[..., 1, 0] = s1 * c23
+    rotation[..., 1, 1] = c1
+    rotation[..., 1, 2] = s1 * s23
+    rotation[..., 2, 0] = -s23
+    rotation[..., 2, 1] = 0.0
+    rotation[..., 2, 2] = c23
+    return rotation
+
+
 def _axis_1(geometry: OpwGeometry, wrist_centre: Array, side: Array) -> tuple[Array, Mask]:
     """Axis 1 and where it is undetermined, because the wrist centre lies on it.
 
@@ -141,11 +153,8 @@ def _arm(geometry: OpwGeometry, wrist_centre: Array, side: Array, bend: Array, t
 def _wrist_matrix(arm: _Arm, rotation: Array) -> Array:
     """What is left for axes 4 to 6: Rz(t4) Ry(t5) Rz(t6), shape (..., 3, 3)."""
     t23 = arm.t2 + arm.t3
-    c1, s1, c23, s23 = np.cos(arm.t1), np.sin(arm.t1), np.cos(t23), np.sin(t23)
-    elbow_from_base = np.stack(
-        [c1 * c23, s1 * c23, -s23, -s1, c1, np.zeros_like(c1), c1 * s23, s1 * s23, c23], axis=-1
-    ).reshape(*c1.shape, 3, 3)
-    return elbow_from_base @ rotation
+    elbow = elbow_rotation(np.cos(arm.t1), np.sin(arm.t1), np.cos(t23), np.sin(t23))
+    return np.swapaxes(elbow, -1, -2) @ rotation
 
 
 def _sine(wrist: Array) -> Array:

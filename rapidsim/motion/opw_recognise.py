@@ -11,7 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.opw import JOINT_COUNT, OpwGeometry, OrthoParallel
+from rapidsim.motion.opw import OrthoParallel
+from rapidsim.motion.opw_geometry import JOINT_COUNT, OpwGeometry
 
 ANGLE_TOLERANCE = 1e-9
 """Axes count as square or parallel up to this [rad]; descriptions with 1.571 for 90 deg do not."""

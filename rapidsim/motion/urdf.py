@@ -16,7 +16,7 @@ import yourdfpy
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.catalogue import RobotError
 from rapidsim.motion.kinematics import Kinematics
-from rapidsim.motion.opw import JOINT_COUNT
+from rapidsim.motion.opw_geometry import JOINT_COUNT
 from rapidsim.motion.opw_recognise import AxesAtZero, ortho_parallel_arm
 
 FLANGE_NAMES = ("tool0", "flange")

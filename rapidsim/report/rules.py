@@ -3,56 +3,75 @@
 from __future__ import annotations
 
 import inspect
+import pkgutil
 import re
-from collections.abc import Iterable, Sequence
-from types import ModuleType
+import textwrap
+from collections.abc import Sequence
+from functools import cache
+from importlib import import_module
 
-import rapidsim.simulation.violations
+import rapidsim.analysis
+import rapidsim.motion
+import rapidsim.simulation
+import rapidsim.syntax
 from rapidsim.diagnostics import Violation
 from rapidsim.report.palette import Palette
 
-# Each rule is declared next to the code that detects it; these are all modules that declare some.
-_DECLARED_IN: tuple[ModuleType, ...] = (rapidsim.simulation.violations,)
+# Each rule is declared next to the code that detects it, in a module whose name ends like this,
+# or, where one rule was not worth a module, in one of those listed.
+_PACKAGES = (rapidsim.syntax, rapidsim.analysis, rapidsim.motion, rapidsim.simulation)
+_MODULE_NAME_ENDS_IN = "violations"
+_OTHER_MODULES = ("rapidsim.interpreter.limits",)
+
+_HEADING = re.compile(r"^## *(.+)$", re.MULTILINE)
+_FENCED = re.compile(r"^```\w*\n(.*?)\n```$", re.MULTILINE | re.DOTALL)
+_BLANK_LINES = re.compile(r"\n{3,}")
 
 
-def _declared(modules: Iterable[ModuleType]) -> tuple[type[Violation], ...]:
-    rules = (
+@cache
+def rules() -> tuple[type[Violation], ...]:
+    """Every rule, ordered by code."""
+    named = (
+        f"{package.__name__}.{module.name}"
+        for package in _PACKAGES
+        for module in pkgutil.iter_modules(package.__path__)
+        if module.name.endswith(_MODULE_NAME_ENDS_IN)
+    )
+    declared = (
         value
-        for module in modules
+        for module in map(import_module, (*named, *_OTHER_MODULES))
         for value in vars(module).values()
         if isinstance(value, type)
         and issubclass(value, Violation)
         and value.__module__ == module.__name__
+        and "code" in vars(value)
     )
-    return tuple(sorted(rules, key=lambda rule: rule.code))
-
-
-RULES = _declared(_DECLARED_IN)
-"""Every rule, ordered by code."""
+    return tuple(sorted(declared, key=lambda rule: rule.code))
 
 
 def rule_page(rule: type[Violation], palette: Palette) -> str:
     """The page of a rule: headline, explanation, example, fix."""
     code = palette.paint(rule.code, palette.of(rule.severity))
     headline = f"{code} {palette.paint(rule.name, palette.strong)} ({rule.severity.value})"
-    compare = f"\nThe controller's event for it: {rule.cf}." if rule.cf else ""
-    page = re.sub(
-        r"^## *(.+)$",
-        lambda heading: palette.paint(heading.group(1), palette.strong),
-        inspect.cleandoc(rule.__doc__ or ""),
-        flags=re.MULTILINE,
-    )
+    compare = f"\n\nThe controller's event for it: {rule.cf}." if rule.cf else ""
+    page = _FENCED.sub(_indented, inspect.cleandoc(rule.__doc__ or ""))
+    page = _HEADING.sub(lambda heading: palette.paint(heading.group(1), palette.strong), page)
+    page = _BLANK_LINES.sub("\n\n", page).strip()
     return f"{headline}\n\n{page}{compare}"
 
 
-def rule_list(rules: Sequence[type[Violation]], palette: Palette) -> str:
+def rule_list(listed: Sequence[type[Violation]], palette: Palette) -> str:
     """One line a rule: code, severity, name, first sentence of its page."""
-    widest = max(len(rule.name) for rule in rules)
+    widest = max(len(rule.name) for rule in listed)
     return "\n".join(
         f"{palette.paint(rule.code, palette.of(rule.severity))} {rule.severity.value:<7} "
         f"{rule.name:<{widest}}  {_first_line(rule)}"
-        for rule in rules
+        for rule in listed
     )
+
+
+def _indented(code: re.Match[str]) -> str:
+    return f"\n{textwrap.indent(code.group(1), '    ')}\n"
 
 
 def _first_line(rule: type[Violation]) -> str:

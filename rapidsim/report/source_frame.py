@@ -85,7 +85,7 @@ def shown_line(span: Span, width: int) -> ShownLine:
 
 def _steers(character: str) -> bool:
     """Whether a character could move the cursor, change colours or reverse the text."""
-    return unicodedata.category(character) in ("Cc", "Cf", "Cs", "Zl", "Zp")
+    return not character.isprintable() and unicodedata.category(character) != "Zs"
 
 
 def _cells(line: str) -> tuple[list[str], list[int]]:

@@ -35,6 +35,18 @@ _ENDS = {
 
 
 @dataclass(frozen=True, slots=True)
+class Bars:
+    """The characters bars are made of."""
+
+    full: str
+    rest: str
+
+
+BLOCK_BARS = Bars("█", "░")
+ASCII_BARS = Bars("#", ".")
+
+
+@dataclass(frozen=True, slots=True)
 class Written:
     """A file the command wrote."""
 
@@ -49,7 +61,7 @@ def summary(
     *,
     robot_reason: str | None,
     written: Sequence[Written],
-    bar: str = "█",
+    bars: Bars = BLOCK_BARS,
 ) -> RenderableType:
     """The summary of a run.
 
@@ -58,12 +70,12 @@ def summary(
         figures: Its figures.
         robot_reason: Why this robot, unless the user named it.
         written: Files of the command, the recording among them.
-        bar: The character bars are made of.
+        bars: The characters bars are made of.
     """
     parts: list[RenderableType] = [_headline(simulation), Rule(style="dim"), Text()]
-    parts.append(_facts(simulation, figures, robot_reason, bar))
+    parts.append(_facts(simulation, figures, robot_reason, bars))
     if figures.slowest:
-        parts += [Text(), _slowest(figures.slowest, bar)]
+        parts += [Text(), _slowest(figures.slowest, bars)]
     parts += [Text(), _models(simulation)]
     if written or simulation.home_files:
         parts += [Text(), _files(simulation, written)]
@@ -82,14 +94,14 @@ def _headline(simulation: Simulation) -> Text:
 
 
 def _facts(
-    simulation: Simulation, figures: Figures, robot_reason: str | None, bar: str
+    simulation: Simulation, figures: Figures, robot_reason: str | None, bars: Bars
 ) -> RenderableType:
     facts = Table.grid(padding=(0, 2))
     facts.add_column(style="cyan", no_wrap=True)
     facts.add_column()
     reason = f" ({robot_reason})" if robot_reason else ""
     facts.add_row("robot", f"{simulation.robot.name}{reason}")
-    facts.add_row("time", _time_split(simulation, bar))
+    facts.add_row("time", _time_split(simulation, bars))
     facts.add_row("moves", _moves(simulation, figures))
     if figures.moves_by_corner:
         facts.add_row("corners", _corners(figures))
@@ -102,14 +114,14 @@ def _facts(
     return facts
 
 
-def _time_split(simulation: Simulation, bar: str) -> Text:
+def _time_split(simulation: Simulation, bars: Bars) -> Text:
     total = simulation.time_s
     if total <= 0.0:
         return Text("no time passed")
     moving = round(_BAR_CELLS * min(1.0, simulation.motion_s / total))
     return Text.assemble(
-        (bar * moving, "green"),
-        (bar * (_BAR_CELLS - moving) if bar != "#" else "." * (_BAR_CELLS - moving), "yellow"),
+        (bars.full * moving, "green"),
+        (bars.rest * (_BAR_CELLS - moving), "yellow"),
         ("  moving ", "green"),
         f"{simulation.motion_s:.3f} s",
         ("  waiting ", "yellow"),
@@ -174,7 +186,7 @@ def _happenings(simulation: Simulation) -> list[tuple[str, RenderableType]]:
     return rows
 
 
-def _slowest(lines: Sequence[LineTime], bar: str) -> Table:
+def _slowest(lines: Sequence[LineTime], bars: Bars) -> Table:
     table = Table(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
     table.add_column("slowest lines", no_wrap=True)
     table.add_column("routine")
@@ -191,7 +203,7 @@ def _slowest(lines: Sequence[LineTime], bar: str) -> Table:
             f"{line.instruction} {printable(line.to)}",
             str(line.times),
             f"{line.seconds:.3f} s",
-            Text(bar * round(_BAR_CELLS * line.seconds / longest), "green"),
+            Text(bars.full * round(_BAR_CELLS * line.seconds / longest), "green"),
         )
     return table
 
@@ -199,7 +211,7 @@ def _slowest(lines: Sequence[LineTime], bar: str) -> Table:
 def _models(simulation: Simulation) -> Text:
     behind = models(simulation.model)
     return Text(
-        f"Modelled, not measured: {behind['acceleration']}; corners {behind['corner']}; command "
+        f"Models behind it: {behind['acceleration']}; corners {behind['corner']}; command "
         f"smoothed over {behind['filter_time_s']} s; {behind['fine_dwell_s']} s at a fine point; "
         f"the program pointer {behind['program_pointer']}.",
         "dim",

@@ -12,17 +12,21 @@ corner has become a stop (corner path failure).
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.language.controller import Move, Place
 from rapidsim.language.data import ConfData, ToolData, WobjData
+from rapidsim.motion.corners import Corner
+from rapidsim.motion.following import PathFault
+from rapidsim.motion.limits import Limits, limits_of
 from rapidsim.motion.model import MotionModel
-from rapidsim.motion.path import Path, PathFault, build_path
+from rapidsim.motion.path import Path, build_path
 from rapidsim.motion.robot import Robot
 from rapidsim.motion.segments import Segment, Waypoint
-from rapidsim.motion.timing import Limits, Timing, plan
+from rapidsim.motion.timing import Timing, plan
 from rapidsim.motion.trajectory import Piece, Trajectory
 from rapidsim.simulation.journal import Instant
 from rapidsim.simulation.result import CornerKind, ExecutedMove
@@ -93,7 +97,7 @@ class _Plan:
         return float(self.path.segment_starts[index - self.first])
 
 
-@dataclass(slots=True)
+@dataclass(eq=False)
 class PathQueue:
     """The moves of one robot and the trajectory they give."""
 
@@ -119,10 +123,10 @@ class PathQueue:
         """How many moves of the open block have not been travelled."""
         return len(self._block) - self._commit.move if self._commit else 0
 
-    @property
+    @cached_property
     def limits(self) -> Limits:
         """Axis speeds and accelerations for timing."""
-        return joint_limits(self.robot, self.model)
+        return limits_of(self.robot, self.model)
 
     def append(self, queued: QueuedMove, now_s: float) -> None:
         """Put a move on the path.
@@ -146,6 +150,7 @@ class PathQueue:
             # within a zone makes the corner path joint interpolated.
             last = self._block[-1]
             last.segment = replace(last.segment, joint_corner=True)
+        queued.segment = replace(queued.segment, index=len(self.moves))
         self._block.append(queued)
         self.moves.append(queued)
         self.end = queued.segment.end
@@ -286,7 +291,8 @@ class PathQueue:
         tentative = self._planned()
         last = self._block[-1].segment
         radius = last.zone.position if last.zone else 0.0
-        entry = tentative.path.length - min(radius, float(tentative.path.lengths[-1]) / 2.0)
+        length = tentative.path.length - tentative.start_of(len(self._block) - 1)
+        entry = tentative.path.length - min(radius, length / 2.0)
         if now_s >= tentative.time_at(entry):
             self.close(CornerKind.STOP_CORNER_PATH_FAILURE)
             return
@@ -301,16 +307,14 @@ class PathQueue:
 
     def _travel(self, tentative: _Plan, moves_begun: int, to_m: float) -> float:
         """Append a stretch of a plan to the trajectory and date the moves that begin on it."""
-        offset_m = self.trajectory.length - tentative.from_m
-        self.trajectory.append(
-            Piece(
-                start_time=tentative.start_s,
-                path=tentative.path,
-                timing=tentative.timing,
-                from_s=tentative.from_m,
-                to_s=to_m,
-            )
+        piece = Piece(
+            start_time=tentative.start_s,
+            path=tentative.path,
+            timing=tentative.timing,
+            from_s=tentative.from_m,
+            to_s=to_m,
         )
+        offset_m = self.trajectory.append(piece) - tentative.from_m
         starts = [float(s) for s in tentative.path.segment_starts]
         ends = [*starts[1:], tentative.path.length]
         for index in range(tentative.first, moves_begun):
@@ -322,8 +326,14 @@ class PathQueue:
                 queued.start_place_m = offset_m + starts[k]
             queued.end_place_m = offset_m + ends[k]
             queued.length_m = float(tentative.path.lengths[k])
-            queued.zone_m = tentative.path.corners[k].radius
+            self._note_corner(queued, tentative.path.corners[k])
         return tentative.time_at(to_m)
+
+    def _note_corner(self, queued: QueuedMove, corner: Corner) -> None:
+        """What became of the end of a move; the last of the open block is still undecided."""
+        queued.zone_m = corner.radius
+        if corner.stops and queued is not self._block[-1]:
+            queued.corner = CornerKind.STOP
 
     def _braking_distance_m(self, segment: Segment) -> float:
         """More than the TCP needs to stop from the programmed speed.
@@ -337,11 +347,3 @@ class PathQueue:
 
 def _frames(queued: QueuedMove) -> tuple[ToolData, WobjData]:
     return queued.move.tool, queued.move.wobj
-
-
-def joint_limits(robot: Robot, model: MotionModel) -> Limits:
-    """Axis speeds of a robot with the accelerations of a motion model."""
-    speeds = np.array([joint.max_speed for joint in robot.joints])
-    if model.acceleration is not None:
-        return Limits(speeds, np.array(model.acceleration))
-    return Limits(speeds, speeds / model.acceleration_time)

@@ -9,7 +9,8 @@ import numpy as np
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Related, Span
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.interpreter.loader import FatalError, load
+from rapidsim.interpreter.loader import load
+from rapidsim.interpreter.stack import FatalError, Frame
 from rapidsim.language.controller import Place
 from rapidsim.language.errors import Stopped
 from rapidsim.motion.robot import Robot
@@ -56,7 +57,7 @@ def simulate(program: Program, robot: Robot, *, options: RunOptions) -> Simulati
     """
     journal = Journal(options.task)
     start = _start_waypoint(robot, options)
-    trajectory = Trajectory(robot.kinematics, start, options.model.filter_time)
+    trajectory = Trajectory(start, options.model.filter_time)
     queue = PathQueue(robot, options.model, trajectory, start)
     resolver = Resolver(robot, journal, Transform.identity())
     controller = VirtualController(
@@ -102,7 +103,8 @@ def _run(program: Program, controller: VirtualController, options: RunOptions) -
         controller.finish()
     except FatalError as fatal:
         controller.abandon()
-        return _Outcome(End.ERROR, (_fatal_finding(fatal),))
+        finding = _fatal_finding(fatal, program, controller.place)
+        return _Outcome(End.ERROR, (finding,))
     except MotionError as error:
         return _Outcome(End.ERROR, (_motion_finding(error),))
     except TimeLimitReached:
@@ -176,19 +178,29 @@ def _motion_finding(error: MotionError) -> Diagnostic:
     return Diagnostic(path_violation(error), place.span, routine=place.routine)
 
 
-def _fatal_finding(fatal: FatalError) -> Diagnostic:
+def _fatal_finding(fatal: FatalError, program: Program, place: Place) -> Diagnostic:
     """The error that nothing caught, with the call chain as related places, innermost first."""
-    frames = fatal.stack
-    spans = [Span(frame.source, frame.start, frame.end) for frame in frames]
+    calls = [(frame.routine, _statement_span(frame, program)) for frame in reversed(fatal.stack)]
+    routine, span = calls[0] if calls else (place.routine, place.span)
     related = tuple(
-        Related(span, f"called from {frame.routine}")
-        for frame, span in zip(frames[1:], spans[1:], strict=True)
+        Related(call_span, f"called from {caller}" if caller else "initial value")
+        for caller, call_span in calls[1:]
+        if call_span is not None
     )
     error = fatal.error
     violation = error.violation if isinstance(error, MoveRefusedError) else None
-    return Diagnostic(
-        violation or UncaughtError(error.message),
-        spans[0] if spans else None,
-        related,
-        routine=frames[0].routine if frames else None,
-    )
+    if span is not None and span.line == place.span.line and span.file == place.span.file:
+        span = place.span
+    return Diagnostic(violation or UncaughtError(error.message), span, related, routine=routine)
+
+
+def _statement_span(frame: Frame, program: Program) -> Span | None:
+    """The line a routine had come to, without its indentation."""
+    for module in program.modules:
+        source = module.source
+        if source.file == frame.file:
+            start = source.line_starts[frame.line - 1]
+            text = source.line(frame.line)
+            indent = len(text) - len(text.lstrip())
+            return Span(source, start + indent, start + max(len(text.rstrip()), indent + 1))
+    return None

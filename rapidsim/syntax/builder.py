@@ -67,9 +67,7 @@ class Builder:
         """MODULE."""
         return tree.Module(start, end, self.source, name, attributes or (), items)
 
-    def record(
-        self, start: int, end: int, local: tree.Name | None, *parts: Any
-    ) -> tree.RecordType:
+    def record(self, start: int, end: int, local: tree.Name | None, *parts: Any) -> tree.RecordType:
         """RECORD."""
         return tree.RecordType(start, end, _word(local), *parts)
 
@@ -154,9 +152,7 @@ class Builder:
         """TRAP."""
         return tree.Trap(start, end, *self._routine(head, body, clauses))
 
-    def _routine(
-        self, head: Head, body: tree.Body, clauses: tuple[Clause, ...]
-    ) -> tuple[Any, ...]:
+    def _routine(self, head: Head, body: tree.Body, clauses: tuple[Clause, ...]) -> tuple[Any, ...]:
         """The fields of a `tree.RoutineNode` after its place."""
         found: dict[str, Any] = {}
         for keyword, place, clause in clauses:
@@ -326,9 +322,7 @@ class Builder:
 
     # --- arguments
 
-    def named(
-        self, start: int, end: int, name: tree.Name, value: tree.Expression
-    ) -> tree.Required:
+    def named(self, start: int, end: int, name: tree.Name, value: tree.Expression) -> tree.Required:
         """`Par := x`."""
         return tree.Required(start, end, value, name)
 

@@ -92,9 +92,7 @@ def lex(text: str) -> Tokens:
     kinds.append(END)
     starts.append(len(text))
     ends.append(len(text))
-    return Tokens(
-        kinds, starts, ends, tuple(comments), tuple(unterminated), frozenset(words)
-    )
+    return Tokens(kinds, starts, ends, tuple(comments), tuple(unterminated), frozenset(words))
 
 
 def literal_pattern() -> str:

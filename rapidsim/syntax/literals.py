@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Iterator
 from functools import cache
 
 from rapidsim.syntax.lexer import literal_pattern
@@ -15,8 +16,7 @@ from rapidsim.syntax.tree import LiteralValue
 _BASES = {"0X": 16, "0O": 8, "0B": 2}
 # `""` is a quote, `\\` a backslash, `\0D` the character of that code.
 _ESCAPE = re.compile(r'""|\\\\|\\[0-9A-Fa-f]{2}')
-BAD_ESCAPE = re.compile(r"(?:\\\\|\\[0-9A-Fa-f]{2}|[^\\])*(\\)")
-"""Finds the first backslash of a string that begins no escape."""
+_BACKSLASH = re.compile(r"\\(?:\\|[0-9A-Fa-f]{2})|(\\)")
 
 
 def number(text: str) -> float:
@@ -47,6 +47,21 @@ def aggregate(text: str) -> tuple[LiteralValue, ...]:
         except ValueError:
             pass
     return _read(text)
+
+
+def bad_escape(text: str) -> int | None:
+    """Offset of the first backslash of a string that begins no escape."""
+    return next((m.start() for m in _BACKSLASH.finditer(text) if m.group(1)), None)
+
+
+def parts(text: str) -> Iterator[tuple[int, str]]:
+    """The literals of a string, or of an aggregate of literals, each with its offset."""
+    if text[0] == '"':
+        yield 0, text
+    else:
+        for match in _element().finditer(text):
+            if match.group() not in "[]":
+                yield match.start(), match.group()
 
 
 def _unescaped(match: re.Match[str]) -> str:

@@ -1,15 +1,21 @@
-"""Text to tree: `parse` reads one file and never fails."""
+"""Text to tree: `parse` reads one file and never fails.
+
+A file without syntax errors takes the short way: lex, build. Only if the builder stops are the
+tokens repaired, and built again; that is why errors cost correct programs nothing.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from rapidsim.diagnostics import Diagnostic, Source, Span
 from rapidsim.syntax import tree
 from rapidsim.syntax.builder import Builder
 from rapidsim.syntax.driver import build_tree
-from rapidsim.syntax.lexer import lex
-from rapidsim.syntax.violations import SyntaxError_
+from rapidsim.syntax.lexer import Tokens, lex
+from rapidsim.syntax.limits import bounded, token_limits
+from rapidsim.syntax.repair import cut_calls_ended, repaired
+from rapidsim.syntax.violations import NoModule, RepeatedClause, UnterminatedString
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,14 +24,73 @@ class Parsed:
 
     file: tree.File
     diagnostics: tuple[Diagnostic, ...]
+    """In the order of their places."""
 
 
 def parse(source: Source) -> Parsed:
-    """Parse a file."""
-    tokens = lex(source.text)
-    modules = build_tree(tokens, Builder(source))
-    diagnostics: tuple[Diagnostic, ...] = ()
+    """Read a file.
+
+    Returns:
+        All modules that the text holds, with `tree.Broken` for statements that could not be read,
+        and every error of syntax and of size. Errors that need names or types are not looked for.
+    """
+    tokens, diagnostics = bounded(lex(source.text), source)
+    builder = Builder(source)
+    modules = build_tree(tokens, builder)
     if modules is None:
-        modules = ()
-        diagnostics = (Diagnostic(SyntaxError_("syntax error"), Span(source, 0, 0)),)
-    return Parsed(tree.File(source, modules, tokens.comments), diagnostics)
+        tokens, found = repaired(tokens, source)
+        diagnostics += found
+        builder, modules = _built(tokens, source)
+    if builder.cut_calls:
+        tokens, found = cut_calls_ended(tokens, source, builder.cut_calls)
+        diagnostics += found
+        builder, modules = _built(tokens, source)
+    if not modules and not diagnostics:
+        diagnostics += (Diagnostic(NoModule(), Span(source, 0, len(source.line(1)))),)
+    diagnostics += _inside(modules, token_limits(tokens, source) + _unterminated(tokens, source))
+    diagnostics += tuple(
+        Diagnostic(RepeatedClause(keyword), Span(source, place.start, place.end))
+        for keyword, place in builder.repeated_clauses
+    )
+    return Parsed(
+        tree.File(source, modules, tokens.comments),
+        tuple(sorted((_placed(d, modules) for d in diagnostics), key=lambda d: d.order)),
+    )
+
+
+def _built(tokens: Tokens, source: Source) -> tuple[Builder, tuple[tree.Module, ...]]:
+    builder = Builder(source)
+    modules = build_tree(tokens, builder)
+    assert modules is not None, "repair leaves tokens that the grammar describes"
+    return builder, modules
+
+
+def _unterminated(tokens: Tokens, source: Source) -> tuple[Diagnostic, ...]:
+    ends = dict(zip(tokens.starts, tokens.ends, strict=True))
+    return tuple(
+        Diagnostic(UnterminatedString(), Span(source, start, ends.get(start, start + 1)))
+        for start in tokens.unterminated
+    )
+
+
+def _inside(
+    modules: tuple[tree.Module, ...], diagnostics: tuple[Diagnostic, ...]
+) -> tuple[Diagnostic, ...]:
+    """Those that stand in a module; what stands outside has been reported as a whole."""
+    return tuple(
+        diagnostic
+        for diagnostic in diagnostics
+        if diagnostic.span
+        and any(module.start <= diagnostic.span.start < module.end for module in modules)
+    )
+
+
+def _placed(diagnostic: Diagnostic, modules: tuple[tree.Module, ...]) -> Diagnostic:
+    """With the name of the routine it stands in."""
+    if diagnostic.span is None:
+        return diagnostic
+    for module in modules:
+        for routine in module.routines:
+            if routine.start <= diagnostic.span.start <= routine.end:
+                return replace(diagnostic, routine=routine.name.text)
+    return diagnostic

@@ -1,19 +1,572 @@
-"""Rules E1: what is wrong with the text of a program."""
+"""Rules E1: what is wrong with the text of a program, before names and types are looked at.
+
+E104 to E107 are rules of other rooms or not yet released.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import ClassVar
 
-from rapidsim.diagnostics import Violation
+from rapidsim.diagnostics import Severity, Violation
 
 
 @dataclass(frozen=True)
-class SyntaxError_(Violation):  # noqa: N801
-    """The text does not follow RAPID's syntax."""
+class BrokenSyntax(Violation):
+    """A statement or declaration does not follow RAPID's syntax.
+
+    It is left out; the rest of the file is read as if it were not there. No controller loads a
+    module with such an error.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            VAR num x;
+            x:=;
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            VAR num x;
+            x:=1;
+          ENDPROC
+        ENDMODULE
+    """
 
     code: ClassVar[str] = "E101"
     name: ClassVar[str] = "syntax-error"
-    template: ClassVar[str] = "{what}"
+    template: ClassVar[str] = "{construct} cannot be read: {problem}"
+
+    construct: str
+    problem: str
+
+
+@dataclass(frozen=True)
+class UnclosedBlock(Violation):
+    """A block is opened and not closed.
+
+    The place is where the closing word is missing at the latest; the word that opened the block is
+    named beside it. Indentation decides which of several blocks is meant.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            IF DInput(di1)=1 THEN
+              Stop;
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            IF DInput(di1)=1 THEN
+              Stop;
+            ENDIF
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "E102"
+    name: ClassVar[str] = "unclosed-block"
+    template: ClassVar[str] = "{closer} is missing for the {block} of line {line}"
+
+    block: str
+    closer: str
+    line: int
+
+
+@dataclass(frozen=True)
+class MissingSemicolon(Violation):
+    """A statement or declaration does not end in a semicolon.
+
+    A missing semicolon after a call without arguments is no syntax error to a grammar: `Stop` above
+    `Home;` reads as a call of Stop with the argument Home. An argument on a later line than
+    the name, which could be a statement by itself, is therefore taken for one.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            VAR num x;
+            x:=1
+            Stop;
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            VAR num x;
+            x:=1;
+            Stop;
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "E103"
+    name: ClassVar[str] = "missing-semicolon"
+    template: ClassVar[str] = "`;` is missing after {construct}"
+
+    construct: str
+
+
+@dataclass(frozen=True)
+class LimitExceeded(Violation):
+    """Something is longer, larger or deeper than a controller can hold.
+
+    Names have up to 32 characters, strings up to 80, numbers fit a dnum. Blocks, brackets and
+    chains of operators may nest up to 200 deep in all, which is a limit of this program; what goes
+    deeper is not read.
+
+    ## Example
+
+        MODULE example
+          VAR num a_name_with_far_too_many_letters_in_it;
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          VAR num a_name_with_enough_letters;
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "E108"
+    name: ClassVar[str] = "limit-exceeded"
+    template: ClassVar[str] = "{what} {extent}; the limit is {limit}"
 
     what: str
+    extent: str
+    limit: str
+
+
+@dataclass(frozen=True)
+class UnterminatedString(Violation):
+    r"""A string is not closed on its line.
+
+    Strings cannot go on in the next line; put two together with `+`. A backslash before a quote
+    does not make it part of the string; two quotes do.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            TPWrite "part picked;
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            TPWrite "part picked";
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "E109"
+    name: ClassVar[str] = "unterminated-string"
+    template: ClassVar[str] = 'the closing `"` of the string is missing'
+
+
+@dataclass(frozen=True)
+class TextOutsideModule(Violation):
+    """Text stands before MODULE or after ENDMODULE.
+
+    It is not read. A controller reads modules only and refuses the file.
+
+    ## Example
+
+        MODULE example
+        ENDMODULE
+        Remember to teach the home position!
+
+    ## Fix
+
+        MODULE example
+          ! Remember to teach the home position!
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "E110"
+    name: ClassVar[str] = "text-outside-module"
+    template: ClassVar[str] = "text outside MODULE ... ENDMODULE is not read"
+    severity: ClassVar[Severity] = Severity.WARNING
+
+
+@dataclass(frozen=True)
+class NoModule(Violation):
+    """The file holds no module: nowhere does a line begin with MODULE and a name.
+
+    Either it is no RAPID file, or its first line is lost. Nothing of it is read.
+
+    ## Example
+
+        PROC main()
+          Stop;
+        ENDPROC
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            Stop;
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "E111"
+    name: ClassVar[str] = "no-module"
+    template: ClassVar[str] = "no line begins with MODULE and a name, so this is no RAPID module"
+
+
+@dataclass(frozen=True)
+class MisspeltWord(Violation):
+    """A reserved word is misspelt.
+
+    It is read as the word that is meant. Only a word that makes the statement readable is
+    suggested.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            IF DInput(di1)=1 THNE
+              Stop;
+            ENDIF
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            IF DInput(di1)=1 THEN
+              Stop;
+            ENDIF
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "E112"
+    name: ClassVar[str] = "misspelt-word"
+    template: ClassVar[str] = "`{written}` should read {word}"
+
+    written: str
+    word: str
+
+
+@dataclass(frozen=True)
+class MissingSymbol(Violation):
+    """A bracket, comma or other mark, a word or a whole expression is left out.
+
+    It is read as if it stood there.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            MoveL Offs(p10,0,0,50,v100,fine,tool0;
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            MoveL Offs(p10,0,0,50),v100,fine,tool0;
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "E113"
+    name: ClassVar[str] = "missing-symbol"
+    template: ClassVar[str] = "{symbol} is missing in {construct}"
+
+    symbol: str
+    construct: str
+
+
+@dataclass(frozen=True)
+class UnexpectedSymbol(Violation):
+    """A mark or word stands where the statement has no place for it.
+
+    The statement is read without it.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            SetDO doGrip,,1;
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            SetDO doGrip,1;
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "E114"
+    name: ClassVar[str] = "unexpected-symbol"
+    template: ClassVar[str] = "{symbol} does not belong in {construct}"
+
+    symbol: str
+    construct: str
+
+
+@dataclass(frozen=True)
+class StrayBlockWord(Violation):
+    """A word that closes or divides a block stands where no such block is open.
+
+    It is left out. Often the line that opened the block was deleted, or the block was closed twice.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            Stop;
+            ENDIF
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            Stop;
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "E115"
+    name: ClassVar[str] = "stray-block-word"
+    template: ClassVar[str] = "{word} stands here without {opener}"
+
+    word: str
+    opener: str
+
+
+@dataclass(frozen=True)
+class BadEscape(Violation):
+    r"""A backslash in a string begins none of the escapes.
+
+    In a string a backslash is written `\\`, and any character by its code in two hexadecimal
+    digits, such as `\0D`. A single backslash is refused by the controller.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            TPWrite "C:\temp";
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            TPWrite "C:\\temp";
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "E116"
+    name: ClassVar[str] = "bad-escape"
+    template: ClassVar[str] = (
+        "a `\\` in a string must be doubled or followed by two hexadecimal digits"
+    )
+
+
+@dataclass(frozen=True)
+class BrokenHead(Violation):
+    """The head of a module, a routine or a block cannot be read.
+
+    Its body is read nevertheless, with whatever name the head shows.
+
+    ## Example
+
+        MODULE example
+          PROC pick(num: part)
+            Stop;
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC pick(num part)
+            Stop;
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "E117"
+    name: ClassVar[str] = "broken-head"
+    template: ClassVar[str] = "{construct} cannot be read: {problem}"
+
+    construct: str
+    problem: str
+
+
+@dataclass(frozen=True)
+class UnknownCharacter(Violation):
+    """A character has no meaning in RAPID outside strings and comments.
+
+    Typographic quotes from a word processor are the usual case. Names begin with a letter.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            SetDO doGrip,1;#
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            SetDO doGrip,1;!
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "E118"
+    name: ClassVar[str] = "unknown-character"
+    template: ClassVar[str] = "`{characters}` has no meaning in RAPID"
+
+    characters: str
+
+
+@dataclass(frozen=True)
+class RepeatedClause(Violation):
+    """A routine has a second ERROR, UNDO or BACKWARD clause.
+
+    Only the first is kept. Tell errors apart inside one clause with IF or TEST on ERRNO.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            Stop;
+
+    Error:
+            TRYNEXT;
+
+    Error:
+            RETRY;
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            Stop;
+
+    Error:
+            IF ERRNO=ERR_WAIT_MAXTIME TRYNEXT;
+            RETRY;
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "E119"
+    name: ClassVar[str] = "repeated-clause"
+    template: ClassVar[str] = "the routine has an {clause} clause already"
+
+    clause: str
+
+
+@dataclass(frozen=True)
+class SquareIndex(Violation):
+    """An element of an array is written with square brackets.
+
+    RAPID writes elements with braces and counts from 1; square brackets make aggregates.
+
+    ## Example
+
+        MODULE example
+          VAR num a{3};
+          PROC main()
+            a{1}:=a[2];
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          VAR num a{3};
+          PROC main()
+            a{1}:=a{2};
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "E120"
+    name: ClassVar[str] = "square-index"
+    template: ClassVar[str] = "an element of `{array}` is written with braces: `{array}{{1}}`"
+
+    array: str
+
+
+@dataclass(frozen=True)
+class ReservedName(Violation):
+    """A reserved word is used as a name.
+
+    ## Example
+
+        MODULE example
+          VAR num step;
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          VAR num stepWidth;
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "E121"
+    name: ClassVar[str] = "reserved-name"
+    template: ClassVar[str] = "`{word}` is a reserved word and cannot be a name"
+    cf: ClassVar[str | None] = "ABB 40147"
+
+    word: str
+
+
+@dataclass(frozen=True)
+class NameWithParentheses(Violation):
+    """A name has something in parentheses behind it.
+
+    Names consist of letters, digits and underscores. The part in parentheses is not read.
+
+    ## Example
+
+        MODULE example
+          PERS num grip(open):=1;
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PERS num grip_open:=1;
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "E122"
+    name: ClassVar[str] = "name-with-parentheses"
+    template: ClassVar[str] = "`{written}` is no name: only letters, digits and `_` make one"
+
+    written: str

@@ -1,0 +1,135 @@
+"""What the passes of analysis share: the side tables they fill, and where in the task they are.
+
+An `Analysis` lasts for one check; a `Context` is the place in it that a pass is looking at.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field, replace
+from typing import TypeAlias
+
+from rapidsim.analysis.program import (
+    DataSymbol,
+    ParameterSymbol,
+    RoutineSymbol,
+    Symbol,
+    UnknownSymbol,
+)
+from rapidsim.diagnostics import Diagnostic, Related, Span, Violation
+from rapidsim.language.types import Type
+from rapidsim.syntax import tree
+
+
+@dataclass(frozen=True, slots=True)
+class Scope:
+    """Names that are known together, by folded name, inside the names around them."""
+
+    names: dict[str, Symbol]
+    outer: Scope | None = None
+
+    def find(self, key: str) -> Symbol | None:
+        """The innermost symbol of a folded name."""
+        scope: Scope | None = self
+        while scope is not None:
+            found = scope.names.get(key)
+            if found is not None:
+                return found
+            scope = scope.outer
+        return None
+
+    def symbols(self) -> Iterator[Symbol]:
+        """All symbols from the inside out, in order of declaration."""
+        scope: Scope | None = self
+        while scope is not None:
+            yield from scope.names.values()
+            scope = scope.outer
+
+
+@dataclass(slots=True)
+class Analysis:
+    """What one check has found out so far."""
+
+    symbol_of: dict[tree.Node, Symbol] = field(default_factory=dict)
+    type_of: dict[tree.Node, Type] = field(default_factory=dict)
+    diagnostics: list[Diagnostic] = field(default_factory=list)
+    unknown: dict[str, UnknownSymbol] = field(default_factory=dict)
+    """Names that nothing declares, one symbol each."""
+    signals: dict[str, Type] = field(default_factory=dict)
+    """Undeclared names that some instruction takes as a signal, with the kind of signal."""
+    unread_text: str = ""
+    """Folded text that the parser could not read: what it may declare is not held missing."""
+    module_of: dict[Symbol, tree.Module] = field(default_factory=dict)
+    """Where each symbol of the user is declared."""
+    home_of: dict[tree.Module, Context] = field(default_factory=dict)
+    """The context of each module, outside its routines."""
+    undecided: list[tuple[tree.Reference, Context]] = field(default_factory=list)
+    """Undeclared names that may turn out to be signals when the whole task is known."""
+
+    def may_be_unread(self, key: str) -> bool:
+        """Whether a folded name occurs in text that the parser could not read."""
+        return bool(self.unread_text) and bool(
+            re.search(rf"\b{re.escape(key)}\b", self.unread_text)
+        )
+
+    def unknown_symbol(self, name: str) -> UnknownSymbol:
+        """The symbol of a name that nothing declares."""
+        return self.unknown.setdefault(name.lower(), UnknownSymbol(name))
+
+
+@dataclass(frozen=True, slots=True)
+class Context:
+    """A place in the program: whose names are known here, and where findings go."""
+
+    analysis: Analysis
+    module: tree.Module
+    scope: Scope
+    routine: RoutineSymbol | None = None
+
+    def inside(self, scope: Scope) -> Context:
+        """The same place with more names."""
+        return replace(self, scope=scope)
+
+    def report(self, violation: Violation, node: tree.Node, *related: Related) -> None:
+        """Add a finding at a node of this module."""
+        self.report_at(violation, self.module.span(node), *related)
+
+    def report_at(self, violation: Violation, span: Span, *related: Related) -> None:
+        """Add a finding at a place."""
+        routine = self.routine.name if self.routine else None
+        self.analysis.diagnostics.append(
+            Diagnostic(violation, span, related=related, routine=routine)
+        )
+
+    def declaration(self, symbol: Symbol | None) -> tuple[Related, ...]:
+        """Where a symbol is declared, as a related place; nowhere for what is predefined."""
+        if symbol is None or symbol not in self.analysis.module_of:
+            return ()
+        module = self.analysis.module_of[symbol]
+        node = getattr(symbol, "node", None)
+        if not isinstance(node, tree.Node):
+            return ()
+        name = getattr(node, "name", None)
+        shown = name if isinstance(name, tree.Name) else node
+        return (Related(module.span(shown), f"`{symbol.name}` is declared here"),)
+
+
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """The type an expression must have, and who wants it."""
+
+    type: Type
+    by: str
+    """In words that fit before "takes": "`count`", "parameter `Speed` of `MoveL`"."""
+    declared: tuple[Related, ...] = ()
+
+
+TypeOf: TypeAlias = Callable[[tree.Expression, Context, Wanted | None], Type | None]
+"""Types an expression and everything in it.
+
+The wanted type guides literals and aggregates; it is not compared with the answer. The answer is
+None where the type is not known; why has been reported.
+"""
+
+Data: TypeAlias = DataSymbol | ParameterSymbol

@@ -1,0 +1,198 @@
+"""The order of execution: RETURN on every path, GOTO targets, error answers, late declarations."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from rapidsim.analysis.context import Context
+from rapidsim.analysis.flow_violations import (
+    GotoTarget,
+    MissingReturn,
+    RaiseRetryPlacement,
+    ReturnValue,
+)
+from rapidsim.analysis.name_violations import DuplicateName
+from rapidsim.analysis.suggestions import closest
+from rapidsim.analysis.syntax_violations import LateDataDeclaration
+from rapidsim.analysis.walk import descendants
+from rapidsim.diagnostics import Related
+from rapidsim.syntax import tree
+
+_ENDING_INSTRUCTIONS = frozenset({"exitcycle", "raisetouser", "systemstopaction"})
+"""Instructions after which execution does not go on to the next statement."""
+
+
+def check_flow(routine: tree.Routine, context: Context) -> None:
+    """Check one routine with all its clauses."""
+    _check_declarations(routine, context)
+    _check_answers(routine, context)
+    _check_returns(routine, context)
+    _check_labels(routine, context)
+
+
+def clauses(routine: tree.Routine) -> Iterator[tree.Body]:
+    """The body of a routine and those of its clauses."""
+    yield routine.body
+    if routine.backward is not None:
+        yield routine.backward
+    if routine.error is not None:
+        yield routine.error.body
+    if routine.undo is not None:
+        yield routine.undo
+
+
+def blocks(statement: tree.Statement) -> Iterator[tree.Body]:
+    """The statement lists directly inside a statement."""
+    match statement:
+        case tree.If(branches=branches, otherwise=otherwise):
+            for branch in branches:
+                yield branch.body
+            if otherwise is not None:
+                yield otherwise
+        case tree.CompactIf(statement=inner):
+            yield (inner,)
+        case tree.For(body=body) | tree.While(body=body):
+            yield body
+        case tree.Test(cases=cases, default=default):
+            for case in cases:
+                yield case.body
+            if default is not None:
+                yield default
+        case _:
+            pass
+
+
+def _check_declarations(routine: tree.Routine, context: Context) -> None:
+    """Declarations stand before the first statement of the routine's body."""
+    in_front = True
+    for statement in routine.body:
+        if isinstance(statement, tree.Data):
+            if not in_front:
+                where = "after the first statement of the routine"
+                context.report(LateDataDeclaration(statement.name.text, where), statement)
+        else:
+            # What could not be read may have been a declaration.
+            in_front = in_front and isinstance(statement, tree.Broken)
+    nested = [part for statement in routine.body for part in blocks(statement)]
+    handlers = [body for body in clauses(routine) if body is not routine.body]
+    for body in (*nested, *handlers):
+        for node in descendants(*body):
+            if isinstance(node, tree.Data):
+                context.report(LateDataDeclaration(node.name.text, "inside a block"), node)
+
+
+def _check_answers(routine: tree.Routine, context: Context) -> None:
+    """RETRY, TRYNEXT and RAISE alone answer an error; only an ERROR clause has one."""
+    outside = [body for body in clauses(routine) if not _is_handler(body, routine)]
+    for node in descendants(*(statement for body in outside for statement in body)):
+        match node:
+            case tree.Retry():
+                context.report(RaiseRetryPlacement("RETRY"), node)
+            case tree.TryNext():
+                context.report(RaiseRetryPlacement("TRYNEXT"), node)
+            case tree.Raise(number=None):
+                context.report(RaiseRetryPlacement("RAISE without a number"), node)
+            case _:
+                pass
+
+
+def _is_handler(body: tree.Body, routine: tree.Routine) -> bool:
+    return routine.error is not None and body is routine.error.body
+
+
+def _check_returns(routine: tree.Routine, context: Context) -> None:
+    every = (statement for body in clauses(routine) for statement in body)
+    for node in descendants(*every):
+        match node, routine:
+            case tree.Return(value=None), tree.Func(name=name, type=of):
+                problem = f"RETURN gives no value, and `{name.text}` is a function"
+                context.report(ReturnValue(problem, f"return a value of type {of.text}"), node)
+            case tree.Return(value=tree.Node()), tree.Proc() | tree.Trap():
+                kind = "procedure" if isinstance(routine, tree.Proc) else "trap"
+                problem = f"RETURN gives a value, and `{routine.name.text}` is a {kind}"
+                cure = "leave out the value" + (", or make it a FUNC" if kind[0] == "p" else "")
+                context.report(ReturnValue(problem, cure), node)
+            case _:
+                pass
+    if isinstance(routine, tree.Func) and _goes_on(routine.body):
+        closing = tree.Node(max(routine.start, routine.end - len("ENDFUNC")), routine.end)
+        context.report(
+            MissingReturn(routine.name.text, routine.type.text),
+            closing,
+            Related(context.module.span(routine.name), "the function begins here"),
+        )
+
+
+def _goes_on(body: Sequence[tree.Statement]) -> bool:
+    """Whether execution can run past the last statement of a list."""
+    goes_on = True
+    for statement in body:
+        if isinstance(statement, tree.Label):
+            goes_on = True
+        elif goes_on:
+            goes_on = _passes(statement)
+    return goes_on
+
+
+def _passes(statement: tree.Statement) -> bool:
+    match statement:
+        case tree.Return() | tree.Raise() | tree.Exit() | tree.Goto():
+            return False
+        case tree.Retry() | tree.TryNext() | tree.Broken() | tree.Placeholder():
+            return False
+        case tree.Call(name=name):
+            return name.key not in _ENDING_INSTRUCTIONS
+        case tree.If(branches=branches, otherwise=otherwise):
+            return otherwise is None or any(
+                _goes_on(body) for body in (*(branch.body for branch in branches), otherwise)
+            )
+        case tree.Test(cases=cases, default=default):
+            return default is None or any(
+                _goes_on(body) for body in (*(case.body for case in cases), default)
+            )
+        case tree.While(condition=tree.Bool(value=True), body=body):
+            # RAPID has no statement that leaves a loop but a jump.
+            return any(isinstance(node, tree.Goto) for node in descendants(*body))
+        case _:
+            return True
+
+
+def _check_labels(routine: tree.Routine, context: Context) -> None:
+    """A jump may leave blocks and never enter one."""
+    seen: dict[str, tree.Label] = {}
+    for body in clauses(routine):
+        for node in descendants(*body):
+            if isinstance(node, tree.Label):
+                first = seen.setdefault(node.name.key, node)
+                if first is not node:
+                    context.report(
+                        DuplicateName(node.name.text, " as a label"),
+                        node.name,
+                        Related(context.module.span(first.name), "the first one is here"),
+                    )
+    for body in clauses(routine):
+        _check_jumps(body, (), seen, context)
+
+
+def _check_jumps(
+    body: tree.Body,
+    around: tuple[str, ...],
+    all_labels: dict[str, tree.Label],
+    context: Context,
+) -> None:
+    here = tuple(part.name.key for part in body if isinstance(part, tree.Label))
+    within_reach = (*around, *here)
+    for statement in body:
+        if isinstance(statement, tree.Goto) and statement.name.key not in within_reach:
+            name = statement.name
+            label = all_labels.get(name.key)
+            if label is not None:
+                problem = f"GOTO cannot jump to `{name.text}`, which is inside another block"
+                place = Related(context.module.span(label.name), "the label is here")
+                context.report(GotoTarget(problem), name, place)
+            else:
+                known = (one.name.text for one in all_labels.values())
+                problem = f"this routine has no label `{name.text}`"
+                context.report(GotoTarget(problem, closest(name.text, known)), name)
+        for block in blocks(statement):
+            _check_jumps(block, within_reach, all_labels, context)

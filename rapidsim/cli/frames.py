@@ -1,0 +1,57 @@
+"""`rapidsim frames`: the frame tree of a program, without running it."""
+
+from __future__ import annotations
+
+import json
+
+import click
+
+from rapidsim.cli.exit_codes import ExitCode
+from rapidsim.cli.inputs import choose_robot, choose_station, one_task
+from rapidsim.cli.robot_choice import open_robot
+from rapidsim.cli.terminal import current_terminal, terminal_options
+from rapidsim.report.diagnostics import full, summary_line
+from rapidsim.report.frame_text import frame_json, frame_text
+from rapidsim.report.frame_tree import frame_tree
+from rapidsim.report.merging import merged
+from rapidsim.simulation.load import load
+from rapidsim.simulation.start_values import start_values
+
+
+@click.command()
+@click.argument("paths", metavar="PATH...", nargs=-1, required=True)
+@click.option("--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them.")
+@click.option("--station", metavar="FILE.toml", help="The station file, instead of a near one.")
+@click.option(
+    "--format",
+    "output_format",
+    type=click.Choice(["table", "json"]),
+    default="table",
+    show_default=True,
+    help="What is printed.",
+)
+@terminal_options
+def frames(
+    paths: tuple[str, ...], robot: str | None, station: str | None, output_format: str
+) -> int:
+    """Show the frames of a program: world, base, tools, work objects, targets.
+
+    Positions are in mm in the frame above, angles in degrees about z, y and x as OrientZYX takes
+    them. Values are those before the program runs.
+    """
+    terminal = current_terminal()
+    cell = choose_station(paths, station)
+    files = one_task(paths, cell)
+    arm = open_robot(choose_robot(robot, cell).name)
+    loaded = load(files)
+    if loaded.program is None:
+        findings = merged(loaded.diagnostics)
+        click.echo(full(findings, terminal.palette, width=terminal.width), nl=False, err=True)
+        click.echo(summary_line(findings, files=len(files), seconds=None), err=True)
+        return ExitCode.FINDINGS
+    root = frame_tree(loaded.program, start_values(loaded.program), arm.name)
+    if output_format == "json":
+        click.echo(json.dumps({"schema": 1, "root": frame_json(root)}, indent=2, allow_nan=False))
+    else:
+        terminal.console().print(frame_text(root))
+    return ExitCode.CLEAN

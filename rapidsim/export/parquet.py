@@ -1,0 +1,20 @@
+"""The trace table as Apache Parquet, a block of rows at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+from rapidsim.export.table import Block
+
+
+def write_parquet(path: Path, names: tuple[str, ...], rows: Iterator[Block]) -> None:
+    """Write rows; `move` is a 64-bit integer, everything else a double."""
+    schema = pa.schema([(name, pa.int64() if name == "move" else pa.float64()) for name in names])
+    with pq.ParquetWriter(path, schema) as writer:
+        for block in rows:
+            time_s, *rest = block.numbers.T
+            writer.write_table(pa.table([time_s, pa.array(block.move), *rest], schema=schema))

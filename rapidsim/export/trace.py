@@ -1,0 +1,79 @@
+"""Write the motion of a run as a table: CSV, JSON or Parquet, by the file's suffix.
+
+Numbers are written with the digits that give the same double back. Angles are degrees, lengths mm;
+the TCP is in the robot's base frame, quaternions have the scalar first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from types import MappingProxyType
+
+from rapidsim.export.parquet import write_parquet
+from rapidsim.export.table import DEFAULT_DT, Block, blocks, columns
+from rapidsim.files import InputError
+from rapidsim.output_files import whole_file
+from rapidsim.simulation.result import Simulation
+
+Writer = Callable[[Path, tuple[str, ...], Iterator[Block]], None]
+
+
+def write_trace(simulation: Simulation, path: str | Path, dt: float = DEFAULT_DT) -> Path:
+    """Write a trace.
+
+    Args:
+        simulation: The run.
+        path: Where to write; the suffix decides how.
+        dt: Time [s] between rows.
+
+    Returns:
+        The path written.
+
+    Raises:
+        InputError: For a suffix that is not known, a `dt` that makes no sense, or a path that
+            cannot be written.
+    """
+    path = Path(path)
+    writer = WRITERS.get(path.suffix.lower())
+    if writer is None:
+        known = ", ".join(WRITERS)
+        raise InputError(
+            f"cannot tell the format of the trace `{path}` by its suffix", f"use one of {known}"
+        )
+    rows = blocks(simulation, dt)
+    with whole_file(path) as temporary:
+        writer(temporary, columns(simulation), rows)
+    return path
+
+
+def _write_csv(path: Path, names: tuple[str, ...], rows: Iterator[Block]) -> None:
+    with path.open("w", encoding="utf-8", newline="") as file:
+        file.write(",".join(names) + "\n")
+        for block in rows:
+            file.writelines(",".join(row) + "\n" for row in _texts(block))
+
+
+def _write_json(path: Path, names: tuple[str, ...], rows: Iterator[Block]) -> None:
+    """An array of one object a row, one row a line."""
+    keys = [f'"{name}":' for name in names]
+    with path.open("w", encoding="utf-8", newline="") as file:
+        separator = "[\n"
+        for block in rows:
+            for row in _texts(block):
+                fields = ",".join(key + text for key, text in zip(keys, row, strict=True))
+                file.write(f"{separator}{{{fields}}}")
+                separator = ",\n"
+        file.write("\n]\n")
+
+
+def _texts(block: Block) -> Iterator[list[str]]:
+    """The fields of each row; `repr` of a float is the shortest text that reads back equal."""
+    for move, numbers in zip(block.move, block.numbers.tolist(), strict=True):
+        time_s, *rest = map(repr, numbers)
+        yield [time_s, str(move), *rest]
+
+
+WRITERS: Mapping[str, Writer] = MappingProxyType(
+    {".csv": _write_csv, ".parquet": write_parquet, ".json": _write_json}
+)

@@ -1,0 +1,33 @@
+"""Statements under an ERROR clause: a small loop that executes again, or goes on behind.
+
+    while True:
+        try:
+            <statement>
+        except _ERRORS as _e:
+            _tries = _recover(ERROR, _e, _tries)
+            if _tries:
+                continue
+        break
+
+Source: Technical reference manual RAPID Overview, "Error recovery": RETRY and TRYNEXT.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Sequence
+
+from rapidsim.interpreter.positions import At
+
+
+def protected(
+    body: Sequence[ast.stmt], at: At, *, otherwise: Sequence[ast.stmt] = ()
+) -> list[ast.stmt]:
+    """The statements in such a loop; `otherwise` runs where TRYNEXT gives up."""
+    recovered = at.call("_recover", [at.name("ERROR"), at.name("_e"), at.name("_tries")])
+    handler = [
+        at.set("_tries", recovered),
+        at.when(at.name("_tries"), [at.go_on()]),
+        *otherwise,
+    ]
+    return [at.forever([at.attempt(body, at.name("_ERRORS"), "_e", handler), at.stop()])]

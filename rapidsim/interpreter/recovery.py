@@ -1,0 +1,204 @@
+"""Errors at run time: ERROR clauses, long jumps, UNDO, traps, and what nothing can catch.
+
+A routine's ERROR clause is a function inside its Python function. It answers 1 for RETRY, 0 for
+TRYNEXT, raises `Leave` for RETURN and `Propagated` for RAISE. A statement that may fail stands in a
+small loop that asks `recover` what to do.
+
+Source: Technical reference manual RAPID Overview, "Error recovery" and "UNDO".
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import partial
+from types import CodeType, FrameType, TracebackType
+from typing import Final
+
+from rapidsim.language.controller import Controller
+from rapidsim.language.error_numbers import (
+    ERR_DIVZERO,
+    ERR_EXCRTYMAX,
+    ERR_FNCNORET,
+    ERR_ILLRAISE,
+    FIRST_BOOKED,
+    LONG_JMP_ALL_ERR,
+    NUMBERS,
+    rapid_error,
+)
+from rapidsim.language.errors import RapidError, Stopped
+
+ERRORS: Final = (RapidError, ZeroDivisionError)
+"""What a program can catch. Python divides by zero on its own; any other exception is a defect."""
+
+MAX_RETRIES: Final = 4
+"""The controller's system parameter No Of Retry as it is delivered."""
+
+GENERATED: Final = "_origin"
+"""The namespaces of generated code hold this name, and no other does."""
+
+Handler = Callable[[RapidError], int]
+
+
+class Leave(Exception):  # noqa: N818 - it is no error
+    """RETURN in an ERROR clause: the routine ends with a value."""
+
+    def __init__(self, value: object) -> None:
+        """Carry the value of a function, None for other routines."""
+        super().__init__(value)
+        self.value = value
+
+
+class Propagated(Exception):  # noqa: N818 - it carries one
+    """RAISE in an ERROR clause: the error goes on to the caller."""
+
+    def __init__(self, error: RapidError) -> None:
+        """Carry the error."""
+        super().__init__(error)
+        self.error = error
+
+
+class LongJump(RapidError):  # noqa: N818 - it is no new error
+    """An error on its way to an ERROR clause further up that asked for its number."""
+
+    def __init__(self, error: RapidError, target: FrameType) -> None:
+        """Send an error to the routine that runs in a frame."""
+        super().__init__(error.errno, error.message, cf=error.cf)
+        self.target = target
+
+
+class Unrecoverable(BaseException):
+    """An error where no ERROR clause may act: in an ERROR clause, out of a trap."""
+
+    def __init__(self, error: RapidError) -> None:
+        """Carry the error."""
+        super().__init__(error)
+        self.error = error
+
+
+@dataclass(frozen=True, slots=True)
+class Recovery:
+    """Error handling of one task."""
+
+    controller: Controller
+    long_jumps: dict[CodeType, Callable[[], tuple[float, ...]]] = field(default_factory=dict)
+    """For each routine whose ERROR clause lists numbers: a function that gives them now."""
+
+    def recover(self, handler: Handler, error: Exception, tries: int) -> int:
+        """Let an ERROR clause decide about an error.
+
+        Args:
+            handler: The clause.
+            error: One of `ERRORS`.
+            tries: How often the routine retried.
+
+        Returns:
+            0 to go on after the statement, otherwise the tries so far, to execute it again.
+        """
+        rapid = as_rapid_error(error)
+        if isinstance(rapid, LongJump) and rapid.target is not sys._getframe(1):
+            raise rapid
+        self.controller.errno = rapid.errno
+        try:
+            retry = handler(rapid)
+        except Propagated as propagated:
+            raise propagated.error from None
+        except ERRORS as inside:
+            raise Unrecoverable(as_rapid_error(inside)) from inside
+        if not retry:
+            return 0
+        if tries >= MAX_RETRIES:
+            raise rapid_error(ERR_EXCRTYMAX, f"{tries} retries did not help: {rapid.message}")
+        return tries + 1
+
+    def propagate(self, error: RapidError, number: float | None) -> Propagated:
+        """RAISE in an ERROR clause, with a number of its own or the one it has."""
+        if number is not None:
+            error = raised(number)
+        elif isinstance(error, LongJump):
+            error = RapidError(error.errno, error.message, cf=error.cf)
+        target = self._long_jump_target(error.errno)
+        return Propagated(error if target is None else LongJump(error, target))
+
+    def _long_jump_target(self, errno: float) -> FrameType | None:
+        """The nearest routine further up whose ERROR clause lists the number."""
+        if not self.long_jumps:
+            return None
+        # Up from the ERROR clause over `recover` and its routine to that routine's caller.
+        frame: FrameType | None = sys._getframe(2)
+        while frame is not None and (not is_generated(frame) or frame.f_code.co_name == "ERROR"):
+            frame = frame.f_back
+        frame = frame.f_back if frame is not None else None
+        while frame is not None:
+            in_handler = is_generated(frame) and frame.f_code.co_name == "ERROR"
+            if in_handler or frame.f_code is _run_trap.__code__:
+                return None
+            numbers = self.long_jumps.get(frame.f_code)
+            if numbers is not None:
+                wanted = numbers()
+                if errno in wanted or LONG_JMP_ALL_ERR in wanted:
+                    return frame
+            frame = frame.f_back
+        return None
+
+    def trap(self, routine: Callable[[], object]) -> Callable[[], None]:
+        """A trap routine as the controller calls it: ERRNO as before, errors final."""
+        return partial(_run_trap, self.controller, routine)
+
+
+def _run_trap(controller: Controller, routine: Callable[[], object]) -> None:
+    errno = controller.errno
+    try:
+        routine()
+    except ERRORS as error:
+        raise Unrecoverable(as_rapid_error(error)) from error
+    controller.errno = errno
+
+
+def raised(number: float) -> RapidError:
+    """The error of `RAISE number`."""
+    names = [name for name, value in NUMBERS.items() if value == number]
+    if not (names or 1 <= number <= 90 or number >= FIRST_BOOKED) or number != int(number):
+        return rapid_error(
+            ERR_ILLRAISE, f"RAISE {number:g}: allowed are 1 to 90, booked numbers and ERR_ names"
+        )
+    return rapid_error(number, f"the program raised error {names[0] if names else f'{number:g}'}")
+
+
+def no_return(function: str) -> RapidError:
+    """A function came to its end without RETURN."""
+    return rapid_error(ERR_FNCNORET, f"the function {function} ended without RETURN")
+
+
+def unwinds(exception: BaseException) -> bool:
+    """Whether an exception leaves a routine in the way that runs its UNDO clause."""
+    if isinstance(exception, LongJump):
+        return exception.target is not sys._getframe(1)
+    return isinstance(exception, Stopped)
+
+
+def as_rapid_error(error: Exception) -> RapidError:
+    """The RAPID error that a caught exception is.
+
+    Raises:
+        ZeroDivisionError: If it is Python's own and does not come from generated code; that is a
+            defect of the library and no business of the program.
+    """
+    if isinstance(error, RapidError):
+        return error
+    traceback = error.__traceback__
+    while traceback is not None and traceback.tb_next is not None:
+        traceback = traceback.tb_next
+    if not isinstance(error, ZeroDivisionError) or not _in_generated(traceback):
+        raise error
+    return rapid_error(ERR_DIVZERO, "division by zero").with_traceback(error.__traceback__)
+
+
+def _in_generated(traceback: TracebackType | None) -> bool:
+    return traceback is not None and is_generated(traceback.tb_frame)
+
+
+def is_generated(frame: FrameType) -> bool:
+    """Whether a frame runs code of a RAPID routine."""
+    return GENERATED in frame.f_globals

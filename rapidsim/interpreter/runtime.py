@@ -1,0 +1,118 @@
+"""What generated code finds in its namespace beside the program's own names.
+
+All names begin with an underscore, which no RAPID name does. `FUNCTIONS` are the same for every
+task; `task_functions` speak to one task's controller.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from types import MappingProxyType
+from typing import Any, NoReturn
+
+from rapidsim.interpreter import arithmetic, arrays, recovery, references
+from rapidsim.interpreter.late_binding import LateBinding
+from rapidsim.interpreter.memory import is_persistent
+from rapidsim.interpreter.recovery import Recovery
+from rapidsim.language.controller import Controller, Place
+from rapidsim.language.error_numbers import ERR_ARGDUPCND, ERR_EXECPHR, rapid_error
+from rapidsim.language.errors import Stopped
+from rapidsim.language.reference import Cell
+
+
+def unfinished() -> NoReturn:
+    """Refuse to execute a placeholder."""
+    raise rapid_error(ERR_EXECPHR, "the program is unfinished here: a placeholder was reached")
+
+
+def at_most_one(last: object, *others: object) -> object:
+    """The last of several options that exclude each other, when no other one is there.
+
+    Raises:
+        RapidError: ERR_ARGDUPCND if two are there.
+    """
+    present = [one for one in (last, *others) if one is not references.ABSENT and one is not False]
+    if len(present) > 1:
+        raise rapid_error(ERR_ARGDUPCND, "two optional arguments that exclude each other are given")
+    return last
+
+
+FUNCTIONS: Mapping[str, object] = MappingProxyType(
+    {
+        "_ABSENT": references.ABSENT,
+        "_BaseException": BaseException,
+        "_Cell": Cell,
+        "_Component": references.Component,
+        "_ERRORS": recovery.ERRORS,
+        "_Element": references.Element,
+        "_Leave": recovery.Leave,
+        "_Stopped": Stopped,
+        "_add_positions": arithmetic.add_positions,
+        "_assign_array": arrays.assign_array,
+        "_at_most_one": at_most_one,
+        "_compose_orientations": arithmetic.compose_orientations,
+        "_copy_array": arrays.copy_array,
+        "_count": arithmetic.count,
+        "_cross_product": arithmetic.cross_product,
+        "_dimension": arrays.dimension,
+        "_index_table_of": arrays.index_table_of,
+        "_is_persistent": is_persistent,
+        "_len": len,
+        "_negate_position": arithmetic.negate_position,
+        "_new": tuple.__new__,
+        "_no_return": recovery.no_return,
+        "_not_present": references.not_present,
+        "_out_of_bounds": arrays.out_of_bounds,
+        "_overflow": arithmetic.overflow,
+        "_quotient": arithmetic.integer_quotient,
+        "_raised": recovery.raised,
+        "_range": range,
+        "_remainder": arithmetic.integer_remainder,
+        "_scale_position": arithmetic.scale_position,
+        "_scaled_position": arithmetic.scaled_position,
+        "_steps": arithmetic.steps,
+        "_subtract_positions": arithmetic.subtract_positions,
+        "_too_long": arithmetic.too_long,
+        "_unfinished": unfinished,
+        "_unwinds": recovery.unwinds,
+    }
+)
+"""By the name generated code calls them."""
+
+
+def task_functions(
+    controller: Controller, recovery_of_task: Recovery, late: LateBinding, module: str
+) -> dict[str, object]:
+    """What code of one module, given by its folded name, needs to reach its task's controller."""
+
+    def call_at(place: Place, body: Callable[..., Any], *values: object, **options: object) -> Any:
+        controller.place = place
+        return body(controller, *values, **options)
+
+    def stand_in(place: Place, name: str, instead: str, value: object) -> object:
+        controller.place = place
+        controller.not_simulated(name, instead)
+        return value
+
+    def skip(place: Place, name: str, value: object = None) -> object:
+        return stand_in(place, name, "skipped", value)
+
+    def connect(trap: Callable[[], object], name: str) -> float:
+        return controller.connect(recovery_of_task.trap(trap), name)
+
+    def connect_late(name: str) -> float:
+        found = late.trap(module, name)
+        return connect(found.function, found.symbol.name)
+
+    return {
+        "_call_at": call_at,
+        "_connect": connect,
+        "_connect_late": connect_late,
+        "_late": partial(late.call, module),
+        "_propagate": recovery_of_task.propagate,
+        "_recover": recovery_of_task.recover,
+        "_skip": skip,
+        "_stand_in": stand_in,
+        "_task": controller,
+    }

@@ -1,0 +1,112 @@
+"""The RAPID call stack of an error, read from Python's traceback.
+
+Generated code carries RAPID files, lines and columns, so the traceback has all that is needed;
+frames of our own functions between are left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import islice
+from types import CodeType, TracebackType
+
+from rapidsim.diagnostics import Source, Span
+from rapidsim.interpreter.recovery import GENERATED, is_generated
+from rapidsim.language.errors import RapidError
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """Where the code of a namespace comes from."""
+
+    source: Source
+    routine_names: Mapping[str, str]
+    """Routines as RAPID spells them, by the name of their function."""
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """A routine that was running, and how far it had come."""
+
+    routine: str
+    """As RAPID spells it; "" for the initial values of a module."""
+    source: Source
+    start: int
+    """Offset of the part that was being executed; it ends on the line it begins on."""
+    end: int
+
+    @property
+    def span(self) -> Span:
+        """The part that was being executed."""
+        return Span(self.source, self.start, self.end)
+
+    @property
+    def file(self) -> str:
+        """The file as the user named it."""
+        return self.source.file
+
+    @property
+    def line(self) -> int:
+        """The line, from 1."""
+        return self.span.line
+
+
+class FatalError(Exception):
+    """An error that no ERROR clause dealt with; it ends the program."""
+
+    def __init__(self, error: RapidError, stack: tuple[Frame, ...]) -> None:
+        """Name the error and where it happened.
+
+        Args:
+            error: What went wrong.
+            stack: The routines that were running, the innermost first.
+        """
+        super().__init__(error.message)
+        self.error = error
+        self.stack = stack
+
+
+def rapid_stack(exception: BaseException) -> tuple[Frame, ...]:
+    """The RAPID routines in a traceback, the innermost first.
+
+    An error in an ERROR clause or a trap happened below the statement that led there; its own
+    traceback continues the outer one.
+    """
+    frames: list[Frame] = []
+    for frame in _frames(exception):
+        # An error that an ERROR clause passed on leaves the same place twice.
+        if frame not in frames[-1:]:
+            frames.append(frame)
+    return tuple(reversed(frames))
+
+
+def _frames(exception: BaseException) -> Iterator[Frame]:
+    yield from _frames_of(exception.__traceback__)
+    if isinstance(exception.__cause__, Exception):
+        yield from _frames_of(exception.__cause__.__traceback__)
+
+
+def _frames_of(traceback: TracebackType | None) -> Iterator[Frame]:
+    while traceback is not None:
+        frame = traceback.tb_frame
+        if is_generated(frame):
+            origin: Origin = frame.f_globals[GENERATED]
+            function = frame.f_code.co_qualname.partition(".")[0]
+            start, end = _offsets(origin.source, frame.f_code, traceback)
+            yield Frame(origin.routine_names.get(function, ""), origin.source, start, end)
+        traceback = traceback.tb_next
+
+
+def _offsets(source: Source, code: CodeType, traceback: TracebackType) -> tuple[int, int]:
+    """Offsets in the source of the instruction that a traceback entry stands at."""
+    index = traceback.tb_lasti // 2
+    _, _, column, end_column = next(islice(code.co_positions(), index, None), (None,) * 4)
+    start = source.line_starts[traceback.tb_lineno - 1]
+    text = source.line(traceback.tb_lineno)
+    if column is None or end_column is None:
+        return start, start + len(text)
+    # Python counts columns in bytes.
+    line = text.encode()
+    first, last = len(line[:column].decode()), len(line[:end_column].decode())
+    return start + first, start + last

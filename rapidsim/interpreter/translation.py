@@ -1,0 +1,117 @@
+"""A program as Python syntax trees, one a module, and what their names stand for.
+
+Nothing here depends on a task: what does is filled in by `loader`.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Storage
+from rapidsim.interpreter.constants import Constants
+from rapidsim.interpreter.expressions import Expressions
+from rapidsim.interpreter.memory import initial_literal
+from rapidsim.interpreter.names import Binding, LocalNames, ModuleNames
+from rapidsim.interpreter.positions import Positions
+from rapidsim.interpreter.routines import ModuleContext, translate_routine
+from rapidsim.language.types import ArrayOf, resolved
+from rapidsim.syntax import tree
+
+INITIALISE = "_initialise"
+"""The function that gives module variables the initial values that are more than literals."""
+
+
+@dataclass(frozen=True, slots=True)
+class TranslatedModule:
+    """The code of one module, and how its namespace is to be filled."""
+
+    module: tree.Module
+    code: ast.Module
+    bindings: Mapping[str, Binding]
+    functions: Mapping[str, RoutineSymbol]
+    """The module's routines by the name of their function."""
+    long_jumps: tuple[tuple[str, str], ...]
+    """Names of functions with a long-jump ERROR clause and of those that give its numbers."""
+
+
+@dataclass(frozen=True, slots=True)
+class Translation:
+    """A program in Python."""
+
+    modules: tuple[TranslatedModule, ...]
+    constants: Constants
+
+
+def translate(program: Program) -> Translation:
+    """Translate all modules.
+
+    Raises:
+        NotExecutableError: If the program needs something that cannot be simulated.
+        RapidError: If the expression of a constant fails.
+    """
+    constants = Constants(program)
+    return Translation(
+        tuple(_translate_module(module, program, constants) for module in program.modules),
+        constants,
+    )
+
+
+def show_python(program: Program) -> str:
+    """The Python that a program becomes, for reports of defects and for tests."""
+    parts = []
+    for module in translate(program).modules:
+        parts.append(f"# {module.module.name.text}: {module.module.source.file}")
+        parts.append(ast.unparse(module.code))
+    return "\n\n".join(parts) + "\n"
+
+
+def _translate_module(
+    module: tree.Module, program: Program, constants: Constants
+) -> TranslatedModule:
+    names = ModuleNames(module)
+    positions = Positions(module.source)
+    context = ModuleContext(program, names, positions, constants.value_of)
+    functions: dict[str, RoutineSymbol] = {}
+    body: list[ast.stmt] = []
+    long_jumps = []
+    for routine in module.routines:
+        symbol = program.symbol_of[routine]
+        assert isinstance(symbol, RoutineSymbol)
+        translated = translate_routine(symbol, context)
+        functions[translated.function.name] = symbol
+        body.append(translated.function)
+        if translated.numbers is not None:
+            body.append(translated.numbers)
+            long_jumps.append((translated.function.name, translated.numbers.name))
+    initialise = _initialise(module, context)
+    if initialise is not None:
+        body.append(initialise)
+    code = ast.Module(body, [])
+    return TranslatedModule(module, code, names.bindings, functions, tuple(long_jumps))
+
+
+def _initialise(module: tree.Module, context: ModuleContext) -> ast.FunctionDef | None:
+    names = LocalNames(context.names, "")
+    expressions = Expressions(
+        context.program, names, context.positions, module, context.constant_value
+    )
+    statements: list[ast.stmt] = []
+    for item in module.items:
+        if not isinstance(item, tree.Data) or item.storage == "CONST" or item.value is None:
+            continue
+        symbol = context.program.symbol_of[item]
+        assert isinstance(symbol, DataSymbol)
+        if symbol.storage is Storage.CONST or initial_literal(symbol) is not None:
+            continue
+        at = expressions.statement = context.positions.at(item)
+        value = expressions.value(item.value).node
+        variable = at.name(context.names.variable(symbol))
+        if isinstance(resolved(symbol.type), ArrayOf):
+            statements.append(at.do(at.call("_assign_array", [variable, value])))
+        else:
+            statements.append(at.assign(at.store_attribute(variable, "value"), value))
+    if not statements:
+        return None
+    return context.positions.at(module.name).define(INITIALISE, [], [], statements)

@@ -1,0 +1,145 @@
+r"""Routines that are known but not simulated: `declared.txt`, read when first needed.
+
+The file gives each its header as RAPID would write it, after `=>` what is done instead. Without
+`=>` an instruction is skipped and a function returns the value data of its type start with. Each
+use is reported to the controller.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache, cached_property
+from pathlib import Path
+from types import MappingProxyType
+
+from rapidsim.language import types
+from rapidsim.language.annotations import Mode
+from rapidsim.language.controller import Controller
+from rapidsim.language.initial import initial_value
+from rapidsim.language.types import Type
+from rapidsim.library.predefined import TYPES
+from rapidsim.library.substitutes import SUBSTITUTES
+from rapidsim.library.table import LibraryRoutine, Parameter, Signature
+from rapidsim.library.text import value_text
+
+BUILT_IN = "built in"
+"""What stands after `=>` for routines that the interpreter itself carries out."""
+
+_LINE = re.compile(
+    r"(?:PROC|FUNC (?P<result>\w+)) (?P<name>\w+)\((?P<parameters>[^)]*)\)(?: => (?P<instead>.+))?"
+)
+_PARAMETER = re.compile(
+    r"(?:(?P<mode>INOUT|VAR|PERS|REF) )?(?P<type>\w+) (?P<name>\w+)(?:\{(?P<stars>[*,]+)\})?"
+)
+
+
+@cache
+def read_declared() -> Mapping[str, LibraryRoutine]:
+    """All declared routines by folded name."""
+    lines = Path(__file__).with_name("declared.txt").read_text("utf-8").splitlines()
+    rows = (_row(line) for line in lines if line.startswith(("PROC", "FUNC")))
+    return MappingProxyType({row.name.lower(): row for row in rows})
+
+
+@dataclass(frozen=True, eq=False)
+class DeclaredRoutine(LibraryRoutine):
+    """A row whose signature is read from text."""
+
+    parameters: str = ""
+    result: str | None = None
+
+    @cached_property
+    def signature(self) -> Signature:
+        """The signature, read from the header."""
+        return Signature(
+            tuple(_read_parameters(self.parameters)),
+            None if self.result is None else TYPES[self.result],
+            takes_controller=self.simulated is False,
+        )
+
+
+def _row(line: str) -> LibraryRoutine:
+    match = _LINE.fullmatch(line)
+    assert match is not None, f"declared.txt: cannot read {line!r}"
+    name, result, instead = match["name"], match["result"], match["instead"]
+    if instead == BUILT_IN:
+        return DeclaredRoutine(name, _built_in(name), parameters=match["parameters"], result=result)
+    treated_as = instead or ("skipped" if result is None else _returned(TYPES[result]))
+
+    def body(controller: Controller, *arguments: object, **options: object) -> object:
+        controller.not_simulated(name, treated_as)
+        if (substitute := SUBSTITUTES.get(treated_as)) is not None:
+            given = _by_name(row.signature, arguments) | options
+            substitute(controller, given)
+        return None if result is None else initial_value(TYPES[result])
+
+    row = DeclaredRoutine(
+        name, body, treated_as=treated_as, parameters=match["parameters"], result=result
+    )
+    return row
+
+
+def _built_in(name: str) -> Callable[..., object]:
+    def body(*arguments: object, **options: object) -> object:
+        raise AssertionError(f"{name} is carried out by the interpreter, not called")
+
+    return body
+
+
+def _returned(result: Type) -> str:
+    value = initial_value(result)
+    return "returns nothing" if value is None else f"returns {value_text(value, result)}"
+
+
+def _by_name(signature: Signature, arguments: tuple[object, ...]) -> dict[str, object]:
+    required = (p.python for p in signature.parameters if not p.optional)
+    return dict(zip(required, arguments, strict=True))
+
+
+def _read_parameters(text: str) -> list[Parameter]:
+    """Required parameters are divided by commas, options begin with a backslash."""
+    parameters: list[Parameter] = []
+    group = 0
+    for item in re.findall(r"\\?[^\\,{]+(?:\{[*,]+\}[^\\,{]*)*", text):
+        optional = item.startswith("\\")
+        alternatives = [_parameter(a, optional) for a in item.lstrip("\\").split("|")]
+        if not optional:
+            parameters.append(_merged(alternatives))
+            continue
+        group += len(alternatives) > 1
+        for alternative in alternatives:
+            parameters.append(
+                Parameter(
+                    alternative.name,
+                    alternative.python,
+                    alternative.types,
+                    alternative.mode,
+                    True,
+                    alternative.is_switch,
+                    group if len(alternatives) > 1 else 0,
+                )
+            )
+    return parameters
+
+
+def _merged(alternatives: list[Parameter]) -> Parameter:
+    """One required parameter that takes either type: `VAR signaldi Signal | PERS bool PersBool`."""
+    first = alternatives[0]
+    modes = {alternative.mode for alternative in alternatives}
+    mode = first.mode if len(modes) == 1 else Mode.IN if Mode.IN in modes else Mode.INOUT
+    of = tuple(found for alternative in alternatives for found in alternative.types)
+    return Parameter(first.name, first.python, of, mode)
+
+
+def _parameter(text: str, optional: bool) -> Parameter:
+    match = _PARAMETER.fullmatch(text.strip())
+    assert match is not None, f"declared.txt: cannot read the parameter {text!r}"
+    of = TYPES[match["type"]]
+    if match["stars"]:
+        assert not isinstance(of, types.ArrayOf)
+        of = types.ArrayOf(of, (None,) * match["stars"].count("*"))
+    mode = Mode[match["mode"]] if match["mode"] else Mode.IN
+    name = match["name"]
+    return Parameter(name, name.lower(), (of,), mode, optional, of == types.SWITCH)

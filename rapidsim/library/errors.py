@@ -1,0 +1,65 @@
+"""Error numbers and messages. RAISE, RETRY and TRYNEXT are statements of the language.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types.
+"""
+
+from __future__ import annotations
+
+from rapidsim.language.annotations import ErrNum, ErrStr, Num, String, Switch, Var
+from rapidsim.language.controller import ErrorNumbers, Operator
+from rapidsim.library.table import routine, table
+from rapidsim.library.text import number_text
+
+
+def book_err_no(controller: ErrorNumbers, error_name: Var[ErrNum]) -> None:
+    """Give a variable an error number that nobody else has; one that it has already stays."""
+    if error_name.value == -1.0:
+        error_name.value = controller.book_error_number()
+
+
+def err_write(
+    controller: Operator,
+    header: String,
+    reason: String,
+    *,
+    w: Switch = False,
+    i: Switch = False,
+    rl2: String | None = None,
+    rl3: String | None = None,
+    rl4: String | None = None,
+) -> None:
+    """Show a message and keep it in the event log."""
+    lines = [line for line in (reason, rl2, rl3, rl4) if line]
+    controller.show(f"{_kind(w, i)} {header}: {' / '.join(lines)}")
+
+
+def err_log(
+    controller: Operator,
+    error_id: Num,
+    argument1: ErrStr,
+    argument2: ErrStr,
+    argument3: ErrStr,
+    argument4: ErrStr,
+    argument5: ErrStr,
+    *,
+    w: Switch = False,
+    i: Switch = False,
+) -> None:
+    """Show a message of the program's own text file by its number, with what fills its blanks."""
+    arguments = [a for a in (argument1, argument2, argument3, argument4, argument5) if a]
+    controller.show(f"{_kind(w, i)} {number_text(error_id)}: {' / '.join(arguments)}")
+
+
+def _kind(warning: bool, information: bool) -> str:
+    return "warning" if warning else "information" if information else "error"
+
+
+ERRORS = table(
+    routine("BookErrNo", book_err_no),
+    routine("ErrWrite", err_write, r"\W|\I Header Reason \RL2 \RL3 \RL4"),
+    routine(
+        "ErrLog",
+        err_log,
+        r"ErrorId \W|\I Argument1 Argument2 Argument3 Argument4 Argument5",
+    ),
+)

@@ -1,0 +1,103 @@
+"""Stopping the program, and what a program asks about the system it runs on.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types.
+"""
+
+from __future__ import annotations
+
+from rapidsim.language.annotations import Bool, String, Switch, SymNum
+from rapidsim.language.controller import Controller
+from rapidsim.language.errors import CycleEnded, Stopped
+from rapidsim.library.honesty import ignored
+from rapidsim.library.table import routine, table
+
+OPERATING_AUTOMATIC = 1.0
+"""The constant OP_AUTO."""
+RUNNING_CONTINUOUSLY = 1.0
+"""The constant RUN_CONT_CYCLE."""
+
+
+def stop(
+    controller: Controller, *, no_regain: Switch = False, all_move_tasks: Switch = False
+) -> None:
+    """Stop the program when the robot stands; nobody starts it again, so the run ends."""
+    del no_regain
+    ignored(controller, "Stop", {r"\AllMoveTasks": all_move_tasks})
+    controller.wait(0.0, in_position=True)
+    raise Stopped("Stop")
+
+
+def break_() -> None:
+    """Stop the program at once; nobody starts it again, so the run ends."""
+    raise Stopped("Break")
+
+
+def exit_cycle() -> None:
+    """End the cycle: the next one begins with main."""
+    raise CycleEnded("ExitCycle")
+
+
+def system_stop_action(
+    *, stop: Switch = False, stop_block: Switch = False, halt: Switch = False
+) -> None:
+    """Stop all of the system; the run ends."""
+    del stop, stop_block, halt
+    raise Stopped("SystemStopAction")
+
+
+def op_mode() -> SymNum:
+    """The operating mode; a run is in automatic mode."""
+    return OPERATING_AUTOMATIC
+
+
+def run_mode(*, main: Switch = False) -> SymNum:
+    """How the program runs; a run is continuous."""
+    del main
+    return RUNNING_CONTINUOUSLY
+
+
+def rob_os() -> Bool:
+    """Whether this is a real controller, not a virtual one."""
+    return False
+
+
+def rob_name() -> String:
+    """The name of the task's robot."""
+    return "ROB_1"
+
+
+def task_run_rob() -> Bool:
+    """Whether the task controls a robot."""
+    return True
+
+
+def task_run_mec() -> Bool:
+    """Whether the task controls any mechanical unit."""
+    return True
+
+
+def is_sync_move_on() -> Bool:
+    """Whether the task moves in step with others; there are no others."""
+    return False
+
+
+def non_motion_mode(*, main: Switch = False) -> Bool:
+    """Whether the program runs without motion."""
+    del main
+    return False
+
+
+FLOW = table(
+    routine("Stop", stop),
+    routine("Break", break_),
+    routine("ExitCycle", exit_cycle),
+    routine("SystemStopAction", system_stop_action, r"\Stop|\StopBlock|\Halt"),
+    routine("OpMode", op_mode),
+    routine("RunMode", run_mode),
+    routine("RobOS", rob_os),
+    routine("RobName", rob_name),
+    routine("TaskRunRob", task_run_rob),
+    routine("TaskRunMec", task_run_mec),
+    routine("IsSyncMoveOn", is_sync_move_on),
+    routine("NonMotionMode", non_motion_mode),
+)

@@ -1,0 +1,107 @@
+"""Frames and vectors as plain tuples: what the position functions compute with.
+
+Nothing is rounded until a value goes back to the program.
+"""
+
+from __future__ import annotations
+
+import math
+
+from rapidsim.frames import quaternion
+from rapidsim.frames.quaternion import Quaternion, Vector
+from rapidsim.language.data import Orient, Pos, Pose
+from rapidsim.language.error_numbers import ERR_ILLQUAT, rapid_error
+from rapidsim.language.single import single
+
+
+def composed(a_from_b: Pose, b_from_c: Pose) -> Pose:
+    """a_from_c, not rounded."""
+    rotation = unit(a_from_b.rot)
+    trans = add(a_from_b.trans, quaternion.rotate(rotation, b_from_c.trans))
+    return Pose(Pos(*trans), Orient(*quaternion.multiply(rotation, unit(b_from_c.rot))))
+
+
+def inverted(a_from_b: Pose) -> Pose:
+    """b_from_a, not rounded."""
+    back = quaternion.conjugate(unit(a_from_b.rot))
+    return Pose(Pos(*scale(quaternion.rotate(back, a_from_b.trans), -1.0)), Orient(*back))
+
+
+def rounded(pose: Pose) -> Pose:
+    """The frame with all numbers rounded to single."""
+    return Pose(single_pos(pose.trans), single_orient(pose.rot))
+
+
+def unit(rotation: Orient) -> Quaternion:
+    """An orientation with unit length.
+
+    Raises:
+        RapidError: ERR_ILLQUAT, if it is all zero, as in a target nobody taught.
+    """
+    if quaternion.norm(rotation) < 1e-6:
+        raise rapid_error(ERR_ILLQUAT, "the orientation [0,0,0,0] is none: nobody gave it a value")
+    return quaternion.normalised(rotation)
+
+
+def single_pos(vector: Vector) -> Pos:
+    """A vector as a position, rounded."""
+    x, y, z = vector
+    return Pos(single(x), single(y), single(z))
+
+
+def single_orient(q: Quaternion) -> Orient:
+    """A quaternion as an orientation, rounded."""
+    q1, q2, q3, q4 = q
+    return Orient(single(q1), single(q2), single(q3), single(q4))
+
+
+def add(a: Vector, b: Vector) -> Vector:
+    """The sum."""
+    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
+
+
+def subtract(a: Vector, b: Vector) -> Vector:
+    """The difference a - b."""
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+def scale(a: Vector, factor: float) -> Vector:
+    """The vector, so many times as long."""
+    return (a[0] * factor, a[1] * factor, a[2] * factor)
+
+
+def dot(a: Vector, b: Vector) -> float:
+    """The scalar product."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a: Vector, b: Vector) -> Vector:
+    """The vector product."""
+    return (
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    )
+
+
+def length(a: Vector) -> float:
+    """The length."""
+    return math.sqrt(dot(a, a))
+
+
+def from_axes(x: Vector, y: Vector, z: Vector) -> Quaternion:
+    """The rotation whose columns are three orthonormal axes, scalar part not negative.
+
+    Source:
+        Shepperd (1978), Quaternion from rotation matrix.
+    """
+    trace = x[0] + y[1] + z[2]
+    largest = max((trace, 0), (x[0], 1), (y[1], 2), (z[2], 3))[1]
+    rows: tuple[Quaternion, ...] = (
+        (1.0 + trace, y[2] - z[1], z[0] - x[2], x[1] - y[0]),
+        (y[2] - z[1], 1.0 + 2.0 * x[0] - trace, x[1] + y[0], z[0] + x[2]),
+        (z[0] - x[2], x[1] + y[0], 1.0 + 2.0 * y[1] - trace, y[2] + z[1]),
+        (x[1] - y[0], z[0] + x[2], y[2] + z[1], 1.0 + 2.0 * z[2] - trace),
+    )
+    q = quaternion.normalised(rows[largest])
+    return q if q[0] >= 0.0 else (-q[0], -q[1], -q[2], -q[3])

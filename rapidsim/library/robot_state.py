@@ -1,0 +1,160 @@
+r"""Where the robot is, and what its kinematics say about positions.
+
+Positions are those the program would have to give: program displacement is taken away again.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types, "CRobT", "CJointT",
+"CPos", "CTool", "CWObj", "CalcRobT", "CalcJointT".
+"""
+
+from __future__ import annotations
+
+from rapidsim.language.annotations import ErrNum, InOut, Num, Pers, String, Switch, TaskId, Var
+from rapidsim.language.controller import Controller, Honesty, Motion
+from rapidsim.language.data import (
+    NO_EXTERNAL_AXES,
+    WOBJ0,
+    JointTarget,
+    Pos,
+    RobJoint,
+    RobTarget,
+    ToolData,
+    WobjData,
+)
+from rapidsim.language.errors import RapidError
+from rapidsim.library.displacement import in_object, in_program, without_axis_offsets
+from rapidsim.library.honesty import ignored
+from rapidsim.library.table import routine, table
+
+
+def c_rob_t(
+    controller: Controller,
+    *,
+    task_ref: Var[TaskId] | None = None,
+    task_name: String | None = None,
+    tool: Pers[ToolData] | None = None,
+    wobj: Pers[WobjData] | None = None,
+) -> RobTarget:
+    """Where the TCP is; without arguments, that of the tool and work object of the last move."""
+    _own_task_only(controller, "CRobT", task_ref, task_name)
+    return in_program(
+        controller,
+        controller.current_target(
+            None if tool is None else tool.value, None if wobj is None else wobj.value
+        ),
+    )
+
+
+def c_joint_t(
+    controller: Controller,
+    *,
+    task_ref: Var[TaskId] | None = None,
+    task_name: String | None = None,
+) -> JointTarget:
+    """Where the axes are."""
+    _own_task_only(controller, "CJointT", task_ref, task_name)
+    joints = controller.current_joints()
+    offsets = controller.settings.axis_offsets
+    return joints._replace(extax=without_axis_offsets(joints.extax, offsets))
+
+
+def c_pos(
+    controller: Motion,
+    *,
+    tool: Pers[ToolData] | None = None,
+    wobj: Pers[WobjData] | None = None,
+) -> Pos:
+    """Where the TCP is, without its orientation [mm]."""
+    target = controller.current_target(
+        None if tool is None else tool.value, None if wobj is None else wobj.value
+    )
+    return in_program(controller, target).trans
+
+
+def c_tool(
+    controller: Controller,
+    *,
+    task_ref: Var[TaskId] | None = None,
+    task_name: String | None = None,
+) -> ToolData:
+    """The tool of the last move."""
+    _own_task_only(controller, "CTool", task_ref, task_name)
+    return controller.active_tool()
+
+
+def c_wobj(
+    controller: Controller,
+    *,
+    task_ref: Var[TaskId] | None = None,
+    task_name: String | None = None,
+) -> WobjData:
+    """The work object of the last move."""
+    _own_task_only(controller, "CWObj", task_ref, task_name)
+    return controller.active_wobj()
+
+
+def calc_rob_t(
+    controller: Motion,
+    joint_target: JointTarget,
+    tool: Pers[ToolData],
+    *,
+    wobj: Pers[WobjData] | None = None,
+) -> RobTarget:
+    """Where the TCP would be with the axes at given positions."""
+    of_wobj = WOBJ0 if wobj is None else wobj.value
+    return in_program(controller, controller.target_at(joint_target, tool.value, of_wobj))
+
+
+def calc_joint_t(
+    controller: Controller,
+    rob_target: RobTarget,
+    tool: Pers[ToolData],
+    *,
+    use_cur_wobj_pos: Switch = False,
+    wobj: Pers[WobjData] | None = None,
+    error_number: InOut[ErrNum] | None = None,
+) -> JointTarget:
+    r"""Axis positions that reach a target in its configuration.
+
+    With \ErrorNumber a target that cannot be reached gives the number there and all axes at 0.
+    """
+    ignored(controller, "CalcJointT", {r"\UseCurWObjPos": use_cur_wobj_pos})
+    of_wobj = WOBJ0 if wobj is None else wobj.value
+    try:
+        joints = controller.joints_at(in_object(controller, rob_target), tool.value, of_wobj)
+    except RapidError as error:
+        if error_number is None:
+            raise
+        error_number.value = error.errno
+        return JointTarget(RobJoint(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), NO_EXTERNAL_AXES)
+    if error_number is not None:
+        error_number.value = 0.0
+    offsets = controller.settings.axis_offsets
+    return joints._replace(extax=without_axis_offsets(joints.extax, offsets))
+
+
+def c_speed_override(*, c_task: Switch = False) -> Num:
+    """The speed override of the operator [%]; nobody turns it here."""
+    del c_task
+    return 100.0
+
+
+def _own_task_only(
+    controller: Honesty, name: str, task_ref: object | None, task_name: str | None
+) -> None:
+    for option, value in ((r"\TaskRef", task_ref), (r"\TaskName", task_name)):
+        if value is not None:
+            controller.not_simulated(f"{name} {option}", "the robot of the task itself")
+
+
+_TASK = r"\TaskRef|\TaskName"
+
+ROBOT_STATE = table(
+    routine("CRobT", c_rob_t, rf"{_TASK} \Tool \WObj"),
+    routine("CJointT", c_joint_t, _TASK),
+    routine("CPos", c_pos),
+    routine("CTool", c_tool, _TASK),
+    routine("CWObj", c_wobj, _TASK),
+    routine("CalcRobT", calc_rob_t, r"Joint_target Tool \WObj"),
+    routine("CalcJointT", calc_joint_t, r"\UseCurWObjPos Rob_target Tool \WObj \ErrorNumber"),
+    routine("CSpeedOverride", c_speed_override),
+)

@@ -1,0 +1,205 @@
+r"""Waiting, clocks, date and time; all of it virtual.
+
+There is no wall clock in a run: the date is a fixed day, on which the run begins at midnight.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TypedDict, Unpack
+
+from rapidsim.language.annotations import (
+    Bool,
+    Clock,
+    Deferred,
+    IconData,
+    Num,
+    Pers,
+    SignalDo,
+    String,
+    Switch,
+    Var,
+)
+from rapidsim.language.controller import Clock as ClockProtocol
+from rapidsim.language.controller import Controller, Honesty
+from rapidsim.language.data import ClockState
+from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_WAIT_MAXTIME, rapid_error
+from rapidsim.language.reference import Reference
+from rapidsim.language.single import single
+from rapidsim.library.honesty import ignored
+from rapidsim.library.table import routine, table
+
+DEFAULT_POLL_S = 0.1
+LEAST_POLL_S = 0.04
+"""WaitUntil looks no more often than this [s]."""
+CLOCK_RESOLUTION_S = 0.001
+FINE_CLOCK_RESOLUTION_S = 0.000001
+"""ClkRead counts in these steps [s]; the finer ones with \\HighRes."""
+
+_DAY = "2000-01-01"
+_TIME_NOTE = f"virtual time, on {_DAY} from midnight"
+
+
+class Window(TypedDict, total=False):
+    """The window that a wait shows on the FlexPendant."""
+
+    visualize: Switch
+    header: String
+    message: String
+    msg_array: list[String]
+    wrap: Switch
+    icon: IconData
+    image: String
+    visualize_time: Num
+    ui_active_signal: Var[SignalDo]
+
+
+def no_window(controller: Honesty, name: str, window: Window) -> None:
+    """Report a window that nobody will see."""
+    shown = {
+        r"\Visualize": window.get("visualize"),
+        r"\UIActiveSignal": window.get("ui_active_signal"),
+    }
+    ignored(controller, name, shown)
+
+
+def wait_time(controller: ClockProtocol, time: Num, *, in_pos: Switch = False) -> None:
+    r"""Wait so many seconds; with \InPos, first until the robot stands."""
+    if time < 0.0:
+        raise rapid_error(ERR_ARGVALERR, f"a wait of {time:g} s lies in the past")
+    controller.wait(time, in_position=in_pos)
+
+
+def wait_until(
+    controller: Controller,
+    cond: Deferred[Bool],
+    *,
+    in_pos: Switch = False,
+    max_time: Num | None = None,
+    time_flag: Var[Bool] | None = None,
+    poll_rate: Num | None = None,
+    **window: Unpack[Window],
+) -> None:
+    """Wait until a condition holds, looking again and again."""
+    no_window(controller, "WaitUntil", window)
+    if in_pos:
+        controller.wait(0.0, in_position=True)
+    poll_s = DEFAULT_POLL_S if poll_rate is None else max(poll_rate, LEAST_POLL_S)
+    in_time = controller.wait_until(cond, max_time=max_time, poll_s=poll_s)
+    report_timeout(in_time, time_flag, "WaitUntil", max_time)
+
+
+def report_timeout(
+    in_time: bool, time_flag: Reference[bool] | None, name: str, max_time: float | None
+) -> None:
+    r"""Tell the program how a wait ended: \TimeFlag if it has one, else an error.
+
+    Raises:
+        RapidError: ERR_WAIT_MAXTIME, if the time ran out and there is no flag.
+    """
+    if time_flag is not None:
+        time_flag.value = not in_time
+    elif not in_time:
+        raise rapid_error(ERR_WAIT_MAXTIME, f"{name} waited {max_time or 0.0:g} s in vain")
+
+
+def wait_rob(
+    controller: ClockProtocol, *, in_pos: Switch = False, zero_speed: Switch = False
+) -> None:
+    """Wait until the robot stands at its stop point, or just stands."""
+    if not (in_pos or zero_speed):
+        raise rapid_error(ERR_ARGVALERR, r"WaitRob needs \InPos or \ZeroSpeed")
+    controller.wait(0.0, in_position=True)
+
+
+def wait_test_and_set(controller: ClockProtocol, object_: Pers[Bool]) -> None:
+    """Wait until a flag is FALSE and set it."""
+    controller.wait_until(lambda: not object_.value)
+    object_.value = True
+
+
+def clk_reset(clock: Var[Clock]) -> None:
+    """Set a clock to 0; it stands."""
+    clock.value = ClockState()
+
+
+def clk_start(controller: ClockProtocol, clock: Var[Clock]) -> None:
+    """Let a clock run; one that runs already runs on."""
+    state = clock.value
+    if state.started_s is None:
+        clock.value = ClockState(state.counted_s, controller.now())
+
+
+def clk_stop(controller: ClockProtocol, clock: Var[Clock]) -> None:
+    """Let a clock stand."""
+    clock.value = ClockState(_clock_time(controller, clock.value))
+
+
+def clk_read(controller: ClockProtocol, clock: Var[Clock], *, high_res: Switch = False) -> Num:
+    """What a clock shows [s]."""
+    resolution = FINE_CLOCK_RESOLUTION_S if high_res else CLOCK_RESOLUTION_S
+    # Just above the last step, so that 0.3 s computed as 0.29999... still shows 0.3.
+    steps = math.floor(_clock_time(controller, clock.value) / resolution + 1e-6)
+    return single(steps * resolution)
+
+
+def c_date(controller: Controller) -> String:
+    """The date."""
+    controller.not_simulated("CDate", _TIME_NOTE)
+    return _DAY
+
+
+def c_time(controller: Controller) -> String:
+    """The time of day."""
+    controller.not_simulated("CTime", _TIME_NOTE)
+    hours, minutes, seconds = _time_of_day(controller)
+    return f"{hours:02}:{minutes:02}:{seconds:02}"
+
+
+def get_time(
+    controller: Controller,
+    *,
+    w_day: Switch = False,
+    hour: Switch = False,
+    min_: Switch = False,
+    sec: Switch = False,
+) -> Num:
+    """One number of the time of day; the fixed day is a Saturday, 6."""
+    if not (w_day or hour or min_ or sec):
+        raise rapid_error(ERR_ARGVALERR, r"GetTime needs one of \WDay, \Hour, \Min and \Sec")
+    controller.not_simulated("GetTime", _TIME_NOTE)
+    hours, minutes, seconds = _time_of_day(controller)
+    return 6.0 if w_day else float(hours if hour else minutes if min_ else seconds)
+
+
+def _clock_time(controller: ClockProtocol, state: ClockState) -> float:
+    if state.started_s is None:
+        return state.counted_s
+    return state.counted_s + controller.now() - state.started_s
+
+
+def _time_of_day(controller: ClockProtocol) -> tuple[int, int, int]:
+    seconds = math.floor(controller.now()) % 86400
+    return seconds // 3600, seconds // 60 % 60, seconds % 60
+
+
+TIMING = table(
+    routine("WaitTime", wait_time, r"\InPos Time"),
+    routine(
+        "WaitUntil",
+        wait_until,
+        r"\InPos Cond \MaxTime \TimeFlag \PollRate \Visualize \Header \Message|\MsgArray \Wrap "
+        r"\Icon \Image \VisualizeTime \UIActiveSignal",
+    ),
+    routine("WaitRob", wait_rob, r"\InPos|\ZeroSpeed"),
+    routine("WaitTestAndSet", wait_test_and_set, "Object"),
+    routine("ClkReset", clk_reset),
+    routine("ClkStart", clk_start),
+    routine("ClkStop", clk_stop),
+    routine("ClkRead", clk_read),
+    routine("CDate", c_date, treated_as=_TIME_NOTE),
+    routine("CTime", c_time, treated_as=_TIME_NOTE),
+    routine("GetTime", get_time, r"\WDay|\Hour|\Min|\Sec", treated_as=_TIME_NOTE),
+)

@@ -1,0 +1,42 @@
+"""What the axes of an arm can do: the limits that timing keeps."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.model import MotionModel
+from rapidsim.motion.robot import Robot
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Limits:
+    """Limits of each axis, the same in both directions."""
+
+    max_speed: Array
+    """Shape (n,) [rad/s]."""
+    max_acceleration: Array
+    """Shape (n,) [rad/s2]."""
+
+
+def limits_of(robot: Robot, model: MotionModel) -> Limits:
+    """The limits of an arm under a motion model.
+
+    Raises:
+        ValueError: If the speed of an axis is not known, or the model's accelerations are not one
+            per axis.
+    """
+    unknown = [joint.name for joint in robot.joints if joint.max_speed is None]
+    if unknown:
+        names = ", ".join(unknown)
+        raise ValueError(f"{robot.name}: no axis speed is known for {names}")
+    max_speed = np.array([joint.max_speed for joint in robot.joints], dtype=np.float64)
+    if model.acceleration is None:
+        return Limits(max_speed, max_speed / model.acceleration_time)
+    if len(model.acceleration) != len(robot.joints):
+        raise ValueError(
+            f"{robot.name}: {len(robot.joints)} axes, but {len(model.acceleration)} accelerations"
+        )
+    return Limits(max_speed, np.array(model.acceleration, dtype=np.float64))

@@ -1,0 +1,160 @@
+"""The fastest motion along a path that keeps every limit, in closed form.
+
+Along the path parameter s, x is the square of the path speed ds/dt and u the path acceleration,
+constant within a cell. Every axis asks |q' u + q'' x| <= acceleration at both ends of a cell. One
+pass from the end finds the largest x from which the rest can still be braked, one pass from the
+start drives as fast as that allows. Because limits are symmetric, standing still is always
+possible, so no stage is without a solution.
+
+Source: the two-pass method of Pham and Pham (2018), A new approach to time-optimal path
+parameterization based on reachability analysis, with its linear programs solved by hand.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.curves import Index
+from rapidsim.motion.grid import Cells
+from rapidsim.motion.limits import Limits
+from rapidsim.motion.path import Path
+from rapidsim.motion.sweep import sweep
+
+_ACCELERATION_EXCESS = 0.004
+_WORTHWHILE = 1e-6
+_LARGEST_X = 1e12
+_CHUNK = 4096
+
+
+def solve(
+    path: Path, cells: Cells, limits: Limits, pace: Array, start_speed: float
+) -> tuple[Array, float]:
+    """Find the fastest x at the nodes.
+
+    Args:
+        path: The geometry.
+        cells: Where to look; the motion starts with the first and comes to rest after the last.
+        limits: Of the axes.
+        pace: Largest path speed (segments,) [m/s] on segments with a programmed time; it replaces
+            the programmed speeds there. NaN elsewhere.
+        start_speed: Path speed [m/s] at the first node.
+
+    Returns:
+        x (c + 1,), and the largest x at the first node from which the rest can be driven.
+    """
+    caps = _speed_caps(path, cells, limits, pace)
+    span = 2.0 * (cells.end - cells.start)
+    slack, tilt = _rows(path, cells, limits, span)
+    caps[:-1] = np.minimum(caps[:-1], _widest(slack, tilt, span))
+    caps[-1] = 0.0
+    caps[np.isin(cells.nodes, path.stops)] = 0.0
+
+    # Backwards: the largest x from which u >= -slack - tilt x leads to the node after.
+    keeps = 1.0 - span[:, None] * tilt
+    reaches = keeps > 1e-12
+    safe = np.where(reaches, keeps, 1.0)
+    slopes = np.where(reaches, 1.0 / safe, 0.0)
+    offsets = np.where(reaches, span[:, None] * slack / safe, np.inf)
+    largest = sweep(0.0, slopes[::-1], offsets[::-1], caps[::-1])[::-1]
+
+    # Forwards: the largest u <= slack - tilt x that stays below.
+    x = sweep(start_speed**2, keeps, span[:, None] * slack, largest)
+    return x, float(largest[0])
+
+
+def _speed_caps(path: Path, cells: Cells, limits: Limits, pace: Array) -> Array:
+    """Largest x at the nodes (c + 1,) by speeds of axes, TCP and reorientation."""
+    segment = segment_of(path, cells)
+    paced = ~np.isnan(pace)
+    tcp = np.array([s.speed.tcp for s in path.segments])
+    turn = np.array([s.speed.reorientation for s in path.segments])
+    tcp_share = np.where(paced, 0.0, 1.0 / tcp)[segment]
+    turn_share = np.where(paced, 0.0, 1.0 / turn)[segment]
+    slowest = (np.abs(cells.first) / limits.max_speed).max(axis=-1)
+    slowest = np.maximum(slowest, cells.tcp_rate * tcp_share[:, None])
+    slowest = np.maximum(slowest, cells.turn_rate * turn_share[:, None])
+    slowest = np.maximum(slowest, np.where(paced, 1.0 / pace, 0.0)[segment][:, None])
+    x = np.minimum(1.0 / np.maximum(slowest, 1e-9) ** 2, _LARGEST_X)  # (c, 3)
+    caps = np.full(len(x) + 1, np.inf)
+    caps[:-1] = np.minimum(x[:, 0], x[:, 1])
+    caps[1:] = np.minimum(caps[1:], np.minimum(x[:, 2], x[:, 1]))
+    return caps
+
+
+def _rows(path: Path, cells: Cells, limits: Limits, span: Array) -> tuple[Array, Array]:
+    """Acceleration limits as |u + tilt x| <= slack, shapes (c, 2 n): cell starts, then ends.
+
+    At the end of a cell x has grown by span u, so its row is |(q' + span q'') u + q'' x| <= a.
+    """
+    share = path.acceleration_share[cells.piece][:, None]
+    limit = np.concatenate([limits.max_acceleration, limits.max_acceleration]) * share
+    slope = np.concatenate(
+        [cells.first[:, 0], cells.first[:, 2] + span[:, None] * cells.second[:, 2]], axis=1
+    )
+    bend = np.concatenate([cells.second[:, 0], cells.second[:, 2]], axis=1)
+    # Rows that hardly see u get a small share of it instead: their bound on x is then a / |q''|.
+    scale = np.abs(slope).max(axis=1, keepdims=True) + span[:, None] * np.abs(bend) + 1e-300
+    slope = np.where(np.abs(slope) > 1e-9 * scale, slope, 1e-9 * scale)
+    return limit / np.abs(slope), bend / slope
+
+
+def _widest(slack: Array, tilt: Array, span: Array) -> Array:
+    """Largest x (c,) for which some u keeps every row of a cell and stays above zero.
+
+    Pairs of rows of both ends count: without the mixed ones the limits are broken several times
+    over at single nodes.
+    """
+    count, rows = slack.shape
+    i, j = np.triu_indices(rows, 1)
+    widest = np.empty(count)
+    for begin in range(0, count, _CHUNK):
+        part = slice(begin, begin + _CHUNK)
+        gap = np.abs(tilt[part][:, i] - tilt[part][:, j])
+        room = slack[part][:, i] + slack[part][:, j]
+        widest[part] = (room / np.maximum(gap, room / _LARGEST_X)).min(axis=1)
+    # x + span u >= 0 with u <= slack - tilt x.
+    falls = span[:, None] * tilt - 1.0
+    grown = span[:, None] * slack / np.where(falls > 1e-12, falls, 1.0)
+    ends = np.where(falls > 1e-12, grown, np.inf).min(axis=1)
+    result: Array = np.minimum(np.minimum(widest, ends), _LARGEST_X)
+    return result
+
+
+def refinement(path: Path, cells: Cells, limits: Limits, x: Array) -> tuple[Index, Array]:
+    """Cells to cut and where: limits broken in the middle, or time lost at a switching point."""
+    width = cells.end - cells.start
+    u = np.diff(x) / np.maximum(2.0 * width, 1e-300)
+    middle = 0.5 * (x[:-1] + x[1:])
+    share = path.acceleration_share[cells.piece][:, None]
+    load = np.abs(cells.first[:, 1] * u[:, None] + cells.second[:, 1] * middle[:, None])
+    over = (load / (limits.max_acceleration * share)).max(axis=-1) > 1.0 + _ACCELERATION_EXCESS
+    over &= width > 1e-9 * path.length
+    at = 0.5 * (cells.start + cells.end)
+
+    # Between acceleration and braking, the lines of the neighbours meet above the cell's own.
+    before, after = np.append(u[:1], u[:-1]), np.append(u[1:], u[-1:])
+    before[0], after[-1] = np.inf, -np.inf
+    with np.errstate(all="ignore"):
+        step = (x[1:] - x[:-1] - 2.0 * after * width) / (2.0 * (before - after))
+        peak = x[:-1] + 2.0 * before * step
+        times = _pass(width, x[:-1], x[1:])
+        quicker = _pass(step, x[:-1], peak) + _pass(width - step, peak, x[1:])
+        meets = (step > 0.02 * width) & (step < 0.98 * width) & np.isfinite(peak) & (before > after)
+        switch = meets & (times - quicker > _WORTHWHILE * times.sum()) & ~over
+    at = np.where(switch, cells.start + step, at)
+    index = np.flatnonzero(over | switch).astype(np.int64)
+    return index, at[index]
+
+
+def segment_of(path: Path, cells: Cells) -> Index:
+    """Position in `Path.segments` of each cell (c,)."""
+    segment: Index = path.active[path.layout.row[cells.piece]]
+    return segment
+
+
+def _pass(way: Array, x_start: Array, x_end: Array) -> Array:
+    """Time (k,) [s] over ways (k,) [m] between squares of speed (k,)."""
+    pace = np.sqrt(np.maximum(x_start, 0.0)) + np.sqrt(np.maximum(x_end, 0.0))
+    time: Array = 2.0 * way / np.maximum(pace, 1e-300)
+    return time

@@ -1,0 +1,65 @@
+"""The loop at the bottom of timing: the smallest of some lines and a cap, step after step.
+
+    y[k + 1] = max(0, min(cap[k + 1], min over i of slope[k, i] y[k] + offset[k, i]))
+
+Both passes of the solver have this form, so this is the one place that a faster kernel replaces.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+
+_LANE = 256
+_WORTH_LANES = 1024
+
+
+def sweep(first: float, slopes: Array, offsets: Array, caps: Array) -> Array:
+    """Run the recurrence.
+
+    Args:
+        first: y[0].
+        slopes: Shape (k, r).
+        offsets: Shape (k, r).
+        caps: Shape (k + 1,); caps[0] is not applied. No result is negative.
+
+    Returns:
+        y, shape (k + 1,).
+    """
+    count = len(slopes)
+    if count < _WORTH_LANES:
+        return _one_by_one(first, slopes, offsets, caps)
+    # Long rows are cut into lanes that run abreast. A lane's entry is at first guessed to be its
+    # cap, then it is the exit of the lane before, until no entry changes: then the result is that
+    # of one lane. Every cap that is met makes a lane forget its entry, so a few rounds do.
+    lanes = -(-count // _LANE)
+    padding = lanes * _LANE - count
+    rows = slopes.shape[1]
+    a = np.concatenate([slopes, np.ones((padding, rows))]).reshape(lanes, _LANE, rows)
+    b = np.concatenate([offsets, np.zeros((padding, rows))]).reshape(lanes, _LANE, rows)
+    cap = np.concatenate([caps[1:], np.full(padding, np.inf)]).reshape(lanes, _LANE)
+    entry = np.concatenate([[first], cap[:-1, -1]])
+    y = np.empty((lanes, _LANE))
+    changed = np.arange(lanes)
+    while len(changed):
+        now = entry[changed]
+        for k in range(_LANE):
+            now = np.minimum((a[changed, k] * now[:, None] + b[changed, k]).min(axis=1), 1e300)
+            now = np.maximum(np.minimum(now, cap[changed, k]), 0.0)
+            y[changed, k] = now
+        exits = np.concatenate([[first], y[:-1, -1]])
+        changed = np.flatnonzero(exits != entry)
+        entry = exits
+    return np.concatenate([[first], y.ravel()[:count]])
+
+
+def _one_by_one(first: float, slopes: Array, offsets: Array, caps: Array) -> Array:
+    result = [first]
+    y = first
+    rows = zip(slopes.tolist(), offsets.tolist(), caps[1:].tolist(), strict=True)
+    for slope, offset, cap in rows:
+        y = min([a * y + b for a, b in zip(slope, offset, strict=True)])
+        y = 0.0 if y < 0.0 else min(y, cap)
+        result.append(y)
+    return np.array(result)

@@ -1,0 +1,216 @@
+"""When the arm is where on a path: the fastest motion within limits and programmed times."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import overload
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.curves import Index
+from rapidsim.motion.grid import Cells, cells_of, split
+from rapidsim.motion.limiters import Limiter, limiters_of
+from rapidsim.motion.limits import Limits
+from rapidsim.motion.path import Path
+from rapidsim.motion.solver import refinement, segment_of, solve
+
+_ROUNDS = 8
+_TIMED_ROUNDS = 4
+_TIMED_HALVINGS = 16
+_TIME_TOLERANCE = 1e-3
+
+
+@dataclass(frozen=True, eq=False)
+class Timing:
+    """Place on a path as a function of time; time 0 is at the place where it starts."""
+
+    s: Array
+    """Nodes (k,) [m]."""
+    speed: Array
+    """Path speed ds/dt at the nodes, shape (k,) [m/s]."""
+    start_excess: float
+    """How much faster [m/s] the start was than what can be braked within the limits; else 0."""
+    limited_by: tuple[Limiter, ...]
+    """What holds each segment of the path back for most of its time."""
+
+    @cached_property
+    def acceleration(self) -> Array:
+        """Path acceleration in each cell, shape (k - 1,) [m/s2]."""
+        change: Array = np.diff(self.speed**2) / np.maximum(2.0 * np.diff(self.s), 1e-300)
+        return change
+
+    @cached_property
+    def times(self) -> Array:
+        """Time at the nodes, shape (k,) [s]."""
+        pace = self.speed[1:] + self.speed[:-1]
+        steps = 2.0 * np.diff(self.s) / np.maximum(pace, 1e-300)
+        return np.concatenate([[0.0], np.cumsum(steps)])
+
+    @property
+    def duration(self) -> float:
+        """[s]"""
+        return float(self.times[-1])
+
+    @overload
+    def s_at(self, t: float) -> float: ...
+
+    @overload
+    def s_at(self, t: Array) -> Array: ...
+
+    def s_at(self, t: float | Array) -> float | Array:
+        """Place [m] at times [s], one or (k,); outside its time the motion stands."""
+        k, since = self._cell(t)
+        place: Array = self.s[k] + since * (self.speed[k] + 0.5 * since * self.acceleration[k])
+        place = np.clip(place, self.s[0], self.s[-1])
+        return place if np.ndim(t) else float(place)
+
+    @overload
+    def speed_at(self, t: float) -> float: ...
+
+    @overload
+    def speed_at(self, t: Array) -> Array: ...
+
+    def speed_at(self, t: float | Array) -> float | Array:
+        """Path speed [m/s] at times [s], one or (k,)."""
+        k, since = self._cell(t)
+        speed: Array = self.speed[k] + since * self.acceleration[k]
+        speed = np.maximum(speed, 0.0)
+        return speed if np.ndim(t) else float(speed)
+
+    @overload
+    def time_at(self, s: float) -> float: ...
+
+    @overload
+    def time_at(self, s: Array) -> Array: ...
+
+    def time_at(self, s: float | Array) -> float | Array:
+        """Time [s] at places [m], one or (k,)."""
+        place = np.clip(np.asarray(s, dtype=np.float64), self.s[0], self.s[-1])
+        k = np.clip(np.searchsorted(self.s, place, side="right") - 1, 0, len(self.s) - 2)
+        way = place - self.s[k]
+        speed = np.sqrt(np.maximum(self.speed[k] ** 2 + 2.0 * self.acceleration[k] * way, 0.0))
+        time: Array = self.times[k] + 2.0 * way / np.maximum(speed + self.speed[k], 1e-300)
+        return time if np.ndim(s) else float(time)
+
+    def way_integral(self, t: Array) -> Array:
+        """Integral of s - s[0] from time 0 to times (k,) [m s]."""
+        k, since = self._cell(t)
+        cubic = since * (
+            self.s[k] - self.s[0] + since * (self.speed[k] / 2 + since * self.acceleration[k] / 6)
+        )
+        integral: Array = self._integrals[k] + cubic
+        return integral
+
+    @cached_property
+    def _integrals(self) -> Array:
+        step = np.diff(self.times)
+        way, speed = self.s[:-1] - self.s[0], self.speed[:-1]
+        parts = step * (way + step * (speed / 2 + step * self.acceleration / 6))
+        return np.concatenate([[0.0], np.cumsum(parts)])
+
+    def _cell(self, t: float | Array) -> tuple[Index, Array]:
+        time = np.clip(np.asarray(t, dtype=np.float64), 0.0, self.times[-1])
+        k = np.clip(np.searchsorted(self.times, time, side="right") - 1, 0, len(self.s) - 2)
+        return k, time - self.times[k]
+
+
+def plan(path: Path, limits: Limits, *, start: float = 0.0, start_speed: float = 0.0) -> Timing:
+    """Find the fastest motion to rest at the end of a path.
+
+    Args:
+        path: The geometry.
+        limits: Of the axes; the segments bring the limits of the TCP.
+        start: Place [m] where the motion starts.
+        start_speed: Path speed [m/s] there. If it is too fast to brake within the limits, it is
+            kept, the first stretch brakes harder than allowed, and `Timing.start_excess` says so.
+    """
+    cells = cells_of(path, limits, start)
+    pace = np.full(len(path.segments), np.nan)
+    timed = _timed(path, start)
+    pace[list(timed)] = np.inf
+    cells = _refined(path, cells, limits, pace, start_speed)
+    if timed:
+        pace = _paced(path, cells, limits, pace, start_speed, timed)
+        cells = _refined(path, cells, limits, pace, start_speed)
+        pace = _paced(path, cells, limits, pace, start_speed, timed)
+    x, fastest = solve(path, cells, limits, pace, start_speed)
+    return Timing(
+        s=cells.nodes,
+        speed=np.sqrt(x),
+        start_excess=max(0.0, start_speed - float(np.sqrt(fastest))),
+        limited_by=limiters_of(path, cells, limits, pace, x),
+    )
+
+
+def _refined(path: Path, cells: Cells, limits: Limits, pace: Array, start_speed: float) -> Cells:
+    """Cut cells until the limits hold within them and no time is lost at switching points."""
+    for _ in range(_ROUNDS):
+        x, _ = solve(path, cells, limits, pace, start_speed)
+        index, at = refinement(path, cells, limits, x)
+        if not len(index):
+            break
+        cells = split(path, cells, index, at)
+    return cells
+
+
+def _timed(path: Path, start: float) -> dict[int, float]:
+    """Programmed time [s] of what is left of each segment that has one."""
+    begins = path.segment_starts
+    ends = np.append(begins[1:], path.length)
+    times = {}
+    for i, segment in enumerate(path.segments):
+        if segment.duration is not None and ends[i] > max(start, begins[i]):
+            share = (ends[i] - max(start, begins[i])) / (ends[i] - begins[i])
+            times[i] = segment.duration * float(share)
+    return times
+
+
+def _paced(
+    path: Path,
+    cells: Cells,
+    limits: Limits,
+    pace: Array,
+    start_speed: float,
+    timed: dict[int, float],
+) -> Array:
+    """The path speed (segments,) that gives each timed segment its time; infinite if too short.
+
+    Neighbours share the ramps between them, so all are halved together, and again around what was
+    found until the times agree.
+    """
+    index = np.array(list(timed))
+    wanted = np.array(list(timed.values()))
+    segment = segment_of(path, cells)
+    width = cells.end - cells.start
+    way = np.bincount(segment, width, minlength=len(path.segments))[index]
+
+    def spent(trial: Array) -> Array:
+        """Time of the timed segments at some paces."""
+        attempt = pace.copy()
+        attempt[index] = trial
+        speed = np.sqrt(solve(path, cells, limits, attempt, start_speed)[0])
+        step = 2.0 * width / np.maximum(speed[1:] + speed[:-1], 1e-300)
+        time: Array = np.bincount(segment, step, minlength=len(path.segments))[index]
+        return time
+
+    fastest = spent(np.full(len(index), np.inf))
+    feasible = fastest < wanted * (1.0 - _TIME_TOLERANCE)
+    # Half the mean speed is slow enough even where a fast start has to be braked away first.
+    low = 0.5 * way / wanted
+    high = np.where(feasible, 4.0 * way / fastest + low, np.inf)
+    found = high
+    for _ in range(_TIMED_ROUNDS):
+        for _ in range(_TIMED_HALVINGS):
+            middle = np.where(feasible, 0.5 * (low + high), np.inf)
+            slow = spent(middle) > wanted
+            low, high = np.where(slow, middle, low), np.where(slow, high, middle)
+        found = np.where(feasible, 0.5 * (low + high), np.inf)
+        miss = np.abs(spent(found) - wanted) / wanted
+        if not (feasible & (miss > _TIME_TOLERANCE)).any():
+            break
+        low, high = found / 1.3, found * 1.3
+    paced = pace.copy()
+    paced[index] = found
+    return paced

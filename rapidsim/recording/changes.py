@@ -1,0 +1,47 @@
+"""When a frame that moves refer to takes another value: the first use holds from the start."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from rapidsim.frames.transform import Transform
+from rapidsim.simulation.result import ExecutedMove
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Change:
+    """A frame has this value from an instant on."""
+
+    time_s: float
+    frame: Transform
+
+
+def changes(
+    moves: Iterable[ExecutedMove], frame_of: Callable[[ExecutedMove], Transform]
+) -> tuple[Change, ...]:
+    """The values of a frame over some moves, each with its first instant [s]; none for no moves.
+
+    The first one holds from 0 s: the arm has the tool in its hand before it moves.
+    """
+    found: list[Change] = []
+    for move in moves:
+        frame = frame_of(move)
+        if found and _equal(found[-1].frame, frame):
+            continue
+        found.append(Change(move.start_s if found else 0.0, frame))
+    return tuple(found)
+
+
+def stacked(values: tuple[Change, ...]) -> Transform:
+    """The frames of some changes as a batch (k,)."""
+    return Transform(
+        np.stack([change.frame.rotation for change in values]),
+        np.stack([change.frame.translation for change in values]),
+    )
+
+
+def _equal(a: Transform, b: Transform) -> bool:
+    return np.array_equal(a.rotation, b.rotation) and np.array_equal(a.translation, b.translation)

@@ -1,0 +1,96 @@
+"""What was written, reported and found, as one log: FlexPendant, events, findings."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import rerun as rr
+
+from rapidsim.diagnostics import Diagnostic, Severity
+from rapidsim.language.controller import Place
+from rapidsim.recording.sampled import SampledRun
+from rapidsim.recording.timelines import indexes_at
+from rapidsim.simulation.result import Event, EventKind, Simulation
+
+ENTITY = "log"
+
+_EVENT_LEVELS = {
+    EventKind.TEXT: "INFO",
+    EventKind.SIGNAL: "DEBUG",
+    EventKind.INTERRUPT: "DEBUG",
+    EventKind.FILE: "DEBUG",
+    EventKind.CORNER: "WARN",
+    EventKind.LIMIT: "WARN",
+    EventKind.ERROR: "ERROR",
+}
+_FINDING_LEVELS = {Severity.ERROR: "ERROR", Severity.WARNING: "WARN", Severity.NOTE: "INFO"}
+
+
+@dataclass(frozen=True, slots=True)
+class _Row:
+    time_s: float
+    level: str
+    text: str
+
+
+def log_messages(stream: rr.RecordingStream, run: SampledRun, remarks: Sequence[str]) -> None:
+    """Log everything there is to read; `remarks` are about the recording itself."""
+    simulation = run.simulation
+    sources = {
+        "recording": [_Row(0.0, "WARN", remark) for remark in remarks],
+        "events": [_event_row(event) for event in simulation.events],
+        "findings": list(_finding_rows(run)),
+    }
+    for name, rows in sources.items():
+        if not rows:
+            continue
+        # Milliseconds, which is what the log's column shows; the event file has every digit.
+        stream.send_columns(
+            f"{ENTITY}/{name}",
+            indexes=indexes_at([round(row.time_s, 3) for row in rows], simulation.moves),
+            columns=rr.TextLog.columns(
+                text=[row.text for row in rows], level=[row.level for row in rows]
+            ),
+        )
+
+
+def _event_row(event: Event) -> _Row:
+    where = f"  [{_where(event.place)}]" if event.place else ""
+    what = "" if event.kind is EventKind.TEXT else f"{event.kind.value}: "
+    text = event.message if event.message or event.kind is not EventKind.TEXT else "(cleared)"
+    return _Row(event.time_s, _EVENT_LEVELS[event.kind], f"{what}{text}{where}")
+
+
+def _where(place: Place) -> str:
+    return f"{place.routine}:{place.span.line}"
+
+
+def _finding_rows(run: SampledRun) -> Iterator[_Row]:
+    """A finding is logged when the program first got to its line; else at the end."""
+    first: dict[tuple[str, int], float] = {}
+    for line in run.simulation.lines:
+        span = line.place.span
+        first.setdefault((span.file, span.line), line.time_s)
+    for finding in run.simulation.diagnostics:
+        yield _Row(
+            _finding_time_s(finding, first, run.simulation),
+            _FINDING_LEVELS[finding.severity],
+            _finding_text(finding),
+        )
+
+
+def _finding_time_s(
+    finding: Diagnostic, first: dict[tuple[str, int], float], simulation: Simulation
+) -> float:
+    if finding.span is None:
+        return 0.0
+    return first.get((finding.span.file, finding.span.line), simulation.time_s)
+
+
+def _finding_text(finding: Diagnostic) -> str:
+    where = ""
+    if finding.span is not None:
+        routine = finding.routine or finding.span.file
+        where = f"  [{routine}:{finding.span.line}]"
+    return f"{finding.violation.code} {finding.violation.message}{where}"

@@ -1,0 +1,77 @@
+"""The colours of a recording: one meaning, one colour, in the cell, the plots and the lanes alike.
+
+Chosen for the dark theme, far enough apart to be told from each other on a projector.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from rapidsim.language.controller import Interpolation
+from rapidsim.simulation.result import ExecutedMove
+
+Colour = tuple[int, int, int]
+
+BACKGROUND: Colour = (22, 25, 31)
+GRID: Colour = (64, 72, 88)
+
+JOINTS: tuple[Colour, ...] = (
+    (239, 83, 80),
+    (102, 187, 106),
+    (66, 135, 245),
+    (255, 202, 40),
+    (186, 104, 200),
+    (38, 198, 218),
+    (255, 138, 101),
+    (176, 190, 197),
+)
+"""Axis 1, 2, ...; automatic colours give the first two nearly the same pink."""
+
+MOVES: Mapping[Interpolation, Colour] = MappingProxyType(
+    {
+        Interpolation.JOINT: (74, 144, 255),
+        Interpolation.AXES: (120, 110, 255),
+        Interpolation.LINE: (52, 211, 120),
+        Interpolation.CIRCLE: (226, 92, 228),
+    }
+)
+CORNER: Colour = (255, 193, 7)
+STANDSTILL: Colour = (62, 68, 80)
+PROGRAMMED: Colour = (150, 158, 172)
+"""What was asked for, beside what was done: path and speed."""
+TCP_SPEED: Colour = (255, 152, 0)
+LIMIT: Colour = (229, 57, 53)
+
+TARGET: Colour = (240, 240, 245)
+TARGET_NAME: Colour = (250, 230, 140)
+STOPPED: Colour = (255, 64, 64)
+
+SIGNAL_ON: Colour = (46, 180, 90)
+SIGNAL_OFF: Colour = (70, 76, 88)
+SIGNAL_VALUE: Colour = (60, 120, 160)
+
+LINK: Colour = (240, 120, 30)
+JOINT: Colour = (70, 74, 82)
+TOOL: Colour = (190, 196, 206)
+WORK_PLANE: Colour = (88, 104, 124)
+
+AXES: tuple[Colour, Colour, Colour] = ((235, 70, 70), (80, 200, 90), (70, 130, 250))
+"""x, y, z of a frame."""
+
+
+def of_move(move: ExecutedMove) -> Colour:
+    """The colour of a move by the way it gets to its end."""
+    return MOVES[move.move.interpolation]
+
+
+def darker(colour: Colour) -> Colour:
+    """A shade of a colour that is still the same colour."""
+    red, green, blue = colour
+    return (red * 7 // 10, green * 7 // 10, blue * 7 // 10)
+
+
+def rgba(colour: Colour, alpha: int = 255) -> int:
+    """A colour as the one number 0xRRGGBBAA; short lists of numbers are ambiguous to rerun."""
+    red, green, blue = colour
+    return red << 24 | green << 16 | blue << 8 | alpha

@@ -1,0 +1,75 @@
+"""The link shapes of a robot description, as solid bodies."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import rerun as rr
+from rerun.chunk import Chunk
+from rerun.urdf import UrdfTree
+
+_FILLED = rr.components.FillMode.Solid
+_SOLID = MappingProxyType(
+    {
+        "Boxes3D": rr.Boxes3D.from_fields(fill_mode=_FILLED),
+        "Capsules3D": rr.Capsules3D.from_fields(fill_mode=_FILLED),
+        "Cylinders3D": rr.Cylinders3D.from_fields(fill_mode=_FILLED),
+        "Ellipsoids3D": rr.Ellipsoids3D.from_fields(fill_mode=_FILLED),
+    }
+)
+"""Shapes that rerun draws as wires over a veil unless told to fill them."""
+_DRAWN = frozenset({"Asset3D", "Mesh3D", *_SOLID})
+_COLLISION = "/collision_geometries/"
+
+
+@dataclass(frozen=True, slots=True)
+class Shapes:
+    """Which link frames got a shape, and which have one that could not be read."""
+
+    drawn: frozenset[str]
+    missing: frozenset[str]
+
+
+def log_shapes(stream: rr.RecordingStream, tree: UrdfTree) -> Shapes:
+    """Log what a description shows of its links.
+
+    Collision shapes are left out: drawn over the visible ones they flicker.
+    """
+    chunks = [
+        chunk
+        for chunk in tree.stream(include_joint_transforms=False)
+        if _COLLISION not in chunk.entity_path
+    ]
+    rr.send_chunks(chunks, recording=stream)
+    frame_of: dict[str, str] = {}
+    drawn_entities: set[str] = set()
+    for chunk in chunks:
+        frame_of.update(_frame(chunk))
+        for archetype in _archetypes(chunk) & _DRAWN:
+            drawn_entities.add(chunk.entity_path)
+            if archetype in _SOLID:
+                stream.log(chunk.entity_path, _SOLID[archetype], static=True)
+    shown = {entity: frame for entity, frame in frame_of.items() if _is_visual(entity)}
+    return Shapes(
+        drawn=frozenset(frame for entity, frame in shown.items() if entity in drawn_entities),
+        missing=frozenset(frame for entity, frame in shown.items() if entity not in drawn_entities),
+    )
+
+
+def _is_visual(entity: str) -> bool:
+    return "/visual_geometries/" in entity
+
+
+def _archetypes(chunk: Chunk) -> set[str]:
+    names: list[str] = chunk.to_record_batch().schema.names
+    return {name.partition(":")[0] for name in names}
+
+
+def _frame(chunk: Chunk) -> dict[str, str]:
+    """The frame that a chunk puts its entity in, by entity."""
+    batch = chunk.to_record_batch()
+    if "CoordinateFrame:frame" not in batch.schema.names:
+        return {}
+    frame: str = batch.column("CoordinateFrame:frame")[0].as_py()[0]
+    return {chunk.entity_path: frame}

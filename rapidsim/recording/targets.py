@@ -1,0 +1,112 @@
+"""The programmed targets: points, names and axes, each target once."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import rerun as rr
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.recording import palette
+from rapidsim.recording.transforms import BASE
+from rapidsim.simulation.result import ExecutedMove
+
+ENTITY = "targets"
+NAMES = f"{ENTITY}/names"
+
+MOST_NAMES = 60
+"""With more targets than this the names cover each other and everything else."""
+MOST_AXES = 2000
+_SAME = 1e-6
+"""[m]; targets nearer than this with one name are one target."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Target:
+    """A place the program sends the TCP to."""
+
+    name: str
+    base_from_tcp: Transform
+
+
+def targets_of(moves: Sequence[ExecutedMove]) -> tuple[Target, ...]:
+    """The targets of a run in the order of their first use."""
+    found: dict[tuple[object, ...], Target] = {}
+    for move in moves:
+        place = tuple(np.round(move.base_from_tcp.translation / _SAME).astype(np.int64).tolist())
+        target = Target(target_name(move), move.base_from_tcp)
+        found.setdefault((target.name, *place), target)
+    return tuple(found.values())
+
+
+def target_name(move: ExecutedMove) -> str:
+    """What the program calls the target: the text of the argument, shortened."""
+    arguments = move.place.arguments
+    text = arguments.get("topoint") or arguments.get("tojointpos") or ""
+    text = " ".join(text.split())
+    return text if len(text) <= 24 else text[:23] + "…"
+
+
+def log_targets(stream: rr.RecordingStream, targets: Sequence[Target], axis_m: float) -> None:
+    """Log targets with axes of a length [m]."""
+    if not targets:
+        return
+    points = np.array([target.base_from_tcp.translation for target in targets])
+    frame = rr.CoordinateFrame(BASE)
+    stream.log(
+        f"{ENTITY}/points",
+        frame,
+        rr.Points3D(points, radii=rr.Radius.ui_points(3.5), colors=palette.rgba(palette.TARGET)),
+        static=True,
+    )
+    _log_axes(stream, targets[:MOST_AXES], axis_m)
+    if len(targets) <= MOST_NAMES:
+        places, names = _gathered(targets)
+        stream.log(
+            NAMES,
+            frame,
+            rr.Points3D(
+                places,
+                radii=rr.Radius.ui_points(0.0),
+                colors=palette.rgba(palette.TARGET_NAME),
+                labels=names,
+                show_labels=True,
+            ),
+            static=True,
+        )
+
+
+def _log_axes(stream: rr.RecordingStream, targets: Sequence[Target], axis_m: float) -> None:
+    origins = np.repeat([target.base_from_tcp.translation for target in targets], 3, axis=0)
+    # Columns of the rotation are the axes.
+    columns = np.stack([target.base_from_tcp.rotation.T for target in targets])
+    stream.log(
+        f"{ENTITY}/axes",
+        rr.CoordinateFrame(BASE),
+        rr.Arrows3D(
+            origins=origins,
+            vectors=columns.reshape(-1, 3) * axis_m,
+            radii=[axis_m * 0.035],
+            colors=np.tile([palette.rgba(axis) for axis in palette.AXES], len(targets)).astype(
+                np.uint32
+            ),
+        ),
+        static=True,
+    )
+
+
+def _gathered(targets: Sequence[Target]) -> tuple[Array, list[str]]:
+    """Places with the names of all targets there, so that no name hides another."""
+    names: dict[tuple[int, ...], list[str]] = {}
+    places: list[Array] = []
+    for target in targets:
+        point = target.base_from_tcp.translation
+        key = tuple(np.round(point / 1e-3).astype(np.int64).tolist())
+        if key not in names:
+            names[key] = []
+            places.append(point)
+        if target.name and target.name not in names[key]:
+            names[key].append(target.name)
+    return np.array(places), [", ".join(group) for group in names.values()]

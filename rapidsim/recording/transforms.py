@@ -1,0 +1,43 @@
+"""Transforms in rerun's terms: metres, quaternions with the scalar last."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+import rerun as rr
+
+from rapidsim.frames.transform import Transform
+
+WORLD = "world"
+BASE = "base"
+BASE_FROM_WORLD = Transform.identity()
+"""A run stands the robot's base in the origin of the world."""
+
+
+def quaternion_xyzw(a_from_b: Transform) -> npt.NDArray[np.float32]:
+    """Quaternions (..., 4), scalar last."""
+    return np.roll(a_from_b.quaternion, -1, axis=-1).astype(np.float32)
+
+
+def static_frame(parent: str, child: str, parent_from_child: Transform) -> rr.Transform3D:
+    """An edge between two named frames that never changes."""
+    return rr.Transform3D(
+        translation=parent_from_child.translation,
+        quaternion=rr.Quaternion(xyzw=quaternion_xyzw(parent_from_child)),
+        parent_frame=parent,
+        child_frame=child,
+    )
+
+
+def moving_frame(parent: str, child: str, parent_from_child: Transform) -> rr.ComponentColumnList:
+    """An edge between two named frames, one row for each of a batch (k,).
+
+    The names stand in every row: a row replaces the whole edge, names included.
+    """
+    count = len(parent_from_child)
+    return rr.Transform3D.columns(
+        translation=parent_from_child.translation.astype(np.float32),
+        quaternion=quaternion_xyzw(parent_from_child),
+        parent_frame=[parent] * count,
+        child_frame=[child] * count,
+    )

@@ -1,0 +1,212 @@
+"""Repairs of structure: blocks that are not closed, or closed without having been opened.
+
+A parser notices a missing ENDIF only at the end of the routine. Which block it belongs to is told
+by the columns of the lines, as a reader would.
+"""
+
+from __future__ import annotations
+
+from rapidsim.diagnostics import Diagnostic, Related, Span
+from rapidsim.syntax.blocks import (
+    CLOSERS,
+    DIVIDERS,
+    ITEMS,
+    OPENERS,
+    ROUTINES,
+    Block,
+    closed_blocks,
+    open_blocks,
+)
+from rapidsim.syntax.recognition import START, in_list, takes
+from rapidsim.syntax.situation import Patch, Row, Situation, Token, deletion
+from rapidsim.syntax.spelling import distance
+from rapidsim.syntax.stored_table import rapid_table
+from rapidsim.syntax.table import END
+from rapidsim.syntax.token_repairs import respelling
+from rapidsim.syntax.violations import StrayBlockWord, UnclosedBlock
+
+_MOST_SLIPS = 2
+
+
+def unclosed_block(at: Situation) -> Patch | None:
+    """Close the block that should have been closed before this word."""
+    row = at.row
+    index = at.index
+    if row.kinds[index] in ITEMS and index and row.kinds[index - 1] == "LOCAL":
+        index -= 1  # LOCAL alone could still have begun a declaration
+    blocks = open_blocks(row.kinds, at.module, index)
+    wanted = _wanted(row.kinds[at.index])
+    if wanted is None or not blocks:
+        return None
+    if at.kind in {END, "MODULE"}:
+        return _cut_short(at, blocks)
+    inner: list[Block] = []
+    for block in reversed(blocks):
+        if block.kind in wanted and not (block is blocks[-1] and _is_divided(block, at.kind)):
+            break
+        inner.append(block)
+    else:
+        return None  # no block that is open is meant by this word
+    if not inner:
+        return None
+    return (
+        _misspelt_closer(at, inner[0], index)
+        or _by_indentation(row, at.module, index, inner)
+        or _closing(row, inner[0], _dedent(row, inner[0], index), index)
+    )
+
+
+def stray_block_word(at: Situation) -> Patch | None:
+    """Find what should have opened the block that this word closes or divides, or drop it."""
+    row, kind = at.row, at.kind
+    wanted = _wanted(kind)
+    if wanted is None or kind == END or not in_list(at.stack):
+        return None
+    opener = _misspelt_opener(at, wanted)
+    if opener is not None:
+        return opener
+    if kind in ITEMS or kind == "MODULE":
+        return None
+    stop = at.index + 1
+    # What divides a block brings a condition or a colon along, which goes with it.
+    while stop < row.line_stop(at.index) and kind in {"ELSEIF", "CASE", "DEFAULT"}:
+        stop += 1
+    if row.kinds[stop] == "SEMICOLON":
+        stop += 1
+    names = " or ".join(sorted(wanted))
+    return deletion(row, at.index, stop, StrayBlockWord(kind, names))
+
+
+def _cut_short(at: Situation, blocks: list[Block]) -> Patch:
+    """The text or the module ends with blocks open: one report, however many they are."""
+    row = at.row
+    start = at.index
+    tokens: list[Token] = []
+    if not in_list(at.stack) and in_list(at.statement_stack):
+        start = at.statement
+        begin, end = row.starts[start], row.place_before(at.index)
+        if takes(at.statement_stack, ["BROKEN"]):
+            tokens.append(("BROKEN", begin, end))
+    place = row.place_before(at.index)
+    tokens += [(CLOSERS[block.kind], place, place) for block in reversed(blocks)]
+    outermost = blocks[0]
+    related = tuple(
+        Related(row.span(block.index, block.index + 1), f"this {block.kind} is open")
+        for block in blocks
+    )
+    line = row.span(outermost.index, outermost.index + 1).line
+    violation = UnclosedBlock(outermost.kind, CLOSERS[outermost.kind], line)
+    span = Span(row.source, place, place)
+    return Patch(start, at.index, tuple(tokens), Diagnostic(violation, span, related))
+
+
+def _wanted(kind: str) -> frozenset[str] | None:
+    """The kinds of block that must be innermost for a word to stand here."""
+    if kind in OPENERS:
+        return frozenset({OPENERS[kind]})
+    if kind in DIVIDERS:
+        return DIVIDERS[kind]
+    if kind in ITEMS:
+        return frozenset({"MODULE"})
+    if kind in {"MODULE", END}:
+        return frozenset()
+    return None
+
+
+def _is_divided(block: Block, kind: str) -> bool:
+    """Whether a block has had its ELSE or DEFAULT, after which no further division may come."""
+    return block.last_divider in {"ELSE", "DEFAULT"} and kind in {
+        "ELSE",
+        "ELSEIF",
+        "CASE",
+        "DEFAULT",
+    }
+
+
+def _misspelt_closer(at: Situation, block: Block, stop: int) -> Patch | None:
+    """A line that consists of a name much like the missing word."""
+    row = at.row
+    word = CLOSERS[block.kind]
+    for index in range(block.index + 1, stop):
+        if (
+            row.kinds[index] == "NAME"
+            and row.first_on_line(index)
+            and (row.first_on_line(index + 1) or row.kinds[index + 1] in {"SEMICOLON", END})
+            and distance(row.text(index).upper(), word) <= _MOST_SLIPS
+        ):
+            return respelling(row, index, index + 1, word)
+    return None
+
+
+def _by_indentation(row: Row, start: int, stop: int, inner: list[Block]) -> Patch | None:
+    """Blame a block whose closing word stands in the column of a block further out."""
+    outermost = inner[-1].index
+    for closed in closed_blocks(row.kinds, start, stop):
+        block, closer = closed.block, closed.closer
+        if block.index < outermost or not row.first_on_line(closer):
+            continue
+        column = row.column(closer)
+        own = row.column(row.line_begin(block.index))
+        if column < own and any(
+            row.column(row.line_begin(outer.index)) == column and outer.kind == block.kind
+            for outer in closed.around
+        ):
+            return _closing(row, block, closer, closer)
+    return None
+
+
+def _dedent(row: Row, block: Block, stop: int) -> int:
+    """Where a reader would expect the closing word: the first line that stands no deeper."""
+    column = row.column(row.line_begin(block.index))
+    index = row.line_stop(block.index)
+    if index >= stop or row.column(index) <= column:
+        return stop  # the body is not indented, so columns tell nothing
+    inside = {
+        closed.block.index: closed.closer
+        for closed in closed_blocks(row.kinds, block.index + 1, stop)
+    }
+    while index < stop:
+        if index in inside:
+            index = inside[index]
+        elif (
+            row.first_on_line(index)
+            and row.column(index) <= column
+            and block.kind not in DIVIDERS.get(row.kinds[index], frozenset())
+        ):
+            return index
+        index += 1
+    return stop
+
+
+def _closing(row: Row, block: Block, index: int, latest: int) -> Patch:
+    """Close a block before a token; if the parser does not follow there, at the latest place."""
+    if index != latest and row.kinds[index - 1] not in {"SEMICOLON", *OPENERS, "THEN", "DO"}:
+        index = latest
+    word = CLOSERS[block.kind]
+    place = row.place_before(index)
+    opener = row.span(block.index, block.index + 1)
+    violation = UnclosedBlock(block.kind, word, opener.line)
+    related = (Related(opener, f"this {block.kind} is open"),)
+    span = Span(row.source, place, place)
+    return Patch(index, index, ((word, place, place),), Diagnostic(violation, span, related))
+
+
+def _misspelt_opener(at: Situation, wanted: frozenset[str]) -> Patch | None:
+    """A line above that would open the block, were one word of it spelt right."""
+    row = at.row
+    words = rapid_table().words
+    routine = max(
+        (b.index for b in open_blocks(row.kinds, at.module, at.index) if b.kind in ROUTINES),
+        default=at.module,
+    )
+    meant = {*wanted, "THEN"} if "IF" in wanted else set(wanted)
+    for index in range(at.index - 1, routine, -1):
+        if row.kinds[index] != "NAME" or not row.text(index):
+            continue
+        near = [w for w in sorted(meant) if 0 < distance(row.text(index).upper(), w) <= _MOST_SLIPS]
+        for word in near:
+            patched = [*row.kinds[at.module : at.index + 1]]
+            patched[index - at.module] = words[word]
+            if takes(START, patched):
+                return respelling(row, index, index + 1, word)
+    return None

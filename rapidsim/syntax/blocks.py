@@ -1,0 +1,95 @@
+"""Match the words that open blocks with those that close them, by token kind alone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+
+CLOSERS = MappingProxyType(
+    {
+        "MODULE": "ENDMODULE",
+        "RECORD": "ENDRECORD",
+        "PROC": "ENDPROC",
+        "FUNC": "ENDFUNC",
+        "TRAP": "ENDTRAP",
+        "IF": "ENDIF",
+        "FOR": "ENDFOR",
+        "WHILE": "ENDWHILE",
+        "TEST": "ENDTEST",
+    }
+)
+"""The word that closes each block."""
+OPENERS = MappingProxyType({closer: opener for opener, closer in CLOSERS.items()})
+"""The word that opens what a word closes."""
+ROUTINES = frozenset({"PROC", "FUNC", "TRAP"})
+DIVIDERS = MappingProxyType(
+    {
+        "ELSE": frozenset({"IF"}),
+        "ELSEIF": frozenset({"IF"}),
+        "CASE": frozenset({"TEST"}),
+        "DEFAULT": frozenset({"TEST"}),
+        "ERROR": ROUTINES,
+        "UNDO": ROUTINES,
+        "BACKWARD": frozenset({"PROC"}),
+    }
+)
+"""Words that divide a block, and the blocks they divide."""
+ITEMS = frozenset({"PROC", "FUNC", "TRAP", "RECORD", "ALIAS"})
+"""Words that begin what cannot stand in a routine."""
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """An open block: the kind and the index of the token that opens it."""
+
+    kind: str
+    index: int
+    last_divider: str | None = None
+    """The latest ELSE, ELSEIF, CASE or DEFAULT in it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Closed:
+    """A block and the index of the token that closes it, with what was open around it then."""
+
+    block: Block
+    closer: int
+    around: tuple[Block, ...]
+
+
+def open_blocks(kinds: Sequence[str], start: int, stop: int) -> list[Block]:
+    """The blocks that tokens from `start` up to `stop` leave open, outermost first."""
+    blocks: list[Block] = []
+    for _ in _walk(kinds, start, stop, blocks):
+        pass
+    return blocks
+
+
+def closed_blocks(kinds: Sequence[str], start: int, stop: int) -> Iterator[Closed]:
+    """The blocks that are closed, in the order of their closing words."""
+    return _walk(kinds, start, stop, [])
+
+
+def _walk(kinds: Sequence[str], start: int, stop: int, blocks: list[Block]) -> Iterator[Closed]:
+    # Only THEN tells a block IF from a compact one, and only if no ELSEIF began its line.
+    pending_if: int | None = None
+    for index in range(start, stop):
+        kind = kinds[index]
+        if kind == "IF":
+            pending_if = index
+        elif kind == "THEN":
+            if pending_if is not None:
+                blocks.append(Block("IF", pending_if))
+                pending_if = None
+        elif kind == "SEMICOLON":
+            pending_if = None
+        elif kind in DIVIDERS:
+            pending_if = None
+            if blocks and blocks[-1].kind in DIVIDERS[kind]:
+                blocks[-1] = Block(blocks[-1].kind, blocks[-1].index, kind)
+        elif kind in CLOSERS:
+            blocks.append(Block(kind, index))
+        elif kind in OPENERS and blocks and blocks[-1].kind == OPENERS[kind]:
+            block = blocks.pop()
+            yield Closed(block, index, tuple(blocks))

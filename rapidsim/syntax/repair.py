@@ -1,0 +1,156 @@
+"""Change the tokens of a file with syntax errors until they parse, with a report a change.
+
+Skipping from an error to the next semicolon finds few errors and blames the wrong lines. Here every
+error is answered by the smallest change of the tokens that lets the parse go on, tried in the
+order of `REPAIRS`; the parse then goes on from the last statement before the change. The
+result is a row of tokens that the grammar describes, so the tree builder need not know of errors.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+from rapidsim.diagnostics import Diagnostic, Source
+from rapidsim.syntax.block_repairs import stray_block_word, unclosed_block
+from rapidsim.syntax.blocks import CLOSERS, open_blocks
+from rapidsim.syntax.head_repairs import broken_head, panic, text_outside_modules
+from rapidsim.syntax.lexer import Tokens
+from rapidsim.syntax.recognition import START, advance, in_file, in_list
+from rapidsim.syntax.situation import Patch, Row, Situation
+from rapidsim.syntax.token_repairs import (
+    BLOCK_WORDS,
+    half_readable_word,
+    missing_semicolon,
+    missing_token,
+    misspelt_word,
+    name_with_parentheses,
+    reserved_name,
+    semicolon_before,
+    square_index,
+    unknown_character,
+    wrong_token,
+)
+from rapidsim.syntax.violations import BrokenSyntax
+
+REPAIRS: tuple[Callable[[Situation], Patch | None], ...] = (
+    text_outside_modules,
+    unknown_character,
+    # Before the semicolon, or `EDNIF` would get one and be a call.
+    misspelt_word,
+    reserved_name,
+    missing_semicolon,
+    unclosed_block,
+    stray_block_word,
+    name_with_parentheses,
+    square_index,
+    missing_token,
+    wrong_token,
+    half_readable_word,
+    broken_head,
+    panic,
+)
+"""In the order tried."""
+MOST_REPAIRS = 200
+
+# After these a statement or declaration may begin in the middle of a line.
+_BEFORE_STATEMENT = frozenset(
+    {"SEMICOLON", "THEN", "ELSE", "DO", "COLON", "SMT", "BROKEN"} | BLOCK_WORDS
+)
+
+
+@dataclass(frozen=True, slots=True)
+class _Checkpoint:
+    """A place where a statement, declaration or module begins."""
+
+    index: int
+    stack: tuple[int, ...]
+    module: int
+    """The first token of the module it stands in."""
+
+
+def repaired(tokens: Tokens, source: Source) -> tuple[Tokens, tuple[Diagnostic, ...]]:
+    """Make tokens parse.
+
+    Returns:
+        Tokens that the grammar accepts, and one diagnostic for each change.
+    """
+    row = Row.of(tokens, source)
+    diagnostics: list[Diagnostic] = []
+    checkpoints = [_Checkpoint(0, START, 0)]
+    stack = list(START)
+    index = 0
+    while index < len(row.kinds):
+        kind = row.kinds[index]
+        if _may_begin(row, index) and index > checkpoints[-1].index:
+            if in_file(stack):
+                checkpoints.append(_Checkpoint(index, tuple(stack), index))
+            elif in_list(stack):
+                checkpoints.append(_Checkpoint(index, tuple(stack), checkpoints[-1].module))
+        if advance(stack, kind):
+            index += 1
+            continue
+        latest = checkpoints[-1]
+        situation = Situation(row, index, tuple(stack), latest.index, latest.stack, latest.module)
+        if len(diagnostics) == MOST_REPAIRS:
+            patch = _give_up(situation)
+        else:
+            patch = next(p for p in (repair(situation) for repair in REPAIRS) if p is not None)
+        diagnostics.append(patch.diagnostic)
+        _apply(row, patch)
+        while checkpoints[-1].index > patch.start:
+            checkpoints.pop()
+        index, stack = checkpoints[-1].index, list(checkpoints[-1].stack)
+    changed = replace(tokens, kinds=row.kinds, starts=row.starts, ends=row.ends)
+    return changed, tuple(diagnostics)
+
+
+def cut_calls_ended(
+    tokens: Tokens, source: Source, offsets: Sequence[int]
+) -> tuple[Tokens, tuple[Diagnostic, ...]]:
+    """Put the missing semicolons before arguments that are statements.
+
+    Args:
+        tokens: Tokens that parse.
+        source: Their text.
+        offsets: Where those arguments begin.
+    """
+    row = Row.of(tokens, source)
+    diagnostics = []
+    for offset in sorted(offsets, reverse=True):
+        index = bisect_left(row.starts, offset)
+        while row.ends[index] == offset:
+            index += 1  # a token of no width that an earlier repair has put there
+        patch = semicolon_before(row, row.line_begin(index - 1), index)
+        diagnostics.append(patch.diagnostic)
+        _apply(row, patch)
+    changed, found = repaired(
+        replace(tokens, kinds=row.kinds, starts=row.starts, ends=row.ends), source
+    )
+    return changed, (*reversed(diagnostics), *found)
+
+
+def _may_begin(row: Row, index: int) -> bool:
+    return (
+        (index > 0 and row.kinds[index - 1] in _BEFORE_STATEMENT)
+        or row.kinds[index] in BLOCK_WORDS
+        or row.first_on_line(index)
+    )
+
+
+def _apply(row: Row, patch: Patch) -> None:
+    row.kinds[patch.start : patch.stop] = [kind for kind, _, _ in patch.tokens]
+    row.starts[patch.start : patch.stop] = [start for _, start, _ in patch.tokens]
+    row.ends[patch.start : patch.stop] = [end for _, _, end in patch.tokens]
+
+
+def _give_up(at: Situation) -> Patch:
+    """Leave out what follows, and close what is open."""
+    row = at.row
+    blocks = open_blocks(row.kinds, at.module, at.statement)
+    place = row.place_before(at.statement)
+    closers = tuple((CLOSERS[block.kind], place, place) for block in reversed(blocks))
+    violation = BrokenSyntax("the rest of the file", f"it follows {MOST_REPAIRS} syntax errors")
+    span = row.span(at.index, at.index + 1)
+    return Patch(at.statement, len(row.kinds) - 1, closers, Diagnostic(violation, span))

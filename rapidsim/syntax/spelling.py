@@ -1,0 +1,40 @@
+"""Which reserved word a misspelt word may stand for."""
+
+from __future__ import annotations
+
+from rapidsim.syntax.stored_table import rapid_table
+
+_SHORT = 4
+
+
+def near_words(text: str) -> list[tuple[int, str]]:
+    """Reserved words that a name may be a slip for, nearest first, each with its distance.
+
+    One slip is allowed in a word of up to four letters, two in a longer one.
+    """
+    written = text.upper()
+    found = []
+    for word in rapid_table().words:
+        allowed = 1 if min(len(word), len(written)) <= _SHORT else 2
+        if abs(len(word) - len(written)) <= allowed:
+            slips = distance(written, word)
+            if 0 < slips <= allowed:
+                found.append((slips, word))
+    return sorted(found)
+
+
+def distance(a: str, b: str) -> int:
+    """How many letters must be put in, left out, changed or swapped with their neighbour.
+
+    Source: optimal string alignment, the restricted Damerau-Levenshtein distance.
+    """
+    two_above: list[int] = []
+    above: list[int] = []
+    row = list(range(len(b) + 1))
+    for i, letter in enumerate(a, 1):
+        two_above, above, row = above, row, [i]
+        for j, other in enumerate(b, 1):
+            row.append(min(above[j] + 1, row[j - 1] + 1, above[j - 1] + (letter != other)))
+            if i > 1 and j > 1 and letter == b[j - 2] and a[i - 2] == other:
+                row[j] = min(row[j], two_above[j - 2] + 1)
+    return row[-1]

@@ -1,0 +1,272 @@
+"""Repairs of one token: a word misspelt, a mark missing, too much or wrong.
+
+Each is believed only if the tokens that follow then parse.
+"""
+
+from __future__ import annotations
+
+from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Span
+from rapidsim.syntax import wording
+from rapidsim.syntax.blocks import CLOSERS, DIVIDERS, ITEMS, OPENERS
+from rapidsim.syntax.lexer import UNKNOWN, lex
+from rapidsim.syntax.recognition import in_list, takes
+from rapidsim.syntax.situation import (
+    LOOKAHEAD,
+    Patch,
+    Row,
+    Situation,
+    deletion,
+    insertion,
+    replacement,
+)
+from rapidsim.syntax.spelling import near_words
+from rapidsim.syntax.stored_table import rapid_table
+from rapidsim.syntax.table import END
+from rapidsim.syntax.violations import (
+    MissingSemicolon,
+    MissingSymbol,
+    MisspeltWord,
+    NameWithParentheses,
+    ReservedName,
+    SquareIndex,
+    UnexpectedSymbol,
+    UnknownCharacter,
+)
+
+BLOCK_WORDS = frozenset({*CLOSERS, *OPENERS, *DIVIDERS, *ITEMS, END})
+"""Kinds that tell where one is in the structure of a file."""
+# In the order tried: what closes before what separates before what begins.
+_MISSING = (
+    "SEMICOLON",
+    "RPAR",
+    "RSQB",
+    "RBRACE",
+    "COMMA",
+    "THEN",
+    "DO",
+    "BECOMES",
+    "COLON",
+    "EXP",
+    "LPAR",
+    "BACKSLASH",
+    "PERCENT",
+    "TO",
+    "FROM",
+    "WITH",
+    "NAME",
+)
+_BRACKETS = {"RPAR": "LPAR", "RSQB": "LSQB", "RBRACE": "LBRACE"}
+# Name with a part in parentheses: longer ones are more likely something else.
+_LONGEST_PART = 8
+
+
+def unknown_character(at: Situation) -> Patch | None:
+    """Drop characters that RAPID does not have."""
+    row, stop = at.row, at.index
+    while row.kinds[stop] == UNKNOWN and (
+        stop == at.index or row.starts[stop] == row.ends[stop - 1]
+    ):
+        stop += 1
+    if stop == at.index:
+        return None
+    characters = row.span(at.index, stop).text
+    return deletion(row, at.index, stop, UnknownCharacter(characters))
+
+
+def misspelt_word(at: Situation) -> Patch | None:
+    """Find the name in the statement that is a reserved word gone wrong."""
+    return _respelt(at, at.index + LOOKAHEAD) or _split_word(at)
+
+
+def half_readable_word(at: Situation) -> Patch | None:
+    """The same where there is another error soon after."""
+    return _respelt(at, at.index + 1)
+
+
+def _respelt(at: Situation, stop: int) -> Patch | None:
+    """The respelling, nearest first, with which the parse gets up to a token."""
+    row = at.row
+    best: tuple[int, int, int, str] | None = None
+    for index in range(at.statement, at.index + 1):
+        if row.kinds[index] != "NAME" or row.starts[index] == row.ends[index]:
+            continue
+        for slips, word in near_words(row.text(index)):
+            kinds = row.kinds[at.statement : at.index + LOOKAHEAD]
+            kinds[index - at.statement] = rapid_table().words[word]
+            reached = at.reaches(kinds)
+            if at.statement + reached >= min(stop, len(row.kinds)):
+                candidate = (slips, -reached, index, word)
+                best = min(best, candidate) if best else candidate
+    if best is None:
+        return None
+    _, _, index, word = best
+    return respelling(row, index, index + 1, word)
+
+
+def respelling(row: Row, start: int, stop: int, word: str) -> Patch:
+    """Read what stands there as a reserved word."""
+    span = row.span(start, stop)
+    fix = Fix(f"Write {word}", (Edit(span, word),))
+    violation = MisspeltWord(" ".join(span.text.split()), word)
+    return replacement(row, start, stop, rapid_table().words[word], violation, fix)
+
+
+def _split_word(at: Situation) -> Patch | None:
+    """`END IF` for ENDIF."""
+    row = at.row
+    for first in (at.index, at.index - 1):
+        if first < at.statement or row.kinds[first] != "NAME" or row.kinds[first + 1] == END:
+            continue
+        word = (row.text(first) + row.text(first + 1)).upper()
+        kind = rapid_table().words.get(word)
+        if kind and takes(at.statement_stack, [*row.kinds[at.statement : first], kind]):
+            return respelling(row, first, first + 2, word)
+    return None
+
+
+def missing_semicolon(at: Situation) -> Patch | None:
+    """Put a semicolon at the end of a line, when the next line then parses."""
+    row = at.row
+    candidates = [
+        index
+        for index in range(at.index, at.statement, -1)
+        if row.first_on_line(index) or (index == at.index and row.kinds[index] in BLOCK_WORDS)
+    ]
+    for index in candidates:
+        before = row.kinds[at.statement : index]
+        after = row.kinds[index : at.index + LOOKAHEAD]
+        stack_takes = takes(at.statement_stack, [*before, "SEMICOLON", *after])
+        if stack_takes and not _ends_statement(before):
+            return semicolon_before(row, at.statement, index)
+    return None
+
+
+def semicolon_before(row: Row, statement: int, index: int) -> Patch:
+    """End the statement that begins at one token before another one."""
+    place = row.place_before(index)
+    span = Span(row.source, place, place)
+    patch = insertion(
+        row, index, "SEMICOLON", MissingSemicolon(wording.construct(row, statement, index))
+    )
+    fix = Fix("Add `;`", (Edit(span, ";"),))
+    diagnostic = Diagnostic(patch.diagnostic.violation, span, fix=fix)
+    return Patch(patch.start, patch.stop, patch.tokens, diagnostic)
+
+
+def reserved_name(at: Situation) -> Patch | None:
+    """Read a reserved word as a name where nothing but a name can stand."""
+    row, index = at.row, at.index
+    word = row.text(index).upper()
+    if word not in rapid_table().words or row.first_on_line(index):
+        return None
+    only_a_name = takes(at.stack, ["NAME"]) and not takes(at.stack, ["NUMBER"])
+    if not only_a_name or in_list(at.stack) or not at.goes_on(["NAME"], index + 1, 2):
+        return None
+    return replacement(row, index, index + 1, "NAME", ReservedName(row.text(index)))
+
+
+def name_with_parentheses(at: Situation) -> Patch | None:
+    """Drop the part in parentheses of a declared name such as `grip(open)`."""
+    row, index = at.row, at.index
+    if at.kind != "LPAR" or row.kinds[index - 1] != "NAME":
+        return None
+    closing = next(
+        (
+            i
+            for i in range(index + 1, min(index + _LONGEST_PART, len(row.kinds)))
+            if row.kinds[i] == "RPAR"
+        ),
+        None,
+    )
+    if closing is None or not at.goes_on([], closing + 1, 3):
+        return None
+    written = row.span(index - 1, closing + 1).text
+    return deletion(row, index, closing + 1, NameWithParentheses(written))
+
+
+def square_index(at: Situation) -> Patch | None:
+    """Read `a[1]` as `a{1}`."""
+    row = at.row
+    for opening in range(at.index, max(at.index - 3, at.statement), -1):
+        if (
+            row.kinds[opening] not in {"LITERALS", "LSQB"}
+            or row.kinds[opening - 1] != "NAME"
+            or row.starts[opening] != row.ends[opening - 1]
+        ):
+            continue
+        stop = opening + 1
+        if row.kinds[opening] == "LITERALS":
+            first = row.starts[opening] + 1
+            inner = lex(row.text(opening)[1:-1])
+            indices = [
+                (kind, first + start, first + end)
+                for kind, start, end in zip(inner.kinds, inner.starts, inner.ends, strict=True)
+            ][:-1]
+        else:
+            while row.kinds[stop - 1] not in {"RSQB", "SEMICOLON", END}:
+                stop += 1
+            indices = [row.token(index) for index in range(opening + 1, stop - 1)]
+        span = row.span(opening, stop)
+        tokens = (
+            ("LBRACE", span.start, span.start + 1),
+            *indices,
+            ("RBRACE", span.end - 1, span.end),
+        )
+        kinds = [kind for kind, _, _ in tokens]
+        before = row.kinds[at.statement : opening]
+        if takes(at.statement_stack, [*before, *kinds, *row.kinds[stop : stop + 2]]):
+            diagnostic = Diagnostic(SquareIndex(row.text(opening - 1)), span)
+            return Patch(opening, stop, tokens, diagnostic)
+    return None
+
+
+def missing_token(at: Situation) -> Patch | None:
+    """Put in the one token that lets the parse go on."""
+    row, index = at.row, at.index
+    for kind in _MISSING:
+        if not at.goes_on([kind], index):
+            continue
+        if kind == "SEMICOLON":
+            if in_list(at.stack):
+                continue
+            return semicolon_before(row, at.statement, index)
+        violation = MissingSymbol(wording.symbol(kind), wording.construct(row, at.statement, index))
+        return insertion(row, index, kind, violation, _opening(at, kind))
+    return None
+
+
+def wrong_token(at: Situation) -> Patch | None:
+    """Leave one token out, or read it as another."""
+    row, index = at.row, at.index
+    if at.kind == END:
+        return None
+    where = wording.construct(row, at.statement, index)
+    written = wording.token(row, index)
+    if at.kind == "BECOMES" and at.goes_on(["EQUAL"], index + 1):
+        violation = UnexpectedSymbol("`:=`, which assigns where `=` compares,", where)
+        return replacement(row, index, index + 1, "EQUAL", violation)
+    if at.kind in BLOCK_WORDS:
+        return None
+    if at.goes_on([], index + 1):
+        return deletion(row, index, index + 1, UnexpectedSymbol(written, where))
+    for kind in ("COMMA", "SEMICOLON", "BECOMES", "COLON", "RPAR", "RBRACE", "RSQB", "LPAR", "EXP"):
+        if at.goes_on([kind], index + 1):
+            violation = UnexpectedSymbol(f"{written} instead of {wording.symbol(kind)}", where)
+            return replacement(row, index, index + 1, kind, violation)
+    return None
+
+
+def _ends_statement(kinds: list[str]) -> bool:
+    return not kinds or kinds[-1] == "SEMICOLON"
+
+
+def _opening(at: Situation, closing: str) -> tuple[Related, ...]:
+    """The bracket that a missing one would close."""
+    opener = _BRACKETS.get(closing)
+    depth = 0
+    for index in range(at.index - 1, at.statement - 1, -1):
+        kind = at.row.kinds[index]
+        depth += (kind == closing) - (kind == opener)
+        if opener and depth < 0:
+            return (Related(at.row.span(index, index + 1), "opened here"),)
+    return ()

@@ -1,0 +1,198 @@
+"""Rounded bodies to build robot links from: discs, tubes, hulls and lathed parts, with paint.
+
+Lengths are metres, in the frame of the link that the body belongs to. A body is a convex cloud of
+points with rounded edges, or the hull of several; bodies may overlap, which no viewer minds.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+import trimesh
+from trimesh.visual.material import PBRMaterial
+from trimesh.visual.texture import TextureVisuals
+
+Array = npt.NDArray[np.float64]
+Point = tuple[float, float, float]
+
+AROUND = 40
+"""Points around a disc."""
+FILLET_STEPS = 4
+"""Points along a rounded edge."""
+CREASE = np.radians(38.0)
+"""Faces that meet at more than this keep a sharp edge between them."""
+
+X, Y, Z = 0, 1, 2
+
+
+@dataclass(frozen=True)
+class Paint:
+    """A colour, linear RGB, and how it shines."""
+
+    name: str
+    rgb: tuple[float, float, float]
+    roughness: float
+    metallic: float = 0.0
+
+
+ORANGE = Paint("orange", (1.0, 0.175, 0.012), 0.55)
+GRAPHITE = Paint("graphite", (0.035, 0.037, 0.042), 0.6)
+DARK = Paint("dark", (0.012, 0.012, 0.014), 0.5)
+STEEL = Paint("steel", (0.42, 0.43, 0.45), 0.4, 0.3)
+
+
+@dataclass(frozen=True)
+class Body:
+    """A painted surface."""
+
+    mesh: trimesh.Trimesh
+    paint: Paint
+
+
+def disc(
+    centre: Point, axis: int, radius: float, width: float, edge: float, around: int = AROUND
+) -> Array:
+    """Points of a disc with rounded edges.
+
+    Args:
+        centre: Its middle.
+        axis: X, Y or Z, along which it is `width` wide.
+        radius: Outer radius.
+        width: Overall width.
+        edge: Radius of the rounded edges.
+        around: Points around.
+    """
+    bow = np.linspace(0.0, np.pi / 2.0, FILLET_STEPS + 1)
+    radii = radius - edge + edge * np.cos(bow)
+    heights = width / 2.0 - edge + edge * np.sin(bow)
+    profile = np.concatenate(
+        [np.column_stack([radii, heights]), np.column_stack([radii, -heights])[::-1]]
+    )
+    return _turn(profile, centre, axis, around)
+
+
+def ball(centre: Point, radius: float) -> Array:
+    """Points of a sphere."""
+    bow = np.linspace(-np.pi / 2.0, np.pi / 2.0, 4 * FILLET_STEPS + 1)
+    profile = radius * np.column_stack([np.cos(bow), np.sin(bow)])
+    return _turn(profile, centre, Z, AROUND // 2)
+
+
+def block(centre: Point, size: Point, edge: float) -> Array:
+    """Points of a box with rounded edges."""
+    half = np.array(size) / 2.0 - edge
+    corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]) * half
+    return np.concatenate([_small_ball(corner + np.array(centre), edge) for corner in corners])
+
+
+def hull(paint: Paint, *clouds: Array) -> Body:
+    """The tightest convex skin around clouds of points."""
+    return Body(trimesh.convex.convex_hull(np.concatenate(clouds)), paint)
+
+
+def lathe(paint: Paint, profile: list[tuple[float, float]], centre: Point, axis: int) -> Body:
+    """A body of revolution.
+
+    Args:
+        paint: Its colour.
+        profile: (radius, height) from the lower to the upper end; both ends are closed.
+        centre: Where height 0 is.
+        axis: X, Y or Z.
+    """
+    points = np.array([(0.0, profile[0][1]), *profile, (0.0, profile[-1][1])])
+    vertices = _turn(points, centre, axis, AROUND)
+    rings = len(points)
+    faces = []
+    for step in range(AROUND):
+        here, there = step * rings, ((step + 1) % AROUND) * rings
+        for ring in range(rings - 1):
+            a, b = here + ring, here + ring + 1
+            c, d = there + ring, there + ring + 1
+            faces += [(a, c, b), (c, d, b)]
+    mesh = trimesh.Trimesh(vertices, np.array(faces), process=False)
+    mesh.merge_vertices()
+    mesh.update_faces(mesh.nondegenerate_faces())
+    if mesh.volume < 0.0:
+        mesh.invert()
+    return Body(mesh, paint)
+
+
+def mirrored(body: Body) -> Body:
+    """The same body on the other side of the plane y = 0."""
+    mesh = body.mesh.copy()
+    mesh.vertices = mesh.vertices * np.array([1.0, -1.0, 1.0])
+    mesh.invert()
+    return Body(mesh, body.paint)
+
+
+def glb(bodies: list[Body]) -> bytes:
+    """Bodies as binary glTF with smooth normals, one mesh a paint."""
+    scene = trimesh.Scene()
+    for paint in sorted({body.paint.name: body.paint for body in bodies}.values(), key=_name):
+        painted = [_shaded(body.mesh) for body in bodies if body.paint is paint]
+        starts = np.cumsum([0, *(len(vertices) for vertices, _, _ in painted)])
+        mesh = trimesh.Trimesh(
+            vertices=np.concatenate([vertices for vertices, _, _ in painted]),
+            vertex_normals=np.concatenate([normals for _, normals, _ in painted]),
+            faces=np.concatenate(
+                [faces + start for (_, _, faces), start in zip(painted, starts, strict=False)]
+            ),
+            process=False,
+            visual=TextureVisuals(
+                material=PBRMaterial(
+                    name=paint.name,
+                    baseColorFactor=np.array([*(round(255 * c) for c in paint.rgb), 255], np.uint8),
+                    metallicFactor=paint.metallic,
+                    roughnessFactor=paint.roughness,
+                )
+            ),
+        )
+        scene.add_geometry(mesh, geom_name=paint.name, node_name=paint.name)
+    data = trimesh.exchange.gltf.export_glb(scene, include_normals=True)
+    assert isinstance(data, bytes)
+    return data
+
+
+def _name(paint: Paint) -> str:
+    return paint.name
+
+
+def _small_ball(centre: Array, radius: float) -> Array:
+    bow = np.linspace(-np.pi / 2.0, np.pi / 2.0, 2 * FILLET_STEPS + 1)
+    profile = radius * np.column_stack([np.cos(bow), np.sin(bow)])
+    return _turn(profile, tuple(centre), Z, 4 * FILLET_STEPS)
+
+
+def _turn(profile: Array, centre: Point, axis: int, around: int) -> Array:
+    """Points (around * k, 3) of a profile (k, 2) of radii and heights, turned about an axis."""
+    angles = np.arange(around) * (2.0 * np.pi / around)
+    radii, heights = profile[None, :, 0], profile[None, :, 1]
+    points = np.empty((around, len(profile), 3))
+    points[..., axis] = heights
+    points[..., (axis + 1) % 3] = radii * np.cos(angles)[:, None]
+    points[..., (axis + 2) % 3] = radii * np.sin(angles)[:, None]
+    return points.reshape(-1, 3) + np.array(centre)
+
+
+def _shaded(mesh: trimesh.Trimesh) -> tuple[Array, Array, npt.NDArray[np.int64]]:
+    """Vertices, normals and faces with a vertex for each smooth side of it.
+
+    The normal of a corner is the mean of the faces around it that lie within the crease angle,
+    weighted by area: large flat faces stay flat and their rounded edges take up the turn.
+    """
+    faces, normals, areas = mesh.faces, mesh.face_normals, mesh.area_faces
+    corner_of_face = faces.reshape(-1)  # (3 f,)
+    face_of_corner = np.repeat(np.arange(len(faces)), 3)
+    order = np.argsort(corner_of_face, kind="stable")
+    by_vertex = np.split(order, np.flatnonzero(np.diff(corner_of_face[order])) + 1)
+    corner_normals = np.empty((len(corner_of_face), 3))
+    for corners in by_vertex:
+        around = face_of_corner[corners]
+        alike = normals[around] @ normals[around].T > np.cos(CREASE)
+        weighted = (alike * areas[around]) @ normals[around]
+        corner_normals[corners] = weighted / np.linalg.norm(weighted, axis=1, keepdims=True)
+    keys = np.column_stack([corner_of_face, np.round(corner_normals * 500.0)]).astype(np.int64)
+    _, first, index = np.unique(keys, axis=0, return_index=True, return_inverse=True)
+    return mesh.vertices[corner_of_face[first]], corner_normals[first], index.reshape(-1, 3)

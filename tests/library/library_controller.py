@@ -1,0 +1,197 @@
+"""A controller that records what routines ask of it, and a way to call routines by name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from rapidsim.diagnostics import Source, Span
+from rapidsim.language.controller import FileMode, MotionSettings, Move, Place
+from rapidsim.language.data import (
+    NO_EXTERNAL_AXES,
+    TOOL0,
+    WOBJ0,
+    ConfData,
+    JointTarget,
+    Orient,
+    Pos,
+    RobJoint,
+    RobTarget,
+    ToolData,
+    WobjData,
+)
+from rapidsim.language.error_numbers import ERR_FILEOPEN, ERR_OUTSIDE_REACH, rapid_error
+from rapidsim.library.catalogue import ROUTINES
+
+CONF = ConfData(0.0, 0.0, 0.0, 0.0)
+HOME = RobTarget(Pos(500.0, 0.0, 800.0), Orient(0.0, 0.0, 1.0, 0.0), CONF, NO_EXTERNAL_AXES)
+JOINTS = JointTarget(RobJoint(0.0, 10.0, 20.0, 0.0, 30.0, 0.0), NO_EXTERNAL_AXES)
+
+
+def call(name: str, *arguments: Any, **options: Any) -> Any:
+    """Call a routine that needs no controller."""
+    return ROUTINES[name.lower()].body(*arguments, **options)
+
+
+class MemoryFile:
+    def __init__(self, content: bytearray) -> None:
+        self.content = content
+        self.at = 0
+        self.closed = False
+
+    def write(self, data: bytes) -> None:
+        self.content += data
+
+    def read_line(self) -> bytes | None:
+        end = self.content.find(b"\n", self.at)
+        end = len(self.content) if end < 0 else end
+        if self.at >= len(self.content):
+            return None
+        line = bytes(self.content[self.at : end])
+        self.at = end + 1
+        return line
+
+    def read(self, count: int) -> bytes:
+        data = bytes(self.content[self.at : self.at + count])
+        self.at += len(data)
+        return data
+
+    def rewind(self) -> None:
+        self.at = 0
+
+    def close(self) -> None:
+        self.closed = True
+
+
+@dataclass
+class RecordingController:
+    """Implements `language.controller.Controller` with nothing behind it."""
+
+    time_s: float = 0.0
+    left: int = 0
+    errno: float = 0.0
+    intno: float = 0.0
+    place: Place = field(default_factory=lambda: Place(Span(Source("", ""), 0, 0), "main"))
+    settings: MotionSettings = field(default_factory=MotionSettings)
+    moves: list[Move] = field(default_factory=list)
+    log: list[str] = field(default_factory=list)
+    unsimulated: list[tuple[str, str]] = field(default_factory=list)
+    signals: dict[str, float] = field(default_factory=dict)
+    files: dict[str, bytearray] = field(default_factory=dict)
+    number: float = 0.0
+    choice: int = 0
+    text: str = ""
+    booked: float = 20500.0
+    in_reach: bool = True
+
+    def call(self, name: str, *arguments: Any, **options: Any) -> Any:
+        """Call a routine, with this controller if it wants one."""
+        row = ROUTINES[name.lower()]
+        first = (self,) if row.signature.takes_controller else ()
+        return row.body(*first, *arguments, **options)
+
+    def now(self) -> float:
+        return self.time_s
+
+    def wait(self, seconds: float, *, in_position: bool = False) -> None:
+        self.time_s += seconds
+        self.log.append(f"wait {seconds:g}{' in position' if in_position else ''}")
+
+    def wait_until(
+        self, condition: Callable[[], bool], *, max_time: float | None = None, poll_s: float = 0.1
+    ) -> bool:
+        self.log.append(f"wait until, max {max_time}, every {poll_s:g}")
+        return condition()
+
+    def service(self) -> None:
+        raise AssertionError("nothing is due here")
+
+    def move(self, move: Move) -> None:
+        self.moves.append(move)
+
+    def current_joints(self) -> JointTarget:
+        return JOINTS
+
+    def current_target(self, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
+        return HOME
+
+    def active_tool(self) -> ToolData:
+        return TOOL0
+
+    def active_wobj(self) -> WobjData:
+        return WOBJ0
+
+    def target_at(self, joints: JointTarget, tool: ToolData, wobj: WobjData) -> RobTarget:
+        return HOME
+
+    def joints_at(self, target: RobTarget, tool: ToolData, wobj: WobjData) -> JointTarget:
+        if not self.in_reach:
+            raise rapid_error(ERR_OUTSIDE_REACH, "too far")
+        return JOINTS
+
+    def show(self, text: str) -> None:
+        self.log.append(f"show {text}")
+
+    def clear_screen(self) -> None:
+        self.log.append("clear")
+
+    def ask_number(self, prompt: str) -> float:
+        self.log.append(f"number? {prompt}")
+        return self.number
+
+    def ask_choice(self, prompt: str, choices: Sequence[str]) -> int:
+        self.log.append(f"{prompt} {'|'.join(choices)}")
+        return self.choice
+
+    def ask_text(self, prompt: str, proposal: str) -> str:
+        self.log.append(f"text? {prompt}")
+        return self.text or proposal
+
+    def open_file(self, path: str, mode: FileMode) -> MemoryFile:
+        if mode is FileMode.READ and path not in self.files:
+            raise rapid_error(ERR_FILEOPEN, f"{path} is missing")
+        if mode is FileMode.WRITE:
+            self.files[path] = bytearray()
+        return MemoryFile(self.files.setdefault(path, bytearray()))
+
+    def connect(self, trap: Callable[[], None], trap_name: str) -> float:
+        raise AssertionError("CONNECT is no library routine")
+
+    def order_timer(self, interrupt: float, seconds: float, *, single: bool) -> None:
+        self.log.append(f"timer {interrupt:g} {seconds:g} {'once' if single else 'again'}")
+
+    def order_signal(
+        self, interrupt: float, signal: str, value: float | None, *, single: bool
+    ) -> None:
+        self.log.append(f"on {interrupt:g} {signal} {value} {'once' if single else 'again'}")
+
+    def delete_interrupt(self, interrupt: float) -> None:
+        self.log.append(f"delete {interrupt:g}")
+
+    def sleep_interrupt(self, interrupt: float, *, asleep: bool) -> None:
+        self.log.append(f"{'sleep' if asleep else 'watch'} {interrupt:g}")
+
+    def hold_interrupts(self, *, hold: bool) -> None:
+        self.log.append("hold" if hold else "serve")
+
+    def read_signal(self, name: str) -> float:
+        return self.signals.get(name.lower(), 0.0)
+
+    def write_signal(self, name: str, value: float, *, delay_s: float = 0.0) -> None:
+        self.log.append(f"{name} := {value:g}{f' after {delay_s:g}' if delay_s else ''}")
+        if not delay_s:
+            self.signals[name.lower()] = value
+
+    def wait_for_signal(
+        self, name: str, condition: Callable[[float], bool], *, max_time: float | None = None
+    ) -> bool:
+        self.log.append(f"wait for {name}, max {max_time}")
+        return condition(self.read_signal(name))
+
+    def book_error_number(self) -> float:
+        self.booked += 1.0
+        return self.booked
+
+    def not_simulated(self, routine: str, treated_as: str) -> None:
+        self.unsimulated.append((routine, treated_as))

@@ -1,0 +1,158 @@
+"""Rows of segments for tests of paths, timing and trajectories, on a catalogue arm."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.following import PathFault
+from rapidsim.motion.limits import Limits
+from rapidsim.motion.model import MotionModel
+from rapidsim.motion.path import Path, build_path
+from rapidsim.motion.robot import Robot, load_robot
+from rapidsim.motion.segments import Geometry, Segment, Speed, Waypoint, Zone
+from rapidsim.motion.turns import rotation_from_vector
+
+ROBOT: Robot = load_robot("irb1600-6-1.2")
+HOME = np.radians([0.0, 10.0, 5.0, 10.0, 60.0, 20.0])
+TOOL = Transform(rotation_from_vector(np.array([0.0, 0.3, 0.0])), np.array([0.05, 0.0, 0.2]))
+LIMITS = Limits(
+    max_speed=np.array([joint.max_speed or 1.0 for joint in ROBOT.joints]),
+    max_acceleration=np.array([(joint.max_speed or 1.0) / 0.16 for joint in ROBOT.joints]),
+)
+MODEL = MotionModel()
+V500 = Speed(0.5, np.radians(500.0))
+
+
+def zone(millimetres: float) -> Zone:
+    """A zone with the proportions of z10."""
+    metres = millimetres * 1e-3
+    return Zone(metres, 1.5 * metres, np.radians(0.15 * millimetres))
+
+
+@dataclass(repr=False)
+class Programmer:
+    """Writes segments one after the other from where the arm stands."""
+
+    robot: Robot = ROBOT
+    tool: Transform = TOOL
+    joints: Array = None  # type: ignore[assignment]
+    speed: Speed = V500
+    branch: int = 0
+
+    def __post_init__(self) -> None:
+        if self.joints is None:
+            self.joints = HOME
+        self.segments: list[Segment] = []
+
+    def __repr__(self) -> str:
+        moves = []
+        for s in self.segments:
+            step = s.end.base_from_tcp.translation - s.start.base_from_tcp.translation
+            if s.geometry is Geometry.JOINT:
+                step = s.end.joints - s.start.joints
+            radius = s.zone.position if s.zone else None
+            moves.append(f"{s.geometry.value} {step.tolist()} zone {radius}")
+        return "Programmer(\n  " + "\n  ".join(moves) + "\n)"
+
+    @property
+    def pose(self) -> Transform:
+        """base_from_tcp where the arm stands."""
+        return self.robot.kinematics.forward(self.joints) @ self.tool
+
+    def line(
+        self,
+        offset: Sequence[float] = (0.0, 0.0, 0.0),
+        turn: Sequence[float] = (0.0, 0.0, 0.0),
+        z: Zone | None = None,
+        *,
+        speed: Speed | None = None,
+        via: Sequence[float] | None = None,
+        **options: object,
+    ) -> Programmer:
+        """A line (or an arc through `via`) by an offset [m] and a turn [rad], both in base."""
+        start = self.pose
+        rotation = rotation_from_vector(np.array(turn)) @ start.rotation
+        end = Transform(rotation, start.translation + np.array(offset))
+        joints = self._joints_along(start, end)
+        self._add(
+            Geometry.LINE if via is None else Geometry.ARC,
+            Waypoint(joints, end),
+            z,
+            speed,
+            None if via is None else Transform(start.rotation, start.translation + np.array(via)),
+            options,
+        )
+        return self
+
+    def move(
+        self,
+        offset: Sequence[float],
+        z: Zone | None = None,
+        *,
+        speed: Speed | None = None,
+        **options: object,
+    ) -> Programmer:
+        """A joint move by an offset [rad] of the joints."""
+        joints = self.joints + np.array(offset)
+        end = Waypoint(joints, self.robot.kinematics.forward(joints) @ self.tool)
+        self._add(Geometry.JOINT, end, z, speed, None, options)
+        return self
+
+    def _joints_along(self, start: Transform, end: Transform) -> Array:
+        from_tcp = self.tool.inverse()
+        share = np.linspace(0.0, 1.0, 50)[:, None]
+        turn = end.rotation @ start.rotation.T
+        angle = np.arccos(np.clip((np.trace(turn) - 1.0) / 2.0, -1.0, 1.0))
+        axis = np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]])
+        axis = axis / max(float(np.linalg.norm(axis)), 1e-300) * angle
+        poses = Transform(
+            rotation_from_vector(share * axis) @ start.rotation,
+            start.translation + share * (end.translation - start.translation),
+        )
+        followed = self.robot.kinematics.inverse_on_branch(
+            poses @ from_tcp, self.branch, self.joints
+        )
+        joints: Array = followed.joints[-1]
+        return joints
+
+    def _add(
+        self,
+        geometry: Geometry,
+        end: Waypoint,
+        z: Zone | None,
+        speed: Speed | None,
+        via: Transform | None,
+        options: dict[str, object],
+    ) -> None:
+        segment = Segment(
+            index=len(self.segments),
+            geometry=geometry,
+            start=Waypoint(self.joints, self.pose),
+            end=end,
+            tcp_from_flange=self.tool.inverse(),
+            branch=self.branch,
+            speed=speed or self.speed,
+            zone=z,
+            via=via,
+        )
+        self.segments.append(replace(segment, **options))  # type: ignore[arg-type]
+        self.joints = end.joints
+
+
+def path_of(program: Programmer | Sequence[Segment], model: MotionModel = MODEL) -> Path:
+    """The path of a program that the arm can follow."""
+    path = path_or_fault(program, model)
+    assert isinstance(path, Path), path
+    return path
+
+
+def path_or_fault(
+    program: Programmer | Sequence[Segment], model: MotionModel = MODEL
+) -> Path | PathFault:
+    """What `build_path` says about a program."""
+    segments = program.segments if isinstance(program, Programmer) else program
+    return build_path(ROBOT, segments, model)

@@ -1,0 +1,93 @@
+"""The catalogue: what it holds, what it refuses, and why a pose cannot be reached."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rapidsim.frames.transform import Transform
+from rapidsim.motion.catalogue import find_entry, read_entry
+from rapidsim.motion.reach import why_unreachable
+from rapidsim.motion.robot import Robot, RobotError, load_robot, robot_names
+
+MEGABYTE = 1_000_000
+
+
+@pytest.fixture(params=robot_names(), scope="module")
+def robot(request: pytest.FixtureRequest) -> Robot:
+    return load_robot(request.param)
+
+
+def test_names_and_aliases() -> None:
+    assert {"irb120-3-0.58", "irb1600-6-1.2"} <= set(robot_names())
+    assert load_robot("irb1600").name == "irb1600-6-1.2"
+    assert load_robot("IRB120").title == "ABB IRB 120-3/0.58"
+
+
+def test_every_entry_is_complete(robot: Robot) -> None:
+    entry = find_entry(robot.name)
+    assert entry.sources
+    assert entry.checks
+    assert [joint.name for joint in robot.joints] == [f"joint_{n}" for n in range(1, 7)]
+    assert (robot.lower < robot.upper).all()
+    assert all(joint.max_speed and joint.max_speed > 0.0 for joint in robot.joints)
+    assert robot.reach_m is not None
+    assert entry.geometry.a1 + entry.geometry.reach == pytest.approx(robot.reach_m, abs=0.03)
+
+
+def test_home_of_the_irb_1600() -> None:
+    """Arm forward, flange in front: z out of the flange, x down."""
+    home = load_robot("irb1600").forward(np.zeros(6))
+    assert home.translation == pytest.approx([0.815, 0.0, 0.9615], abs=1e-12)
+    assert home.rotation == pytest.approx(np.array([[0, 0, 1], [0, 1, 0], [-1, 0, 0]]), abs=1e-12)
+
+
+def test_an_unknown_name_is_answered_with_near_ones() -> None:
+    with pytest.raises(RobotError, match=r"`irb160` .* near it are .*irb1600"):
+        load_robot("irb160")
+    with pytest.raises(RobotError, match=r"which holds .*irb120-3-0.58"):
+        load_robot("zzz")
+
+
+def test_a_faulty_entry_says_what_is_wrong(tmp_path: Path) -> None:
+    text = (find_entry("irb120").folder / "robot.toml").read_text()
+    folder = tmp_path / "irb120-3-0.58"
+    folder.mkdir()
+
+    def refused(faulty: str) -> str:
+        (folder / "robot.toml").write_text(faulty)
+        with pytest.raises(RobotError) as error:
+            read_entry(folder)
+        return str(error.value)
+
+    assert "structure `delta`" in refused(text.replace("ortho-parallel", "delta"))
+    assert "'zero' is missing" in refused(text.replace("[zero]", "[other]"))
+    assert "name `irb9`" in refused(text.replace('"irb120-3-0.58"', '"irb9"'))
+    assert "c9" in refused(text.replace("c1 =", "c9 ="))
+    assert "needs 6 joints" in refused(text[: text.rindex("[[joint]]")])
+    assert "robot.toml" in refused("= = =")
+
+
+def test_out_of_reach_says_by_how_much() -> None:
+    robot = load_robot("irb120")
+    g = find_entry("irb120").geometry
+    above = Transform(np.eye(3), np.array([0.0, 0.0, g.c1 + g.reach + g.c4 + 0.0472]))
+    reason = why_unreachable(robot, above)
+    assert reason is not None
+    assert reason.message == "wrist centre 47.2 mm beyond reach"
+    assert reason.shortfall == pytest.approx(0.0472)
+
+
+def test_a_joint_limit_says_which_and_by_how_much() -> None:
+    robot = load_robot("irb120")
+    pose = robot.forward(np.radians([0.0, 60.0, 74.1, 0.0, 30.0, 0.0]))
+    reason = why_unreachable(robot, pose, branch=0)
+    assert reason is not None
+    assert (reason.joint, reason.branch) == (3, 0)
+    assert reason.message == "joint 3 over by 4.1 deg at its upper limit"
+
+
+def test_within_limits_there_is_no_reason() -> None:
+    robot = load_robot("irb1600")
+    for joints in np.random.default_rng(8).uniform(robot.lower, robot.upper, (50, 6)):
+        assert why_unreachable(robot, robot.forward(joints)) is None

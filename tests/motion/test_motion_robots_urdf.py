@@ -1,0 +1,172 @@
+"""URDF files: those that ship say what the catalogue says; others are recognised or refused."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rapidsim.motion.catalogue import find_entry
+from rapidsim.motion.robot import Robot, RobotError, load_robot, robot_names
+
+MEGABYTE = 1_000_000
+SCRIPTS = Path(__file__).parents[2] / "scripts"
+
+
+@pytest.fixture(params=robot_names(), scope="module")
+def robot(request: pytest.FixtureRequest) -> Robot:
+    return load_robot(request.param)
+
+
+def test_the_description_stands_on_its_own(robot: Robot) -> None:
+    """Relative mesh paths that exist, no collision shapes, names of ROS-Industrial, under 1 MB."""
+    assert robot.urdf is not None
+    text = robot.urdf.read_text(encoding="utf-8")
+    meshes = re.findall(r'filename="([^"]+)"', text)
+    assert [Path(mesh).stem for mesh in meshes] == [
+        "base_link",
+        *(f"link_{n}" for n in range(1, 7)),
+    ]
+    assert "collision" not in text
+    sizes = [(robot.urdf.parent / mesh).stat().st_size for mesh in meshes]
+    assert sum(sizes) + robot.urdf.stat().st_size < MEGABYTE
+
+
+def test_the_description_is_what_the_generator_writes(
+    robot: Robot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.syspath_prepend(str(SCRIPTS))
+    generator = pytest.importorskip("build_robots", reason="scripts/ is not part of a wheel")
+    assert robot.urdf is not None
+    written_text = generator.urdf_text(find_entry(robot.name))
+    assert robot.urdf.read_text(encoding="utf-8") == written_text
+
+
+def test_the_description_moves_like_the_catalogue(robot: Robot) -> None:
+    """Our forward kinematics against yourdfpy's, link by link and at tool0."""
+    yourdfpy = pytest.importorskip("yourdfpy")
+    description = yourdfpy.URDF.load(str(robot.urdf), load_meshes=False)
+    assert description.actuated_joint_names == [joint.name for joint in robot.joints]
+    for joints in np.random.default_rng(2).uniform(robot.lower, robot.upper, (20, 6)):
+        description.update_cfg(joints)
+        links = robot.kinematics.link_frames(joints)
+        for number in range(6):
+            theirs = description.get_transform(f"link_{number + 1}", "base_link")
+            assert np.max(np.abs(theirs - links[number].matrix)) < 1e-12
+        flange = description.get_transform("tool0", "base_link")
+        assert np.max(np.abs(flange - robot.forward(joints).matrix)) < 1e-12
+
+
+def test_a_urdf_gives_the_same_robot(robot: Robot) -> None:
+    assert robot.urdf is not None
+    loaded = load_robot(robot.urdf)
+    assert loaded.name == robot.name
+    assert [j.name for j in loaded.joints] == [j.name for j in robot.joints]
+    assert loaded.lower == pytest.approx(robot.lower, abs=1e-12)
+    assert [j.max_speed for j in loaded.joints] == [j.max_speed for j in robot.joints]
+    joints = np.random.default_rng(4).uniform(robot.lower, robot.upper, (200, 6))
+    ours, theirs = robot.forward(joints), loaded.forward(joints)
+    assert np.max(np.abs(ours.matrix - theirs.matrix)) < 1e-12
+    frames, their_frames = (
+        robot.kinematics.link_frames(joints),
+        loaded.kinematics.link_frames(joints),
+    )
+    assert np.max(np.abs(frames.matrix - their_frames.matrix)) < 1e-12
+    branches, their_branches = robot.inverse(ours), loaded.inverse(ours)
+    assert np.array_equal(branches.exists, their_branches.exists)
+    assert np.array_equal(robot.kinematics.branch_of(joints), loaded.kinematics.branch_of(joints))
+    reached = loaded.forward(their_branches.joints)
+    difference = (reached.matrix - ours.matrix[:, None])[their_branches.exists]
+    assert np.max(np.abs(difference)) < 1e-9
+
+
+ODD_ARM = """<robot name="odd">
+  <link name="world"/><link name="stand"/>
+  <joint name="foot" type="fixed"><parent link="world"/><child link="stand"/>
+    <origin xyz="0.3 -0.2 0.5" rpy="0.1 0.2 0.3"/></joint>
+  {joints}
+  <link name="flange"/>
+  <joint name="end" type="fixed"><parent link="l6"/><child link="flange"/>
+    <origin xyz="0.02 0.01 0.09" rpy="0.4 -0.3 0.2"/></joint>
+</robot>"""
+TWO_QUARTERS = "1.5707963267948966"
+ODD_JOINTS = (
+    # parent, origin xyz, origin rpy, axis: signs and zeros that no maker uses
+    ("stand", "0 0 0.2", "0 0 0.7", "0 0 -1"),
+    ("l1", "0.12 0.05 0.2", f"{TWO_QUARTERS} 0 0", "0 0 1"),
+    ("l2", "0.1 0.4 0.03", "0 0 0.4", "0 0 -1"),
+    ("l3", "0.05 0.3 0", f"-{TWO_QUARTERS} 0 0", "0 0 1"),
+    ("l4", "0 0 0.1", f"{TWO_QUARTERS} 0.0 0", "0 0 -1"),
+    ("l5", "0 0 0", f"-{TWO_QUARTERS} 0 0", "0 0 -1"),
+)
+
+
+def odd_arm(joints: tuple[tuple[str, str, str, str], ...] = ODD_JOINTS) -> str:
+    return ODD_ARM.format(
+        joints="".join(
+            f'<link name="l{number}"/><joint name="j{number}" type="revolute">'
+            f'<parent link="{parent}"/><child link="l{number}"/>'
+            f'<origin xyz="{xyz}" rpy="{rpy}"/><axis xyz="{axis}"/>'
+            '<limit lower="-3" upper="3" velocity="2" effort="1"/></joint>'
+            for number, (parent, xyz, rpy, axis) in enumerate(joints, 1)
+        )
+    )
+
+
+def written(tmp_path: Path, text: str) -> Path:
+    file = tmp_path / "odd.urdf"
+    file.write_text(text)
+    return file
+
+
+def test_an_arm_of_any_signs_zeros_and_stand_is_recognised(tmp_path: Path) -> None:
+    yourdfpy = pytest.importorskip("yourdfpy")
+    file = written(tmp_path, odd_arm())
+    robot = load_robot(str(file))
+    description = yourdfpy.URDF.load(str(file))
+    joints = np.random.default_rng(6).uniform(-3.0, 3.0, (50, 6))
+    for row in joints:
+        description.update_cfg(row)
+        theirs = description.get_transform("flange", "world")
+        assert np.max(np.abs(theirs - robot.forward(row).matrix)) < 1e-12
+    pose = robot.forward(joints)
+    branches = robot.inverse(pose)
+    own = robot.kinematics.branch_of(joints)
+    difference = branches.joints[np.arange(50), own] - joints
+    difference -= 2.0 * np.pi * np.round(difference / (2.0 * np.pi))
+    assert np.max(np.abs(difference)) < 1e-8
+
+
+@pytest.mark.parametrize(
+    ("axis", "changed", "reason"),
+    [
+        (1, ("l1", "0.12 0.05 0.2", "1.571 0 0", "0 0 1"), "axis 2 is not square to axis 1"),
+        (2, ("l2", "0.1 0.4 0.03", "0.1 0 0.4", "0 0 -1"), "axis 3 is not parallel to axis 2"),
+        (5, ("l5", "0.08 0 0", f"-{TWO_QUARTERS} 0 0", "0 0 -1"), "do not meet in one point"),
+    ],
+)
+def test_other_arms_are_refused_with_the_reason(
+    tmp_path: Path, axis: int, changed: tuple[str, str, str, str], reason: str
+) -> None:
+    joints = (*ODD_JOINTS[:axis], changed, *ODD_JOINTS[axis + 1 :])
+    with pytest.raises(RobotError, match=reason):
+        load_robot(written(tmp_path, odd_arm(joints)))
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        (odd_arm(ODD_JOINTS[:5]).replace('"l6"', '"l5"'), "5 moving joints"),
+        (odd_arm().replace('"revolute"', '"prismatic"', 1), "prismatic joint `j1`"),
+        ('<!DOCTYPE r [<!ENTITY a "b">]>' + odd_arm(), "entities"),
+        ("this is no XML", "not a readable URDF"),
+    ],
+)
+def test_files_that_are_not_understood_are_refused(tmp_path: Path, text: str, reason: str) -> None:
+    with pytest.raises(RobotError, match=reason):
+        load_robot(written(tmp_path, text))
+
+
+def test_a_missing_file_is_named(tmp_path: Path) -> None:
+    with pytest.raises(RobotError, match=r"none\.urdf"):
+        load_robot(tmp_path / "none.urdf")

@@ -1,0 +1,281 @@
+"""What a recording holds, read back from the file."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from recording_cell import PEN, TEXT, cell, with_description, without_description
+from rerun.chunk import RrdReader
+
+from rapidsim.files import InputError
+from rapidsim.frames.transform import Array, Transform, matrix_from_quaternion
+from rapidsim.motion import targets
+from rapidsim.motion.trajectory import Samples, Trajectory
+from rapidsim.recording.write import record
+from rapidsim.simulation.result import Simulation
+
+SIMULATION = cell()
+
+
+@pytest.fixture(scope="module")
+def recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return record(SIMULATION, tmp_path_factory.mktemp("recording") / "frame.rrd")
+
+
+def rows(path: Path, entity: str) -> Iterator[tuple[float | None, dict[str, Any]]]:
+    """Time [s] (None where static) and components of each row of an entity, in order of time."""
+    found = []
+    for chunk in RrdReader(path).stream().filter(content=entity):
+        for row in chunk.to_record_batch().to_pylist():
+            time = row.get("sim_time")
+            found.append((time.value / 1e9 if time is not None else None, row))
+    return iter(sorted(found, key=lambda item: -1.0 if item[0] is None else item[0]))
+
+
+def texts(path: Path, entity: str, component: str) -> list[str]:
+    return [row[component][0] for time, row in rows(path, entity) if row.get(component)]
+
+
+def test_everything_to_be_seen_is_there(recording: Path) -> None:
+    entities = set(RrdReader(recording).store().schema().entity_paths())
+    assert {
+        "/base",
+        "/robot/flange",
+        "/robot/joints/joint_1",
+        "/robot/joints/joint_6",
+        "/robot/tcp",
+        "/robot/tool",
+        "/work_objects/wTable/object",
+        "/work_objects/wTable/plate",
+        "/work_objects/wTable/user",
+        "/targets/axes",
+        "/targets/names",
+        "/targets/points",
+        "/path/programmed",
+        "/path/travelled/MoveJ",
+        "/path/travelled/MoveL",
+        "/path/travelled/corner",
+        "/program/text",
+        "/log/events",
+        "/log/findings",
+        "/joints/angle",
+        "/joints/range",
+        "/joints/range_limits",
+        "/tcp/speed",
+        "/tcp/programmed_speed",
+        "/moves",
+        "/signals/doPump",
+    } <= entities
+
+
+def test_the_layout_is_embedded(recording: Path) -> None:
+    reader = RrdReader(recording)
+    assert len(reader.blueprints()) == 1
+    assert reader.recordings()[0].application_id == "rapidsim"
+
+
+def test_time_is_virtual_time_and_the_number_of_the_move(recording: Path) -> None:
+    names = {name for chunk in RrdReader(recording).stream() for name in chunk.timeline_names}
+    assert names == {"sim_time", "move"}
+
+
+def test_link_frames_chain_up_to_forward_kinematics(recording: Path) -> None:
+    chain = []
+    for number in range(1, 7):
+        edges = [row for _, row in rows(recording, f"/robot/joints/joint_{number}")]
+        turn = np.array([row["Transform3D:quaternion"][0] for row in edges])
+        shift = np.array([row["Transform3D:translation"][0] for row in edges])
+        chain.append(Transform(matrix_from_quaternion(np.roll(turn, 1, axis=1)), shift))
+    times = np.array([time for time, _ in rows(recording, "/robot/joints/joint_1")])
+    ((_, flange),) = rows(recording, "/robot/flange")
+    link_from_flange = Transform.from_quaternion(
+        np.roll(flange["Transform3D:quaternion"][0], 1), flange["Transform3D:translation"][0]
+    )
+    found = chain[0]
+    for edge in chain[1:]:
+        found = found @ edge
+    found = found @ link_from_flange
+    joints = SIMULATION.trajectory.at(times).joints
+    expected = SIMULATION.robot.kinematics.forward(joints)
+    assert np.abs(found.translation - expected.translation).max() < 1e-6
+    assert np.abs(found.rotation - expected.rotation).max() < 1e-6
+
+
+def test_every_row_of_a_moving_frame_names_its_frames(recording: Path) -> None:
+    for _, row in rows(recording, "/robot/joints/joint_2"):
+        assert row["Transform3D:parent_frame"] == ["irb1600-6-1.2/link_1"]
+        assert row["Transform3D:child_frame"] == ["irb1600-6-1.2/link_2"]
+
+
+def test_joint_angles_keep_full_precision(recording: Path) -> None:
+    logged = [
+        (time, row["Scalars:scalars"])
+        for time, row in rows(recording, "/joints/angle")
+        if time is not None
+    ]
+    times = np.array([time for time, _ in logged])
+    angles = np.array([values for _, values in logged])
+    assert np.array_equal(angles, np.degrees(SIMULATION.trajectory.at(times).joints))
+
+
+def test_starts_and_ends_of_moves_are_samples(recording: Path) -> None:
+    times = {time for time, _ in rows(recording, "/joints/angle")}
+    for move in SIMULATION.moves:
+        assert {round(move.start_s, 9), round(move.end_s, 9)} <= times
+    assert round(SIMULATION.time_s, 9) in times
+
+
+def test_the_tool_frame_is_the_program_s(recording: Path) -> None:
+    edges = [row for time, row in rows(recording, "/robot/tcp") if time is not None]
+    assert len(edges) == 1
+    expected = targets.transform(PEN.tframe)
+    assert np.allclose(edges[0]["Transform3D:translation"][0], expected.translation, atol=1e-6)
+
+
+def test_the_text_shows_both_pointers(recording: Path) -> None:
+    listing = texts(recording, "/program/text", "TextDocument:text")
+    assert len(listing) == len(set(listing)) or all(
+        a != b for a, b in zip(listing, listing[1:], strict=False)
+    )
+    second = next(text for text in listing if "MoveL p2" in text and "▶●" not in text)
+    assert second.count("▶") <= 1
+    lines = TEXT.splitlines()
+    for text in listing:
+        for row in text.splitlines():
+            if row.startswith(" ●"):
+                assert "Move" in row
+                number = int(row[2:6])
+                assert row[7:].strip() == lines[number - 1].strip()
+
+
+def test_the_log_has_levels(recording: Path) -> None:
+    levels = texts(recording, "/log/events", "TextLog:level")
+    words = texts(recording, "/log/events", "TextLog:text")
+    assert levels == ["INFO", "DEBUG", "DEBUG", "WARN", "DEBUG", "INFO"]
+    assert words[0] == "Frame: start  [main:7]"
+    assert texts(recording, "/log/findings", "TextLog:level") == ["WARN"]
+
+
+def test_signals_are_lanes(recording: Path) -> None:
+    states = texts(recording, "/signals/doPump", "StateChange:state")
+    assert states == ["off", "on", "off"]
+
+
+def test_two_recordings_of_a_run_are_equal(recording: Path, tmp_path: Path) -> None:
+    again = record(cell(), tmp_path / "again.rrd")
+    assert compare(recording, again) == 0
+
+
+def test_another_run_makes_another_recording(recording: Path, tmp_path: Path) -> None:
+    other = record(cell(rounds=1), tmp_path / "other.rrd")
+    assert compare(recording, other) != 0
+
+
+def compare(one: Path, other: Path) -> int:
+    return subprocess.run(
+        [sys.executable, "-m", "rerun", "rrd", "compare", "--unordered", str(one), str(other)],
+        capture_output=True,
+        check=False,
+    ).returncode
+
+
+def test_a_robot_without_description_is_drawn_as_bars(tmp_path: Path) -> None:
+    path = record(without_description(SIMULATION), tmp_path / "bars.rrd")
+    entities = set(RrdReader(path).store().schema().entity_paths())
+    assert "/robot/bars/0/bar" in entities
+    assert "has no description" in texts(path, "/log/recording", "TextLog:text")[0]
+
+
+URDF = """<robot name="mine">
+  <link name="foot"><visual><geometry><box size="0.2 0.2 0.1"/></geometry></visual></link>
+  {links}
+  {joints}
+</robot>"""
+
+
+def primitive_urdf(folder: Path, shape: str) -> Path:
+    links = "".join(
+        f'<link name="l{k}"><visual><geometry>{shape}</geometry></visual></link>'
+        for k in range(1, 7)
+    )
+    joints = "".join(
+        f'<joint name="joint_{k}" type="revolute"><parent link="{f"l{k - 1}" if k > 1 else "foot"}"/>'
+        f'<child link="l{k}"/><axis xyz="0 0 1"/><limit lower="-3" upper="3" velocity="1"'
+        ' effort="1"/></joint>'
+        for k in range(1, 7)
+    )
+    path = folder / "mine.urdf"
+    path.write_text(URDF.format(links=links, joints=joints))
+    return path
+
+
+def test_a_robot_of_plain_shapes_is_drawn_solid(tmp_path: Path) -> None:
+    urdf = primitive_urdf(tmp_path, '<cylinder radius="0.05" length="0.2"/>')
+    path = record(with_description(SIMULATION, urdf), tmp_path / "plain.rrd")
+    entities = RrdReader(path).store().schema().entity_paths()
+    assert not any(entity.startswith("/robot/bars") for entity in entities)
+    entity = "/robot/mine/visual_geometries/l3/visual_0"
+    fills = [row for _, row in rows(path, entity) if row.get("Cylinders3D:fill_mode")]
+    assert fills
+
+
+@pytest.mark.filterwarnings("default")
+def test_a_shape_that_cannot_be_read_is_said_and_replaced(tmp_path: Path) -> None:
+    urdf = primitive_urdf(tmp_path, '<mesh filename="lost.stl"/>')
+    path = record(with_description(SIMULATION, urdf), tmp_path / "lost.rrd")
+    entities = set(RrdReader(path).store().schema().entity_paths())
+    assert "/robot/bars/2/ball" in entities
+    assert "cannot read the shape of l1" in texts(path, "/log/recording", "TextLog:text")[0]
+
+
+class Interrupting(Trajectory):
+    """A trajectory during which the user presses Ctrl-C."""
+
+    def __init__(self) -> None:
+        pass
+
+    @property
+    def duration(self) -> float:
+        return 1.0
+
+    def at(self, times: Array) -> Samples:
+        raise KeyboardInterrupt
+
+
+def interrupted(simulation: Simulation) -> Simulation:
+    from dataclasses import replace
+
+    return replace(simulation, trajectory=Interrupting())
+
+
+def test_an_interrupted_recording_leaves_nothing(tmp_path: Path) -> None:
+    with pytest.raises(KeyboardInterrupt):
+        record(interrupted(SIMULATION), tmp_path / "frame.rrd")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_an_interrupted_recording_keeps_the_older_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "frame.rrd"
+    path.write_bytes(b"older")
+
+    def interrupt(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("rapidsim.recording.write.log_lanes", interrupt)
+    with pytest.raises(KeyboardInterrupt):
+        record(SIMULATION, path)
+    assert [file.name for file in tmp_path.iterdir()] == ["frame.rrd"]
+    assert path.read_bytes() == b"older"
+
+
+def test_a_folder_that_does_not_exist_is_said(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="does not exist"):
+        record(SIMULATION, tmp_path / "nowhere" / "frame.rrd")

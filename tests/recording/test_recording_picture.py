@@ -1,0 +1,59 @@
+"""What the viewer makes of a recording; needs a Vulkan driver, software or other."""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import shutil
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import pytest
+from recording_cell import cell
+
+from rapidsim.recording.write import record
+
+TIMES_S = (2.5, 6.504)
+
+
+def load_script() -> ModuleType:
+    path = Path(__file__).parents[2] / "scripts" / "screenshot.py"
+    spec = importlib.util.spec_from_file_location("screenshot", path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules["screenshot"] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_the_viewer_shows_it_without_complaint(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    screenshot = load_script()
+    # The viewer's command stands beside the interpreter, on PATH or not.
+    monkeypatch.setenv("PATH", str(Path(sys.executable).parent), prepend=os.pathsep)
+    missing = screenshot.vulkan_missing()
+    if missing or shutil.which("rerun") is None:
+        pytest.skip(missing or "the `rerun` command is not on PATH")
+    simulation = cell()
+    path = record(simulation, tmp_path / "frame.rrd")
+    shots = screenshot.shoot(path, TIMES_S, width=800, wait_s=1.0)
+    sampled = [round(np.floor(time / 0.012) * 0.012, 9) for time in TIMES_S]
+    samples = simulation.trajectory.at(np.array(sampled))
+    robot = simulation.robot
+    base_from_flange = robot.kinematics.forward(samples.joints)
+    base_from_link = robot.kinematics.link_frames(samples.joints)
+    for k, shot in enumerate(shots):
+        assert shot.png.startswith(b"\x89PNG")
+        assert shot.complaints == ()
+        frames = shot.world_from_frame
+        assert np.abs(frames["tool0"] - base_from_flange.matrix[k]).max() < 1e-6
+        assert np.abs(frames["tcp"] - samples.base_from_tcp.matrix[k]).max() < 1e-6
+        # The description's own fixed frame, reached over its links, is the flange as well.
+        assert np.abs(frames[f"{robot.name}/tool0"] - base_from_flange.matrix[k]).max() < 1e-6
+        for number in range(6):
+            link = frames[f"{robot.name}/link_{number + 1}"]
+            assert np.abs(link - base_from_link.matrix[k, number]).max() < 1e-6

@@ -1,0 +1,225 @@
+"""Findings as text and JSON: carets stand under their place, repeats become one."""
+
+import json
+import unicodedata
+from dataclasses import dataclass
+from typing import ClassVar
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rapidsim.diagnostics import (
+    Diagnostic,
+    Edit,
+    Fix,
+    Related,
+    Severity,
+    Source,
+    Span,
+    Violation,
+)
+from rapidsim.report.diagnostics import concise, diagnostic_json, full, summary_line
+from rapidsim.report.merging import merged, selected
+from rapidsim.report.palette import COLOURED, PLAIN
+from rapidsim.report.source_frame import printable, shown_line
+
+
+@dataclass(frozen=True)
+class Wrong(Violation):
+    """Something is wrong."""
+
+    code: ClassVar[str] = "X901"
+    name: ClassVar[str] = "wrong-thing"
+    template: ClassVar[str] = "`{thing}` is wrong"
+    cf: ClassVar[str | None] = "ABB 50050"
+
+    thing: str
+
+    @property
+    def help(self) -> str:
+        return "make it right"
+
+
+@dataclass(frozen=True)
+class Odd(Violation):
+    """Something is odd."""
+
+    code: ClassVar[str] = "X802"
+    name: ClassVar[str] = "odd-thing"
+    template: ClassVar[str] = "`{thing}` is odd"
+    severity: ClassVar[Severity] = Severity.WARNING
+
+    thing: str
+
+
+def span(text: str, part: str, occurrence: int = 0, *, file: str = "a.mod") -> Span:
+    start = -1
+    for _ in range(occurrence + 1):
+        start = text.index(part, start + 1)
+    return Span(Source(file, text), start, start + len(part))
+
+
+def shown(*diagnostics: Diagnostic, width: int = 80) -> str:
+    return full(merged(diagnostics), PLAIN, width=width)
+
+
+def test_a_finding_with_everything() -> None:
+    text = "MODULE a\n  PERS num n:=1;\n  PROC main()\n    n:=p10;\n  ENDPROC\nENDMODULE\n"
+    diagnostic = Diagnostic(
+        Wrong("p10"),
+        span(text, "p10"),
+        (
+            Related(span(text, "n", 0), "declared here"),
+            Related(span("x\n", "x", file="b.sys"), "and"),
+        ),
+        Fix("Write 1", (Edit(span(text, "p10"), "1"),)),
+        routine="main",
+    )
+    assert shown(diagnostic) == (
+        "error[X901] wrong-thing: `p10` is wrong (cf. ABB 50050)\n"
+        " --> a.mod:4:8 in main\n"
+        "  |\n"
+        "4 |     n:=p10;\n"
+        "  |        ^^^\n"
+        "  |\n"
+        "2 |   PERS num n:=1;\n"
+        "  |        ^ declared here\n"
+        " ::: b.sys:1:1\n"
+        "  |\n"
+        "1 | x\n"
+        "  | ^ and\n"
+        "  = help: make it right\n"
+        "  = fix: Write 1\n\n"
+    )
+
+
+def test_carets_stand_under_tabs_and_wide_characters() -> None:
+    for text, part in (
+        ("\t\tx:=1;", "x"),
+        ("a\tb", "b"),
+        ('TPWrite "日本語"+y;', "y"),
+        ("e\u0301 := z", "z"),
+        ("  \x1b[31m bad", "bad"),
+    ):
+        line = shown_line(span(text, part), 60)
+        cells = 0
+        for character in line.text[: line.text.index(part)]:
+            cells += 2 if character in "日本語" else 0 if character == "\u0301" else 1
+        assert cells == line.caret_start
+        assert line.caret_end == line.caret_start + len(part)
+        assert "\x1b" not in line.text
+
+
+def test_long_lines_are_cut_around_the_place() -> None:
+    text = "x" * 300 + "HERE" + "y" * 300
+    line = shown_line(span(text, "HERE"), 60)
+    assert len(line.text) == 60
+    assert line.text[line.caret_start : line.caret_end] == "HERE"
+    assert line.text.startswith("...")
+    assert line.text.endswith("...")
+
+
+@given(
+    st.text(st.characters(blacklist_characters="\r\n")),
+    st.integers(0),
+    st.integers(0),
+    st.integers(20, 200),
+)
+def test_carets_never_leave_the_width(text: str, start: int, length: int, width: int) -> None:
+    start = min(start, len(text))
+    end = min(start + length, len(text))
+    line = shown_line(Span(Source("a.mod", text), start, end), width)
+    assert 0 <= line.caret_start < line.caret_end <= width + 1
+
+
+@given(st.text())
+def test_text_of_a_program_steers_no_terminal(text: str) -> None:
+    shown = printable(text)
+    assert len(shown) == len(text)
+    assert all(one.isprintable() or unicodedata.category(one) == "Zs" for one in shown)
+
+
+def test_a_place_over_several_lines_shows_its_first() -> None:
+    text = "IF a THEN\n  b;\nENDIF\n"
+    assert "IF a THEN\n  | ^^^^^^^^^\n" in shown(Diagnostic(Odd("a"), span(text, text.strip())))
+
+
+def test_a_finding_at_the_end_of_the_text() -> None:
+    text = "MODULE a\n"
+    place = Span(Source("a.mod", text), len(text), len(text))
+    assert "2 |\n  | ^\n" in shown(Diagnostic(Odd("a"), place))
+
+
+def test_a_finding_without_a_place() -> None:
+    diagnostic = Diagnostic(Odd("folder"), None)
+    assert shown(diagnostic) == "warning[X802] odd-thing: `folder` is odd\n\n"
+    assert concise(merged([diagnostic]), PLAIN) == "warning[X802] `folder` is odd\n"
+    assert diagnostic_json(merged([diagnostic])[0])["file"] is None
+
+
+def test_repeats_become_one_finding() -> None:
+    text = "p;\nq;\np;\np;\n"
+    findings = [Diagnostic(Odd("p"), span(text, "p", n)) for n in (2, 0, 1)]
+    findings.append(Diagnostic(Odd("q"), span(text, "q")))
+    first, second = merged(findings)
+    assert (first.first.span and first.first.span.line, len(first.repeats)) == (1, 2)
+    assert second.repeats == ()
+    assert "and 2 more like it, on lines 3, 4" in shown(*findings)
+    assert "a.mod:1:1: warning[X802] `p` is odd (and 2 more)" in concise(merged(findings), PLAIN)
+    assert diagnostic_json(first)["repeats"] == [
+        {"file": "a.mod", "line": 3, "column": 1},
+        {"file": "a.mod", "line": 4, "column": 1},
+    ]
+    assert len(merged(findings, merge=False)) == 4
+    assert summary_line(merged(findings), files=1, seconds=None) == "Found 4 warnings in 1 file."
+
+
+def test_rules_are_selected_by_code_family_and_name() -> None:
+    both = (Diagnostic(Wrong("a"), None), Diagnostic(Odd("b"), None))
+    assert selected(both, ["X9"], []) == both[:1]
+    assert selected(both, ["odd-thing", "x901"], []) == both
+    assert selected(both, [], ["X"]) == ()
+    assert selected(both, ["X"], ["odd-thing"]) == both[:1]
+
+
+def test_json_holds_what_the_text_does() -> None:
+    text = "n:=p10;"
+    fix = Fix("Write 1", (Edit(span(text, "p10"), "1"),))
+    related = (Related(span(text, "n"), "this"),)
+    [finding] = merged([Diagnostic(Wrong("p10"), span(text, "p10"), related, fix, "main")])
+    report = json.loads(json.dumps(diagnostic_json(finding), allow_nan=False))
+    place = {"file": "a.mod", "line": 1, "column": 4, "end_line": 1, "end_column": 7}
+    assert report == {
+        "code": "X901",
+        "name": "wrong-thing",
+        "severity": "error",
+        "message": "`p10` is wrong",
+        **place,
+        "related": [{"file": "a.mod", "line": 1, "message": "this"}],
+        "fix": {"title": "Write 1", "safe": True, "edits": [{**place, "text": "1"}]},
+        "cf": "ABB 50050",
+        "help": "make it right",
+        "routine": "main",
+        "repeats": [],
+    }
+
+
+def test_colours_change_nothing_but_colour() -> None:
+    text = "n:=p10;"
+    findings = merged([Diagnostic(Wrong("p10"), span(text, "p10"))])
+    coloured = full(findings, COLOURED, width=80)
+    assert coloured != full(findings, PLAIN, width=80)
+    plain = coloured
+    for code in (*vars_of(COLOURED), "\x1b[0m"):
+        plain = plain.replace(code, "")
+    assert plain == full(findings, PLAIN, width=80)
+
+
+def vars_of(palette: object) -> tuple[str, ...]:
+    return tuple(getattr(palette, name) for name in palette.__dataclass_fields__)  # type: ignore[attr-defined]
+
+
+def test_the_summary_line_counts() -> None:
+    assert summary_line([], files=2, seconds=0.5) == "Found nothing wrong in 2 files (0.50 s)."
+    findings = merged([Diagnostic(Wrong("a"), None), Diagnostic(Odd("b"), None)])
+    assert summary_line(findings, files=1, seconds=None) == "Found 1 error and 1 warning in 1 file."
