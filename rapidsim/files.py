@@ -94,6 +94,14 @@ def read_tasks(paths: Sequence[str]) -> tuple[TaskFiles, ...]:
     return tuple(tasks)
 
 
+def neighbours(path: str) -> tuple[str, ...]:
+    """Names of the modules beside a module, which it may need; none beside what is no file."""
+    file = Path(path)
+    if path == "-" or not file.is_file() or file.suffix.lower() == ".pgf":
+        return ()
+    return tuple(entry.name for entry in _modules_of(file.parent) if entry.name != file.name)
+
+
 def decode(data: bytes) -> tuple[str, str]:
     """Text of a file's bytes and the encoding they were taken for; takes any bytes."""
     for mark, encoding in _BYTE_ORDER_MARKS:

@@ -46,9 +46,7 @@ def _constant(symbol: DataSymbol, context: Context, seen: frozenset[DataSymbol])
     return constant_number(symbol.node.value, home, seen | {symbol})
 
 
-def _binary(
-    expression: tree.Binary, context: Context, seen: frozenset[DataSymbol]
-) -> float | None:
+def _binary(expression: tree.Binary, context: Context, seen: frozenset[DataSymbol]) -> float | None:
     # Sums of many terms lean to the left; going down that side in a loop keeps the stack short.
     spine = [expression]
     while isinstance(spine[-1].left, tree.Binary):

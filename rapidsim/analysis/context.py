@@ -10,13 +10,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
-from rapidsim.analysis.program import (
-    DataSymbol,
-    ParameterSymbol,
-    RoutineSymbol,
-    Symbol,
-    UnknownSymbol,
-)
+from rapidsim.analysis.parameters import Callee, Wanted
+from rapidsim.analysis.program import RoutineSymbol, Symbol, UnknownSymbol
 from rapidsim.diagnostics import Diagnostic, Related, Span, Violation
 from rapidsim.language.types import Type
 from rapidsim.syntax import tree
@@ -64,6 +59,8 @@ class Analysis:
     """Where each symbol of the user is declared."""
     home_of: dict[tree.Module, Context] = field(default_factory=dict)
     """The context of each module, outside its routines."""
+    callees: dict[Symbol, Callee] = field(default_factory=dict)
+    """The user's routines as calls see them, made when first called."""
     undecided: list[tuple[tree.Reference, Context]] = field(default_factory=list)
     """Undeclared names that may turn out to be signals when the whole task is known."""
 
@@ -115,21 +112,9 @@ class Context:
         return (Related(module.span(shown), f"`{symbol.name}` is declared here"),)
 
 
-@dataclass(frozen=True, slots=True)
-class Wanted:
-    """The type an expression must have, and who wants it."""
-
-    type: Type
-    by: str
-    """In words that fit before "takes": "`count`", "parameter `Speed` of `MoveL`"."""
-    declared: tuple[Related, ...] = ()
-
-
 TypeOf: TypeAlias = Callable[[tree.Expression, Context, Wanted | None], Type | None]
 """Types an expression and everything in it.
 
 The wanted type guides literals and aggregates; it is not compared with the answer. The answer is
 None where the type is not known; why has been reported.
 """
-
-Data: TypeAlias = DataSymbol | ParameterSymbol

@@ -34,6 +34,7 @@ from rapidsim.language.types import ArrayOf, Type
 from rapidsim.syntax import tree
 
 MAX_DIMENSIONS = 3
+MAX_SIZE = 2**31 - 1
 Declaration = tree.RecordType | tree.AliasType | tree.Data | tree.Proc | tree.Func | tree.Trap
 
 
@@ -65,9 +66,9 @@ def declare_task(
         for home, node in data:
             if bool(node.dimensions) == arrays:
                 _enter(declare_data(node, home, user_types), node.scope == "LOCAL", home)
-    for home, node in accepted:
-        if isinstance(node, tree.Proc | tree.Func | tree.Trap):
-            _enter(_declare_routine(node, home, user_types), node.scope == "LOCAL", home)
+    for home, routine in accepted:
+        if isinstance(routine, tree.Proc | tree.Func | tree.Trap):
+            _enter(_declare_routine(routine, home, user_types), routine.scope == "LOCAL", home)
     return homes, user_types
 
 
@@ -98,9 +99,7 @@ def declare_data(
     return symbol
 
 
-def declare_locals(
-    routine: RoutineSymbol, home: Context, user_types: UserTypes
-) -> Context:
+def declare_locals(routine: RoutineSymbol, home: Context, user_types: UserTypes) -> Context:
     """The context inside a routine, where its parameters and data are known."""
     context = replace(home, scope=Names({}, home.scope), routine=routine)
     names = context.scope.names
@@ -184,9 +183,7 @@ def _remember(symbol: Symbol, node: tree.Node, context: Context) -> None:
     context.analysis.module_of[symbol] = context.module
 
 
-def _declare_routine(
-    node: tree.Routine, context: Context, user_types: UserTypes
-) -> RoutineSymbol:
+def _declare_routine(node: tree.Routine, context: Context, user_types: UserTypes) -> RoutineSymbol:
     parameters = []
     group = 0
     for part in node.parameters:
@@ -194,19 +191,19 @@ def _declare_routine(
             continue
         group += 1
         optional = isinstance(part, tree.OptionalGroup)
-        for parameter in part.alternatives if optional else (part,):
-            if isinstance(parameter, tree.Parameter):
-                parameters.append(
-                    _declare_parameter(parameter, optional, group, context, user_types)
-                )
+        alternatives = part.alternatives if isinstance(part, tree.OptionalGroup) else (part,)
+        parameters += [
+            _declare_parameter(parameter, optional, group, context, user_types)
+            for parameter in alternatives
+            # An alternative may be a placeholder.
+            if isinstance(parameter, tree.Parameter)
+        ]
     result = user_types.named(node.type, context) if isinstance(node, tree.Func) else None
     if isinstance(node, tree.Func) and result is not None and not has_value(result):
         why = "a function returns a value, and this type has none"
         context.report(BadParameterType(node.name.text, result.name, why), node.type)
     scope = Scope.LOCAL if node.scope == "LOCAL" else Scope.GLOBAL
-    return RoutineSymbol(
-        node.name.text, node, context.module, scope, tuple(parameters), result
-    )
+    return RoutineSymbol(node.name.text, node, context.module, scope, tuple(parameters), result)
 
 
 def _declare_parameter(
@@ -255,8 +252,8 @@ def _size(dimension: tree.Expression, node: tree.Data, context: Context) -> int 
     written = context.module.span(dimension).text
     if number is None:
         problem = f"the size `{written}` of `{node.name.text}` is not a constant number"
-    elif number < 1 or number != int(number):
-        problem = f"the size of `{node.name.text}` is {number:g}, not a whole number above 0"
+    elif not 1 <= number <= MAX_SIZE or number != int(number):
+        problem = f"the size of `{node.name.text}` is {number:g}, not a whole number from 1"
     else:
         return int(number)
     context.report(BadArraySize(problem), dimension)

@@ -111,7 +111,8 @@ class RaiseRetryPlacement(Violation):
             VAR num parts:=0;
             VAR num each;
             each:=10/parts;
-          ERROR
+
+    Error:
             parts:=1;
             RETRY;
           ENDPROC

@@ -17,15 +17,9 @@ def installed_symbol(key: str) -> Symbol | None:
     datum = DATA.get(key)
     if datum is not None:
         storage = (
-            Storage.CONST
-            if datum.constant
-            else Storage.PERS
-            if datum.persistent
-            else Storage.VAR
+            Storage.CONST if datum.constant else Storage.PERS if datum.persistent else Storage.VAR
         )
-        return DataSymbol(
-            datum.name, datum.type, storage, Scope.INSTALLED, None, None, datum.value
-        )
+        return DataSymbol(datum.name, datum.type, storage, Scope.INSTALLED, None, None, datum.value)
     routine = ROUTINES.get(key)
     return None if routine is None else LibrarySymbol(routine.name, routine)
 

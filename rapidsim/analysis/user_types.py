@@ -52,11 +52,12 @@ class UserTypes:
 
     def declare(self) -> list[tuple[TypeSymbol, Context]]:
         """Build every type of the task, in order of declaration."""
-        return [
-            (TypeSymbol(node.name.text, self._type_of(node), node, self._home_of[node].module), home)
-            for node in self._nodes.values()
-            for home in (self._home_of[node],)
-        ]
+        declared = []
+        for node in self._nodes.values():
+            home = self._home_of[node]
+            symbol = TypeSymbol(node.name.text, self._type_of(node), node, home.module)
+            declared.append((symbol, home))
+        return declared
 
     def named(self, name: tree.Name, context: Context) -> Type:
         """The type a name means in a module."""
@@ -181,7 +182,7 @@ def _record(name: str, components: Sequence[Component]) -> Record:
     """A record type with a class of its own for its values."""
     spelled = name if name.isidentifier() and not keyword.iskeyword(name) else "record"
     # A component may have a name that no Python attribute can have; its position is what counts.
-    python: type[tuple[object, ...]] = namedtuple(  # type: ignore[misc]  # noqa: PYI024
+    python: type[tuple[object, ...]] = namedtuple(  # type: ignore[misc]
         spelled, [part.name.lower() for part in components], rename=True
     )
     return Record(name, tuple(components), python)

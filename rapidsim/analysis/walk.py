@@ -30,7 +30,7 @@ def descendants(*roots: tree.Node) -> Iterator[tree.Node]:
 def children(node: tree.Node) -> list[tree.Node]:
     """The nodes directly under a node, in the order of the fields; names left out."""
     found: list[tree.Node] = []
-    for name in _fields_with_nodes(type(node)):
+    for name in _fields_with_nodes(type(node).__name__):
         value = getattr(node, name)
         if isinstance(value, tree.Node):
             found.append(value)
@@ -40,5 +40,7 @@ def children(node: tree.Node) -> list[tree.Node]:
 
 
 @cache
-def _fields_with_nodes(kind: type[tree.Node]) -> tuple[str, ...]:
-    return tuple(field.name for field in fields(kind) if field.type not in _WITHOUT_NODES)
+def _fields_with_nodes(kind: str) -> tuple[str, ...]:
+    return tuple(
+        field.name for field in fields(getattr(tree, kind)) if field.type not in _WITHOUT_NODES
+    )

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.inputs import all_tasks, choose_robot, choose_station
+from rapidsim.cli.inputs import all_tasks, choose_robot, choose_station, missing_neighbours
 from rapidsim.cli.selectors import expect_rules
 from rapidsim.cli.terminal import current_terminal, terminal_options
 from rapidsim.diagnostics import Severity
@@ -76,6 +76,8 @@ def check(
     if output_format != "json" and not terminal.quiet:
         seconds = time.perf_counter() - started
         click.echo(summary_line(findings, files=len(result.files), seconds=seconds))
+        if hint := missing_neighbours(paths, kept):
+            click.echo(hint)
         if moves := len(result.unchecked_moves):
             what = "1 move was" if moves == 1 else f"{moves} moves were"
             click.echo(f"{what} not checked for reach and limits; `rapidsim run` does that.")

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from rapidsim.files import InputError, SourceFile, TaskFiles, read_tasks
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.files import InputError, SourceFile, TaskFiles, neighbours, read_tasks
 from rapidsim.simulation.station import Station, find_station, read_station
 
 DEFAULT_ROBOT = "irb1600-6-1.2"
+
+# Rules that find a name which another module may declare.
+_UNDECLARED = ("N201", "N209", "N210")
+_NAMED_NEIGHBOURS = 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,3 +70,13 @@ def one_task(paths: Sequence[str], station: Station) -> tuple[SourceFile, ...]:
 def program_name(paths: Sequence[str]) -> str:
     """What files that belong to the run are called: the first path without its suffix."""
     return "stdin" if paths[0] == "-" else Path(paths[0]).resolve().stem
+
+
+def missing_neighbours(paths: Sequence[str], diagnostics: Iterable[Diagnostic]) -> str | None:
+    """A line that names the modules beside a lone file, if it uses names nobody declares."""
+    beside = neighbours(paths[0]) if len(paths) == 1 else ()
+    if not beside or not any(d.violation.code in _UNDECLARED for d in diagnostics):
+        return None
+    named = ", ".join(beside[:_NAMED_NEIGHBOURS])
+    named += ", ..." if len(beside) > _NAMED_NEIGHBOURS else ""
+    return f"Beside it lie {named}: name the folder to load them too."

@@ -17,6 +17,7 @@ from rapidsim.cli.inputs import (
     RobotChoice,
     choose_robot,
     choose_station,
+    missing_neighbours,
     one_task,
     program_name,
 )
@@ -141,7 +142,8 @@ def run(
     arm = open_robot(choice.name)
     loaded = load(files)
     if loaded.program is None:
-        return _reject(loaded.diagnostics, names, arm, output_format, terminal)
+        hint = missing_neighbours(paths, loaded.diagnostics)
+        return _reject(loaded.diagnostics, names, arm, output_format, terminal, hint)
     options = RunOptions(
         program_files=names,
         model=cell.model,
@@ -178,6 +180,7 @@ def _reject(
     arm: Robot,
     output_format: str,
     terminal: Terminal,
+    hint: str | None = None,
 ) -> int:
     """Say why the program does not run."""
     if output_format == "json":
@@ -186,6 +189,8 @@ def _reject(
         _print_findings(findings, terminal)
         if not terminal.quiet:
             click.echo(summary_line(merged(findings), files=len(names), seconds=None))
+            if hint:
+                click.echo(hint)
     return ExitCode.FINDINGS
 
 

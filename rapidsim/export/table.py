@@ -17,6 +17,7 @@ DEFAULT_DT = 0.012
 MOST_ROWS = 20_000_000
 _BLOCK = 20_000
 """Rows evaluated at once, so that a long run needs no more memory than a short one."""
+_SAME_INSTANT_S = 1e-9
 _MM_PER_M = 1000.0
 
 
@@ -53,7 +54,7 @@ def blocks(simulation: Simulation, dt: float) -> Iterator[Block]:
         )
     # k * dt and not a running sum: row k is at the same time in every run.
     times = np.append(np.arange(int(np.ceil(end_s / dt))) * dt, end_s)
-    if len(times) > 1 and times[-2] >= end_s:
+    if len(times) > 1 and times[-2] > end_s - _SAME_INSTANT_S:
         times = np.delete(times, -2)
     return (
         _block(simulation.trajectory.at(times[begin : begin + _BLOCK]))

@@ -370,7 +370,7 @@ def number(value: float, at: At) -> Code:
 def _home(of: Type, in_reference: bool) -> Home:
     if isinstance(resolved(of), ArrayOf):
         return Home.ARRAY
-    if is_signal(of) and in_reference:
+    if is_signal(of):
         return Home.SIGNAL
     return Home.REFERENCE if in_reference else Home.PLAIN
 

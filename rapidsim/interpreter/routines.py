@@ -221,10 +221,15 @@ def _ends_in_return(body: list[ast.stmt]) -> bool:
 
 
 def _lent_symbols(symbol: RoutineSymbol, program: Program) -> Iterator[Symbol]:
-    """Local scalars that some call takes by reference: only a cell can be lent out."""
+    """Local scalars that something takes by reference: only a cell can be lent out."""
     options = {parameter.name.lower(): parameter for parameter in symbol.parameters}
     for node in walk(symbol.node):
-        if isinstance(node, tree.LateCall):
+        if isinstance(node, tree.Data):
+            # A signal is read through a reference that names it.
+            declared = program.symbol_of[node]
+            if isinstance(declared, DataSymbol) and is_signal(declared.type):
+                yield declared
+        elif isinstance(node, tree.LateCall):
             # Which parameters take references, only the run will show.
             for argument in node.arguments:
                 if not isinstance(argument, tree.Conditional) and argument.value is not None:

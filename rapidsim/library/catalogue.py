@@ -10,6 +10,7 @@ from types import MappingProxyType
 
 from rapidsim.library.bits import BITS
 from rapidsim.library.declared import read_declared
+from rapidsim.library.dialogs import DIALOGS
 from rapidsim.library.displacement import DISPLACEMENT
 from rapidsim.library.errors import ERRORS
 from rapidsim.library.files import FILES
@@ -20,6 +21,7 @@ from rapidsim.library.motion import MOTION
 from rapidsim.library.motion_settings import MOTION_SETTINGS
 from rapidsim.library.operator import OPERATOR
 from rapidsim.library.positions import POSITIONS
+from rapidsim.library.raw_bytes import RAW_BYTES
 from rapidsim.library.robot_state import ROBOT_STATE
 from rapidsim.library.signal_waits import SIGNAL_WAITS
 from rapidsim.library.signals import SIGNALS
@@ -41,7 +43,9 @@ CHAPTERS: Mapping[str, Mapping[str, LibraryRoutine]] = MappingProxyType(
         "Flow": FLOW,
         "Errors": ERRORS,
         "Operator": OPERATOR,
+        "Dialogs": DIALOGS,
         "Files": FILES,
+        "Raw bytes": RAW_BYTES,
         "Mathematics": MATHEMATICS,
         "Bits": BITS,
         "Strings": STRINGS,

@@ -68,12 +68,12 @@ def close(io_device: Var[IoDev]) -> None:
 
 def rewind(io_device: Var[IoDev]) -> None:
     """Go back to the beginning of a file."""
-    _opened(io_device).rewind()
+    opened_device(io_device).rewind()
 
 
 def clear_io_buff(io_device: Var[IoDev]) -> None:
     """Throw away what a serial line has received; a file has nothing of that kind."""
-    _opened(io_device)
+    opened_device(io_device)
 
 
 def write(
@@ -100,7 +100,7 @@ def write_bin(io_device: Var[IoDev], buffer: list[Num], n_char: Num) -> None:
     for value in buffer[:count]:
         if not (0 <= value <= 255 and value == math.floor(value)):
             raise rapid_error(ERR_ARGVALERR, f"{value:.7g} is no byte; bytes are 0..255")
-    _opened(io_device).write(bytes(int(value) for value in buffer[:count]))
+    opened_device(io_device).write(bytes(int(value) for value in buffer[:count]))
 
 
 def write_str_bin(io_device: Var[IoDev], str_: String) -> None:
@@ -122,7 +122,7 @@ def read_str(
     \Time limits a wait that a file never causes.
     """
     del time
-    file = _opened(io_device)
+    file = opened_device(io_device)
     if line is not None:
         for _ in range(max(0, int(line) - 1)):
             file.read_line()
@@ -161,7 +161,7 @@ def read_num(
 def read_bin(io_device: Var[IoDev], *, time: Num | None = None) -> Num:
     """The next byte; EOF_BIN at the end of the file."""
     del time
-    byte = _opened(io_device).read(1)
+    byte = opened_device(io_device).read(1)
     return float(byte[0]) if byte else END_OF_BYTES
 
 
@@ -171,18 +171,23 @@ def read_str_bin(io_device: Var[IoDev], no_of_chars: Num, *, time: Num | None = 
     count = int(no_of_chars)
     if not 0 <= count <= MAX_STRING:
         raise rapid_error(ERR_ARGVALERR, f"{count} characters; a string holds {MAX_STRING}")
-    text = _opened(io_device).read(count)
+    text = opened_device(io_device).read(count)
     return text.decode(_ENCODING) if text or not count else END_OF_FILE
 
 
-def _opened(io_device: Reference[OpenFile | None]) -> OpenFile:
+def opened_device(io_device: Reference[OpenFile | None]) -> OpenFile:
+    """The file behind a device.
+
+    Raises:
+        RapidError: ERR_FILEACC, if it is not open.
+    """
     if io_device.value is None:
         raise rapid_error(ERR_FILEACC, "the device is not open")
     return io_device.value
 
 
 def _write(io_device: Reference[OpenFile | None], text: str) -> None:
-    _opened(io_device).write(text.encode(_ENCODING, "replace"))
+    opened_device(io_device).write(text.encode(_ENCODING, "replace"))
 
 
 FILES = table(

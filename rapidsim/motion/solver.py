@@ -21,8 +21,9 @@ from rapidsim.motion.limits import Limits
 from rapidsim.motion.path import Path
 from rapidsim.motion.sweep import sweep
 
-_ACCELERATION_EXCESS = 0.004
+_ACCELERATION_EXCESS = 0.002
 _WORTHWHILE = 1e-6
+_SMALLEST_PART = 0.02
 _LARGEST_X = 1e12
 _CHUNK = 4096
 
@@ -64,7 +65,16 @@ def solve(
 
 
 def _speed_caps(path: Path, cells: Cells, limits: Limits, pace: Array) -> Array:
-    """Largest x at the nodes (c + 1,) by speeds of axes, TCP and reorientation."""
+    """Largest x at the nodes (c + 1,); what the middle of a cell asks for holds at its ends."""
+    x = _largest_by_speed(path, cells, limits, pace)
+    caps = np.full(len(x) + 1, np.inf)
+    caps[:-1] = np.minimum(x[:, 0], x[:, 1])
+    caps[1:] = np.minimum(caps[1:], np.minimum(x[:, 2], x[:, 1]))
+    return caps
+
+
+def _largest_by_speed(path: Path, cells: Cells, limits: Limits, pace: Array) -> Array:
+    """Largest x (c, 3) by speeds of axes, TCP and reorientation at starts, middles and ends."""
     segment = segment_of(path, cells)
     paced = ~np.isnan(pace)
     tcp = np.array([s.speed.tcp for s in path.segments])
@@ -75,11 +85,8 @@ def _speed_caps(path: Path, cells: Cells, limits: Limits, pace: Array) -> Array:
     slowest = np.maximum(slowest, cells.tcp_rate * tcp_share[:, None])
     slowest = np.maximum(slowest, cells.turn_rate * turn_share[:, None])
     slowest = np.maximum(slowest, np.where(paced, 1.0 / pace, 0.0)[segment][:, None])
-    x = np.minimum(1.0 / np.maximum(slowest, 1e-9) ** 2, _LARGEST_X)  # (c, 3)
-    caps = np.full(len(x) + 1, np.inf)
-    caps[:-1] = np.minimum(x[:, 0], x[:, 1])
-    caps[1:] = np.minimum(caps[1:], np.minimum(x[:, 2], x[:, 1]))
-    return caps
+    largest: Array = np.minimum(1.0 / np.maximum(slowest, 1e-9) ** 2, _LARGEST_X)
+    return largest
 
 
 def _rows(path: Path, cells: Cells, limits: Limits, span: Array) -> tuple[Array, Array]:
@@ -121,28 +128,38 @@ def _widest(slack: Array, tilt: Array, span: Array) -> Array:
     return result
 
 
-def refinement(path: Path, cells: Cells, limits: Limits, x: Array) -> tuple[Index, Array]:
+def refinement(
+    path: Path, cells: Cells, limits: Limits, pace: Array, x: Array
+) -> tuple[Index, Array]:
     """Cells to cut and where: limits broken in the middle, or time lost at a switching point."""
     width = cells.end - cells.start
     u = np.diff(x) / np.maximum(2.0 * width, 1e-300)
     middle = 0.5 * (x[:-1] + x[1:])
-    share = path.acceleration_share[cells.piece][:, None]
+    limit = limits.max_acceleration * path.acceleration_share[cells.piece][:, None]
     load = np.abs(cells.first[:, 1] * u[:, None] + cells.second[:, 1] * middle[:, None])
-    over = (load / (limits.max_acceleration * share)).max(axis=-1) > 1.0 + _ACCELERATION_EXCESS
+    over = (load / limit).max(axis=-1) > 1.0 + _ACCELERATION_EXCESS
     over &= width > 1e-9 * path.length
-    at = 0.5 * (cells.start + cells.end)
 
-    # Between acceleration and braking, the lines of the neighbours meet above the cell's own.
-    before, after = np.append(u[:1], u[:-1]), np.append(u[1:], u[-1:])
-    before[0], after[-1] = np.inf, -np.inf
+    # Within a cell u is constant. Speeding up for one part of it and braking for the other, or
+    # driving at the largest speed in between, may gain time.
+    slack, tilt = _rows(path, cells, limits, 2.0 * width)
+    speed_up = (slack - tilt * x[:-1, None]).min(axis=1)
+    brake = (-slack - tilt * x[:-1, None]).max(axis=1)
+    bend = (np.abs(cells.second[:, 1]) / limit).max(axis=-1)
+    by_speed = _largest_by_speed(path, cells, limits, pace)[:, 1]
+    top = np.minimum(by_speed, 1.0 / np.maximum(bend, 1.0 / _LARGEST_X))
     with np.errstate(all="ignore"):
-        step = (x[1:] - x[:-1] - 2.0 * after * width) / (2.0 * (before - after))
-        peak = x[:-1] + 2.0 * before * step
-        times = _pass(width, x[:-1], x[1:])
+        step = (x[1:] - x[:-1] - 2.0 * brake * width) / (2.0 * (speed_up - brake))
+        peak = x[:-1] + 2.0 * speed_up * step
+        up = (top - x[:-1]) / (2.0 * speed_up)
+        down = width - (top - x[1:]) / (-2.0 * brake)
+        capped = np.where(up > _SMALLEST_PART * width, up, down)
+        step, peak = np.where(peak > top, capped, step), np.minimum(peak, top)
         quicker = _pass(step, x[:-1], peak) + _pass(width - step, peak, x[1:])
-        meets = (step > 0.02 * width) & (step < 0.98 * width) & np.isfinite(peak) & (before > after)
-        switch = meets & (times - quicker > _WORTHWHILE * times.sum()) & ~over
-    at = np.where(switch, cells.start + step, at)
+        times = _pass(width, x[:-1], x[1:])
+        inside = (step > _SMALLEST_PART * width) & (step < (1.0 - _SMALLEST_PART) * width)
+        switch = inside & (times - quicker > _WORTHWHILE * times.sum()) & ~over
+    at = np.where(switch, cells.start + step, 0.5 * (cells.start + cells.end))
     index = np.flatnonzero(over | switch).astype(np.int64)
     return index, at[index]
 

@@ -11,7 +11,7 @@ import numpy as np
 from rapidsim.frames.transform import Array
 from rapidsim.motion.curves import Index
 from rapidsim.motion.grid import Cells, cells_of, split
-from rapidsim.motion.limiters import Limiter, limiters_of
+from rapidsim.motion.limiters import Limiter, Quantity, limiters_of
 from rapidsim.motion.limits import Limits
 from rapidsim.motion.path import Path
 from rapidsim.motion.solver import refinement, segment_of, solve
@@ -126,6 +126,14 @@ def plan(path: Path, limits: Limits, *, start: float = 0.0, start_speed: float =
         start_speed: Path speed [m/s] there. If it is too fast to brake within the limits, it is
             kept, the first stretch brakes harder than allowed, and `Timing.start_excess` says so.
     """
+    if start >= path.length:
+        nothing = Limiter(Quantity.NOTHING)
+        return Timing(
+            s=np.full(2, path.length),
+            speed=np.zeros(2),
+            start_excess=start_speed,
+            limited_by=(nothing,) * len(path.segments),
+        )
     cells = cells_of(path, limits, start)
     pace = np.full(len(path.segments), np.nan)
     timed = _timed(path, start)
@@ -148,7 +156,7 @@ def _refined(path: Path, cells: Cells, limits: Limits, pace: Array, start_speed:
     """Cut cells until the limits hold within them and no time is lost at switching points."""
     for _ in range(_ROUNDS):
         x, _ = solve(path, cells, limits, pace, start_speed)
-        index, at = refinement(path, cells, limits, x)
+        index, at = refinement(path, cells, limits, pace, x)
         if not len(index):
             break
         cells = split(path, cells, index, at)

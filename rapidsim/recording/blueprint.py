@@ -5,7 +5,7 @@ from __future__ import annotations
 import rerun.blueprint as rrb
 
 from rapidsim.recording import lanes, listing, log, palette, plots, targets
-from rapidsim.recording.camera import Camera, cell_camera, path_camera, path_size
+from rapidsim.recording.camera import Camera, cell_camera, near_camera
 from rapidsim.recording.legend import emptiest_corner
 from rapidsim.recording.sampled import SampledRun
 from rapidsim.recording.targets import Target
@@ -41,11 +41,13 @@ def blueprint(run: SampledRun, shown: tuple[Target, ...]) -> rrb.Blueprint:
 
 def _spaces(run: SampledRun, shown: tuple[Target, ...]) -> rrb.Container:
     """The whole cell, and the targets from near."""
-    cell = _space("Cell", cell_camera(run), 0.1, [f"- /{targets.NAMES}/**"])
-    if path_size(shown) == 0.0:
-        return rrb.Horizontal(cell)
-    near = _space("Path", path_camera(run, shown), 0.01, [])
-    return rrb.Horizontal(cell, near, column_shares=[5, 4])
+    near = targets.near_targets(shown)
+    if targets.extent(near) == 0.0:
+        return rrb.Horizontal(_space("Cell", cell_camera(run), 0.1, []))
+    # From afar the names of neighbours cover each other.
+    cell = _space("Cell", cell_camera(run), 0.1, [f"- /{targets.NAMES_NEAR}"])
+    path = _space("Path", near_camera(run, near), 0.01, [])
+    return rrb.Horizontal(cell, path, column_shares=[5, 4])
 
 
 def _space(name: str, camera: Camera, grid_m: float, hidden: list[str]) -> rrb.Spatial3DView:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.recording.sampled import SampledRun
-from rapidsim.recording.targets import Target
+from rapidsim.recording.targets import Target, points_of
 from rapidsim.recording.work_objects import object_origins
 
 _HALF_VIEW_RAD = np.radians(22.5)
@@ -35,25 +36,14 @@ def cell_camera(run: SampledRun) -> Camera:
     return _looking_at(_cell_points(run), _azimuth(run), _HEIGHT_RAD)
 
 
-def path_camera(run: SampledRun, targets: tuple[Target, ...]) -> Camera:
-    """See the targets."""
-    return _looking_at(_target_points(targets), _azimuth(run), _CLOSE_HEIGHT_RAD, air=1.15)
-
-
-def path_size(targets: tuple[Target, ...]) -> float:
-    """The largest extent [m] of the targets along an axis; 0 for none."""
-    if not targets:
-        return 0.0
-    return float(np.ptp(_target_points(targets), axis=0).max())
+def near_camera(run: SampledRun, near: Sequence[Target]) -> Camera:
+    """See some targets from near."""
+    return _looking_at(points_of(near), _azimuth(run), _CLOSE_HEIGHT_RAD, air=1.15)
 
 
 def cell_size(run: SampledRun) -> float:
     """The largest extent [m] of the cell along an axis."""
     return float(np.ptp(_cell_points(run), axis=0).max())
-
-
-def _target_points(targets: tuple[Target, ...]) -> Array:
-    return np.array([target.base_from_tcp.translation for target in targets])
 
 
 def _cell_points(run: SampledRun) -> Array:

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from rapidsim.frames.transform import Transform
+from rapidsim.language.data import Pose
+from rapidsim.motion.targets import transform
 from rapidsim.simulation.result import ExecutedMove
 
 
@@ -20,18 +22,19 @@ class Change:
 
 
 def changes(
-    moves: Iterable[ExecutedMove], frame_of: Callable[[ExecutedMove], Transform]
+    moves: Iterable[ExecutedMove], frame_of: Callable[[ExecutedMove], Pose]
 ) -> tuple[Change, ...]:
     """The values of a frame over some moves, each with its first instant [s]; none for no moves.
 
     The first one holds from 0 s: the arm has the tool in its hand before it moves.
     """
     found: list[Change] = []
+    last: Pose | None = None
     for move in moves:
         frame = frame_of(move)
-        if found and _equal(found[-1].frame, frame):
-            continue
-        found.append(Change(move.start_s if found else 0.0, frame))
+        if frame != last:
+            found.append(Change(move.start_s if found else 0.0, transform(frame)))
+            last = frame
     return tuple(found)
 
 
@@ -41,7 +44,3 @@ def stacked(values: tuple[Change, ...]) -> Transform:
         np.stack([change.frame.rotation for change in values]),
         np.stack([change.frame.translation for change in values]),
     )
-
-
-def _equal(a: Transform, b: Transform) -> bool:
-    return np.array_equal(a.rotation, b.rotation) and np.array_equal(a.translation, b.translation)

@@ -23,6 +23,8 @@ WINDOW = 18
 """Lines shown at once."""
 _MARGIN = 3
 """Lines kept above and below the pointer."""
+MOST_TEXTS = 5000
+"""Times the text is logged; a long run shows it at so many instants, evenly spread."""
 _WIDTH = 78
 """Characters of a line; the rest would wrap and push the pointer out of sight."""
 
@@ -40,19 +42,38 @@ class _Pointers:
     motion_line: int | None
 
 
-def log_listing(stream: rr.RecordingStream, run: SampledRun) -> None:
-    """Log the program text, once for each time a pointer moves."""
-    rows = list(_texts(_pointers(run.simulation.lines, run.simulation.moves)))
-    if not rows:
-        return
-    stream.send_columns(
-        ENTITY,
-        indexes=indexes_at([time_s for time_s, _ in rows], run.simulation.moves),
-        columns=rr.TextDocument.columns(
-            text=[text for _, text in rows],
-            media_type=[rr.MediaType.MARKDOWN] * len(rows),
-        ),
-    )
+def log_listing(stream: rr.RecordingStream, run: SampledRun) -> tuple[str, ...]:
+    """Log the program text, once for each time a pointer moves.
+
+    Returns:
+        What the viewer will not show as it should, a line each.
+    """
+    states = list(_pointers(run.simulation.lines, run.simulation.moves))
+    remarks: tuple[str, ...] = ()
+    if len(states) > MOST_TEXTS:
+        apart_s = run.end_s / MOST_TEXTS
+        states = list(_apart(states, apart_s))
+        remarks = (f"the pointers in the program text are shown every {apart_s:.3g} s only",)
+    rows = list(_texts(states))
+    if rows:
+        stream.send_columns(
+            ENTITY,
+            indexes=indexes_at([time_s for time_s, _ in rows], run.simulation.moves),
+            columns=rr.TextDocument.columns(
+                text=[text for _, text in rows],
+                media_type=[rr.MediaType.MARKDOWN] * len(rows),
+            ),
+        )
+    return remarks
+
+
+def _apart(states: Sequence[_Pointers], apart_s: float) -> Iterator[_Pointers]:
+    """The states that are some time apart."""
+    next_s = 0.0
+    for state in states:
+        if state.time_s >= next_s:
+            yield state
+            next_s = state.time_s + apart_s
 
 
 def _pointers(lines: Sequence[ExecutedLine], moves: Sequence[ExecutedMove]) -> Iterator[_Pointers]:
@@ -80,7 +101,7 @@ def _pointers(lines: Sequence[ExecutedLine], moves: Sequence[ExecutedMove]) -> I
         )
 
 
-def _texts(states: Iterator[_Pointers]) -> Iterator[tuple[float, str]]:
+def _texts(states: Sequence[_Pointers]) -> Iterator[tuple[float, str]]:
     """The window at each change of what it shows."""
     shown: str | None = None
     source: Source | None = None

@@ -45,6 +45,7 @@ LIMIT: Colour = (229, 57, 53)
 
 TARGET: Colour = (240, 240, 245)
 TARGET_NAME: Colour = (250, 230, 140)
+FRAME_NAME: Colour = (160, 200, 235)
 STOPPED: Colour = (255, 64, 64)
 
 SIGNAL_ON: Colour = (46, 180, 90)

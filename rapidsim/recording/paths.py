@@ -5,7 +5,6 @@ Where a corner was cut the travelled path has the corner's colour.
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterator
 from itertools import pairwise
 
@@ -27,24 +26,25 @@ TRAVELLED = "path/travelled"
 
 _CURVE_POINTS = 48
 """Points that make a joint move or an arc look round."""
-_STANDSTILL = 1e-6
-"""[m]; shorter steps do not show."""
+_NO_STEP = 1e-6
+"""[m]; a step that does not show."""
+_CORNER = "corner"
 
 
 def log_paths(stream: rr.RecordingStream, run: SampledRun) -> None:
     """Log both paths of a run."""
-    strips = list(programmed(run))
-    if strips:
-        stream.log(
-            PROGRAMMED,
-            rr.CoordinateFrame(BASE),
-            rr.LineStrips3D(
-                strips,
-                radii=rr.Radius.ui_points(0.8),
-                colors=palette.rgba(palette.PROGRAMMED, 150),
-            ),
-            static=True,
-        )
+    if not run.simulation.moves:
+        return
+    stream.log(
+        PROGRAMMED,
+        rr.CoordinateFrame(BASE),
+        rr.LineStrips3D(
+            _joined(programmed(run)),
+            radii=rr.Radius.ui_points(0.8),
+            colors=palette.rgba(palette.PROGRAMMED, 150),
+        ),
+        static=True,
+    )
     for name, (colour, pieces) in _travelled(run).items():
         stream.log(
             f"{TRAVELLED}/{name}",
@@ -82,46 +82,54 @@ def _circle_point(move: ExecutedMove) -> Array:
     return via.translation
 
 
+def _joined(curves: Iterator[Array]) -> list[Array]:
+    """The same curves as few strips: one goes on where the next begins."""
+    strips: list[list[Array]] = []
+    for curve in curves:
+        if strips and np.linalg.norm(strips[-1][-1][-1] - curve[0]) < _NO_STEP:
+            strips[-1].append(curve[1:])
+        else:
+            strips.append([curve])
+    return [np.concatenate(strip) for strip in strips]
+
+
 def _travelled(run: SampledRun) -> dict[str, tuple[palette.Colour, list[Array]]]:
     """Pieces of the travelled path by what they are, in the order they first occur."""
-    samples = run.samples
     moves = run.simulation.moves
-    points = samples.base_from_tcp.translation
-    kinds = _kinds(run)
+    kinds = dict.fromkeys(move.move.instruction for move in moves)
+    number_of = {name: number for number, name in enumerate((_CORNER, *kinds))}
+    colour_of = {move.move.instruction: palette.of_move(move) for move in moves}
+    colour_of[_CORNER] = palette.CORNER
+
+    of_move = np.array([number_of[move.move.instruction] for move in moves])
+    of_sample = np.where(_in_corner(run), number_of[_CORNER], of_move[_move_index(run)])
+    names = tuple(number_of)
+    points = run.samples.base_from_tcp.translation
     pieces: dict[str, tuple[palette.Colour, list[Array]]] = {}
-    changes = np.flatnonzero(kinds[1:] != kinds[:-1]) + 1
-    bounds = [0, *changes.tolist(), len(kinds)]
-    for begin, end in pairwise(bounds):
-        move_index = int(samples.move[begin])
-        if not 0 <= move_index < len(moves):
-            continue
-        move = moves[move_index]
-        corner = bool(kinds[begin] % 2)
-        name = "corner" if corner else move.move.instruction
-        colour = palette.CORNER if corner else palette.of_move(move)
+    changes = np.flatnonzero(of_sample[1:] != of_sample[:-1]) + 1
+    for begin, end in pairwise([0, *changes.tolist(), len(of_sample)]):
         # A piece ends where the next one begins, so that the path has no gaps.
         piece = points[begin : end + 1]
-        if np.ptp(piece, axis=0).max() < _STANDSTILL:
-            continue
-        pieces.setdefault(name, (colour, []))[1].append(piece)
+        if np.ptp(piece, axis=0).max() >= _NO_STEP:
+            name = names[of_sample[begin]]
+            pieces.setdefault(name, (colour_of[name], []))[1].append(piece)
     return pieces
 
 
-def _kinds(run: SampledRun) -> npt.NDArray[np.int64]:
-    """A number for each sample (k,), equal for neighbours of one move; odd within a corner."""
-    samples = run.samples
-    kinds = 2 * samples.move
-    rows_of = defaultdict[int, slice](lambda: slice(0, 0))
+def _move_index(run: SampledRun) -> npt.NDArray[np.int64]:
+    """Index of the move under way (k,); the first before any."""
+    return np.clip(run.samples.move, 0, len(run.simulation.moves) - 1)
+
+
+def _in_corner(run: SampledRun) -> npt.NDArray[np.bool_]:
+    """Which samples (k,) are in the zone at either end of their move."""
     moves = run.simulation.moves
-    edges = np.searchsorted(samples.move, np.arange(len(moves) + 1))
-    for move in moves:
-        rows_of[move.index] = slice(int(edges[move.index]), int(edges[move.index + 1]))
-    points = samples.base_from_tcp.translation
-    for move in moves:
-        if move.corner is not CornerKind.FLY_BY or move.zone_m <= 0.0:
-            continue
-        for index in (move.index, move.index + 1):
-            rows = rows_of[index]
-            distance = np.linalg.norm(points[rows] - move.base_from_tcp.translation, axis=1)
-            kinds[rows] |= (distance < move.zone_m).astype(np.int64)
-    return kinds
+    ends = np.array([move.base_from_tcp.translation for move in moves])
+    zones = np.array([move.zone_m if move.corner is CornerKind.FLY_BY else 0.0 for move in moves])
+    points = run.samples.base_from_tcp.translation
+    index = _move_index(run)
+    before = np.maximum(index - 1, 0)
+    at_end = np.linalg.norm(points - ends[index], axis=1) < zones[index]
+    at_start = np.linalg.norm(points - ends[before], axis=1) < zones[before]
+    inside: npt.NDArray[np.bool_] = at_end | (at_start & (index > 0))
+    return inside

@@ -17,8 +17,8 @@ RANGE_LIMITS = "joints/range_limits"
 SPEED = "tcp/speed"
 PROGRAMMED_SPEED = "tcp/programmed_speed"
 
-_EXTREMES = rr.components.AggregationPolicy.MinMax
-"""Where several samples share a pixel show their extremes; a mean would cut peaks and stops off."""
+_MOST_DRAWN = 20_000
+"""So many samples are drawn each; of more, those that share a pixel are drawn as their extremes."""
 
 
 def log_plots(stream: rr.RecordingStream, run: SampledRun) -> None:
@@ -36,7 +36,7 @@ def _log_joints(stream: rr.RecordingStream, run: SampledRun) -> None:
         names=[f"J{k}" for k in range(1, count + 1)],
         colors=np.array(colours, dtype=np.uint32),
         widths=np.full(count, 1.6),
-        aggregation_policy=_EXTREMES,
+        aggregation_policy=_aggregation(run),
     )
     middle = 0.5 * (robot.upper + robot.lower)
     half_range = 0.5 * (robot.upper - robot.lower)
@@ -88,7 +88,7 @@ def _log_speed(stream: rr.RecordingStream, run: SampledRun) -> None:
             names="TCP",
             colors=palette.rgba(palette.TCP_SPEED),
             widths=1.8,
-            aggregation_policy=_EXTREMES,
+            aggregation_policy=_aggregation(run),
         ),
         static=True,
     )
@@ -117,3 +117,10 @@ def _programmed_steps(moves: tuple[ExecutedMove, ...], end_s: float) -> tuple[Ar
     steps.setdefault(end_s, 0.0)
     times = sorted(steps)
     return np.array(times), np.array([steps[time] for time in times])
+
+
+def _aggregation(run: SampledRun) -> rr.components.AggregationPolicy:
+    """How the viewer thins a plot out; its own choice, the mean, would cut peaks and stops off."""
+    if len(run.samples.times) <= _MOST_DRAWN:
+        return rr.components.AggregationPolicy.Off
+    return rr.components.AggregationPolicy.MinMax

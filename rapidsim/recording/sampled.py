@@ -16,7 +16,7 @@ from rapidsim.simulation.result import Simulation
 
 DEFAULT_DT = 0.012
 """[s]; the beat at which a controller itself computes its path."""
-MOST_SAMPLES = 200_000
+MOST_SAMPLES = 120_000
 """A longer run is sampled more coarsely unless the user asks otherwise; this is some 60 MB."""
 _BLOCK = 20_000
 """Samples evaluated at once, which bounds the memory that the kinematics needs."""

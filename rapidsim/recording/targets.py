@@ -9,12 +9,14 @@ import numpy as np
 import rerun as rr
 
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.language.controller import Interpolation
 from rapidsim.recording import palette
 from rapidsim.recording.transforms import BASE
 from rapidsim.simulation.result import ExecutedMove
 
 ENTITY = "targets"
-NAMES = f"{ENTITY}/names"
+NAMES_NEAR = f"{ENTITY}/names/near"
+NAMES_FAR = f"{ENTITY}/names/far"
 
 MOST_NAMES = 60
 """With more targets than this the names cover each other and everything else."""
@@ -29,6 +31,8 @@ class Target:
 
     name: str
     base_from_tcp: Transform
+    on_line: bool
+    """Whether a line or an arc leads there."""
 
 
 def targets_of(moves: Sequence[ExecutedMove]) -> tuple[Target, ...]:
@@ -36,9 +40,33 @@ def targets_of(moves: Sequence[ExecutedMove]) -> tuple[Target, ...]:
     found: dict[tuple[object, ...], Target] = {}
     for move in moves:
         place = tuple(np.round(move.base_from_tcp.translation / _SAME).astype(np.int64).tolist())
-        target = Target(target_name(move), move.base_from_tcp)
-        found.setdefault((target.name, *place), target)
+        target = Target(
+            target_name(move),
+            move.base_from_tcp,
+            move.move.interpolation in (Interpolation.LINE, Interpolation.CIRCLE),
+        )
+        key = (target.name, *place)
+        if key not in found or target.on_line:
+            found[key] = target
     return tuple(found.values())
+
+
+def near_targets(targets: Sequence[Target]) -> tuple[Target, ...]:
+    """The targets where the work is done: on lines and arcs, if there are some apart, else all."""
+    on_lines = tuple(target for target in targets if target.on_line)
+    return on_lines if extent(on_lines) > 0.0 else tuple(targets)
+
+
+def extent(targets: Sequence[Target]) -> float:
+    """The largest extent [m] of some targets along an axis; 0 for none."""
+    if not targets:
+        return 0.0
+    return float(np.ptp(points_of(targets), axis=0).max())
+
+
+def points_of(targets: Sequence[Target]) -> Array:
+    """Where some targets are (k, 3) [m] in the base."""
+    return np.array([target.base_from_tcp.translation for target in targets])
 
 
 def target_name(move: ExecutedMove) -> str:
@@ -49,33 +77,52 @@ def target_name(move: ExecutedMove) -> str:
     return text if len(text) <= 24 else text[:23] + "…"
 
 
-def log_targets(stream: rr.RecordingStream, targets: Sequence[Target], axis_m: float) -> None:
-    """Log targets with axes of a length [m]."""
+def log_targets(
+    stream: rr.RecordingStream, targets: Sequence[Target], axis_m: float
+) -> tuple[str, ...]:
+    """Log targets with axes of a length [m].
+
+    Returns:
+        What the viewer will not show as it should, a line each.
+    """
     if not targets:
-        return
-    points = np.array([target.base_from_tcp.translation for target in targets])
-    frame = rr.CoordinateFrame(BASE)
+        return ()
     stream.log(
         f"{ENTITY}/points",
-        frame,
-        rr.Points3D(points, radii=rr.Radius.ui_points(3.5), colors=palette.rgba(palette.TARGET)),
+        rr.CoordinateFrame(BASE),
+        rr.Points3D(
+            points_of(targets), radii=rr.Radius.ui_points(3.5), colors=palette.rgba(palette.TARGET)
+        ),
         static=True,
     )
     _log_axes(stream, targets[:MOST_AXES], axis_m)
     if len(targets) <= MOST_NAMES:
-        places, names = _gathered(targets)
-        stream.log(
-            NAMES,
-            frame,
-            rr.Points3D(
-                places,
-                radii=rr.Radius.ui_points(0.0),
-                colors=palette.rgba(palette.TARGET_NAME),
-                labels=names,
-                show_labels=True,
-            ),
-            static=True,
-        )
+        near = near_targets(targets)
+        _log_names(stream, NAMES_NEAR, near)
+        _log_names(stream, NAMES_FAR, [target for target in targets if target not in near])
+        return ()
+    remarks: tuple[str, ...] = (f"{len(targets)} targets: their names are not shown",)
+    if len(targets) > MOST_AXES:
+        remarks += (f"{len(targets)} targets: the first {MOST_AXES} have axes",)
+    return remarks
+
+
+def _log_names(stream: rr.RecordingStream, entity: str, targets: Sequence[Target]) -> None:
+    if not targets:
+        return
+    places, names = _gathered(targets)
+    stream.log(
+        entity,
+        rr.CoordinateFrame(BASE),
+        rr.Points3D(
+            places,
+            radii=rr.Radius.ui_points(0.0),
+            colors=palette.rgba(palette.TARGET_NAME),
+            labels=names,
+            show_labels=True,
+        ),
+        static=True,
+    )
 
 
 def _log_axes(stream: rr.RecordingStream, targets: Sequence[Target], axis_m: float) -> None:

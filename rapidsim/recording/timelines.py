@@ -21,8 +21,9 @@ MOVE = "move"
 
 def indexes(times: Array, moves: npt.NDArray[np.int64]) -> list[rr.TimeColumn]:
     """The time columns of rows at `times` (k,) [s] during `moves` (k,)."""
-    # A list instead of an array would take rerun's slow path.
-    return [rr.TimeColumn(SIM_TIME, duration=times), rr.TimeColumn(MOVE, sequence=moves)]
+    # Rounded to the viewer's nanoseconds here; seconds as floats would be cut off.
+    nanoseconds = np.round(times * 1e9).astype("timedelta64[ns]")
+    return [rr.TimeColumn(SIM_TIME, duration=nanoseconds), rr.TimeColumn(MOVE, sequence=moves)]
 
 
 def indexes_at(times_s: Sequence[float], moves: Sequence[ExecutedMove]) -> list[rr.TimeColumn]:
@@ -32,6 +33,8 @@ def indexes_at(times_s: Sequence[float], moves: Sequence[ExecutedMove]) -> list[
     return indexes(np.array(times_s, dtype=np.float64), np.maximum(begun, 0).astype(np.int64))
 
 
-def move_at(time_s: float, moves: Sequence[ExecutedMove]) -> int:
-    """The number of the last move begun by an instant [s]; 0 before the first."""
-    return max(bisect_right(moves, time_s, key=lambda move: move.start_s) - 1, 0)
+def set_instant(stream: rr.RecordingStream, time_s: float, moves: Sequence[ExecutedMove]) -> None:
+    """Let what is logged next happen at an instant [s]."""
+    stream.set_time(SIM_TIME, duration=np.timedelta64(round(time_s * 1e9), "ns"))
+    begun = bisect_right(moves, time_s, key=lambda move: move.start_s) - 1
+    stream.set_time(MOVE, sequence=max(begun, 0))

@@ -15,7 +15,7 @@ from rapidsim.recording.arm import FLANGE
 from rapidsim.recording.changes import Change, changes, stacked
 from rapidsim.recording.sampled import SampledRun
 from rapidsim.recording.skeleton import z_to
-from rapidsim.recording.timelines import MOVE, SIM_TIME, indexes_at, move_at
+from rapidsim.recording.timelines import indexes_at, set_instant
 from rapidsim.recording.transforms import moving_frame
 
 TCP = "tcp"
@@ -30,7 +30,7 @@ _SIDES = 24
 def log_tool(stream: rr.RecordingStream, run: SampledRun, axis_m: float) -> None:
     """Log the TCP with axes of a length [m] and the tool's body."""
     moves = run.simulation.moves
-    tools = changes(moves, lambda move: move.tcp_from_flange.inverse()) or (
+    tools = changes(moves, lambda move: move.move.tool.tframe) or (
         Change(0.0, Transform.identity()),
     )
     stream.send_columns(
@@ -41,8 +41,7 @@ def log_tool(stream: rr.RecordingStream, run: SampledRun, axis_m: float) -> None
     stream.log(FRAME_ENTITY, rr.CoordinateFrame(TCP), rr.TransformAxes3D(axis_m), static=True)
     stream.log(BODY_ENTITY, rr.CoordinateFrame(FLANGE), static=True)
     for tool in tools:
-        stream.set_time(SIM_TIME, duration=tool.time_s)
-        stream.set_time(MOVE, sequence=move_at(tool.time_s, moves))
+        set_instant(stream, tool.time_s, moves)
         stream.log(BODY_ENTITY, _body(tool.frame.translation))
     stream.reset_time()
 

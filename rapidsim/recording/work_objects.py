@@ -11,8 +11,8 @@ import numpy as np
 import rerun as rr
 
 from rapidsim.frames.transform import Array
-from rapidsim.language.data import IDENTITY_POSE
-from rapidsim.motion.targets import base_from_object, transform
+from rapidsim.language.data import IDENTITY_POSE, WobjData
+from rapidsim.motion.targets import base_from_object
 from rapidsim.recording import palette
 from rapidsim.recording.changes import changes, stacked
 from rapidsim.recording.sampled import SampledRun
@@ -30,8 +30,8 @@ _SMALLEST = 0.05
 def log_work_objects(stream: rr.RecordingStream, run: SampledRun, axis_m: float) -> None:
     """Log the frames of the work objects with axes of a length [m]."""
     for name, moves in _by_name(run.simulation.moves).items():
-        users = changes(moves, lambda move: transform(move.move.wobj.uframe))
-        objects = changes(moves, lambda move: transform(move.move.wobj.oframe))
+        users = changes(moves, lambda move: move.move.wobj.uframe)
+        objects = changes(moves, lambda move: move.move.wobj.oframe)
         user_frame = f"{name}.uframe"
         for entity, parent, child, values in (
             ("user", BASE, user_frame, users),
@@ -43,11 +43,10 @@ def log_work_objects(stream: rr.RecordingStream, run: SampledRun, axis_m: float)
                 indexes=indexes_at([change.time_s for change in values], run.simulation.moves),
                 columns=moving_frame(parent, child, stacked(values)),
             )
-            shown = child == name
             stream.log(
                 path,
                 rr.CoordinateFrame(child),
-                rr.TransformAxes3D(axis_m if shown else 0.6 * axis_m, show_frame=shown),
+                rr.TransformAxes3D(axis_m if child == name else 0.6 * axis_m),
                 static=True,
             )
         _log_plate(stream, name, moves)
@@ -55,12 +54,9 @@ def log_work_objects(stream: rr.RecordingStream, run: SampledRun, axis_m: float)
 
 def object_origins(moves: Sequence[ExecutedMove]) -> Array:
     """Where the object frames are (k, 3) [m] in the base."""
-    origins = [
-        base_from_object(move.move.wobj, BASE_FROM_WORLD).translation
-        for group in _by_name(moves).values()
-        for move in group
-    ]
-    return np.unique(np.array(origins).reshape(-1, 3), axis=0)
+    used = dict.fromkeys(move.move.wobj for group in _by_name(moves).values() for move in group)
+    origins = [base_from_object(wobj, BASE_FROM_WORLD).translation for wobj in used]
+    return np.array(origins).reshape(-1, 3)
 
 
 def _by_name(moves: Sequence[ExecutedMove]) -> dict[str, list[ExecutedMove]]:
@@ -76,12 +72,16 @@ def _by_name(moves: Sequence[ExecutedMove]) -> dict[str, list[ExecutedMove]]:
 
 
 def _log_plate(stream: rr.RecordingStream, name: str, moves: Sequence[ExecutedMove]) -> None:
-    """A plate under the targets and the origin, in the plane of the object frame."""
-    corners = [np.zeros(2)]
+    """A plate under the targets and the origin, in the plane of the object frame, and a name."""
+    places: dict[WobjData, list[Array]] = {}
     for move in moves:
-        object_from_base = base_from_object(move.move.wobj, BASE_FROM_WORLD).inverse()
-        corners.append(object_from_base.apply(move.base_from_tcp.translation)[:2])
-    low, high = np.min(corners, axis=0), np.max(corners, axis=0)
+        places.setdefault(move.move.wobj, []).append(move.base_from_tcp.translation)
+    in_plane = [np.zeros((1, 2))]
+    for wobj, places_in_base in places.items():
+        object_from_base = base_from_object(wobj, BASE_FROM_WORLD).inverse()
+        in_plane.append(object_from_base.apply(np.array(places_in_base))[:, :2])
+    corners = np.concatenate(in_plane)
+    low, high = corners.min(axis=0), corners.max(axis=0)
     half = np.maximum(0.5 * (high - low) * 1.5, _SMALLEST)
     centre = 0.5 * (low + high)
     stream.log(
@@ -92,6 +92,19 @@ def _log_plate(stream: rr.RecordingStream, name: str, moves: Sequence[ExecutedMo
             half_sizes=[[*half, 0.5 * _THICKNESS]],
             colors=palette.rgba(palette.WORK_PLANE),
             fill_mode=rr.components.FillMode.Solid,
+        ),
+        static=True,
+    )
+    # The name stands at a corner of the plate; at the origin it would cover what is drawn there.
+    stream.log(
+        f"{ENTITY}/{name}/name",
+        rr.CoordinateFrame(name),
+        rr.Points3D(
+            [[*(centre + half * [-1.0, 1.0]), 0.0]],
+            radii=rr.Radius.ui_points(0.0),
+            colors=palette.rgba(palette.FRAME_NAME),
+            labels=[name],
+            show_labels=True,
         ),
         static=True,
     )

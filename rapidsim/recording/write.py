@@ -19,14 +19,15 @@ import rerun as rr
 from rapidsim.output_files import whole_file
 from rapidsim.recording.arm import log_arm
 from rapidsim.recording.blueprint import blueprint
-from rapidsim.recording.camera import cell_size, path_size
+from rapidsim.recording.camera import cell_size
 from rapidsim.recording.lanes import log_lanes
 from rapidsim.recording.listing import log_listing
 from rapidsim.recording.log import log_messages
 from rapidsim.recording.paths import log_paths
 from rapidsim.recording.plots import log_plots
 from rapidsim.recording.sampled import SampledRun, sample
-from rapidsim.recording.targets import Target, log_targets, targets_of
+from rapidsim.recording.stopped import log_stopped
+from rapidsim.recording.targets import Target, extent, log_targets, near_targets, targets_of
 from rapidsim.recording.tool import log_tool
 from rapidsim.recording.transforms import BASE, BASE_FROM_WORLD, WORLD, static_frame
 from rapidsim.recording.work_objects import log_work_objects
@@ -69,13 +70,16 @@ def _log_all(stream: rr.RecordingStream, run: SampledRun, targets: tuple[Target,
     stream.send_property("run", _properties(run))
     stream.log("/", rr.ViewCoordinates.RIGHT_HAND_Z_UP, rr.CoordinateFrame(WORLD), static=True)
     stream.log("base", static_frame(WORLD, BASE, BASE_FROM_WORLD.inverse()), static=True)
-    axis_m = 0.1 * cell_size(run)
+    near_m = extent(near_targets(targets)) or cell_size(run)
+    # Long enough to see in the cell, short enough not to cover a small figure seen from near.
+    axis_m = float(np.clip(0.35 * near_m, 0.03 * cell_size(run), 0.1 * cell_size(run)))
     remarks = log_arm(stream, run)
-    log_tool(stream, run, 0.6 * axis_m)
+    log_tool(stream, run, 0.7 * axis_m)
     log_work_objects(stream, run, axis_m)
     log_paths(stream, run)
-    log_targets(stream, targets, min(0.1 * path_size(targets), 0.5 * axis_m) or 0.5 * axis_m)
-    log_listing(stream, run)
+    remarks += log_targets(stream, targets, min(0.12 * near_m, 0.5 * axis_m))
+    remarks += log_listing(stream, run)
+    log_stopped(stream, run, 0.05 * cell_size(run))
     log_plots(stream, run)
     log_lanes(stream, run)
     log_messages(stream, run, remarks)

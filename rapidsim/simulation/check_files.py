@@ -5,11 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from os import PathLike, fspath
+from typing import TYPE_CHECKING
 
 from rapidsim.diagnostics import Diagnostic, Severity, Span
 from rapidsim.files import TaskFiles, read_tasks
 from rapidsim.simulation.load import load
 from rapidsim.simulation.written_moves import written_moves
+
+if TYPE_CHECKING:
+    from rapidsim.motion.robot import Robot
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -29,8 +33,17 @@ class CheckResult:
         return all(d.severity is not Severity.ERROR for d in self.diagnostics)
 
 
-def check(paths: Iterable[str | PathLike[str]]) -> CheckResult:
+def check(
+    paths: Iterable[str | PathLike[str]],
+    *,
+    robot: Robot | str | None = None,
+) -> CheckResult:
     """Check the modules, program files or folders named, as `rapidsim check` does.
+
+    Args:
+        paths: What is checked; together it is one task, but for the tasks of a backup.
+        robot: The arm the program is for. No rule looks at it yet: the moves it would decide on are
+            in `CheckResult.unchecked_moves`.
 
     Raises:
         InputError: If something is missing, unreadable, or no RAPID.

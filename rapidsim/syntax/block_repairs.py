@@ -42,7 +42,7 @@ def unclosed_block(at: Situation) -> Patch | None:
         return _cut_short(at, blocks)
     inner: list[Block] = []
     for block in reversed(blocks):
-        if block.kind in wanted and not (block is blocks[-1] and _is_divided(block, at.kind)):
+        if block.kind in wanted and not (block is blocks[-1] and _is_divided(row, block, at.kind)):
             break
         inner.append(block)
     else:
@@ -113,14 +113,10 @@ def _wanted(kind: str) -> frozenset[str] | None:
     return None
 
 
-def _is_divided(block: Block, kind: str) -> bool:
-    """Whether a block has had its ELSE or DEFAULT, after which no further division may come."""
-    return block.last_divider in {"ELSE", "DEFAULT"} and kind in {
-        "ELSE",
-        "ELSEIF",
-        "CASE",
-        "DEFAULT",
-    }
+def _is_divided(row: Row, block: Block, kind: str) -> bool:
+    """Whether a block has had its ELSE or DEFAULT, after which it cannot be divided again."""
+    final = {"ELSE", "DEFAULT"}
+    return kind in {*final, "ELSEIF", "CASE"} and any(row.kinds[i] in final for i in block.dividers)
 
 
 def _misspelt_closer(at: Situation, block: Block, stop: int) -> Patch | None:
@@ -139,42 +135,47 @@ def _misspelt_closer(at: Situation, block: Block, stop: int) -> Patch | None:
 
 
 def _by_indentation(row: Row, start: int, stop: int, inner: list[Block]) -> Patch | None:
-    """Blame a block whose closing word stands in the column of a block further out."""
+    """Blame a block one of whose words stands in the column of a block further out."""
     outermost = inner[-1].index
-    for closed in closed_blocks(row.kinds, start, stop):
-        block, closer = closed.block, closed.closer
-        if block.index < outermost or not row.first_on_line(closer):
+    blocks = open_blocks(row.kinds, start, stop)
+    candidates = [
+        *(
+            (c.block, (*c.block.dividers, c.closer), c.around)
+            for c in closed_blocks(row.kinds, start, stop)
+        ),
+        *((block, block.dividers, tuple(blocks[:depth])) for depth, block in enumerate(blocks)),
+    ]
+    for block, words, around in candidates:
+        if block.index < outermost:
             continue
-        column = row.column(closer)
         own = row.column(row.line_begin(block.index))
-        if column < own and any(
-            row.column(row.line_begin(outer.index)) == column and outer.kind == block.kind
-            for outer in closed.around
-        ):
-            return _closing(row, block, closer, closer)
+        outer = {row.column(row.line_begin(o.index)) for o in around if o.kind == block.kind}
+        for word in words:
+            column = row.column(word)
+            if row.first_on_line(word) and column < own and column in outer:
+                return _closing(row, block, word, word)
     return None
 
 
 def _dedent(row: Row, block: Block, stop: int) -> int:
     """Where a reader would expect the closing word: the first line that stands no deeper."""
     column = row.column(row.line_begin(block.index))
-    index = row.line_stop(block.index)
-    if index >= stop or row.column(index) <= column:
-        return stop  # the body is not indented, so columns tell nothing
+    own = set(block.dividers)
     inside = {
         closed.block.index: closed.closer
         for closed in closed_blocks(row.kinds, block.index + 1, stop)
     }
+    indented = False
+    index = row.line_stop(block.index)
     while index < stop:
-        if index in inside:
-            index = inside[index]
-        elif (
-            row.first_on_line(index)
-            and row.column(index) <= column
-            and block.kind not in DIVIDERS.get(row.kinds[index], frozenset())
-        ):
-            return index
-        index += 1
+        if row.first_on_line(index) and index not in own:
+            if row.column(index) > column:
+                indented = True
+            elif indented or row.column(index) < column:
+                return index
+            else:
+                return stop  # the body is not indented, so columns tell nothing
+        index = inside.get(index, index) + 1
     return stop
 
 

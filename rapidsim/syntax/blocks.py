@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 CLOSERS = MappingProxyType(
@@ -45,8 +45,8 @@ class Block:
 
     kind: str
     index: int
-    last_divider: str | None = None
-    """The latest ELSE, ELSEIF, CASE or DEFAULT in it."""
+    dividers: tuple[int, ...] = ()
+    """Indices of the ELSE, ELSEIF, CASE, DEFAULT or clause words in it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +87,7 @@ def _walk(kinds: Sequence[str], start: int, stop: int, blocks: list[Block]) -> I
         elif kind in DIVIDERS:
             pending_if = None
             if blocks and blocks[-1].kind in DIVIDERS[kind]:
-                blocks[-1] = Block(blocks[-1].kind, blocks[-1].index, kind)
+                blocks[-1] = replace(blocks[-1], dividers=(*blocks[-1].dividers, index))
         elif kind in CLOSERS:
             blocks.append(Block(kind, index))
         elif kind in OPENERS and blocks and blocks[-1].kind == OPENERS[kind]:

@@ -14,13 +14,14 @@ from typing import Any
 
 import lark
 from lark.grammar import Rule as LarkRule
+from lark.grammar import Terminal
 from lark.lexer import PatternStr
 from lark.parsers.lalr_analysis import Shift
 
 from rapidsim.syntax.table import ACCEPT, END, GRAMMAR_FILE, TABLE_FILE, Exported, fingerprint
 
 
-class GrammarConflict(Exception):
+class GrammarConflictError(Exception):
     """The grammar is not LALR(1); the message is Lark's list of conflicts."""
 
 
@@ -35,7 +36,7 @@ def export(grammar: str) -> Exported:
     """Compute the table of a grammar.
 
     Raises:
-        GrammarConflict: When the grammar is not LALR(1).
+        GrammarConflictError: When the grammar is not LALR(1).
     """
     parser = _lark(grammar)
     rules = sorted(parser.rules, key=str)
@@ -65,7 +66,7 @@ def written(table: Exported) -> str:
     """The table as text, one rule and one state a line, so that a change can be reviewed."""
     lines = []
     for key, value in table.items():
-        if key in {"rules", "states"}:
+        if isinstance(value, list) and key != "symbols":
             rows = ",\n".join(json.dumps(row, separators=(",", ":")) for row in value)
             lines.append(f'"{key}": [\n{rows}\n]')
         else:
@@ -85,12 +86,12 @@ def _lark(grammar: str) -> lark.Lark:
             grammar, parser="lalr", lexer="basic", start="file", maybe_placeholders=True, debug=True
         )
     except lark.exceptions.GrammarError as error:
-        raise GrammarConflict(str(error)) from error
+        raise GrammarConflictError(str(error)) from error
     finally:
         lark.logger.removeHandler(handler)
         lark.logger.setLevel(level)
     if "conflict" in log.getvalue().lower():
-        raise GrammarConflict(log.getvalue())
+        raise GrammarConflictError(log.getvalue())
     return parser
 
 
@@ -104,7 +105,7 @@ def _numbered_states(
     Returns:
         The rows, the terminals and the nonterminals; a row alternates symbol and action.
     """
-    table: Any = parser.parser.parser._parse_table  # type: ignore[attr-defined]
+    table: Any = parser.parser.parser._parse_table
     rule_numbers = {rule: number for number, rule in enumerate(rules)}
     nonterminal_names = {str(rule.origin.name) for rule in rules}
     nonterminals = sorted(nonterminal_names)
@@ -142,7 +143,7 @@ def _rule(rule: LarkRule) -> tuple[str, int, str | None, list[int | None]]:
     children: list[int | None] = []
     for position, symbol in enumerate(rule.expansion):
         children += [None] * absent[position]
-        if not (symbol.is_term and symbol.filter_out):
+        if not (isinstance(symbol, Terminal) and symbol.filter_out):
             children.append(position)
     children += [None] * absent[-1]
     build: str | None = rule.alias or origin

@@ -144,7 +144,8 @@ class Builder:
     ) -> tree.Func:
         """FUNC."""
         assert head.type is not None
-        return tree.Func(start, end, *self._routine(head, body, clauses), head.type)
+        fields = (*self._routine(head, body, clauses), head.type)
+        return tree.Func(start, end, *fields)
 
     def trap(
         self, start: int, end: int, head: Head, body: tree.Body, clauses: tuple[Clause, ...]
@@ -250,7 +251,7 @@ class Builder:
             return tree.Call(start, end, name, ())
         first = arguments[0]
         if (
-            first.start - name.end > 1
+            first.start > name.end
             and type(first) is tree.Required
             and self.text.find(self.line_end, name.end, first.start) >= 0
             and _may_be_a_statement(first, arguments[1:])
@@ -373,8 +374,15 @@ class Builder:
 
     def aggregate(
         self, start: int, end: int, elements: tuple[tree.Expression, ...] | None
-    ) -> tree.Aggregate:
-        """An aggregate that is not of literals alone."""
+    ) -> tree.Aggregate | tree.LiteralAggregate:
+        """An aggregate that the lexer did not take for one of literals.
+
+        It may be one nevertheless: nested deep, or with a comment in it.
+        """
+        values = tuple(_literal_value(element) for element in elements or ())
+        literal = tuple(value for value in values if value is not None)
+        if literal and len(literal) == len(values):
+            return tree.LiteralAggregate(start, end, literal)
         return tree.Aggregate(start, end, elements or ())
 
     # --- rules whose children are the fields of a node, in order
@@ -437,6 +445,18 @@ def _may_be_a_statement(first: tree.Required, others: tuple[tree.Argument, ...])
     return type(first.value) is tree.Reference and not any(
         type(other) is tree.Required for other in others
     )
+
+
+def _literal_value(element: tree.Expression) -> tree.LiteralValue | None:
+    match element:
+        case tree.Number() | tree.String() | tree.Bool() | tree.LiteralAggregate():
+            return element.value
+        case tree.Unary(operator="-", operand=tree.Number(value=value)):
+            return -value
+        case tree.Unary(operator="+", operand=tree.Number(value=value)):
+            return value
+        case _:
+            return None
 
 
 def _number(start: int, end: int, text: str) -> tree.Number:

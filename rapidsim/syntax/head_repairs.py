@@ -1,4 +1,4 @@
-"""Repairs of the last resort: a head rebuilt, a statement given up, text outside modules skipped."""
+"""Repairs of the last resort: rebuild a head, give up a statement, skip text outside modules."""
 
 from __future__ import annotations
 
@@ -9,7 +9,13 @@ from rapidsim.syntax.recognition import in_file, in_list, takes
 from rapidsim.syntax.situation import Patch, Row, Situation, Token, deletion
 from rapidsim.syntax.spelling import distance
 from rapidsim.syntax.token_repairs import BLOCK_WORDS, respelling
-from rapidsim.syntax.violations import BrokenHead, BrokenSyntax, NoModule, TextOutsideModule
+from rapidsim.syntax.violations import (
+    BrokenHead,
+    BrokenSyntax,
+    NoModule,
+    StrayStatement,
+    TextOutsideModule,
+)
 
 # Heads of blocks: the word that ends each, and what its condition can be replaced by.
 _BLOCK_HEADS = {
@@ -69,7 +75,13 @@ def panic(at: Situation) -> Patch:
     complaint = _complaint(at, BrokenSyntax)
     if not in_list(at.statement_stack) or (first == at.index and at.kind in BLOCK_WORDS):
         return Patch(at.index, at.index + 1, (), complaint)
-    stop = _statements_end(at) if takes(at.statement_stack, ["RDN"]) else _statement_end(at)
+    if takes(at.statement_stack, ["RDN"]):
+        stop = _statements_end(at)
+        if row.kinds[first] not in _BEGIN_ITEM:
+            statement = wording.construct(row, first, stop)
+            complaint = Diagnostic(StrayStatement(statement), row.span(first, first + 1))
+    else:
+        stop = _statement_end(at)
     if not takes(at.statement_stack, ["BROKEN"]):
         return Patch(first, stop, (), complaint)  # a component of a record
     span = row.span(first, stop)

@@ -122,11 +122,11 @@ def _lexicon() -> _Lexicon:
     marks = sorted(table.marks, key=lambda mark: (-len(mark), mark))
     # Atomic groups: a pattern that has matched an element never takes it back, so a long aggregate
     # that fails at its end fails once. A comma must be followed by an element.
-    element = literal_pattern()
+    literal = element = literal_pattern()
+    literals = ""
     for _ in range(_LITERAL_DEPTH):
-        element_and_comma = rf"\s*(?>{element})\s*(?:,\s*(?!\])|(?=\]))"
-        element = rf"{literal_pattern()}|\[(?>(?:{element_and_comma})+)\]"
-    literals = rf"\[(?>(?:{element_and_comma})+)\]"
+        literals = rf"\[(?>(?:\s*(?>{element})\s*(?:,\s*(?!\])|(?=\])))+)\]"
+        element = f"{literal}|{literals}"
     alternatives = (
         ("BLANK", patterns["BLANK"]),
         ("WORD", patterns["NAME"]),

@@ -159,7 +159,10 @@ def token_limits(tokens: Tokens, source: Source) -> tuple[Diagnostic, ...]:
     strings = '"' in source.text
     if not (huge_numbers or strings):
         return tuple(found)
+    unterminated = set(tokens.unterminated)
     for kind, start, end in zip(tokens.kinds, tokens.starts, tokens.ends, strict=True):
+        if start in unterminated:
+            continue  # what was meant to be in the string is not known
         if kind == "STRING" or kind == "LITERALS":
             for offset, text in literals.parts(source.text[start:end]):
                 if text[0] == '"':

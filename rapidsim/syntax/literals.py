@@ -9,6 +9,7 @@ import json
 import re
 from collections.abc import Iterator
 from functools import cache
+from typing import Any
 
 from rapidsim.syntax.lexer import literal_pattern
 from rapidsim.syntax.tree import LiteralValue
@@ -71,8 +72,8 @@ def _unescaped(match: re.Match[str]) -> str:
     return chr(int(escape[1:], 16))
 
 
-def _frozen(elements: list[LiteralValue | list[LiteralValue]]) -> tuple[LiteralValue, ...]:
-    return tuple(_frozen(e) if type(e) is list else e for e in elements)  # type: ignore[misc]
+def _frozen(elements: list[Any]) -> tuple[LiteralValue, ...]:
+    return tuple(_frozen(e) if type(e) is list else e for e in elements)
 
 
 def _read(text: str) -> tuple[LiteralValue, ...]:

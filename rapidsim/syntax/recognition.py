@@ -43,19 +43,6 @@ def advance(stack: list[int], kind: str) -> bool:
         pushed.append(gotos[pushed[-1] if pushed else stack[below - 1]][rule.origin])
 
 
-def accepted(stack: Iterable[int], kinds: Iterable[str]) -> int:
-    """How many of these tokens the parser would take one after the other."""
-    trial = list(stack)
-    count = 0
-    for kind in kinds:
-        if not advance(trial, kind):
-            break
-        count += 1
-        if kind == END:
-            break
-    return count
-
-
 def takes(stack: Iterable[int], kinds: Iterable[str]) -> bool:
     """Whether the parser would take all of these tokens, as far as the end of the text."""
     trial = list(stack)

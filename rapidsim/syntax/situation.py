@@ -13,7 +13,7 @@ from typing import TypeAlias
 
 from rapidsim.diagnostics import Diagnostic, Fix, Related, Source, Span, Violation
 from rapidsim.syntax.lexer import Tokens
-from rapidsim.syntax.recognition import accepted, takes
+from rapidsim.syntax.recognition import takes
 
 LOOKAHEAD = 6
 """How many tokens after a change must parse for the change to be believed."""
@@ -107,17 +107,19 @@ class Situation:
         """The kind of the token that does not fit."""
         return self.row.kinds[self.index]
 
-    def kinds(self, start: int, count: int = LOOKAHEAD) -> list[str]:
-        """The kinds of some tokens in writing order."""
-        return self.row.kinds[start : start + count]
+    def window(self, start: int) -> list[str]:
+        """The kinds that must parse for a change before them to be believed.
 
-    def goes_on(self, kinds: list[str], after: int, count: int = LOOKAHEAD) -> bool:
+        They end soon after a semicolon, because the next statement may have an error of its own.
+        """
+        kinds = self.row.kinds[start : start + LOOKAHEAD]
+        if "SEMICOLON" in kinds:
+            del kinds[kinds.index("SEMICOLON") + 2 :]
+        return kinds
+
+    def goes_on(self, kinds: list[str], after: int) -> bool:
         """Whether the parse takes these tokens and then the ones from `after` on."""
-        return takes(self.stack, kinds + self.kinds(after, count))
-
-    def reaches(self, kinds: list[str]) -> int:
-        """How many tokens the parse takes from the start of the statement."""
-        return accepted(self.statement_stack, kinds)
+        return takes(self.stack, kinds + self.window(after))
 
 
 def insertion(

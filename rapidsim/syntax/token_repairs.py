@@ -35,25 +35,11 @@ from rapidsim.syntax.violations import (
 
 BLOCK_WORDS = frozenset({*CLOSERS, *OPENERS, *DIVIDERS, *ITEMS, END})
 """Kinds that tell where one is in the structure of a file."""
-# In the order tried: what closes before what separates before what begins.
-_MISSING = (
-    "SEMICOLON",
-    "RPAR",
-    "RSQB",
-    "RBRACE",
-    "COMMA",
-    "THEN",
-    "DO",
-    "BECOMES",
-    "COLON",
-    "EXP",
-    "LPAR",
-    "BACKSLASH",
-    "PERCENT",
-    "TO",
-    "FROM",
-    "WITH",
-    "NAME",
+# In the order tried: what separates, what closes, what divides, what begins. A comma comes before a
+# semicolon because within a line an argument is more likely than a statement.
+_MISSING = tuple(
+    "COMMA SEMICOLON RPAR RSQB RBRACE THEN DO BECOMES COLON EXP LPAR BACKSLASH PERCENT TO FROM"
+    " WITH NAME".split()
 )
 _BRACKETS = {"RPAR": "LPAR", "RSQB": "LSQB", "RBRACE": "LBRACE"}
 # Name with a part in parentheses: longer ones are more likely something else.
@@ -75,32 +61,31 @@ def unknown_character(at: Situation) -> Patch | None:
 
 def misspelt_word(at: Situation) -> Patch | None:
     """Find the name in the statement that is a reserved word gone wrong."""
-    return _respelt(at, at.index + LOOKAHEAD) or _split_word(at)
+    return _respelt(at, at.window(at.index)) or _split_word(at)
 
 
 def half_readable_word(at: Situation) -> Patch | None:
     """The same where there is another error soon after."""
-    return _respelt(at, at.index + 1)
+    return _respelt(at, [at.kind])
 
 
-def _respelt(at: Situation, stop: int) -> Patch | None:
-    """The respelling, nearest first, with which the parse gets up to a token."""
+def _respelt(at: Situation, window: list[str]) -> Patch | None:
+    """The nearest respelling with which the parse takes the token at fault and those after it."""
     row = at.row
-    best: tuple[int, int, int, str] | None = None
+    kinds = [*row.kinds[at.statement : at.index], *window]
+    best: tuple[int, int, str] | None = None
     for index in range(at.statement, at.index + 1):
         if row.kinds[index] != "NAME" or row.starts[index] == row.ends[index]:
             continue
         for slips, word in near_words(row.text(index)):
-            kinds = row.kinds[at.statement : at.index + LOOKAHEAD]
-            kinds[index - at.statement] = rapid_table().words[word]
-            reached = at.reaches(kinds)
-            if at.statement + reached >= min(stop, len(row.kinds)):
-                candidate = (slips, -reached, index, word)
-                best = min(best, candidate) if best else candidate
+            respelt = list(kinds)
+            respelt[index - at.statement] = rapid_table().words[word]
+            if takes(at.statement_stack, respelt):
+                best = min(best, (slips, -index, word)) if best else (slips, -index, word)
     if best is None:
         return None
-    _, _, index, word = best
-    return respelling(row, index, index + 1, word)
+    _, index, word = best
+    return respelling(row, -index, 1 - index, word)
 
 
 def respelling(row: Row, start: int, stop: int, word: str) -> Patch:
@@ -134,7 +119,7 @@ def missing_semicolon(at: Situation) -> Patch | None:
     ]
     for index in candidates:
         before = row.kinds[at.statement : index]
-        after = row.kinds[index : at.index + LOOKAHEAD]
+        after = [*row.kinds[index : at.index], *at.window(at.index)]
         stack_takes = takes(at.statement_stack, [*before, "SEMICOLON", *after])
         if stack_takes and not _ends_statement(before):
             return semicolon_before(row, at.statement, index)
@@ -160,7 +145,7 @@ def reserved_name(at: Situation) -> Patch | None:
     if word not in rapid_table().words or row.first_on_line(index):
         return None
     only_a_name = takes(at.stack, ["NAME"]) and not takes(at.stack, ["NUMBER"])
-    if not only_a_name or in_list(at.stack) or not at.goes_on(["NAME"], index + 1, 2):
+    if not only_a_name or in_list(at.stack) or not at.goes_on(["NAME"], index + 1):
         return None
     return replacement(row, index, index + 1, "NAME", ReservedName(row.text(index)))
 
@@ -178,7 +163,7 @@ def name_with_parentheses(at: Situation) -> Patch | None:
         ),
         None,
     )
-    if closing is None or not at.goes_on([], closing + 1, 3):
+    if closing is None or not at.goes_on([], closing + 1):
         return None
     written = row.span(index - 1, closing + 1).text
     return deletion(row, index, closing + 1, NameWithParentheses(written))
@@ -187,7 +172,7 @@ def name_with_parentheses(at: Situation) -> Patch | None:
 def square_index(at: Situation) -> Patch | None:
     """Read `a[1]` as `a{1}`."""
     row = at.row
-    for opening in range(at.index, max(at.index - 3, at.statement), -1):
+    for opening in range(at.index, max(at.index - 8, at.statement), -1):
         if (
             row.kinds[opening] not in {"LITERALS", "LSQB"}
             or row.kinds[opening - 1] != "NAME"
@@ -227,7 +212,7 @@ def missing_token(at: Situation) -> Patch | None:
         if not at.goes_on([kind], index):
             continue
         if kind == "SEMICOLON":
-            if in_list(at.stack):
+            if in_list(at.stack) or _glued_to_number(row, index):
                 continue
             return semicolon_before(row, at.statement, index)
         violation = MissingSymbol(wording.symbol(kind), wording.construct(row, at.statement, index))
@@ -242,7 +227,8 @@ def wrong_token(at: Situation) -> Patch | None:
         return None
     where = wording.construct(row, at.statement, index)
     written = wording.token(row, index)
-    if at.kind == "BECOMES" and at.goes_on(["EQUAL"], index + 1):
+    condition = row.kinds[at.statement] in {"IF", "ELSEIF", "WHILE"}
+    if at.kind == "BECOMES" and condition and at.goes_on(["EQUAL"], index + 1):
         violation = UnexpectedSymbol("`:=`, which assigns where `=` compares,", where)
         return replacement(row, index, index + 1, "EQUAL", violation)
     if at.kind in BLOCK_WORDS:
@@ -254,6 +240,11 @@ def wrong_token(at: Situation) -> Patch | None:
             violation = UnexpectedSymbol(f"{written} instead of {wording.symbol(kind)}", where)
             return replacement(row, index, index + 1, kind, violation)
     return None
+
+
+def _glued_to_number(row: Row, index: int) -> bool:
+    """`10mm`: two tokens, but not the end of one statement and the beginning of the next."""
+    return row.kinds[index - 1] == "NUMBER" and row.starts[index] == row.ends[index - 1]
 
 
 def _ends_statement(kinds: list[str]) -> bool:

@@ -570,3 +570,36 @@ class NameWithParentheses(Violation):
     template: ClassVar[str] = "`{written}` is no name: only letters, digits and `_` make one"
 
     written: str
+
+
+@dataclass(frozen=True)
+class StrayStatement(Violation):
+    """Statements stand between the routines of a module.
+
+    They are left out. Only declarations stand there; statements belong to a PROC, FUNC or TRAP.
+    Often the routine before was closed too early.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            Stop;
+          ENDPROC
+          SetDO doGrip,1;
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            Stop;
+            SetDO doGrip,1;
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "E123"
+    name: ClassVar[str] = "stray-statement"
+    template: ClassVar[str] = "{construct} stands outside every routine"
+
+    construct: str

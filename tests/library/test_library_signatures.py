@@ -1,4 +1,4 @@
-"""The table: every signature is the manual's, every routine does something or says that it does not."""
+"""The table: signatures are the manual's; what a routine does not do it says."""
 
 import json
 import subprocess
@@ -20,15 +20,17 @@ from rapidsim.library.table import LibraryRoutine, Parameter
 REFERENCE = Path(__file__).parents[2].parent / "shared" / "reference" / "rapid_predefined.json"
 
 # Routines whose parameters no source gives; a call of them is an unknown routine.
-UNDECLARED = set(
-    "BrakeCheck CSSAct CSSDeact CSSForceOffsetAct CSSForceOffsetDeact CSSOffsetTune "
-    "CyclicBrakeCheck DitherAct DitherDeact GetGroupSignalInfo GetTorqueMargin GetUASUserName "
-    "IoCtrlAxis_RefSync IoCtrlAxis_RefSyncOff IoCtrlAxis_RefSyncOn Max Min MovePnP PathLengthGet "
-    "PathLengthReset PathLengthStart PathLengthStop ResetTorqueMargin SoftElbow TriggAbsJ "
-    "CapAPTrSetup CornerPathWarning "
-    # Their data types are those of options whose records no source gives.
-    "CamGetResult CapC CapL ReadVarArr SiClose SiConnect SiGetCyclic SiSetCyclic WriteVarArr".split()
-)
+UNDECLARED = {
+    *("BrakeCheck", "CSSAct", "CSSDeact", "CSSForceOffsetAct", "CSSForceOffsetDeact"),
+    *("CSSOffsetTune", "CyclicBrakeCheck", "DitherAct", "DitherDeact", "GetGroupSignalInfo"),
+    *("GetTorqueMargin", "GetUASUserName", "IoCtrlAxis_RefSync", "IoCtrlAxis_RefSyncOff"),
+    *("IoCtrlAxis_RefSyncOn", "Max", "Min", "MovePnP", "PathLengthGet", "PathLengthReset"),
+    *("PathLengthStart", "PathLengthStop", "ResetTorqueMargin", "SoftElbow", "TriggAbsJ"),
+    *("CapAPTrSetup", "CornerPathWarning"),
+    # Their data types belong to options whose records no source gives.
+    *("CamGetResult", "CapC", "CapL", "ReadVarArr", "WriteVarArr"),
+    *("SiClose", "SiConnect", "SiGetCyclic", "SiSetCyclic"),
+}
 
 # Where the machine-read reference lost something, and what stands in ours.
 DIFFERENT = {
@@ -39,7 +41,8 @@ DIFFERENT = {
     "TriggJIOs": "a tool is persistent",
     "TriggLIOs": "a tool is persistent, and there is a work object",
     "UIDnumEntry": "Message and MsgArray are alternatives",
-    "UINumEntry": "Message and MsgArray are alternatives",
+    "UINumEntry": "Message and MsgArray are alternatives; its numbers are num",
+    "UIListView": "the items of the list",
     "UINumTune": "Message and MsgArray are alternatives",
     "UIMsgWrite": "a message or an array, both required",
     "WaitDI": "no switch U: the beginning of UIActiveSignal",
@@ -178,7 +181,5 @@ def test_the_catalogue_needs_no_heavy_package() -> None:
         "import sys, rapidsim.library.catalogue as c; c.ROUTINES['socketsend'].signature;"
         "print([m for m in ('numpy', 'lark', 'rerun', 'scipy', 'yourdfpy') if m in sys.modules])"
     )
-    run = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, check=True
-    )
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert run.stdout.strip() == "[]"

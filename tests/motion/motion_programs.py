@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -14,10 +14,10 @@ from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path import Path, build_path
 from rapidsim.motion.robot import Robot, load_robot
 from rapidsim.motion.segments import Geometry, Segment, Speed, Waypoint, Zone
-from rapidsim.motion.turns import rotation_from_vector
+from rapidsim.motion.turns import rotation_from_vector, vector_from_rotation
 
 ROBOT: Robot = load_robot("irb1600-6-1.2")
-HOME = np.radians([0.0, 10.0, 5.0, 10.0, 60.0, 20.0])
+HOME = np.radians([0.0, -10.0, 20.0, 10.0, 60.0, 20.0])
 TOOL = Transform(rotation_from_vector(np.array([0.0, 0.3, 0.0])), np.array([0.05, 0.0, 0.2]))
 LIMITS = Limits(
     max_speed=np.array([joint.max_speed or 1.0 for joint in ROBOT.joints]),
@@ -33,19 +33,16 @@ def zone(millimetres: float) -> Zone:
     return Zone(metres, 1.5 * metres, np.radians(0.15 * millimetres))
 
 
-@dataclass(repr=False)
 class Programmer:
     """Writes segments one after the other from where the arm stands."""
 
-    robot: Robot = ROBOT
-    tool: Transform = TOOL
-    joints: Array = None  # type: ignore[assignment]
-    speed: Speed = V500
-    branch: int = 0
-
-    def __post_init__(self) -> None:
-        if self.joints is None:
-            self.joints = HOME
+    def __init__(
+        self, *, joints: Array = HOME, tool: Transform = TOOL, speed: Speed = V500, branch: int = 0
+    ) -> None:
+        self.joints = joints
+        self.tool = tool
+        self.speed = speed
+        self.branch = branch
         self.segments: list[Segment] = []
 
     def __repr__(self) -> str:
@@ -61,7 +58,7 @@ class Programmer:
     @property
     def pose(self) -> Transform:
         """base_from_tcp where the arm stands."""
-        return self.robot.kinematics.forward(self.joints) @ self.tool
+        return ROBOT.kinematics.forward(self.joints) @ self.tool
 
     def line(
         self,
@@ -98,22 +95,19 @@ class Programmer:
     ) -> Programmer:
         """A joint move by an offset [rad] of the joints."""
         joints = self.joints + np.array(offset)
-        end = Waypoint(joints, self.robot.kinematics.forward(joints) @ self.tool)
+        end = Waypoint(joints, ROBOT.kinematics.forward(joints) @ self.tool)
         self._add(Geometry.JOINT, end, z, speed, None, options)
         return self
 
     def _joints_along(self, start: Transform, end: Transform) -> Array:
         from_tcp = self.tool.inverse()
         share = np.linspace(0.0, 1.0, 50)[:, None]
-        turn = end.rotation @ start.rotation.T
-        angle = np.arccos(np.clip((np.trace(turn) - 1.0) / 2.0, -1.0, 1.0))
-        axis = np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]])
-        axis = axis / max(float(np.linalg.norm(axis)), 1e-300) * angle
+        axis = vector_from_rotation(end.rotation @ start.rotation.T)
         poses = Transform(
             rotation_from_vector(share * axis) @ start.rotation,
             start.translation + share * (end.translation - start.translation),
         )
-        followed = self.robot.kinematics.inverse_on_branch(
+        followed = ROBOT.kinematics.inverse_on_branch(
             poses @ from_tcp, self.branch, self.joints
         )
         joints: Array = followed.joints[-1]

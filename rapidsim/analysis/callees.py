@@ -1,0 +1,64 @@
+"""What a routine is to a call of it: its parameters with the words that messages use."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from rapidsim.analysis.context import Context
+from rapidsim.analysis.parameters import Callee, Formal, Wanted
+from rapidsim.analysis.program import LibrarySymbol, RoutineSymbol, Symbol
+
+
+def callee_of(symbol: Symbol | None, context: Context) -> Callee | None:
+    """What a symbol is when called; None for what is not known."""
+    if isinstance(symbol, LibrarySymbol):
+        return _of_library(symbol)
+    if not isinstance(symbol, RoutineSymbol):
+        return None
+    callee = context.analysis.callees.get(symbol)
+    if callee is None:
+        callee = _of_user(symbol, context)
+        context.analysis.callees[symbol] = callee
+    return callee
+
+
+def _of_user(symbol: RoutineSymbol, context: Context) -> Callee:
+    groups = [parameter.group for parameter in symbol.parameters]
+    formals = tuple(
+        Formal(
+            parameter.name,
+            parameter.name.lower(),
+            (parameter.type,),
+            parameter.mode,
+            parameter.optional,
+            parameter.is_switch,
+            parameter.group if groups.count(parameter.group) > 1 else 0,
+            Wanted(
+                parameter.type,
+                f"parameter `{parameter.name}` of `{symbol.name}`",
+                context.declaration(parameter),
+            ),
+        )
+        for parameter in symbol.parameters
+    )
+    declared = context.declaration(symbol)
+    return Callee(symbol.name, formals, symbol.result, declared, is_complete=True)
+
+
+@cache
+def _of_library(symbol: LibrarySymbol) -> Callee:
+    signature = symbol.routine.signature
+    formals = tuple(
+        Formal(
+            parameter.name,
+            parameter.name.lower(),
+            parameter.types,
+            parameter.mode,
+            parameter.optional,
+            parameter.is_switch,
+            parameter.group,
+            Wanted(parameter.types[0], f"parameter `{parameter.name}` of `{symbol.name}`"),
+        )
+        for parameter in signature.parameters
+    )
+    return Callee(symbol.name, formals, signature.result, (), symbol.routine.simulated)

@@ -1,0 +1,152 @@
+"""From the trees of a task's files to a checked program, or to what is wrong with them.
+
+The order of the passes: what is declared, initial values, routine by routine names, types and flow,
+then what only the whole task can tell. No pass changes the tree; all write to one `Analysis`.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from rapidsim.analysis.context import Analysis, Context
+from rapidsim.analysis.declarations import declare_locals, declare_task
+from rapidsim.analysis.flow import check_flow, clauses
+from rapidsim.analysis.initial_values import check_circles, check_initial_value
+from rapidsim.analysis.lenient import check_lenient_marks
+from rapidsim.analysis.names import decide_undeclared
+from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Scope
+from rapidsim.analysis.statements import check_body
+from rapidsim.analysis.user_types import UserTypes
+from rapidsim.analysis.walk import descendants
+from rapidsim.diagnostics import Diagnostic, Severity
+from rapidsim.syntax import tree
+
+_DEEPEST = 20_000
+"""Python calls within each other while checking; the parser bounds how deep programs nest."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Checked:
+    """What checking found; the program only where nothing keeps it from running."""
+
+    program: Program | None
+    """None where there is an error, here or where the parser gave up a stretch of text."""
+    diagnostics: tuple[Diagnostic, ...]
+    """Ordered by file as given, then by place."""
+
+
+def check(files: Sequence[tree.File]) -> Checked:
+    """Check the modules of one task together.
+
+    Args:
+        files: The task's files; their order decides which of two equal names is the second.
+
+    Returns:
+        The program with its symbols and types, and all findings. Never raises on what users write.
+    """
+    modules = [module for file in files for module in file.modules]
+    analysis = Analysis(unread_text=_unread_text(modules))
+    with _deep_recursion():
+        homes, user_types = declare_task(modules, analysis)
+        data = [
+            (symbol, home)
+            for home in homes
+            for symbol in _symbols_of(home)
+            if isinstance(symbol, DataSymbol)
+        ]
+        for symbol, home in data:
+            check_initial_value(symbol, home)
+        for home in homes:
+            check_lenient_marks(home)
+            for routine in _symbols_of(home):
+                if isinstance(routine, RoutineSymbol):
+                    data += _check_routine(routine, home, user_types)
+        check_circles(data)
+        for reference, context in analysis.undecided:
+            decide_undeclared(context, reference)
+    diagnostics = _in_order(analysis.diagnostics, files)
+    is_broken = any(found.severity is Severity.ERROR for found in diagnostics)
+    if is_broken or analysis.unread_text:
+        return Checked(None, diagnostics)
+    return Checked(_program(modules, homes, analysis), diagnostics)
+
+
+def _check_routine(
+    routine: RoutineSymbol, home: Context, user_types: UserTypes
+) -> list[tuple[DataSymbol, Context]]:
+    """Check one routine.
+
+    Returns:
+        The data declared in it.
+    """
+    context = declare_locals(routine, home, user_types)
+    local_data = [
+        (symbol, context)
+        for node in descendants(*(part for body in clauses(routine.node) for part in body))
+        if isinstance(symbol := context.analysis.symbol_of.get(node), DataSymbol)
+        and symbol.node is node
+    ]
+    for symbol, _ in local_data:
+        check_initial_value(symbol, context)
+    for body in clauses(routine.node):
+        check_body(body, context)
+    check_flow(routine.node, context)
+    return local_data
+
+
+def _symbols_of(home: Context) -> Iterator[object]:
+    """The symbols that a module declares outside its routines, in order."""
+    for item in home.module.items:
+        symbol = home.analysis.symbol_of.get(item)
+        if symbol is not None:
+            yield symbol
+
+
+def _program(
+    modules: Sequence[tree.Module], homes: Sequence[Context], analysis: Analysis
+) -> Program:
+    routines = {
+        symbol.name.lower(): symbol
+        for home in homes
+        for symbol in _symbols_of(home)
+        if isinstance(symbol, RoutineSymbol) and symbol.scope is not Scope.LOCAL
+    }
+    return Program(
+        tuple(modules),
+        MappingProxyType(analysis.symbol_of),
+        MappingProxyType(analysis.type_of),
+        MappingProxyType(routines),
+    )
+
+
+def _unread_text(modules: Sequence[tree.Module]) -> str:
+    """The folded text of every stretch that the parser gave up."""
+    return "\n".join(
+        module.span(node).text.lower()
+        for module in modules
+        for node in descendants(*module.items)
+        if isinstance(node, tree.Broken)
+    )
+
+
+def _in_order(
+    diagnostics: Sequence[Diagnostic], files: Sequence[tree.File]
+) -> tuple[Diagnostic, ...]:
+    position = {file.source.file: k for k, file in reversed(list(enumerate(files)))}
+    return tuple(
+        sorted(diagnostics, key=lambda found: (position.get(found.order[0], -1), found.order[1]))
+    )
+
+
+@contextmanager
+def _deep_recursion() -> Iterator[None]:
+    limit = sys.getrecursionlimit()
+    sys.setrecursionlimit(max(limit, _DEEPEST))
+    try:
+        yield
+    finally:
+        sys.setrecursionlimit(limit)

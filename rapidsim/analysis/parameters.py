@@ -1,0 +1,77 @@
+"""Parameters of user routines and of installed ones, seen alike by the check of calls."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import groupby
+
+from rapidsim.diagnostics import Related
+from rapidsim.language.annotations import Mode
+from rapidsim.language.types import Atomic, Kind, Type, resolved
+
+
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """The type an expression must have, and who wants it."""
+
+    type: Type
+    by: str
+    """In words that fit before "takes": "`count`", "parameter `Speed` of `MoveL`"."""
+    declared: tuple[Related, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Formal:
+    """One parameter as a call sees it."""
+
+    name: str
+    key: str
+    """The folded name."""
+    types: tuple[Type, ...]
+    """The types it takes, at least one."""
+    mode: Mode
+    optional: bool
+    is_switch: bool
+    group: int
+    """Optional parameters with the same number exclude each other; 0 excludes nothing."""
+    wanted: Wanted
+    """The first type, with the words of messages."""
+
+    @property
+    def spelled(self) -> str:
+        r"""As a call writes it: `Speed`, `\WObj`."""
+        return ("\\" if self.optional else "") + self.name
+
+    @property
+    def signal(self) -> Type | None:
+        """The kind of signal it takes, if it takes one."""
+        for of in self.types:
+            target = resolved(of)
+            if isinstance(target, Atomic) and target.kind is Kind.SEMI_VALUE:
+                return of
+        return None
+
+
+@dataclass(frozen=True, slots=True)
+class Callee:
+    """What a call calls."""
+
+    name: str
+    parameters: tuple[Formal, ...]
+    result: Type | None
+    declared: tuple[Related, ...]
+    is_complete: bool
+    """Whether all its options are known; those of routines that no run simulates may not be."""
+
+    @property
+    def order(self) -> str:
+        r"""The call as manuals write it: `MoveL [\Conc] ToPoint [\ID] Speed [\V | \T] Zone`."""
+        return " ".join([self.name, *self._parts()])
+
+    def _parts(self) -> Iterator[str]:
+        numbered = enumerate(self.parameters)
+        for _, run in groupby(numbered, lambda part: part[1].group or -part[0]):
+            formals = [formal for _, formal in run]
+            names = " | ".join(formal.spelled for formal in formals)
+            yield f"[{names}]" if formals[0].optional else names

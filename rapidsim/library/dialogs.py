@@ -1,0 +1,246 @@
+r"""Dialogs of the FlexPendant: message boxes, entries, lists.
+
+As all questions they are answered at once. Icons, images and line wrapping are looks only.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types, "UIMsgBox",
+"UIMessageBox", "UINumEntry", "UIAlphaEntry", "UIListView".
+"""
+
+from __future__ import annotations
+
+from typing import TypedDict, Unpack
+
+from rapidsim.language.annotations import (
+    BtnRes,
+    ButtonData,
+    Dnum,
+    IconData,
+    InOut,
+    Num,
+    SignalDo,
+    String,
+    Switch,
+    Var,
+)
+from rapidsim.language.controller import Controller
+from rapidsim.language.data import ListItem
+from rapidsim.language.error_numbers import ERR_UI_INITVALUE, ERR_UI_MAXMIN, rapid_error
+from rapidsim.language.single import single
+from rapidsim.library.honesty import ignored
+from rapidsim.library.operator import Breaks, no_breaks
+from rapidsim.library.table import routine, table
+
+NO_BUTTONS = -1.0
+"""The constant btnNone."""
+OK_BUTTON = 0.0
+"""The constant btnOK."""
+
+# Buttons and their results, by the constants btnOK to btnYesNoCancel and resOK to resNo.
+_BUTTONS: tuple[tuple[tuple[str, float], ...], ...] = (
+    (("OK", 1.0),),
+    (("Abort", 2.0), ("Retry", 3.0), ("Ignore", 4.0)),
+    (("OK", 1.0), ("Cancel", 5.0)),
+    (("Retry", 3.0), ("Cancel", 5.0)),
+    (("Yes", 6.0), ("No", 7.0)),
+    (("Yes", 6.0), ("No", 7.0), ("Cancel", 5.0)),
+)
+
+
+class Options(Breaks, total=False):
+    """What every dialog may have besides."""
+
+    wrap: Switch
+    icon: IconData
+    ui_active_signal: Var[SignalDo]
+
+
+class Text(TypedDict, total=False):
+    """The heading and the text of a dialog, in one piece or line by line."""
+
+    header: String
+    message: String
+    msg_array: list[String]
+
+
+class Asked(Options, Text, total=False):
+    """A dialog with a text and everything else."""
+
+
+def ui_msg_box(
+    controller: Controller,
+    msg_line1: String,
+    *,
+    header: String | None = None,
+    msg_line2: String | None = None,
+    msg_line3: String | None = None,
+    msg_line4: String | None = None,
+    msg_line5: String | None = None,
+    buttons: ButtonData | None = None,
+    image: String | None = None,
+    result: InOut[BtnRes] | None = None,
+    **options: Unpack[Options],
+) -> None:
+    """Show a message with buttons."""
+    del image
+    _report(controller, "UIMsgBox", options)
+    lines = (header, msg_line1, msg_line2, msg_line3, msg_line4, msg_line5)
+    prompt = " / ".join(line for line in lines if line)
+    if buttons == NO_BUTTONS:
+        controller.show(prompt)
+        return
+    pressed = _pressed(controller, prompt, buttons, None)
+    if result is not None:
+        result.value = pressed
+
+
+def ui_message_box(
+    controller: Controller,
+    *,
+    buttons: ButtonData | None = None,
+    btn_array: list[String] | None = None,
+    default_btn: BtnRes | None = None,
+    image: String | None = None,
+    **asked: Unpack[Asked],
+) -> BtnRes:
+    """Show a message with buttons; the button, or its number in the program's own list."""
+    del image, default_btn
+    _report(controller, "UIMessageBox", asked)
+    if buttons == NO_BUTTONS:
+        controller.show(_prompt(asked))
+        return 0.0
+    return _pressed(controller, _prompt(asked), buttons, btn_array)
+
+
+def ui_num_entry(
+    controller: Controller,
+    *,
+    init_value: Num | None = None,
+    min_value: Num | None = None,
+    max_value: Num | None = None,
+    as_integer: Switch = False,
+    **asked: Unpack[Asked],
+) -> Num:
+    """Ask for a number within limits."""
+    _report(controller, "UINumEntry", asked)
+    return single(
+        _number(controller, "UINumEntry", asked, init_value, min_value, max_value, as_integer)
+    )
+
+
+def ui_dnum_entry(
+    controller: Controller,
+    *,
+    init_value: Dnum | None = None,
+    min_value: Dnum | None = None,
+    max_value: Dnum | None = None,
+    as_integer: Switch = False,
+    **asked: Unpack[Asked],
+) -> Dnum:
+    """Ask for a number within limits, in double precision."""
+    _report(controller, "UIDnumEntry", asked)
+    return _number(controller, "UIDnumEntry", asked, init_value, min_value, max_value, as_integer)
+
+
+def ui_alpha_entry(
+    controller: Controller, *, init_string: String | None = None, **asked: Unpack[Asked]
+) -> String:
+    """Ask for a text."""
+    _report(controller, "UIAlphaEntry", asked)
+    return controller.ask_text(_prompt(asked), init_string or "")
+
+
+def ui_list_view(
+    controller: Controller,
+    list_items: list[ListItem],
+    *,
+    result: InOut[BtnRes] | None = None,
+    header: String | None = None,
+    buttons: ButtonData | None = None,
+    btn_array: list[String] | None = None,
+    default_index: Num | None = None,
+    **options: Unpack[Options],
+) -> Num:
+    """Ask for one line of a list; its number. The first button ends the choice."""
+    del default_index
+    _report(controller, "UIListView", options)
+    chosen = controller.ask_choice(header or "", [item.text for item in list_items])
+    if result is not None:
+        result.value = 1.0 if btn_array or buttons is None else _buttons(buttons)[0][1]
+    return float(chosen + 1)
+
+
+def _pressed(
+    controller: Controller, prompt: str, buttons: float | None, own: list[str] | None
+) -> float:
+    if own is not None:
+        return float(controller.ask_choice(prompt, own) + 1)
+    keys = _buttons(buttons)
+    return keys[controller.ask_choice(prompt, [text for text, _ in keys])][1]
+
+
+def _buttons(buttons: float | None) -> tuple[tuple[str, float], ...]:
+    chosen = int(OK_BUTTON if buttons is None else buttons)
+    return _BUTTONS[chosen] if 0 <= chosen < len(_BUTTONS) else _BUTTONS[0]
+
+
+def _number(
+    controller: Controller,
+    name: str,
+    asked: Asked,
+    initial: float | None,
+    least: float | None,
+    most: float | None,
+    whole: bool,
+) -> float:
+    low = -float("inf") if least is None else least
+    high = float("inf") if most is None else most
+    if low > high:
+        raise rapid_error(ERR_UI_MAXMIN, f"{name}: the least value {low:g} is above {high:g}")
+    if initial is not None and not low <= initial <= high:
+        raise rapid_error(ERR_UI_INITVALUE, f"{name}: {initial:g} is not within {low:g}..{high:g}")
+    answer = controller.ask_number(_prompt(asked))
+    taken = min(max(float(round(answer)) if whole else answer, low), high)
+    if taken != answer:
+        # The operator could not have pressed OK with such a number.
+        controller.not_simulated(f"{name} with the answer {answer:g}", f"{taken:g}")
+    return taken
+
+
+def _prompt(asked: Asked) -> str:
+    lines = [asked.get("header"), asked.get("message"), *(asked.get("msg_array") or ())]
+    return " / ".join(line for line in lines if line)
+
+
+def _report(controller: Controller, name: str, options: Options) -> None:
+    no_breaks(controller, name, options)
+    ignored(controller, name, {r"\UIActiveSignal": options.get("ui_active_signal")})
+
+
+_BREAKS = (
+    r"\MaxTime \DIBreak \DIPassive \DOBreak \DOPassive \PersBoolBreak \PersBoolPassive \BreakFlag "
+    r"\UIActiveSignal"
+)
+_TEXT = r"\Header \Message|\MsgArray \Wrap"
+_LIMITS = r"\Icon \InitValue \MinValue \MaxValue \AsInteger"
+
+DIALOGS = table(
+    routine(
+        "UIMsgBox",
+        ui_msg_box,
+        r"\Header MsgLine1 \MsgLine2 \MsgLine3 \MsgLine4 \MsgLine5 \Wrap \Buttons \Icon \Image "
+        rf"\Result {_BREAKS}",
+    ),
+    routine(
+        "UIMessageBox",
+        ui_message_box,
+        rf"{_TEXT} \Buttons|\BtnArray \DefaultBtn \Icon \Image {_BREAKS}",
+    ),
+    routine("UINumEntry", ui_num_entry, rf"{_TEXT} {_LIMITS} {_BREAKS}"),
+    routine("UIDnumEntry", ui_dnum_entry, rf"{_TEXT} {_LIMITS} {_BREAKS}"),
+    routine("UIAlphaEntry", ui_alpha_entry, rf"{_TEXT} \Icon \InitString {_BREAKS}"),
+    routine(
+        "UIListView",
+        ui_list_view,
+        rf"\Result \Header ListItems \Buttons|\BtnArray \Icon \DefaultIndex {_BREAKS}",
+    ),
+)

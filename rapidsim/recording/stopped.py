@@ -1,0 +1,50 @@
+"""A mark in the cell where a run came to a stop that was not programmed."""
+
+from __future__ import annotations
+
+import rerun as rr
+
+from rapidsim.diagnostics import Severity
+from rapidsim.recording import palette
+from rapidsim.recording.sampled import SampledRun
+from rapidsim.recording.timelines import set_instant
+from rapidsim.recording.transforms import BASE
+from rapidsim.simulation.result import End
+
+MARK = "stopped/mark"
+NAME = "stopped/name"
+
+
+def log_stopped(stream: rr.RecordingStream, run: SampledRun, above_m: float) -> None:
+    """Log where the TCP stood when an error ended the run.
+
+    Args:
+        stream: The recording.
+        run: The run.
+        above_m: How far [m] above the mark the error's code and name stand, clear of other names.
+    """
+    if run.simulation.end is not End.ERROR:
+        return
+    errors = [
+        finding.violation
+        for finding in run.simulation.diagnostics
+        if finding.severity is Severity.ERROR
+    ]
+    label = f"stopped: {errors[-1].code} {errors[-1].name}" if errors else "stopped"
+    place = run.samples.base_from_tcp.translation[-1]
+    for entity in (MARK, NAME):
+        stream.log(entity, rr.CoordinateFrame(BASE), static=True)
+    set_instant(stream, run.end_s, run.simulation.moves)
+    colour = palette.rgba(palette.STOPPED)
+    stream.log(MARK, rr.Points3D([place], radii=rr.Radius.ui_points(8.0), colors=colour))
+    stream.log(
+        NAME,
+        rr.Points3D(
+            [place + [0.0, 0.0, above_m]],
+            radii=rr.Radius.ui_points(0.0),
+            colors=colour,
+            labels=[label],
+            show_labels=True,
+        ),
+    )
+    stream.reset_time()

@@ -1,0 +1,174 @@
+"""What Python's own tools see of a RAPID program: code, lines, tracebacks, limits."""
+
+from __future__ import annotations
+
+import linecache
+import os
+import sys
+import traceback
+from collections import Counter
+from pathlib import Path
+from types import FrameType
+from typing import Any, cast
+
+import pytest
+from interpreter_cell import RecordingController, checked, main, module, run
+
+from rapidsim.interpreter.limits import NotExecutableError
+from rapidsim.interpreter.loader import FatalError, load
+from rapidsim.interpreter.translation import show_python
+from rapidsim.language.controller import Controller
+
+GOLDEN = Path(__file__).parent / "golden"
+
+SHAPES = {
+    "arithmetic": ("x := x * 0.99 + y; x := y / x; x := -y; b := x * 3 = 0.3;", ""),
+    "counters": (
+        "FOR i FROM 1 TO 10 DO a{i} := i; a{i} := a{i - 1}; ENDFOR "
+        "FOR i FROM 1 TO x DO a{x} := i / 2; ENDFOR",
+        "",
+    ),
+    "records": ("p.trans.x := x; q{2}.rot := p.rot; p := [[x, 1, 2], [1, 0, 0, 0]];", ""),
+    "strings": ('s := s + "a" + s;', ""),
+    "references": ("VAR num own; bump own; bump q{2}.trans.y; bump x; x := own;",
+                   "PROC bump(INOUT num v) v := v + 1; ENDPROC"),
+    "protected": (
+        "x := 6 / y; IF 6 / y > 1 THEN x := 1; ENDIF WHILE a{x} > 1 DO x := 1; ENDWHILE x := 1; "
+        "ERROR y := 1; RETRY;",
+        "",
+    ),
+    "goto": ("top: FOR i FROM 1 TO 3 DO IF i > x GOTO done; ENDFOR GOTO top; done: x := 1;", ""),
+    "instruction": ('TPWrite "a" \\Num:=x; TPWrite ValToStr(f());', "FUNC num f() RETURN 1; ENDFUNC"),
+    "options": ("", r"PROC o(\num v | switch w) IF Present(v) x := v; o \v?v \w?w; ENDPROC"),
+    "trap": ("CONNECT irq WITH t;", "TRAP t x := INTNO; ENDTRAP"),
+}
+DATA = (
+    "VAR num x; VAR num y; VAR bool b; VAR string s; VAR num a{10}; VAR pose p; VAR pose q{3}; "
+    "VAR intnum irq;"
+)
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_shapes(shape: str) -> None:
+    """Goldens: written anew with UPDATE_GOLDEN=1, reviewed as a difference."""
+    body, more = SHAPES[shape]
+    found = show_python(checked(main(body, DATA, more)))
+    golden = GOLDEN / f"{shape}.txt"
+    if os.environ.get("UPDATE_GOLDEN"):
+        golden.parent.mkdir(exist_ok=True)
+        golden.write_text(found, "utf-8")
+    assert found == golden.read_text("utf-8")
+
+
+LINES = """MODULE cell
+VAR num x;
+VAR num d := 2;
+PROC main()
+  VAR num own;
+  own := 1;
+  FOR i FROM 1 TO 2 DO
+    x := x +
+      i / d;
+  ENDFOR
+  IF x = 100 THEN
+    x := 0;
+  ELSEIF x > 1 THEN
+    x := 9 / d;
+  ENDIF
+  WHILE x > 5 DO
+    x := 0;
+  ENDWHILE
+  TEST 4 / d
+  CASE 1:
+    x := 1;
+  CASE 2:
+    x := 2;
+  ENDTEST
+  p 1 / d,
+    own
+    ;
+ERROR
+  d := 1;
+  RETRY;
+ENDPROC
+PROC p(num a, INOUT num b)
+  b := a;
+ENDPROC
+ENDMODULE
+"""
+
+
+def test_each_statement_is_one_line_event() -> None:
+    """Protected or not, on one line or several: once each time it is executed."""
+    controller = RecordingController()
+    task = load(checked(LINES), cast(Controller, controller))
+    counted: Counter[int] = Counter()
+
+    def trace(frame: FrameType, event: str, argument: Any) -> Any:
+        if frame.f_code.co_filename != "cell.mod":
+            return None
+        if event == "line":
+            counted[frame.f_lineno] += 1
+        return trace
+
+    before = sys.gettrace()
+    sys.settrace(trace)
+    try:
+        task.run()
+    finally:
+        sys.settrace(before)
+    once = {5, 6, 11, 13, 19, 20, 22, 23, 25, 32}
+    assert {line: counted[line] for line in once} == dict.fromkeys(once, 1)
+    assert counted[8] == 2
+    assert counted[14] == 0
+    assert counted[29] == 0
+    assert not {9, 10, 12, 17, 21, 26, 27} & counted.keys()
+
+
+def test_tracebacks_show_rapid_lines() -> None:
+    text = module('PROC main()\n  VAR num d;\n  TPWrite "ä" + ValToStr(1 / d);\nENDPROC')
+    with pytest.raises(FatalError) as caught:
+        load(checked(text), cast(Controller, RecordingController())).run()
+    shown = "".join(traceback.format_exception(caught.value))
+    assert 'File "cell.mod", line 5, in main' in shown
+    assert 'TPWrite "ä" + ValToStr(1 / d);' in shown
+    assert linecache.getline("cell.mod", 5).strip().startswith("TPWrite")
+
+
+def test_the_recursion_limit_is_put_back() -> None:
+    before = sys.getrecursionlimit()
+    run(main("p;", "", "PROC p() p; ENDPROC"))
+    assert sys.getrecursionlimit() == before
+
+
+def nested(depth: int, inner: str) -> str:
+    opening = "".join(f"FOR i{n} FROM 1 TO 1 DO " for n in range(depth))
+    return opening + inner + "ENDFOR " * depth
+
+
+@pytest.mark.parametrize("inner", ["x := 1 / x; ", "WHILE 1 / x < 0 DO ENDWHILE "])
+def test_fifteen_loops_fit_with_everything_around(inner: str) -> None:
+    depth = 15 - inner.startswith("WHILE")
+    body = f"{nested(depth, inner)} ERROR RETURN; UNDO x := 1;"
+    assert run(main(body, "VAR num x := 1;")).fatal is None
+
+
+def test_more_loops_are_refused_before_anything_runs() -> None:
+    with pytest.raises(NotExecutableError) as caught:
+        run(main(nested(16, "x := 1; "), "VAR num x;"))
+    assert "a loop inside 15 others cannot be simulated" in str(caught.value)
+    assert caught.value.diagnostic.span is not None
+
+
+def test_many_branches() -> None:
+    cases = "".join(f"CASE {n}: x := {n};\n" for n in range(900))
+    chain = "IF x = -1 THEN x := 0;\n" + "".join(
+        f"ELSEIF x = {n} THEN x := {n};\n" for n in range(900)
+    )
+    body = f"x := 899; TEST x {cases} ENDTEST {chain} ENDIF x := 1 / x; ERROR RETURN;"
+    assert run(main(body, "VAR num x;")).fatal is None
+
+
+def test_code_is_the_same_each_time() -> None:
+    text = main(SHAPES["protected"][0], DATA)
+    assert show_python(checked(text)) == show_python(checked(text))

@@ -1,0 +1,239 @@
+"""Move instructions, settings, displacement, robot state: what reaches the controller."""
+
+from typing import Any
+
+import pytest
+from library_controller import CONF, HOME, JOINTS, RecordingController
+
+from rapidsim.frames.quaternion import angle_between
+from rapidsim.language import error_numbers as errors
+from rapidsim.language.controller import Interpolation
+from rapidsim.language.data import (
+    FINE,
+    LOAD0,
+    NO_EXTERNAL_AXES,
+    TOOL0,
+    UNUSED_AXIS,
+    WOBJ0,
+    ExtJoint,
+    InPosData,
+    JointTarget,
+    Orient,
+    Pos,
+    Pose,
+    RobTarget,
+    Signal,
+    SpeedData,
+    StopPointData,
+    ZoneData,
+)
+from rapidsim.language.errors import RapidError
+from rapidsim.language.reference import Cell
+from rapidsim.library.catalogue import ROUTINES
+from rapidsim.library.predefined import DATA
+
+P10 = RobTarget(Pos(600.0, 100.0, 400.0), Orient(0.0, 0.0, 1.0, 0.0), CONF, NO_EXTERNAL_AXES)
+P20 = RobTarget(Pos(700.0, 200.0, 400.0), Orient(0.0, 0.0, 1.0, 0.0), CONF, NO_EXTERNAL_AXES)
+V100 = SpeedData(100.0, 500.0, 5000.0, 1000.0)
+Z10 = ZoneData(False, 10.0, 15.0, 15.0, 1.5, 15.0, 1.5)
+TOOL = Cell(TOOL0)
+GRIPPER = TOOL0._replace(tframe=Pose(Pos(0.0, 0.0, 100.0), Orient(1.0, 0.0, 0.0, 0.0)))
+TABLE = WOBJ0._replace(uframe=Pose(Pos(500.0, 0.0, 0.0), Orient(1.0, 0.0, 0.0, 0.0)))
+QUARTER = ROUTINES["orientzyx"].body(90.0, 0.0, 0.0)
+DO_GUN = Signal("doGun")
+
+
+def moved(name: str, *arguments: Any, **options: Any) -> Any:
+    controller = RecordingController()
+    controller.call(name, *arguments, **options)
+    assert not controller.unsimulated
+    (move,) = controller.moves
+    return move
+
+
+def test_move_l_passes_its_arguments_on() -> None:
+    move = moved("MoveL", P10, V100, Z10, Cell(GRIPPER), wobj=Cell(TABLE))
+    assert (move.instruction, move.interpolation) == ("MoveL", Interpolation.LINE)
+    assert (move.to, move.speed, move.zone) == (P10, V100, Z10)
+    assert (move.tool, move.wobj) == (GRIPPER, TABLE)
+    assert (move.circle_point, move.duration_s, move.concurrent) == (None, None, False)
+
+
+def test_without_a_work_object_it_is_wobj0() -> None:
+    assert moved("MoveJ", P10, V100, FINE, TOOL).wobj == WOBJ0
+
+
+def test_each_instruction_has_its_interpolation() -> None:
+    assert moved("MoveJ", P10, V100, FINE, TOOL).interpolation is Interpolation.JOINT
+    assert moved("MoveAbsJ", JOINTS, V100, FINE, TOOL).interpolation is Interpolation.AXES
+    arc = moved("MoveC", P10, P20, V100, FINE, TOOL)
+    assert arc.interpolation is Interpolation.CIRCLE
+    assert (arc.circle_point, arc.to) == (P10, P20)
+
+
+def test_options_replace_speed_and_zone() -> None:
+    move = moved("MoveL", P10, V100, Z10, TOOL, v=250.0, z=20.0, conc=True)
+    assert move.speed == V100._replace(v_tcp=250.0)
+    assert move.zone == ZoneData(False, 20.0, 30.0, 30.0, 3.0, 30.0, 3.0)
+    assert move.concurrent
+    assert moved("MoveL", P10, V100, Z10, TOOL, t=2.5).duration_s == 2.5
+
+
+@pytest.mark.parametrize(
+    ("name", "options", "reported"),
+    [
+        ("MoveL", {"corr": True}, r"MoveL \Corr"),
+        ("MoveL", {"tload": Cell(LOAD0)}, r"MoveL \TLoad"),
+        ("MoveJ", {"id_": 10.0}, r"MoveJ \ID"),
+        ("MoveJ", {"id_": None, "tload": Cell(LOAD0)}, r"MoveJ \TLoad"),
+    ],
+)
+def test_what_is_not_heeded_is_reported(
+    name: str, options: dict[str, object], reported: str
+) -> None:
+    controller = RecordingController()
+    controller.call(name, P10, V100, Z10, TOOL, **options)
+    assert controller.unsimulated == [(reported, "ignored")]
+    assert len(controller.moves) == 1
+
+
+def test_stop_point_data_make_a_stop_point() -> None:
+    controller = RecordingController()
+    criteria = StopPointData(1.0, True, InPosData(50.0, 50.0, 0.0, 2.0), 0.0, 0.0, "", 0.0, 0.0)
+    controller.call("MoveL", P10, V100, Z10, TOOL, inpos=criteria)
+    assert controller.moves[0].zone.finep
+    assert controller.unsimulated == [(r"MoveL \Inpos", "ignored")]
+
+
+def test_settings() -> None:
+    controller = RecordingController()
+    controller.call("VelSet", 50.0, 800.0)
+    controller.call("AccSet", 5.0, 5.0)
+    controller.call("ConfJ", off=True)
+    controller.call("ConfL", off=True)
+    settings = controller.settings
+    assert (settings.speed_override_percent, settings.max_speed_mm_s) == (50.0, 800.0)
+    assert (settings.acceleration_percent, settings.ramp_percent) == (20.0, 10.0)
+    assert (settings.conf_j, settings.conf_l) == (False, False)
+    controller.call("ConfJ", on=True)
+    controller.call("ConfL")
+    assert (controller.settings.conf_j, controller.settings.conf_l) == (True, True)
+    assert not controller.unsimulated
+
+
+def test_singularity_modes_that_are_not_simulated_say_so() -> None:
+    controller = RecordingController()
+    controller.call("SingArea", off=True)
+    controller.call("CirPathMode", path_frame=True)
+    assert not controller.unsimulated
+    controller.call("SingArea", wrist=True)
+    controller.call("CirPathMode", wrist45=True)
+    assert controller.unsimulated == [
+        (r"SingArea \Wrist", r"SingArea \Off"),
+        (r"CirPathMode \Wrist45", r"CirPathMode \PathFrame"),
+    ]
+
+
+def test_displacement_moves_targets_until_it_is_off() -> None:
+    controller = RecordingController()
+    controller.call("PDispSet", Pose(Pos(0.0, 0.0, 50.0), QUARTER))
+    controller.call("MoveL", P10, V100, FINE, TOOL)
+    controller.call("MoveAbsJ", JOINTS, V100, FINE, TOOL)
+    controller.call("PDispOff")
+    controller.call("MoveL", P10, V100, FINE, TOOL)
+    displaced, axes, plain = controller.moves
+    assert displaced.to[0] == pytest.approx((-100.0, 600.0, 450.0), abs=1e-3)
+    assert axes.to == JOINTS
+    assert plain.to == P10
+
+
+def test_displacement_from_where_the_robot_is() -> None:
+    controller = RecordingController()
+    controller.call("PDispOn", P10, TOOL)
+    displacement = controller.settings.displacement
+    assert displacement is not None
+    assert displacement.trans == Pos(-100.0, -100.0, 400.0)
+    controller.call("PDispOn", P10, TOOL, exe_p=P20)
+    controller.call("MoveL", P10, V100, FINE, TOOL)
+    target = controller.moves[0].to
+    assert isinstance(target, RobTarget)
+    assert target.trans == P20.trans
+
+
+def test_displacement_with_rotation_takes_one_target_to_the_other() -> None:
+    controller = RecordingController()
+    turned = P20._replace(rot=QUARTER)
+    controller.call("PDispOn", P10, TOOL, rot=True, exe_p=turned)
+    controller.call("MoveJ", P10, V100, FINE, TOOL)
+    target = controller.moves[0].to
+    assert isinstance(target, RobTarget)
+    assert target.trans == pytest.approx(turned.trans, abs=1e-3)
+    assert angle_between(target.rot, turned.rot) < 1e-6
+
+
+def test_positions_are_read_as_the_program_would_give_them() -> None:
+    controller = RecordingController()
+    assert controller.call("CRobT") == HOME
+    assert controller.call("CPos") == HOME.trans
+    controller.call("PDispSet", Pose(Pos(10.0, 20.0, 30.0), QUARTER))
+    controller.call("MoveL", controller.call("CRobT"), V100, FINE, TOOL)
+    target = controller.moves[0].to
+    assert isinstance(target, RobTarget)
+    assert target.trans == pytest.approx(HOME.trans, abs=1e-3)
+    assert controller.call("ORobT", controller.call("CRobT")).trans == pytest.approx(
+        HOME.trans, abs=1e-3
+    )
+
+
+def test_axis_offsets_leave_unused_axes_alone() -> None:
+    controller = RecordingController()
+    unused = (UNUSED_AXIS,) * 5
+    controller.call("EOffsSet", ExtJoint(100.0, *(0.0,) * 5))
+    on_track = JointTarget(JOINTS.robax, ExtJoint(500.0, *unused))
+    controller.call("MoveAbsJ", on_track, V100, FINE, TOOL)
+    controller.call("MoveAbsJ", on_track, V100, FINE, TOOL, no_eoffs=True)
+    controller.call("EOffsOff")
+    controller.call("MoveAbsJ", on_track, V100, FINE, TOOL)
+    axes = [move.to.extax for move in controller.moves]
+    assert axes == [ExtJoint(x, *unused) for x in (600.0, 500.0, 500.0)]
+
+
+def test_kinematics_of_targets() -> None:
+    controller = RecordingController()
+    assert controller.call("CalcJointT", P10, TOOL) == JOINTS
+    assert controller.call("CalcRobT", JOINTS, TOOL) == HOME
+    controller.in_reach = False
+    with pytest.raises(RapidError) as caught:
+        controller.call("CalcJointT", P10, TOOL)
+    assert caught.value.errno == errors.ERR_OUTSIDE_REACH
+    number: Cell[float] = Cell(0.0)
+    controller.call("CalcJointT", P10, TOOL, error_number=number)
+    assert number.value == errors.ERR_OUTSIDE_REACH
+
+
+def test_other_tasks_are_not_asked() -> None:
+    controller = RecordingController()
+    controller.call("CJointT", task_name="T_ROB2")
+    assert controller.unsimulated == [(r"CJointT \TaskName", "the robot of the task itself")]
+
+
+def test_vmax_and_max_rob_speed_agree() -> None:
+    vmax = DATA["vmax"].value
+    assert isinstance(vmax, SpeedData)
+    assert RecordingController().call("MaxRobSpeed") == vmax.v_tcp
+
+
+def test_substitutes_do_what_they_report() -> None:
+    controller = RecordingController()
+    found: Cell[RobTarget] = Cell(HOME)
+    controller.call("SearchL", Cell(None), found, P10, V100, TOOL, stop=True)
+    controller.call("MoveLDO", P20, V100, Z10, TOOL, Cell(DO_GUN), 1.0, wobj=Cell(TABLE))
+    assert found.value == P10
+    search, move = controller.moves
+    assert (search.instruction, search.zone, search.to) == ("MoveL", FINE, P10)
+    assert (move.zone, move.wobj, move.to) == (Z10, TABLE, P20)
+    assert controller.log == ["doGun := 1"]
+    assert controller.unsimulated == [
+        ("SearchL", "MoveL that finds its end point"),
+        ("MoveLDO", "MoveL and SetDO"),
+    ]

@@ -1,0 +1,211 @@
+"""Trajectories: the command in pieces, smoothed without leaving the path."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from motion_programs import LIMITS, ROBOT, TOOL, Programmer, path_of, zone
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.path import Path
+from rapidsim.motion.segments import Waypoint
+from rapidsim.motion.timing import Timing, plan
+from rapidsim.motion.trajectory import Piece, Trajectory
+
+FILTER = 0.08
+
+
+def square() -> Programmer:
+    """Four sides of 100 mm with small zones, back to where it began."""
+    program = Programmer().line((0.1, 0, 0), z=zone(10)).line((0, 0.1, 0), z=zone(5))
+    return program.line((-0.1, 0, 0), z=zone(10)).line((0, -0.1, 0))
+
+
+PROGRAM = square()
+START = PROGRAM.segments[0].start
+PATH = path_of(PROGRAM)
+TIMING = plan(PATH, LIMITS)
+
+
+def whole(start_time: float, path: Path = PATH, timing: Timing = TIMING) -> Piece:
+    return Piece(start_time, path, timing, 0.0, path.length)
+
+
+def run(*pauses: float, filter_time: float = FILTER) -> Trajectory:
+    """The square once after each pause [s]."""
+    trajectory = Trajectory(START, filter_time)
+    for pause in pauses:
+        trajectory.append(whole(trajectory.command_end + pause))
+    return trajectory
+
+
+def mean_command(trajectory: Trajectory, time: float) -> float:
+    """The mean over the filter's width, by brute force."""
+    raw = Trajectory(START, 0.0)
+    for piece in trajectory.pieces:
+        raw.append(piece)
+    t = np.linspace(time - FILTER, time, 20001)
+    return float(np.trapezoid(raw.place_at(t), t)) / FILTER
+
+
+def test_without_pieces_the_arm_stands_at_its_start() -> None:
+    trajectory = Trajectory(START, FILTER)
+    samples = trajectory.at(np.array([0.0, 1.0]))
+    assert samples.joints == pytest.approx(np.tile(START.joints, (2, 1)))
+    assert samples.tcp_speed == pytest.approx([0.0, 0.0])
+    assert samples.move.tolist() == [0, 0]
+    assert trajectory.duration == trajectory.length == trajectory.travelled_m == 0.0
+    assert trajectory.time_at_place(0.0) == pytest.approx(0.0, abs=1e-12)
+
+
+@settings(max_examples=30, deadline=None)
+@given(
+    pauses=st.lists(st.floats(0.0, 0.3), min_size=1, max_size=3),
+    share=st.floats(0.0, 1.0),
+)
+def test_the_visible_place_is_the_mean_of_the_commanded(
+    pauses: list[float], share: float
+) -> None:
+    trajectory = run(*pauses)
+    time = share * trajectory.duration
+    place = float(trajectory.place_at(np.array([time]))[0])
+    assert place == pytest.approx(mean_command(trajectory, time), abs=1e-8)
+
+
+def test_smoothing_keeps_the_path() -> None:
+    trajectory = run(0.5)
+    samples = trajectory.at(np.linspace(0.0, 3.0, 4001))
+    tcp = (ROBOT.kinematics.forward(samples.joints) @ TOOL).translation
+    assert np.abs(tcp - samples.base_from_tcp.translation).max() < 1e-9
+    s = trajectory.place_at(samples.times)
+    assert np.abs(PATH.evaluate(s).joints - samples.joints).max() < 1e-12
+    before_first_zone = s < 0.09
+    straight = samples.base_from_tcp.translation[before_first_zone, 1:]
+    assert np.abs(straight - START.base_from_tcp.translation[1:]).max() < 1e-9
+
+
+def test_smoothing_adds_its_width_to_the_time_and_lags_half_of_it() -> None:
+    program = Programmer().line((0.3, 0, 0))
+    path = path_of(program)
+    timing = plan(path, LIMITS)
+    trajectory = Trajectory(program.segments[0].start, FILTER)
+    trajectory.append(whole(1.0, path, timing))
+    assert trajectory.command_end == pytest.approx(1.0 + timing.duration)
+    assert trajectory.duration == pytest.approx(1.0 + timing.duration + FILTER)
+    middle = timing.time_at(0.15)
+    assert trajectory.time_at_place(0.15) == pytest.approx(1.0 + middle + FILTER / 2, abs=1e-4)
+    last = trajectory.at(np.array([trajectory.duration, trajectory.duration + 9.0]))
+    assert last.joints == pytest.approx(np.tile(program.joints, (2, 1)), abs=1e-9)
+    assert last.tcp_speed == pytest.approx([0.0, 0.0], abs=1e-9)
+
+
+def test_without_smoothing_the_arm_is_where_the_command_is() -> None:
+    trajectory = run(0.25, filter_time=0.0)
+    times = np.linspace(0.25, 0.25 + TIMING.duration, 101)
+    assert trajectory.place_at(times) == pytest.approx(TIMING.s_at(times - 0.25), abs=1e-12)
+    assert trajectory.time_at_place(PATH.length) == pytest.approx(trajectory.duration)
+
+
+@settings(max_examples=25, deadline=None)
+@given(cuts=st.lists(st.floats(0.0, 1.0), min_size=1, max_size=12), pause=st.floats(0.0, 0.2))
+def test_cutting_a_command_into_pieces_changes_nothing(cuts: list[float], pause: float) -> None:
+    at_once = run(pause)
+    in_pieces = Trajectory(START, FILTER)
+    places = np.array([0.0, *sorted(cuts), 1.0]) * PATH.length
+    for begin, end in zip(places[:-1], places[1:], strict=True):
+        in_pieces.append(
+            Piece(pause + TIMING.time_at(float(begin)), PATH, TIMING, float(begin), float(end))
+        )
+    times = np.linspace(-0.1, at_once.duration + 0.1, 301)
+    a, b = at_once.at(times), in_pieces.at(times)
+    assert np.abs(a.joints - b.joints).max() < 1e-9
+    assert a.tcp_speed == pytest.approx(b.tcp_speed, abs=1e-6)
+
+
+def test_planning_again_on_a_longer_path_goes_on_without_a_jump() -> None:
+    program = square()
+    known = path_of(program.segments[:2])
+    first = plan(known, LIMITS)
+    cut = float(known.segment_starts[1])
+    trajectory = Trajectory(START, 0.0)
+    time = first.time_at(cut)
+    trajectory.append(Piece(0.0, known, first, 0.0, cut))
+    rest = plan(PATH, LIMITS, start=cut, start_speed=first.speed_at(time))
+    assert rest.start_excess < 1e-6
+    trajectory.append(Piece(time, PATH, rest, cut, PATH.length))
+    times = np.arange(0.0, trajectory.duration, 1e-3)
+    joints = trajectory.at(times).joints
+    acceleration = np.diff(joints, n=2, axis=0) / 1e-6
+    assert (np.abs(acceleration) / LIMITS.max_acceleration).max() < 1.01
+    assert trajectory.duration == pytest.approx(TIMING.duration, rel=1e-3)
+
+
+def test_moves_are_counted_by_the_middle_of_their_corners() -> None:
+    trajectory = run(0.2)
+    starts = np.array([trajectory.time_at_place(float(s)) for s in PATH.segment_starts[1:]])
+    assert trajectory.at(starts - 1e-6).move.tolist() == [0, 1, 2]
+    assert trajectory.at(starts + 1e-6).move.tolist() == [1, 2, 3]
+    assert trajectory.at(np.array([0.0, 99.0])).move.tolist() == [0, 3]
+
+
+def test_standing_between_two_blocks_the_last_move_counts() -> None:
+    second = Programmer(joints=PROGRAM.joints).line((0.1, 0, 0)).segments[0]
+    later = Waypoint(second.start.joints, second.start.base_from_tcp)
+    path = path_of([replace(second, index=4, start=later)])
+    trajectory = run(0.0)
+    trajectory.append(whole(trajectory.command_end + 1.0, path, plan(path, LIMITS)))
+    still = trajectory.command_end - plan(path, LIMITS).duration - 0.5
+    samples = trajectory.at(np.array([still, trajectory.duration]))
+    assert samples.move.tolist() == [3, 4]
+    assert samples.tcp_speed[0] == pytest.approx(0.0, abs=1e-9)
+
+
+def test_speed_is_that_of_the_tcp() -> None:
+    trajectory = run(0.1, 0.1)
+    times = np.arange(0.0, trajectory.duration, 5e-4)
+    samples = trajectory.at(times)
+    steps = np.linalg.norm(np.diff(samples.base_from_tcp.translation, axis=0), axis=1) / 5e-4
+    mean: Array = 0.5 * (samples.tcp_speed[1:] + samples.tcp_speed[:-1])
+    assert steps == pytest.approx(mean, abs=2e-3)
+    assert samples.tcp_speed.max() <= 0.5 * 1.001
+
+
+@settings(max_examples=25, deadline=None)
+@given(share=st.floats(0.0, 1.0), pauses=st.lists(st.floats(0.0, 0.2), min_size=1, max_size=3))
+def test_the_time_at_a_place_is_when_the_arm_is_there(share: float, pauses: list[float]) -> None:
+    trajectory = run(*pauses)
+    place = share * trajectory.length
+    time = trajectory.time_at_place(place)
+    assert 0.0 <= time <= trajectory.duration + 1e-9
+    assert float(trajectory.place_at(np.array([time]))[0]) == pytest.approx(place, abs=1e-9)
+
+
+def test_travel_is_shorter_than_the_programmed_path() -> None:
+    trajectory = run(0.0, 0.1)
+    samples = trajectory.at(np.linspace(0.0, trajectory.duration, 8001))
+    steps = np.diff(samples.base_from_tcp.translation, axis=0)
+    assert trajectory.travelled_m == pytest.approx(np.linalg.norm(steps, axis=1).sum(), rel=1e-4)
+    assert trajectory.travelled_m < trajectory.length == pytest.approx(0.8)
+
+
+def test_many_pieces_give_the_same_as_few() -> None:
+    trajectory = Trajectory(START, FILTER)
+    for _ in range(400):
+        trajectory.append(whole(trajectory.command_end + 0.105))
+    few = run(0.105)
+    late = trajectory.command_end - TIMING.duration - 0.105
+    # At first the end of the run before is still to be seen.
+    times = np.linspace(FILTER, few.duration, 50)
+    assert np.abs(trajectory.at(times + late).joints - few.at(times).joints).max() < 1e-9
+
+
+def test_pieces_come_in_the_order_of_time() -> None:
+    trajectory = run(0.5)
+    with pytest.raises(ValueError, match="before the last ends"):
+        trajectory.append(whole(0.0))
+    with pytest.raises(ValueError, match="runs backwards"):
+        trajectory.append(Piece(10.0, PATH, TIMING, 0.2, 0.1))

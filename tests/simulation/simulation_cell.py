@@ -1,0 +1,91 @@
+"""A virtual controller driven by hand: what the interpreter would call, without a program."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from rapidsim.diagnostics import Source, Span
+from rapidsim.frames.transform import Transform
+from rapidsim.language.controller import Interpolation, Move, Place
+from rapidsim.language.data import (
+    FINE,
+    NO_EXTERNAL_AXES,
+    TOOL0,
+    WOBJ0,
+    ConfData,
+    Orient,
+    Pos,
+    RobTarget,
+    SpeedData,
+    ZoneData,
+)
+from rapidsim.motion.robot import load_robot
+from rapidsim.motion.segments import Waypoint
+from rapidsim.motion.trajectory import Trajectory
+from rapidsim.simulation.controller import VirtualController
+from rapidsim.simulation.journal import Journal
+from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.path_queue import PathQueue
+from rapidsim.simulation.resolve import Resolver
+from rapidsim.simulation.result import ExecutedMove
+
+Z10 = ZoneData(False, 10.0, 15.0, 15.0, 1.5, 15.0, 1.5)
+DOWN = Orient(0.0, 0.0, 1.0, 0.0)
+_START = np.array([0.0, 0.0, 0.0, 0.0, 0.5, 0.0])
+_SOURCE = Source("hand.mod", "MoveL")
+
+
+def place(name: str = "p") -> Place:
+    return Place(Span(_SOURCE, 0, 5), "main", {"topoint": name})
+
+
+@dataclass
+class Cell:
+    """An IRB 1600 whose controller is called by the test."""
+
+    options: RunOptions = field(default_factory=RunOptions)
+
+    def __post_init__(self) -> None:
+        self.robot = load_robot("irb1600")
+        self.journal = Journal("T_ROB1")
+        start = Waypoint(_START, self.robot.forward(_START))
+        self.trajectory = Trajectory(start, self.options.model.filter_time)
+        self.queue = PathQueue(self.robot, self.options.model, self.trajectory, start)
+        resolver = Resolver(self.robot, self.journal, Transform.identity())
+        self.controller = VirtualController(
+            self.queue, resolver, self.journal, self.options, place()
+        )
+
+    def move(
+        self,
+        x: float,
+        y: float,
+        z: float,
+        *,
+        zone: ZoneData = Z10,
+        speed: float = 200.0,
+        kind: Interpolation = Interpolation.LINE,
+        name: str = "p",
+    ) -> None:
+        """Send the TCP somewhere [mm], pointing down."""
+        target = RobTarget(Pos(x, y, z), DOWN, ConfData(0, 0, 0, 0), NO_EXTERNAL_AXES)
+        self.controller.place = place(name)
+        self.controller.move(
+            Move(
+                "MoveL" if kind is Interpolation.LINE else "MoveJ",
+                kind,
+                target,
+                SpeedData(speed, 500.0, 5000.0, 1000.0),
+                zone,
+                TOOL0,
+                WOBJ0,
+            )
+        )
+
+    def approach(self) -> None:
+        """Go to the first point by joints and stop."""
+        self.move(800.0, 0.0, 600.0, zone=FINE, kind=Interpolation.JOINT, speed=1000.0)
+
+    def moves(self) -> Sequence[ExecutedMove]:
+        return self.queue.executed("T_ROB1")

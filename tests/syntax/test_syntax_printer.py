@@ -1,0 +1,74 @@
+"""What is printed parses to the tree that was printed."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from pathlib import Path
+
+import pytest
+
+from rapidsim.diagnostics import Source
+from rapidsim.syntax import tree
+from rapidsim.syntax.parser import parse
+from rapidsim.syntax.printer import print_module
+
+PROGRAMS = sorted((Path(__file__).parent / "programs").iterdir())
+PLACES = {"start", "end", "source", "operator_start", "header_end"}
+
+
+def shape(node: object) -> object:
+    """A tree without places: comparable, because nodes themselves compare by identity."""
+    if isinstance(node, tuple):
+        return tuple(shape(part) for part in node)
+    if isinstance(node, tree.Node):
+        parts = [shape(getattr(node, f.name)) for f in fields(node) if f.name not in PLACES]
+        return (type(node).__name__, *parts)
+    return node
+
+
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.name)
+def test_printing_keeps_the_tree(program: Path) -> None:
+    modules = parse(Source(program.name, program.read_text())).file.modules
+    printed = "".join(print_module(module) for module in modules)
+    again = parse(Source("printed", printed))
+    assert not again.diagnostics, printed
+    assert shape(again.file.modules) == shape(modules)
+
+
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.name)
+def test_printing_what_was_printed_changes_nothing(program: Path) -> None:
+    modules = parse(Source(program.name, program.read_text())).file.modules
+    printed = "".join(print_module(module) for module in modules)
+    again = parse(Source("printed", printed)).file.modules
+    assert "".join(print_module(module) for module in again) == printed
+
+
+@pytest.mark.parametrize(
+    "statement",
+    [
+        "x=1;",
+        "P(a,b);",
+        "P();",
+        "x:=a*-2;",
+        "x:=a AND NOT b;",
+        "WHILE a x:=1; ENDWHILE",
+        "IF a THEN ELSEIF b x:=1; ELSE ENDIF",
+        "TEST a CASE 1 TO 5: CASE 7: ENDTEST",
+        "IF a <SMT>",
+        "IF a THEN <EIT> ENDIF",
+        "TEST a <CSE> DEFAULT: ENDTEST",
+        'x:=%"f"%(1);',
+        r'TPWrite "a""b\\c\0D";',
+        'x:=[1e30,1E-9,-0.0,123456789,[TRUE,"s"]];',
+        "<VAR>:=1;",
+        "MoveL *,v100;",
+        "VAR num x=1;",
+        ";",
+    ],
+)
+def test_printing_keeps_odd_statements(statement: str) -> None:
+    text = f"MODULE m\nPROC p\n{statement}\nENDPROC\nENDMODULE\n"
+    first = parse(Source("odd", text))
+    assert not first.diagnostics
+    printed = print_module(first.file.modules[0])
+    assert shape(parse(Source("printed", printed)).file.modules) == shape(first.file.modules)
