@@ -83,6 +83,9 @@ def _report_types(value: tree.Expression, found: Type, formal: Formal, context: 
 
 def _check_mode(value: tree.Expression, formal: Formal, context: Context) -> None:
     words = _WORDS[formal.mode]
+    if isinstance(value, tree.String) and formal.mode is Mode.REF and formal.signal is not None:
+        # A signal may be named by a string where it is only looked up.
+        return
     if not isinstance(value, Path):
         found = "not an expression" if formal.mode is not Mode.REF else "not a computed value"
         context.report(

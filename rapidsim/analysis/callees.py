@@ -7,6 +7,7 @@ from functools import cache
 from rapidsim.analysis.context import Context
 from rapidsim.analysis.parameters import Callee, Formal, Wanted
 from rapidsim.analysis.program import LibrarySymbol, RoutineSymbol, Symbol
+from rapidsim.language.annotations import Mode
 
 
 def callee_of(symbol: Symbol | None, context: Context) -> Callee | None:
@@ -53,7 +54,11 @@ def _of_library(symbol: LibrarySymbol) -> Callee:
             parameter.name,
             parameter.name.lower(),
             parameter.types,
-            parameter.mode,
+            # What is known of a routine that no run simulates may be too strict here: some take
+            # names in strings as well.
+            Mode.IN
+            if parameter.mode is Mode.REF and not symbol.routine.simulated
+            else parameter.mode,
             parameter.optional,
             parameter.is_switch,
             parameter.group,

@@ -26,7 +26,7 @@ from rapidsim.analysis.program import (
 )
 from rapidsim.analysis.syntax_violations import UnfinishedDeclaration
 from rapidsim.analysis.user_types import TypeNode, UserTypes
-from rapidsim.analysis.walk import descendants
+from rapidsim.analysis.walk import children, descendants
 from rapidsim.diagnostics import Related
 from rapidsim.language import types
 from rapidsim.language.annotations import Mode
@@ -191,11 +191,11 @@ def _declare_routine(node: tree.Routine, context: Context, user_types: UserTypes
             continue
         group += 1
         optional = isinstance(part, tree.OptionalGroup)
-        alternatives = part.alternatives if isinstance(part, tree.OptionalGroup) else (part,)
+        # Where an alternative is not filled in, a placeholder stands among them.
+        alternatives = children(part) if optional else (part,)
         parameters += [
             _declare_parameter(parameter, optional, group, context, user_types)
             for parameter in alternatives
-            # An alternative may be a placeholder.
             if isinstance(parameter, tree.Parameter)
         ]
     result = user_types.named(node.type, context) if isinstance(node, tree.Func) else None

@@ -111,9 +111,7 @@ class RaiseRetryPlacement(Violation):
             VAR num parts:=0;
             VAR num each;
             each:=10/parts;
-
-    Error:
-            parts:=1;
+          ERROR parts:=1;
             RETRY;
           ENDPROC
         ENDMODULE

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from itertools import groupby
 
 from rapidsim.diagnostics import Related
+from rapidsim.language import types
 from rapidsim.language.annotations import Mode
 from rapidsim.language.types import Atomic, Kind, Type, resolved
 
@@ -50,6 +51,9 @@ class Formal:
             target = resolved(of)
             if isinstance(target, Atomic) and target.kind is Kind.SEMI_VALUE:
                 return of
+        if types.ANYTYPE in self.types and self.mode is not Mode.IN and "signal" in self.key:
+            # Routines that take signals of every kind, such as AliasIO, declare no kind.
+            return types.SIGNAL_DI
         return None
 
 

@@ -6,6 +6,7 @@ import json
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 
 import click
@@ -42,7 +43,7 @@ from rapidsim.report.run_json import rejected_json, run_json
 from rapidsim.report.summary import ASCII_BARS, BLOCK_BARS, Written, summary
 from rapidsim.simulation.load import load
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.result import End, Simulation
+from rapidsim.simulation.result import End, Simulation, WrittenFile
 from rapidsim.simulation.simulate import simulate
 from rapidsim.simulation.station import Station
 from rapidsim.syntax import tree
@@ -161,6 +162,7 @@ def run(
     except NotExecutableError as error:
         findings = (*loaded.diagnostics, error.diagnostic)
         return _reject(findings, names, arm, output_format, terminal)
+    simulation = replace(simulation, home_files=_seen_from_here(simulation.home_files))
     with _stage("writing", terminal):
         written = write(simulation, outputs)
     findings = (*loaded.diagnostics, *simulation.diagnostics)
@@ -228,6 +230,15 @@ def _entry(program: Program, name: str) -> str:
     raise InputError(
         f"the program has no procedure `{name}`",
         did_you_mean(name, startable) or (f"{there}; --proc names one" if there else None),
+    )
+
+
+def _seen_from_here(files: Sequence[WrittenFile]) -> tuple[WrittenFile, ...]:
+    """Files with paths below the working directory shortened, as the user would name them."""
+    here = Path.cwd().resolve()
+    return tuple(
+        replace(file, path=str(path.relative_to(here))) if path.is_relative_to(here) else file
+        for file, path in ((file, Path(file.path)) for file in files)
     )
 
 

@@ -126,13 +126,15 @@ class Calls:
 
     def _user(self, symbol: RoutineSymbol, arguments: Sequence[tree.Argument], at: At) -> Code:
         given = match_arguments(arguments, symbol.parameters)
-        nodes = [
-            self._argument(parameter, given.get(parameter.name.lower()), at)
+        nodes = {
+            parameter.name.lower(): self._argument(
+                parameter, given.get(parameter.name.lower()), at
+            )
             for parameter in symbol.parameters
-        ]
+        }
         self._refuse_two_alternatives(symbol.parameters, given, nodes, at)
         function = at.name(self._names.module.routine(symbol))
-        return Code(at.call(function, nodes), may_raise=True, calls=True)
+        return Code(at.call(function, [*nodes.values()]), may_raise=True, calls=True)
 
     def _argument(self, parameter: ParameterSymbol, given: Given | None, at: At) -> ast.expr:
         """The argument of a user routine's parameter."""
@@ -176,32 +178,40 @@ class Calls:
 
     def _refuse_two_alternatives(
         self,
-        parameters: Sequence[ParameterSymbol],
+        parameters: Sequence[ParameterSymbol] | Sequence[Parameter],
         given: dict[str, Given],
-        nodes: list[ast.expr],
+        nodes: dict[str, ast.expr],
         at: At,
     ) -> None:
         """Where two options exclude each other and only the run shows who is there, check then.
 
         The last of them is wrapped, so that the others have their values before.
-        """
-        groups: dict[int, list[int]] = {}
-        for position, parameter in enumerate(parameters):
-            one = given.get(parameter.name.lower())
-            if parameter.optional and one is not None:
-                groups.setdefault(parameter.group, []).append(position)
-        for positions in groups.values():
-            conditional = [given[parameters[p].name.lower()].caller_option for p in positions]
-            if len(positions) > 1 and any(conditional):
-                last = positions[-1]
-                nodes[last] = at.call(
-                    "_at_most_one",
-                    [nodes[last], *(self._again(nodes[p], at) for p in positions[:-1])],
-                )
 
-    def _again(self, node: ast.expr, at: At) -> ast.expr:
-        """Whether an argument is there: forwarded ones are looked at, others are."""
-        return node if isinstance(node, ast.Name) else at.constant(True)
+        Args:
+            parameters: Of the routine.
+            given: What the call gives, by folded parameter name.
+            nodes: The arguments, likewise; changed where a check is needed.
+            at: The place of the call.
+        """
+        groups: dict[int, list[str]] = {}
+        for parameter in parameters:
+            if parameter.optional and parameter.group and parameter.name.lower() in given:
+                groups.setdefault(parameter.group, []).append(parameter.name.lower())
+        for names in groups.values():
+            if len(names) > 1 and any(given[name].caller_option for name in names):
+                flags = [self._is_there(given[name], at) for name in names]
+                nodes[names[-1]] = at.call("_at_most_one", [nodes[names[-1]], *flags])
+
+    def _is_there(self, given: Given, at: At) -> ast.expr:
+        """Whether an argument is given: a conditional one only if the caller's option is."""
+        if given.caller_option is None:
+            return at.constant(True)
+        symbol = self._caller_option(given.caller_option)
+        name = self._names.get(symbol)
+        assert name is not None
+        if symbol.is_switch:
+            return at.name(name)
+        return at.compare(at.name(name), (ast.IsNot(), at.name("_ABSENT")))
 
     def _library_function(self, routine: LibraryRoutine, call: tree.FunctionCall, at: At) -> Code:
         signature = routine.signature
@@ -234,8 +244,7 @@ class Calls:
         self, signature: Signature, given: dict[str, Given], at: At
     ) -> tuple[list[ast.expr], list[tuple[str, ast.expr]], bool]:
         """Positional arguments, keyword options, and whether calls are among them."""
-        values: list[ast.expr] = []
-        options: list[tuple[str, ast.expr]] = []
+        nodes: dict[str, ast.expr] = {}
         calls = False
         for parameter in signature.parameters:
             one = given.get(parameter.name.lower())
@@ -243,10 +252,11 @@ class Calls:
                 continue
             code = self._library_argument(parameter, one, at)
             calls |= code.calls
-            if parameter.optional:
-                options.append((parameter.python, code.node))
-            else:
-                values.append(code.node)
+            nodes[parameter.name.lower()] = code.node
+        self._refuse_two_alternatives(signature.parameters, given, nodes, at)
+        there = [p for p in signature.parameters if p.name.lower() in nodes]
+        values = [nodes[p.name.lower()] for p in there if not p.optional]
+        options = [(p.python, nodes[p.name.lower()]) for p in there if p.optional]
         if signature.type_keyword:
             of = self._given_type(signature.type_of, given)
             options.append(

@@ -85,7 +85,7 @@ class Task:
             predefined = DATA.get(name.lower())
             if predefined is None or module is not None:
                 raise LookupError(f"there are no data named {name}")
-            return predefined.value
+            return self._memory.predefined(name.lower(), predefined.value)
         if symbol.storage is Storage.CONST:
             return copied(self._constants.value_of(symbol))
         return self._memory.value(symbol)

@@ -59,8 +59,11 @@ class Memory:
 
     def value(self, symbol: DataSymbol) -> Value:
         """A copy of the value that a variable has now."""
-        home = self.home(symbol)
-        return copy_array(home) if isinstance(home, list) else home.value
+        return _value(self.home(symbol))
+
+    def predefined(self, key: str, initial: Value) -> Value:
+        """The value of predefined data by folded name, the initial one where nobody uses them."""
+        return _value(self._homes[key]) if key in self._homes else copied(initial)
 
     def persistents(self) -> Iterator[DataSymbol]:
         """The PERS data of all modules, in order of writing."""
@@ -114,6 +117,10 @@ def initial_literal(symbol: DataSymbol) -> Value | None:
     if symbol.node.value is None:
         return initial_value(symbol.type)
     return literal(symbol.node.value, symbol.type)
+
+
+def _value(home: Any) -> Value:  # noqa: ANN401 - a cell or a list
+    return copy_array(home) if isinstance(home, list) else home.value
 
 
 def _new_home(symbol: DataSymbol) -> Any:

@@ -1,5 +1,6 @@
 """Statements under an ERROR clause: a small loop that executes again, or goes on behind.
 
+    _tries = 0
     while True:
         try:
             <statement>
@@ -8,6 +9,8 @@
             if _tries:
                 continue
         break
+
+Retries are counted for each statement anew: a program that retries now and then for hours is fine.
 
 Source: Technical reference manual RAPID Overview, "Error recovery": RETRY and TRYNEXT.
 """
@@ -30,4 +33,7 @@ def protected(
         at.when(at.name("_tries"), [at.go_on()]),
         *otherwise,
     ]
-    return [at.forever([at.attempt(body, at.name("_ERRORS"), "_e", handler), at.stop()])]
+    return [
+        at.set("_tries", at.constant(0)),
+        at.forever([at.attempt(body, at.name("_ERRORS"), "_e", handler), at.stop()]),
+    ]

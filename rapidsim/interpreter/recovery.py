@@ -91,7 +91,7 @@ class Recovery:
         Args:
             handler: The clause.
             error: One of `ERRORS`.
-            tries: How often the routine retried.
+            tries: How often the statement was retried.
 
         Returns:
             0 to go on after the statement, otherwise the tries so far, to execute it again.

@@ -108,7 +108,6 @@ class _RoutineTranslation:
             body = [at.attempt(body, at.name("_BaseException"), "_u", [unwinds, at.throw()])]
         clauses: list[ast.stmt] = [clause for clause in (handler, undo) if clause is not None]
         if handler is not None:
-            clauses.append(at.set("_tries", at.constant(0)))
             value = at.leave(at.attribute("_l", "value"))
             body = [at.attempt(body, at.name("_Leave"), "_l", [value])]
         name = self._context.names.routine(self._symbol)
@@ -189,7 +188,7 @@ class _RoutineTranslation:
         statements = self._statements(body, in_handler=in_handler)
         if self._names.assigned:
             statements.insert(0, at.outer(sorted(self._names.assigned)))
-        if in_handler:
+        if in_handler and not _ends_in_return(statements):
             statements.append(self._fall_off(at))
         return at.define(name, parameters, [], statements)
 

@@ -26,16 +26,15 @@ def unfinished() -> NoReturn:
     raise rapid_error(ERR_EXECPHR, "the program is unfinished here: a placeholder was reached")
 
 
-def at_most_one(last: object, *others: object) -> object:
-    """The last of several options that exclude each other, when no other one is there.
+def at_most_one(value: object, *is_there: bool) -> object:
+    """The last of several options that exclude each other.
 
     Raises:
-        RapidError: ERR_ARGDUPCND if two are there.
+        RapidError: ERR_ARGDUPCND if more than one is there.
     """
-    present = [one for one in (last, *others) if one is not references.ABSENT and one is not False]
-    if len(present) > 1:
+    if sum(is_there) > 1:
         raise rapid_error(ERR_ARGDUPCND, "two optional arguments that exclude each other are given")
-    return last
+    return value
 
 
 FUNCTIONS: Mapping[str, object] = MappingProxyType(

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from typing import Final
 
-from rapidsim.language.data import UNUSED_AXIS
 from rapidsim.language.error_numbers import ERR_OVERFLOW, rapid_error
 
 LARGEST_SINGLE: Final = 3.4028234663852886e38
@@ -29,12 +28,3 @@ def single(x: float) -> float:
         )
     t = x * SPLIT
     return t - (t - x)
-
-
-def single_literal(x: float) -> float:
-    """The number that a literal in a `num` place means.
-
-    9E9, the mark of an axis that is not used, is no single; it stays as it is written, so that it
-    equals the mark wherever it comes from.
-    """
-    return x if abs(x) == UNUSED_AXIS else single(x)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from pathlib import Path
 from types import MappingProxyType
@@ -109,18 +109,8 @@ def _read_parameters(text: str) -> list[Parameter]:
             parameters.append(_merged(alternatives))
             continue
         group += len(alternatives) > 1
-        for alternative in alternatives:
-            parameters.append(
-                Parameter(
-                    alternative.name,
-                    alternative.python,
-                    alternative.types,
-                    alternative.mode,
-                    True,
-                    alternative.is_switch,
-                    group if len(alternatives) > 1 else 0,
-                )
-            )
+        shared = group if len(alternatives) > 1 else 0
+        parameters += (replace(alternative, group=shared) for alternative in alternatives)
     return parameters
 
 

@@ -49,7 +49,6 @@ _BUTTONS: tuple[tuple[tuple[str, float], ...], ...] = (
 class Options(Breaks, total=False):
     """What every dialog may have besides."""
 
-    wrap: Switch
     icon: IconData
     ui_active_signal: Var[SignalDo]
 
@@ -60,6 +59,7 @@ class Text(TypedDict, total=False):
     header: String
     message: String
     msg_array: list[String]
+    wrap: Switch
 
 
 class Asked(Options, Text, total=False):
@@ -75,13 +75,14 @@ def ui_msg_box(
     msg_line3: String | None = None,
     msg_line4: String | None = None,
     msg_line5: String | None = None,
+    wrap: Switch = False,
     buttons: ButtonData | None = None,
     image: String | None = None,
     result: InOut[BtnRes] | None = None,
     **options: Unpack[Options],
 ) -> None:
     """Show a message with buttons."""
-    del image
+    del wrap, image
     _report(controller, "UIMsgBox", options)
     lines = (header, msg_line1, msg_line2, msg_line3, msg_line4, msg_line5)
     prompt = " / ".join(line for line in lines if line)

@@ -11,7 +11,7 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from types import MappingProxyType, NoneType, UnionType
 from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
@@ -145,18 +145,8 @@ def _ordered(read: dict[str, Parameter], order: str) -> tuple[Parameter, ...]:
         for name in names:
             found = read.pop(_folded(name))
             assert found.optional == item.startswith("\\"), f"{name}: optional or not?"
-            parameters.append(
-                Parameter(
-                    name,
-                    found.python,
-                    found.types,
-                    found.mode,
-                    found.optional,
-                    found.is_switch,
-                    group if len(names) > 1 else 0,
-                    found.deferred,
-                )
-            )
+            shared = group if len(names) > 1 else 0
+            parameters.append(replace(found, name=name, group=shared))
     assert not read, f"{', '.join(read)}: missing in the order {order!r}"
     return tuple(parameters)
 

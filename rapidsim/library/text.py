@@ -14,7 +14,7 @@ from collections.abc import Sequence
 
 from rapidsim.language.error_numbers import ERR_STRTOOLNG, rapid_error
 from rapidsim.language.errors import RapidError
-from rapidsim.language.single import single_literal
+from rapidsim.language.single import single
 from rapidsim.language.types import BOOL, DNUM, NUM, STRING, ArrayOf, Record, Type, resolved
 
 MAX_STRING = 80
@@ -107,7 +107,7 @@ def _parse(text: str, at: int, of: Type, sample: object) -> tuple[object, int]:
     elif of in (NUM, DNUM):
         if number := _NUMBER.match(text, at):
             read = float(number[0])
-            return single_literal(read) if of == NUM else read, number.end()
+            return single(read) if of == NUM else read, number.end()
     elif of == STRING and (literal := _STRING.match(text, at)):
         return checked(_ESCAPE.sub(_unescaped, literal[1])), literal.end()
     raise ValueError(f"no {of.name} at {at}")

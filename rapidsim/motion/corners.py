@@ -85,12 +85,12 @@ def corners_of(
 ) -> Corners:
     """Find the corner between each two consecutive curves.
 
-    A zone is reduced to half of either curve, and by the share of the reorientation that its
-    angle allows (a zone of 9 deg on a turn of 25 deg leaves 36 % of the curve). Where only one of
-    the two curves moves the TCP there is no corner path.
+    A zone is reduced to half of either curve and, where orientation zones count as documented, by
+    the share of the reorientation that its angle allows (a zone of 9 deg on a turn of 25 deg leaves
+    36 % of the curve). Where only one of the two curves moves the TCP there is no corner path.
 
-    Source: zonedata and the motion principles of the RAPID reference; that the orientation follows
-    the position's zone is measured (`MotionModel.orientation_zone`).
+    Source: zonedata and the motion principles of the RAPID reference. Recorded traces show neither
+    a zone of its own for the orientation nor the reduction; see `MotionModel.orientation_zone`.
     """
     count = len(segments) - 1
     zones = [segment.zone for segment in segments[:count]]
@@ -98,7 +98,8 @@ def corners_of(
     position = np.array([zone.position if zone else 0.0 for zone in zones])
     orientation = np.array([zone.orientation if zone else 0.0 for zone in zones])
     angle = np.array([zone.angle if zone else 0.0 for zone in zones])
-    if model.orientation_zone == "position":
+    programmed = model.orientation_zone == "programmed"
+    if not programmed:
         orientation = position
 
     into, out = slice(0, count), slice(1, count + 1)
@@ -112,7 +113,8 @@ def corners_of(
             segments, curves, kinematics, position, angle, side
         )
         candidates[side, Limit.HALF] = 0.5 * length
-        candidates[side, Limit.REORIENTATION] = length * angle / turned
+        if programmed:
+            candidates[side, Limit.REORIENTATION] = length * angle / turned
         widest[side] = np.where(
             curves.turns_only[rows],
             candidates[side, Limit.ZONE],

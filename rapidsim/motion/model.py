@@ -28,6 +28,8 @@ class MotionModel:
     corner: Corner = "c2"
     """Shape of corner paths."""
     orientation_zone: OrientationZone = "position"
-    """Whether the orientation turns within the position's zone, as measured, or within its own."""
+    """`position`: the orientation turns within the position's zone and does not reduce it, as
+    measured. `programmed`: it turns within its own zone, and a large reorientation reduces both, as
+    documented."""
     parabola_acceleration: float = 0.7
     """Share of the acceleration that is used inside zones when corners are parabolas."""

@@ -22,7 +22,8 @@ from rapidsim.motion.path import Path
 from rapidsim.motion.sweep import sweep
 
 _ACCELERATION_EXCESS = 0.002
-_WORTHWHILE = 1e-6
+_WORTHWHILE = 1e-5
+_IDLE = 1e-3
 _SMALLEST_PART = 0.02
 _LARGEST_X = 1e12
 _CHUNK = 4096
@@ -131,14 +132,23 @@ def _widest(slack: Array, tilt: Array, span: Array) -> Array:
 def refinement(
     path: Path, cells: Cells, limits: Limits, pace: Array, x: Array
 ) -> tuple[Index, Array]:
-    """Cells to cut and where: limits broken in the middle, or time lost at a switching point."""
+    """Cells to cut and where: limits broken in the middle, or time lost within the cell."""
     width = cells.end - cells.start
     u = np.diff(x) / np.maximum(2.0 * width, 1e-300)
     middle = 0.5 * (x[:-1] + x[1:])
     limit = limits.max_acceleration * path.acceleration_share[cells.piece][:, None]
     load = np.abs(cells.first[:, 1] * u[:, None] + cells.second[:, 1] * middle[:, None])
-    over = (load / limit).max(axis=-1) > 1.0 + _ACCELERATION_EXCESS
-    over &= width > 1e-9 * path.length
+    used = (load / limit).max(axis=-1)
+    over = used > 1.0 + _ACCELERATION_EXCESS
+
+    # Somewhere a limit is reached all the time; where none is, both ends of a cell are at odds.
+    by_speed = _largest_by_speed(path, cells, limits, pace)[:, 1]
+    used = np.maximum(used, np.sqrt(middle / by_speed))
+    times = _pass(width, x[:-1], x[1:])
+    segment = segment_of(path, cells)
+    matters = np.bincount(segment, times)[segment]
+    idle = 0.5 * times * (1.0 - used) > _IDLE * matters
+    halve = (over | idle) & (width > 1e-9 * path.length)
 
     # Within a cell u is constant. Speeding up for one part of it and braking for the other, or
     # driving at the largest speed in between, may gain time.
@@ -146,7 +156,6 @@ def refinement(
     speed_up = (slack - tilt * x[:-1, None]).min(axis=1)
     brake = (-slack - tilt * x[:-1, None]).max(axis=1)
     bend = (np.abs(cells.second[:, 1]) / limit).max(axis=-1)
-    by_speed = _largest_by_speed(path, cells, limits, pace)[:, 1]
     top = np.minimum(by_speed, 1.0 / np.maximum(bend, 1.0 / _LARGEST_X))
     with np.errstate(all="ignore"):
         step = (x[1:] - x[:-1] - 2.0 * brake * width) / (2.0 * (speed_up - brake))
@@ -156,11 +165,10 @@ def refinement(
         capped = np.where(up > _SMALLEST_PART * width, up, down)
         step, peak = np.where(peak > top, capped, step), np.minimum(peak, top)
         quicker = _pass(step, x[:-1], peak) + _pass(width - step, peak, x[1:])
-        times = _pass(width, x[:-1], x[1:])
         inside = (step > _SMALLEST_PART * width) & (step < (1.0 - _SMALLEST_PART) * width)
-        switch = inside & (times - quicker > _WORTHWHILE * times.sum()) & ~over
+        switch = inside & (times - quicker > _WORTHWHILE * matters) & ~over
     at = np.where(switch, cells.start + step, 0.5 * (cells.start + cells.end))
-    index = np.flatnonzero(over | switch).astype(np.int64)
+    index = np.flatnonzero(halve | switch).astype(np.int64)
     return index, at[index]
 
 

@@ -16,7 +16,7 @@ from rapidsim.motion.limits import Limits
 from rapidsim.motion.path import Path
 from rapidsim.motion.solver import refinement, segment_of, solve
 
-_ROUNDS = 8
+_ROUNDS = 5
 _TIMED_ROUNDS = 4
 _TIMED_HALVINGS = 16
 _TIME_TOLERANCE = 1e-3
@@ -31,7 +31,8 @@ class Timing:
     speed: Array
     """Path speed ds/dt at the nodes, shape (k,) [m/s]."""
     start_excess: float
-    """How much faster [m/s] the start was than what can be braked within the limits; else 0."""
+    """How much faster [m/s] the start was than what can be braked within the limits, else 0. Up to
+    1 % of the speed comes from looking at other nodes than the plan that led there."""
     limited_by: tuple[Limiter, ...]
     """What holds each segment of the path back for most of its time."""
 

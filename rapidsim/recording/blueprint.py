@@ -83,11 +83,15 @@ def _log() -> rrb.View:
         columns=rrb.TextLogColumns(
             timeline_columns=[SIM_TIME], text_log_columns=["LogLevel", "Body"]
         ),
+        rows=rrb.TextLogRows(filter_by_log_level=log.SHOWN_LEVELS),
     )
 
 
 def _joints(run: SampledRun) -> rrb.Container:
     time = rrb.TimeAxis(link="LinkToGlobal")
+    share = plots.share_of_range(run)
+    # The limits are in sight, and what goes beyond them too.
+    ends = 1.1 * max(100.0, float(abs(share).max()))
     return rrb.Tabs(
         rrb.TimeSeriesView(
             origin=f"/{plots.ANGLES}",
@@ -100,8 +104,8 @@ def _joints(run: SampledRun) -> rrb.Container:
             contents=[f"+ /{plots.RANGE}", f"+ /{plots.RANGE_LIMITS}"],
             name="Joint range [%]",
             axis_x=time,
-            axis_y=rrb.ScalarAxis(range=(-110.0, 110.0)),
-            plot_legend=rrb.Corner2D.RightTop,
+            axis_y=rrb.ScalarAxis(range=(-ends, ends)),
+            plot_legend=emptiest_corner(run.samples.times, share, 0.17, 0.5),
         ),
         active_tab=0,
     )

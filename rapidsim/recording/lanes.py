@@ -72,7 +72,7 @@ def _move_states(
         if name not in colours:
             # Every other move is a shade darker: neighbours of one kind would run together.
             colour = palette.of_move(move)
-            colours[name] = palette.darker(colour) if len(colours) % 2 else colour
+            colours[name] = colour if len(colours) % 2 else palette.darker(colour)
         if move.start_s > now_s + _SHORTEST_STANDSTILL_S:
             states.append((now_s, _STANDSTILL))
         if move.end_s > move.start_s:

@@ -15,10 +15,12 @@ from rapidsim.simulation.result import Event, EventKind, Simulation
 
 ENTITY = "log"
 
+SHOWN_LEVELS = ("ERROR", "WARN", "INFO", "DEBUG")
+"""What the log shows when it is opened; `TRACE` is there to be switched on."""
 _EVENT_LEVELS = {
     EventKind.TEXT: "INFO",
     EventKind.SIGNAL: "DEBUG",
-    EventKind.INTERRUPT: "DEBUG",
+    EventKind.INTERRUPT: "TRACE",
     EventKind.FILE: "DEBUG",
     EventKind.CORNER: "WARN",
     EventKind.LIMIT: "WARN",
@@ -56,14 +58,15 @@ def log_messages(stream: rr.RecordingStream, run: SampledRun, remarks: Sequence[
 
 
 def _event_row(event: Event) -> _Row:
-    where = f"  [{_where(event.place)}]" if event.place else ""
+    where = _where(event.place) if event.place else ""
     what = "" if event.kind is EventKind.TEXT else f"{event.kind.value}: "
     text = event.message if event.message or event.kind is not EventKind.TEXT else "(cleared)"
-    return _Row(event.time_s, _EVENT_LEVELS[event.kind], f"{what}{text}{where}")
+    return _Row(event.time_s, _EVENT_LEVELS[event.kind], f"{where}{what}{text}")
 
 
 def _where(place: Place) -> str:
-    return f"{place.routine}:{place.span.line}"
+    """The place first, as in a listing: at the end of a long line nobody would see it."""
+    return f"{place.routine}:{place.span.line}  "
 
 
 def _finding_rows(run: SampledRun) -> Iterator[_Row]:
@@ -92,5 +95,5 @@ def _finding_text(finding: Diagnostic) -> str:
     where = ""
     if finding.span is not None:
         routine = finding.routine or finding.span.file
-        where = f"  [{routine}:{finding.span.line}]"
-    return f"{finding.violation.code} {finding.violation.message}{where}"
+        where = f"{routine}:{finding.span.line}  "
+    return f"{where}{finding.violation.code} {finding.violation.message}"

@@ -28,6 +28,8 @@ _CURVE_POINTS = 48
 """Points that make a joint move or an arc look round."""
 _NO_STEP = 1e-6
 """[m]; a step that does not show."""
+_JUMP = 5e-3
+"""[m]; less than this between two samples is speed that the two samples do not show."""
 _CORNER = "corner"
 
 
@@ -106,14 +108,25 @@ def _travelled(run: SampledRun) -> dict[str, tuple[palette.Colour, list[Array]]]
     names = tuple(number_of)
     points = run.samples.base_from_tcp.translation
     pieces: dict[str, tuple[palette.Colour, list[Array]]] = {}
-    changes = np.flatnonzero(of_sample[1:] != of_sample[:-1]) + 1
-    for begin, end in pairwise([0, *changes.tolist(), len(of_sample)]):
-        # A piece ends where the next one begins, so that the path has no gaps.
-        piece = points[begin : end + 1]
+    jumps = _jumps(run)
+    bounds = np.flatnonzero((of_sample[1:] != of_sample[:-1]) | jumps) + 1
+    for begin, end in pairwise([0, *bounds.tolist(), len(of_sample)]):
+        # A piece ends where the next one begins, so that the path has no gaps but real ones.
+        goes_on = end < len(of_sample) and not jumps[end - 1]
+        piece = points[begin : end + 1] if goes_on else points[begin:end]
         if np.ptp(piece, axis=0).max() >= _NO_STEP:
             name = names[of_sample[begin]]
             pieces.setdefault(name, (colour_of[name], []))[1].append(piece)
     return pieces
+
+
+def _jumps(run: SampledRun) -> npt.NDArray[np.bool_]:
+    """Between which samples (k - 1,) the TCP is elsewhere without a way: the tool was changed."""
+    samples = run.samples
+    step = np.linalg.norm(np.diff(samples.base_from_tcp.translation, axis=0), axis=1)
+    faster = np.maximum(samples.tcp_speed[1:], samples.tcp_speed[:-1])
+    jumps: npt.NDArray[np.bool_] = step > 2.0 * faster * np.diff(samples.times) + _JUMP
+    return jumps
 
 
 def _move_index(run: SampledRun) -> npt.NDArray[np.int64]:

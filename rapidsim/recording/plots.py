@@ -38,12 +38,10 @@ def _log_joints(stream: rr.RecordingStream, run: SampledRun) -> None:
         widths=np.full(count, 1.6),
         aggregation_policy=_aggregation(run),
     )
-    middle = 0.5 * (robot.upper + robot.lower)
-    half_range = 0.5 * (robot.upper - robot.lower)
     index = indexes(samples.times, samples.move)
     for entity, values in (
         (ANGLES, np.degrees(samples.joints)),
-        (RANGE, 100.0 * (samples.joints - middle) / half_range),
+        (RANGE, share_of_range(run)),
     ):
         stream.log(entity, look, static=True)
         stream.send_columns(
@@ -68,6 +66,15 @@ def _log_joints(stream: rr.RecordingStream, run: SampledRun) -> None:
         indexes=indexes_at(ends, run.simulation.moves),
         columns=rr.Scalars.columns(scalars=[-100.0, 100.0] * 2).partition([2, 2]),
     )
+
+
+def share_of_range(run: SampledRun) -> Array:
+    """Joints (k, n) [%]: 0 in the middle of their range, -100 and 100 at its limits."""
+    robot = run.simulation.robot
+    middle = 0.5 * (robot.upper + robot.lower)
+    half_range = 0.5 * (robot.upper - robot.lower)
+    share: Array = 100.0 * (run.samples.joints - middle) / half_range
+    return share
 
 
 def _log_speed(stream: rr.RecordingStream, run: SampledRun) -> None:

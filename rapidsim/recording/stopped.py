@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import rerun as rr
 
 from rapidsim.diagnostics import Severity
@@ -40,7 +41,7 @@ def log_stopped(stream: rr.RecordingStream, run: SampledRun, above_m: float) -> 
     stream.log(
         NAME,
         rr.Points3D(
-            [place + [0.0, 0.0, above_m]],
+            [place + np.array([0.0, 0.0, above_m])],
             radii=rr.Radius.ui_points(0.0),
             colors=colour,
             labels=[label],

@@ -21,6 +21,8 @@ NAMES_FAR = f"{ENTITY}/names/far"
 MOST_NAMES = 60
 """With more targets than this the names cover each other and everything else."""
 MOST_AXES = 2000
+_APART = 0.02
+"""Share of the work's extent within which targets share one label."""
 _SAME = 1e-6
 """[m]; targets nearer than this with one name are one target."""
 
@@ -78,9 +80,15 @@ def target_name(move: ExecutedMove) -> str:
 
 
 def log_targets(
-    stream: rr.RecordingStream, targets: Sequence[Target], axis_m: float
+    stream: rr.RecordingStream, targets: Sequence[Target], *, axis_m: float, apart_m: float
 ) -> tuple[str, ...]:
-    """Log targets with axes of a length [m].
+    """Log targets.
+
+    Args:
+        stream: The recording.
+        targets: What is logged.
+        axis_m: Length [m] of their axes.
+        apart_m: Names of targets far from the work that are nearer to each other [m] become one.
 
     Returns:
         What the viewer will not show as it should, a line each.
@@ -98,8 +106,9 @@ def log_targets(
     _log_axes(stream, targets[:MOST_AXES], axis_m)
     if len(targets) <= MOST_NAMES:
         near = near_targets(targets)
-        _log_names(stream, NAMES_NEAR, near)
-        _log_names(stream, NAMES_FAR, [target for target in targets if target not in near])
+        far = [target for target in targets if target not in near]
+        _log_names(stream, NAMES_NEAR, near, apart_m=_APART * extent(near))
+        _log_names(stream, NAMES_FAR, far, apart_m=apart_m)
         return ()
     remarks: tuple[str, ...] = (f"{len(targets)} targets: their names are not shown",)
     if len(targets) > MOST_AXES:
@@ -107,10 +116,12 @@ def log_targets(
     return remarks
 
 
-def _log_names(stream: rr.RecordingStream, entity: str, targets: Sequence[Target]) -> None:
+def _log_names(
+    stream: rr.RecordingStream, entity: str, targets: Sequence[Target], apart_m: float
+) -> None:
     if not targets:
         return
-    places, names = _gathered(targets)
+    places, names = _gathered(targets, apart_m)
     stream.log(
         entity,
         rr.CoordinateFrame(BASE),
@@ -144,16 +155,17 @@ def _log_axes(stream: rr.RecordingStream, targets: Sequence[Target], axis_m: flo
     )
 
 
-def _gathered(targets: Sequence[Target]) -> tuple[Array, list[str]]:
-    """Places with the names of all targets there, so that no name hides another."""
-    names: dict[tuple[int, ...], list[str]] = {}
+def _gathered(targets: Sequence[Target], apart_m: float) -> tuple[Array, list[str]]:
+    """Places that are some way [m] apart, with the names of all targets near each."""
+    names: list[list[str]] = []
     places: list[Array] = []
     for target in targets:
         point = target.base_from_tcp.translation
-        key = tuple(np.round(point / 1e-3).astype(np.int64).tolist())
-        if key not in names:
-            names[key] = []
+        distances = [float(np.linalg.norm(place - point)) for place in places]
+        nearest = int(np.argmin(distances)) if distances else -1
+        if not distances or distances[nearest] > apart_m:
             places.append(point)
-        if target.name and target.name not in names[key]:
-            names[key].append(target.name)
-    return np.array(places), [", ".join(group) for group in names.values()]
+            names.append([target.name])
+        elif target.name not in names[nearest]:
+            names[nearest].append(target.name)
+    return np.array(places), [", ".join(group) for group in names]

@@ -51,7 +51,7 @@ def _body(tcp_in_flange: Array) -> rr.Mesh3D | rr.Clear:
     length = float(np.linalg.norm(tcp_in_flange))
     if length < _SHORTEST:
         return rr.Clear(recursive=False)
-    thick = min(0.016, 0.12 * length)
+    thick = min(0.011, 0.12 * length)
     x, y, z, w = z_to(tcp_in_flange / length)
     turn = matrix_from_quaternion(np.array([w, x, y, z]))
     angle = np.linspace(0.0, 2.0 * np.pi, _SIDES, endpoint=False)

@@ -95,12 +95,11 @@ def _log_plate(stream: rr.RecordingStream, name: str, moves: Sequence[ExecutedMo
         ),
         static=True,
     )
-    # The name stands at a corner of the plate; at the origin it would cover what is drawn there.
     stream.log(
         f"{ENTITY}/{name}/name",
         rr.CoordinateFrame(name),
         rr.Points3D(
-            [[*(centre + half * [-1.0, 1.0]), 0.0]],
+            [[*_emptiest_corner(centre, half, corners), 0.0]],
             radii=rr.Radius.ui_points(0.0),
             colors=palette.rgba(palette.FRAME_NAME),
             labels=[name],
@@ -108,3 +107,13 @@ def _log_plate(stream: rr.RecordingStream, name: str, moves: Sequence[ExecutedMo
         ),
         static=True,
     )
+
+
+def _emptiest_corner(centre: Array, half: Array, targets: Array) -> Array:
+    """The corner (2,) of a plate farthest from all targets (k, 2), where a name covers nothing."""
+    signs = np.array([[-1.0, 1.0], [1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]])
+    corners = centre + half * signs
+    distances = np.linalg.norm(corners[:, None] - targets[None], axis=2).min(axis=1)
+    # Rounded, so that corners equally far give the first of them on every machine.
+    corner: Array = corners[int(np.argmax(np.round(distances, 6)))]
+    return corner

@@ -77,7 +77,9 @@ def _log_all(stream: rr.RecordingStream, run: SampledRun, targets: tuple[Target,
     log_tool(stream, run, 0.7 * axis_m)
     log_work_objects(stream, run, axis_m)
     log_paths(stream, run)
-    remarks += log_targets(stream, targets, min(0.12 * near_m, 0.5 * axis_m))
+    remarks += log_targets(
+        stream, targets, axis_m=min(0.12 * near_m, 0.5 * axis_m), apart_m=0.1 * cell_size(run)
+    )
     remarks += log_listing(stream, run)
     log_stopped(stream, run, 0.05 * cell_size(run))
     log_plots(stream, run)

@@ -7,11 +7,13 @@ import math
 from rich.text import Text
 from rich.tree import Tree
 
+from rapidsim.frames.quaternion import normalised
 from rapidsim.language.data import IDENTITY_POSE, Orient, Pose
 from rapidsim.report.frame_tree import FrameNode
 
 _STYLES = {"tool": "green", "user": "yellow", "object": "yellow", "target": "cyan"}
 _SHOWN_TARGETS = 40
+_GIMBAL = 1e-7
 
 
 def frame_text(frame: FrameNode) -> Tree:
@@ -34,20 +36,17 @@ def frame_json(frame: FrameNode) -> dict[str, object]:
 
 
 def euler_zyx_deg(rotation: Orient) -> tuple[float, float, float]:
-    """Angles about z, y, x [deg] as RAPID's OrientZYX takes them."""
-    w, x, y, z = rotation
-    sine = max(-1.0, min(1.0, 2.0 * (w * y - z * x)))
-    about_y = math.asin(sine)
-    if abs(sine) > 1.0 - 1e-12:
-        # The other two axes are one: give it all to z.
-        return (
-            math.degrees(2.0 * math.atan2(-math.copysign(1.0, sine) * x, w)),
-            math.degrees(about_y),
-            0.0,
-        )
-    about_z = math.atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
+    """Angles about z, y, x [deg] as RAPID's OrientZYX takes them; about x is 0 where y is 90."""
+    w, x, y, z = normalised(rotation)
+    along_x = 1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z)
+    across = math.hypot(*along_x)
+    about_y = math.degrees(math.atan2(2.0 * (w * y - z * x), across))
+    if across < _GIMBAL:
+        # Axes z and x are one there, so z takes the whole turn.
+        return math.degrees(2.0 * math.atan2(z, w)), about_y, 0.0
+    about_z = math.atan2(along_x[1], along_x[0])
     about_x = math.atan2(2.0 * (w * x + y * z), 1.0 - 2.0 * (x * x + y * y))
-    return math.degrees(about_z), math.degrees(about_y), math.degrees(about_x)
+    return math.degrees(about_z), about_y, math.degrees(about_x)
 
 
 def _add(shown: Tree, frame: FrameNode) -> None:

@@ -62,7 +62,7 @@ def frame_tree(program: Program, value_of: ValueOf, robot_name: str) -> FrameNod
     ]
     moved_to = {name for names in used.values() for name in names}
     unused = [
-        _target(name, target, IDENTITY_POSE, "no move names it with a work object")
+        _target(name, target, IDENTITY_POSE, "in no move")
         for name, target in targets.items()
         if name not in moved_to
     ]
@@ -85,7 +85,7 @@ def _is_module_data(symbol: DataSymbol) -> bool:
 
 
 def _tool(name: str, tool: ToolData, world_from_parent: Pose | None) -> FrameNode:
-    note = f"{tool.tload.mass:g} kg" + ("" if tool.robhold else ", stationary")
+    note = f"{tool.tload.mass:g} kg" if tool.robhold else "stationary"
     return _node(name, "tool", tool.tframe, world_from_parent, note=note)
 
 
@@ -111,6 +111,10 @@ def _work_object(
 def _target(
     name: str, target: RobTarget, world_from_object: Pose | None, note: str = ""
 ) -> FrameNode:
+    if not any(target.rot):
+        return FrameNode(
+            name, "target", IDENTITY_POSE, None, note="not set before the program runs"
+        )
     return _node(name, "target", Pose(target.trans, target.rot), world_from_object, note=note)
 
 

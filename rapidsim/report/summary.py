@@ -76,7 +76,8 @@ def summary(
     parts.append(_facts(simulation, figures, robot_reason, bars))
     if figures.slowest:
         parts += [Text(), _slowest(figures.slowest, bars)]
-    parts += [Text(), _models(simulation)]
+    if simulation.moves:
+        parts += [Text(), _models(simulation)]
     if written or simulation.home_files:
         parts += [Text(), _files(simulation, written)]
     return Group(*parts)
@@ -156,7 +157,7 @@ def _margin(margin: JointMargin) -> Text:
 
 def _singularity(singularity: Singularity) -> Text:
     value = singularity.smallest_singular_value
-    text = f"smallest singular value {value:.3f}{_at(singularity.move)} (0 in a singularity)"
+    text = f"smallest singular value {value:.3f}{_at(singularity.move)} (singular: 0)"
     return Text(text, "yellow" if value < _NEAR_SINGULAR else "")
 
 
@@ -171,7 +172,7 @@ def _happenings(simulation: Simulation) -> list[tuple[str, RenderableType]]:
     texts = [event for event in simulation.events if event.kind is EventKind.TEXT]
     if texts:
         shown = Text("\n").join(
-            Text.assemble((f"{event.time_s:9.3f} s  ", "dim"), printable(event.message))
+            Text.assemble((f"{event.time_s:.3f} s  ", "dim"), printable(event.message))
             for event in texts[:_SHOWN_TEXTS]
         )
         if len(texts) > _SHOWN_TEXTS:

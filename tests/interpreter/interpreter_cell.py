@@ -10,7 +10,7 @@ from rapidsim.analysis.checker import check
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Severity, Source, Span
 from rapidsim.interpreter.loader import FatalError, Task, load
-from rapidsim.language.controller import Controller, Move, Place
+from rapidsim.language.controller import Controller, MotionSettings, Move, Place
 from rapidsim.language.errors import Stopped
 from rapidsim.syntax.parser import parse
 
@@ -31,6 +31,7 @@ class RecordingController:
     raise_at_service: list[float] = field(default_factory=list)
     """Interrupt numbers to raise, one at each service."""
     left: int = TICKS
+    settings: MotionSettings = field(default_factory=MotionSettings)
     place: Place = field(default_factory=lambda: Place(Span(Source("", ""), 0, 0), ""))
     errno: float = 0.0
     intno: float = 0.0

@@ -231,3 +231,14 @@ def test_late_binding_that_does_not_fit(body: str, message: str) -> None:
     ran = run(main(body, "VAR num n := 1;", LATE))
     assert ran.fatal is not None
     assert message in ran.fatal.error.message
+
+
+def test_two_options_that_exclude_each_other() -> None:
+    ran = run(main(r"both FALSE;", "", r"""
+      PROC both(bool value) middle \a:=value \b:=value; ENDPROC
+      PROC middle(\bool a \bool b) inner \x?a \y?b; ENDPROC
+      PROC inner(\bool x | bool y) TPWrite "no"; ENDPROC
+    """))
+    assert ran.texts == []
+    assert ran.fatal is not None
+    assert ran.fatal.error.cf == "ABB 40192"

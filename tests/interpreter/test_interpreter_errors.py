@@ -7,14 +7,14 @@ from interpreter_cell import main, module, run, texts
 
 from rapidsim.language.error_numbers import ERR_DIVZERO, ERR_EXCRTYMAX, ERR_FNCNORET
 
-DATA = "VAR num d; VAR num x; VAR num a{3} := [1,2,3]; VAR pos p; VAR bool b; VAR string name;"
+DATA = "VAR num d; VAR num x; VAR num a{3} := [1,2,3]; VAR pos where; VAR bool b; VAR string name;"
 """The error is a division by d, or an index d, until the ERROR clause sets d to 1."""
 
 STATEMENTS = {
     "assignment": "x := 6 / d;",
     "element": "a{d} := 5;",
     "element read": "x := a{d};",
-    "component": "p.x := 6 / d;",
+    "component": "where.x := 6 / d;",
     "array": "a := [6 / d, 1, 1];",
     "call": "inner 6 / d;",
     "call that fails inside": "fails;",

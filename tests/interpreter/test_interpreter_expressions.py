@@ -75,9 +75,9 @@ def test_num_is_a_single() -> None:
 
 def test_num_rounds_once_at_the_root() -> None:
     """Intermediate results keep their precision: (2**24 + 1) - 2**24 is 1 inside an expression."""
-    data = "VAR num big := 16777216; VAR num step;"
+    data = "VAR num big := 16777216; VAR num next;"
     assert shown("big + 1 - big", data) == "1"
-    assert shown("step - big", data, "step := big + 1;") == "0"
+    assert shown("next - big", data, "next := big + 1;") == "0"
 
 
 def test_dnum_keeps_its_precision() -> None:

@@ -152,7 +152,7 @@ def test_a_place_says_line_routine_and_arguments() -> None:
     text = main("p 3;", "", 'PROC p(num n)\n  TPWrite "x"\n    \\Num:=n + 1;\nENDPROC')
     (place,) = run(text).controller.places
     assert (place.routine, place.span.line) == ("p", 7)
-    assert dict(place.arguments) == {"string": '"x"', "num": "n + 1"}
+    assert dict(place.arguments) == {"tptext": '"x"', "num": "n + 1"}
 
 
 def test_a_call_among_the_arguments_does_not_take_the_place() -> None:

@@ -237,3 +237,13 @@ def test_substitutes_do_what_they_report() -> None:
         ("SearchL", "MoveL that finds its end point"),
         ("MoveLDO", "MoveL and SetDO"),
     ]
+
+
+def test_arc_welding_moves_along_the_seam() -> None:
+    controller = RecordingController()
+    controller.call("ArcLStart", P10, V100, (), (), FINE, TOOL, wobj=Cell(TABLE), seamname="s")
+    controller.call("ArcC", P20, P10, V100, (), (), Z10, TOOL, v=20.0)
+    start, arc = controller.moves
+    assert (start.instruction, start.to, start.wobj) == ("MoveL", P10, TABLE)
+    assert (arc.instruction, arc.circle_point, arc.speed.v_tcp) == ("MoveC", P20, 20.0)
+    assert controller.unsimulated == [("ArcLStart", "MoveL"), ("ArcC", "MoveC")]

@@ -6,7 +6,15 @@ from hypothesis import strategies as st
 from library_controller import call
 
 from rapidsim.language import error_numbers as errors
-from rapidsim.language.data import NO_EXTERNAL_AXES, ConfData, Orient, Pos, RobTarget, ZoneData
+from rapidsim.language.data import (
+    NO_EXTERNAL_AXES,
+    UNUSED_AXIS,
+    ConfData,
+    Orient,
+    Pos,
+    RobTarget,
+    ZoneData,
+)
 from rapidsim.language.errors import RapidError
 from rapidsim.language.records import record_of
 from rapidsim.language.reference import Cell
@@ -25,7 +33,7 @@ TEXTS: list[tuple[object, Type, str]] = [
     (1000000.0, NUM, "1E+06"),
     (999999.0, NUM, "999999"),
     (single(0.00001), NUM, "1E-05"),
-    (9e9, NUM, "9E+09"),
+    (UNUSED_AXIS, NUM, "9E+09"),
     (0.1, DNUM, "0.1"),
     (1 / 3, DNUM, "0.333333333333333"),
     (4294967295.0, DNUM, "4294967295"),

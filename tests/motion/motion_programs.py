@@ -107,9 +107,7 @@ class Programmer:
             rotation_from_vector(share * axis) @ start.rotation,
             start.translation + share * (end.translation - start.translation),
         )
-        followed = ROBOT.kinematics.inverse_on_branch(
-            poses @ from_tcp, self.branch, self.joints
-        )
+        followed = ROBOT.kinematics.inverse_on_branch(poses @ from_tcp, self.branch, self.joints)
         joints: Array = followed.joints[-1]
         return joints
 

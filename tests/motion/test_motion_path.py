@@ -18,6 +18,7 @@ from rapidsim.motion.path import Path
 from rapidsim.motion.segments import Speed, Waypoint, Zone
 
 PARABOLA = MotionModel(corner="parabola")
+PROGRAMMED = MotionModel(orientation_zone="programmed")
 offsets = st.floats(-0.12, 0.12)
 steps = st.tuples(offsets, offsets, offsets).filter(lambda step: math.hypot(*step) > 0.01)
 turns = st.tuples(*[st.floats(-0.15, 0.15)] * 3)
@@ -120,9 +121,7 @@ def test_zones_meet_at_half_of_a_short_move() -> None:
     program = Programmer().line((0.1, 0, 0), z=zone(50)).line((0, 0.03, 0), z=zone(50))
     path = path_of(program.line((0.1, 0, 0)))
     assert [corner.radius for corner in path.corners] == pytest.approx([0.015, 0.015, 0.0])
-    assert path.corners[0].reason == (
-        "zone 50 mm reduced to 15 mm: half of the shorter move at it"
-    )
+    assert path.corners[0].reason == ("zone 50 mm reduced to 15 mm: half of the shorter move at it")
     assert path.corners[2].stops
 
 
@@ -130,7 +129,8 @@ def test_a_large_reorientation_reduces_the_zone() -> None:
     # The manual's own example: 9 deg of 25 deg leave 36 % of the move.
     z = Zone(0.05, 0.06, math.radians(9.0))
     program = Programmer().line((0.1, 0, 0), (0, 0, math.radians(25)), z).line((0, 0.1, 0))
-    corner = path_of(program).corners[0]
+    corner = path_of(program, PROGRAMMED).corners[0]
+    assert path_of(program).corners[0].radius == pytest.approx(0.05)
     assert corner.radius == pytest.approx(0.036)
     assert "reorientation of 25.0 deg" in corner.reason
 
@@ -138,7 +138,7 @@ def test_a_large_reorientation_reduces_the_zone() -> None:
 def test_the_orientation_may_have_its_own_zone() -> None:
     program = Programmer().line((0.1, 0, 0), (0, 0, 0.1), zone(10)).line((0, 0.1, 0))
     together = path_of(program).breakpoints
-    apart = path_of(program, MotionModel(orientation_zone="programmed")).breakpoints
+    apart = path_of(program, PROGRAMMED).breakpoints
     assert together == pytest.approx([0, 0.09, 0.1, 0.11, 0.2])
     assert apart == pytest.approx([0, 0.085, 0.09, 0.1, 0.11, 0.115, 0.2])
 

@@ -168,7 +168,7 @@ def test_the_log_has_levels(recording: Path) -> None:
     levels = texts(recording, "/log/events", "TextLog:level")
     words = texts(recording, "/log/events", "TextLog:text")
     assert levels == ["INFO", "DEBUG", "DEBUG", "WARN", "DEBUG", "INFO"]
-    assert words[0] == "Frame: start  [main:7]"
+    assert words[0] == "main:7  Frame: start"
     assert texts(recording, "/log/findings", "TextLog:level") == ["WARN"]
 
 

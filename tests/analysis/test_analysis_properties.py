@@ -1,0 +1,95 @@
+"""Laws: no text makes the check raise, and a program is given exactly where nothing forbids it."""
+
+from pathlib import Path
+
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from rapidsim.analysis.checker import Checked, check
+from rapidsim.analysis.suggestions import RESERVED_WORDS, closest, is_slip
+from rapidsim.diagnostics import Severity, Source
+from rapidsim.syntax import tree
+from rapidsim.syntax.parser import parse
+
+PROGRAMS = sorted((Path(__file__).parent / "programs").glob("*.mod"))
+TEXTS = [path.read_text(encoding="utf-8") for path in PROGRAMS]
+TOKENS = st.sampled_from(
+    [
+        *RESERVED_WORDS,
+        *("a", "b", "p10", "num", "dnum", "robtarget", "MoveL", "Offs", "SetDO", "reg1", "v100"),
+        *(":=", "=", "<>", "<", "+", "-", "*", "/", "(", ")", "{", "}", "[", "]", ",", ";", ":"),
+        *("\\", "?", "|", "%", ".", "1", "0", "2.5", "1E400", '"text"', "<SMT>", "<EXP>", "\n"),
+    ]
+)
+LAW = settings(
+    derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow], max_examples=150
+)
+
+
+def checked(text: str) -> Checked:
+    return check([parse(Source("any.mod", text)).file])
+
+
+def is_without_error(found: Checked) -> bool:
+    return all(one.severity is not Severity.ERROR for one in found.diagnostics)
+
+
+@LAW
+@given(st.lists(TOKENS, max_size=60))
+def test_no_soup_of_tokens_makes_check_raise(tokens: list[str]) -> None:
+    body = " ".join(tokens)
+    for text in (body, f"MODULE m\n{body}\nENDMODULE", f"MODULE m\nPROC main()\n{body}\nENDPROC"):
+        found = checked(text)
+        assert found.program is None or is_without_error(found)
+
+
+@LAW
+@given(st.data())
+def test_no_damaged_program_makes_check_raise(data: st.DataObject) -> None:
+    text = data.draw(st.sampled_from(TEXTS))
+    start = data.draw(st.integers(0, len(text)))
+    end = data.draw(st.integers(start, min(len(text), start + 40)))
+    put = data.draw(st.lists(TOKENS, max_size=3))
+    checked(text[:start] + " ".join(put) + text[end:])
+
+
+def test_long_and_deep_expressions_are_checked() -> None:
+    sums = "+".join(["1"] * 5000)
+    signs = "-" * 150 + "1"
+    nested = "(" * 150 + "1" + ")" * 150
+    text = f"MODULE m\nVAR num a;\nPROC main()\na:={sums};\na:=1+{signs};\na:={nested};\nENDPROC\nENDMODULE"
+    assert checked(text).program is not None
+
+
+def test_every_expression_of_a_program_has_a_type() -> None:
+    """What the interpreter may look up is there."""
+    expressions = (
+        *(tree.Number, tree.String, tree.Bool, tree.Unary, tree.Binary, tree.Parenthesised),
+        *(tree.FunctionCall, tree.Aggregate, tree.LiteralAggregate),
+    )
+    seen = 0
+    for text in TEXTS:
+        file = parse(Source("any.mod", text)).file
+        program = check([file]).program
+        if program is None:
+            continue
+        seen += 1
+        for module in file.modules:
+            for node in nodes(module):
+                if isinstance(node, expressions) and node not in program.type_of:
+                    raise AssertionError(f"{module.span(node).text} has no type")
+                if isinstance(node, tree.Reference | tree.Call | tree.FunctionCall):
+                    assert node in program.symbol_of, module.span(node).text
+    assert seen
+
+
+def nodes(module: tree.Module) -> list[tree.Node]:
+    from rapidsim.analysis.walk import descendants
+
+    return [node for routine in module.routines for node in descendants(*routine.body)]
+
+
+@given(st.text("abcdefgh_0123456789", min_size=1, max_size=12))
+def test_a_name_is_no_slip_of_itself(name: str) -> None:
+    assert closest(name, [name]) is None
+    assert not is_slip(name, name)
