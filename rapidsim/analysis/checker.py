@@ -66,8 +66,7 @@ def check(files: Sequence[tree.File]) -> Checked:
                 if isinstance(routine, RoutineSymbol):
                     data += _check_routine(routine, home, user_types)
         check_circles(data)
-        for reference, context in analysis.undecided:
-            decide_undeclared(context, reference)
+        decide_undeclared(analysis)
     diagnostics = _in_order(analysis.diagnostics, files)
     is_broken = any(found.severity is Severity.ERROR for found in diagnostics)
     if is_broken or analysis.unread_text:

@@ -52,7 +52,7 @@ class Analysis:
     unknown: dict[str, UnknownSymbol] = field(default_factory=dict)
     """Names that nothing declares, one symbol each."""
     signals: dict[str, Type] = field(default_factory=dict)
-    """Undeclared names that some instruction takes as a signal, with the kind of signal."""
+    """Undeclared names that an instruction takes as a signal, with the first kind of signal."""
     unread_text: str = ""
     """Folded text that the parser could not read: what it may declare is not held missing."""
     module_of: dict[Symbol, tree.Module] = field(default_factory=dict)
@@ -61,8 +61,8 @@ class Analysis:
     """The context of each module, outside its routines."""
     callees: dict[Symbol, Callee] = field(default_factory=dict)
     """The user's routines as calls see them, made when first called."""
-    undecided: list[tuple[tree.Reference, Context]] = field(default_factory=list)
-    """Undeclared names that may turn out to be signals when the whole task is known."""
+    undeclared: list[tuple[tree.Reference, Context]] = field(default_factory=list)
+    """Uses of undeclared names that are signals or may turn out to be, in the order of the text."""
 
     def may_be_unread(self, key: str) -> bool:
         """Whether a folded name occurs in text that the parser could not read."""

@@ -253,7 +253,7 @@ def _size(dimension: tree.Expression, node: tree.Data, context: Context) -> int 
     if number is None:
         problem = f"the size `{written}` of `{node.name.text}` is not a constant number"
     elif not 1 <= number <= MAX_SIZE or number != int(number):
-        problem = f"the size of `{node.name.text}` is {number:g}, not a whole number from 1"
+        problem = f"the size of `{node.name.text}` is {number:g}, not a whole number from 1 up"
     else:
         return int(number)
     context.report(BadArraySize(problem), dimension)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from rapidsim.analysis.context import Context
+from rapidsim.analysis.context import Analysis, Context
 from rapidsim.analysis.installed import (
     installed_data_names,
     installed_routine_names,
@@ -50,7 +50,7 @@ def data_named(reference: tree.Reference, context: Context) -> DataLike | None:
     """
     symbol = find(reference.name.key, context)
     if symbol is None:
-        context.analysis.undecided.append((reference, context))
+        context.analysis.undeclared.append((reference, context))
         return None
     return as_data(symbol, reference, context)
 
@@ -96,28 +96,40 @@ def report_undefined(name: tree.Name, context: Context) -> None:
     context.report(UndefinedName(name.text, nearest, reserved), name)
 
 
-def decide_undeclared(context: Context, reference: tree.Reference) -> None:
-    """Take an undeclared name for a signal if it is used or named like one, else report it."""
-    name = reference.name
-    known = context.analysis.signals.get(name.key)
-    if known is None:
-        match = _SIGNAL_NAME.match(name.text)
-        if match is None or slip_of(name.text, _known_names(context)):
-            report_undefined(name, context)
-            return
-        known = _SIGNAL_OF_KIND[match.group().lower()]
-    take_for_signal(reference, known, context)
-
-
 def take_for_signal(reference: tree.Reference, of: Type, context: Context) -> None:
-    """Let an undeclared name be a signal of its own name, with one finding a name."""
+    """Let an undeclared name be a signal of its own name."""
     analysis = context.analysis
-    name = reference.name
-    analysis.signals.setdefault(name.key, of)
-    if name.key not in analysis.unknown:
-        context.report(UnknownSignal(name.text, of.name), name)
-    analysis.symbol_of[reference] = analysis.unknown_symbol(name.text)
+    analysis.signals.setdefault(reference.name.key, of)
+    analysis.undeclared.append((reference, context))
+    analysis.symbol_of[reference] = analysis.unknown_symbol(reference.name.text)
     analysis.type_of[reference] = of
+
+
+def decide_undeclared(analysis: Analysis) -> None:
+    """Take undeclared names for signals if they are used or named like one, report the others.
+
+    A signal is reported where it stands first.
+    """
+    reported: set[str] = set()
+    for reference, context in analysis.undeclared:
+        name = reference.name
+        of = analysis.signals.get(name.key) or _named_like_a_signal(name, context)
+        if of is None:
+            report_undefined(name, context)
+            continue
+        if name.key not in reported:
+            context.report(UnknownSignal(name.text, of.name), name)
+            reported.add(name.key)
+        analysis.signals.setdefault(name.key, of)
+        analysis.symbol_of[reference] = analysis.unknown_symbol(name.text)
+        analysis.type_of.setdefault(reference, of)
+
+
+def _named_like_a_signal(name: tree.Name, context: Context) -> Type | None:
+    match = _SIGNAL_NAME.match(name.text)
+    if match is None or slip_of(name.text, _known_names(context)):
+        return None
+    return _SIGNAL_OF_KIND[match.group().lower()]
 
 
 def kind_of(symbol: Symbol) -> str:

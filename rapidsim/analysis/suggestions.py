@@ -49,7 +49,7 @@ def is_slip(name: str, meant: str) -> bool:
     behind are such relatives, unless that letter is a doubled one or a small one left out.
     """
     a, b = name.lower(), meant.lower()
-    if len(a) < 4 or _distance(a, b, _most_slips(a)) is None:
+    if len(a) < 3 or _distance(a, b, _most_slips(a)) is None:
         return False
     start = _common_start(a, b)
     end = _common_start(a[start:][::-1], b[start:][::-1])

@@ -71,7 +71,7 @@ class EqualsForAssignment(Violation):
         ENDMODULE
     """
 
-    code: ClassVar[str] = "E120"
+    code: ClassVar[str] = "E140"
     name: ClassVar[str] = "equals-for-assignment"
     template: ClassVar[str] = "`=` compares and gives `{target}` no value"
 
@@ -108,7 +108,7 @@ class CallInParentheses(Violation):
         ENDMODULE
     """
 
-    code: ClassVar[str] = "E121"
+    code: ClassVar[str] = "E141"
     name: ClassVar[str] = "call-in-parentheses"
     template: ClassVar[str] = "the call of `{routine}` has its arguments in parentheses"
 
@@ -145,7 +145,7 @@ class MissingWord(Violation):
         ENDMODULE
     """
 
-    code: ClassVar[str] = "E122"
+    code: ClassVar[str] = "E142"
     name: ClassVar[str] = "missing-word"
     template: ClassVar[str] = "{statement} without {word}"
 
@@ -179,7 +179,7 @@ class MissingParameterList(Violation):
         ENDMODULE
     """
 
-    code: ClassVar[str] = "E123"
+    code: ClassVar[str] = "E143"
     name: ClassVar[str] = "missing-parameter-list"
     template: ClassVar[str] = "`{routine}` is declared without parentheses"
 
@@ -218,7 +218,7 @@ class CaseRange(Violation):
         ENDMODULE
     """
 
-    code: ClassVar[str] = "E124"
+    code: ClassVar[str] = "E144"
     name: ClassVar[str] = "case-range"
     template: ClassVar[str] = "CASE takes values, not a range"
 
@@ -255,7 +255,7 @@ class LateBoundFunction(Violation):
         ENDMODULE
     """
 
-    code: ClassVar[str] = "E125"
+    code: ClassVar[str] = "E145"
     name: ClassVar[str] = "late-bound-function"
     template: ClassVar[str] = "a function cannot be called by a name in a string"
 
@@ -288,7 +288,7 @@ class SignInside(Violation):
         ENDMODULE
     """
 
-    code: ClassVar[str] = "E126"
+    code: ClassVar[str] = "E146"
     name: ClassVar[str] = "sign-inside"
     template: ClassVar[str] = "{operator} stands after another operator without parentheses"
     severity: ClassVar[Severity] = Severity.WARNING
@@ -325,7 +325,7 @@ class ArrayComponent(Violation):
         ENDMODULE
     """
 
-    code: ClassVar[str] = "E127"
+    code: ClassVar[str] = "E147"
     name: ClassVar[str] = "array-component"
     template: ClassVar[str] = "the component `{component}` cannot be an array"
 
@@ -358,7 +358,7 @@ class UnfinishedCode(Violation):
         ENDMODULE
     """
 
-    code: ClassVar[str] = "E128"
+    code: ClassVar[str] = "E148"
     name: ClassVar[str] = "unfinished-code"
     template: ClassVar[str] = "{placeholder} is not filled in"
     severity: ClassVar[Severity] = Severity.WARNING
@@ -384,7 +384,7 @@ class UnfinishedDeclaration(Violation):
         ENDMODULE
     """
 
-    code: ClassVar[str] = "E129"
+    code: ClassVar[str] = "E149"
     name: ClassVar[str] = "unfinished-declaration"
     template: ClassVar[str] = "{placeholder} is not filled in"
     cf: ClassVar[str] = "ABB 40059"

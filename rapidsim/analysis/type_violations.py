@@ -17,6 +17,7 @@ _CONVERSIONS = {
     ("string", "dnum"): "convert it with DnumToStr(...) or ValToStr(...)",
     ("string", "bool"): "convert it with ValToStr(...)",
     ("num", "string"): "convert it with StrToVal, which says whether it succeeded",
+    ("bool", "switch"): "ask whether it was given with Present(...)",
     ("bool", "num"): "compare it, as in `x=1`",
     ("bool", "dnum"): "compare it, as in `x=1`",
     ("pos", "robtarget"): "take its position, `.trans`",

@@ -45,7 +45,7 @@ def choose_robot(robot: str | None, station: Station) -> RobotChoice:
 
 def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
     """The files of every task named, with the modules that the station file adds to a lone one."""
-    tasks = read_tasks((*paths, *(str(module) for module in station.modules)))
+    tasks = read_tasks((*paths, *(str(seen_from_here(module)) for module in station.modules)))
     if len(tasks) == 1:
         return (replace(tasks[0], name=tasks[0].name or station.task),)
     return tasks
@@ -67,6 +67,12 @@ def one_task(paths: Sequence[str], station: Station) -> tuple[SourceFile, ...]:
     return tasks[0].files
 
 
+def seen_from_here(path: Path) -> Path:
+    """A path below the working directory as the user would write it; others unchanged."""
+    here = Path.cwd().resolve()
+    return path.relative_to(here) if path.is_relative_to(here) else path
+
+
 def program_name(paths: Sequence[str]) -> str:
     """What files that belong to the run are called: the first path without its suffix."""
     return "stdin" if paths[0] == "-" else Path(paths[0]).resolve().stem
@@ -79,4 +85,4 @@ def missing_neighbours(paths: Sequence[str], diagnostics: Iterable[Diagnostic]) 
         return None
     named = ", ".join(beside[:_NAMED_NEIGHBOURS])
     named += ", ..." if len(beside) > _NAMED_NEIGHBOURS else ""
-    return f"Beside it lie {named}: name the folder to load them too."
+    return f"Modules beside it: {named}; name the folder to load them too."

@@ -21,6 +21,7 @@ from rapidsim.cli.inputs import (
     missing_neighbours,
     one_task,
     program_name,
+    seen_from_here,
 )
 from rapidsim.cli.outputs import (
     TRACE_STEP_S,
@@ -43,7 +44,7 @@ from rapidsim.report.run_json import rejected_json, run_json
 from rapidsim.report.summary import ASCII_BARS, BLOCK_BARS, Written, summary
 from rapidsim.simulation.load import load
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.result import End, Simulation, WrittenFile
+from rapidsim.simulation.result import End, Simulation
 from rapidsim.simulation.simulate import simulate
 from rapidsim.simulation.station import Station
 from rapidsim.syntax import tree
@@ -162,7 +163,10 @@ def run(
     except NotExecutableError as error:
         findings = (*loaded.diagnostics, error.diagnostic)
         return _reject(findings, names, arm, output_format, terminal)
-    simulation = replace(simulation, home_files=_seen_from_here(simulation.home_files))
+    home_files = tuple(
+        replace(file, path=str(seen_from_here(Path(file.path)))) for file in simulation.home_files
+    )
+    simulation = replace(simulation, home_files=home_files)
     with _stage("writing", terminal):
         written = write(simulation, outputs)
     findings = (*loaded.diagnostics, *simulation.diagnostics)
@@ -230,15 +234,6 @@ def _entry(program: Program, name: str) -> str:
     raise InputError(
         f"the program has no procedure `{name}`",
         did_you_mean(name, startable) or (f"{there}; --proc names one" if there else None),
-    )
-
-
-def _seen_from_here(files: Sequence[WrittenFile]) -> tuple[WrittenFile, ...]:
-    """Files with paths below the working directory shortened, as the user would name them."""
-    here = Path.cwd().resolve()
-    return tuple(
-        replace(file, path=str(path.relative_to(here))) if path.is_relative_to(here) else file
-        for file, path in ((file, Path(file.path)) for file in files)
     )
 
 

@@ -127,9 +127,7 @@ class Calls:
     def _user(self, symbol: RoutineSymbol, arguments: Sequence[tree.Argument], at: At) -> Code:
         given = match_arguments(arguments, symbol.parameters)
         nodes = {
-            parameter.name.lower(): self._argument(
-                parameter, given.get(parameter.name.lower()), at
-            )
+            parameter.name.lower(): self._argument(parameter, given.get(parameter.name.lower()), at)
             for parameter in symbol.parameters
         }
         self._refuse_two_alternatives(symbol.parameters, given, nodes, at)

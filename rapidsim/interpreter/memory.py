@@ -119,7 +119,7 @@ def initial_literal(symbol: DataSymbol) -> Value | None:
     return literal(symbol.node.value, symbol.type)
 
 
-def _value(home: Any) -> Value:  # noqa: ANN401 - a cell or a list
+def _value(home: Any) -> Value:
     return copy_array(home) if isinstance(home, list) else home.value
 
 

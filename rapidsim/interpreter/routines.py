@@ -1,19 +1,22 @@
 """One RAPID routine as one Python function.
 
-def weld(b):
-x = 1.0
-def ERROR(_e): ...              the ERROR clause; RAPID's names are lower case, so none clash
-def _undo(): ...                the UNDO clause
-_tries = 0
-try:
-try:
-<statements>
-except BaseException as _u: only with UNDO
-if _unwinds(_u):
-_undo()
-raise
-except _Leave as _l:            RETURN in the ERROR clause
-return _l.value
+What it looks like with all its clauses:
+
+    def weld(b):
+        def ERROR(_e): ...
+        def _undo(): ...
+        try:
+            try:
+                <statements>
+            except BaseException as _u:
+                if _unwinds(_u):
+                    _undo()
+                raise
+        except _Leave as _l:
+            return _l.value
+
+The ERROR clause keeps RAPID's own word: names of the program are lower case, so none clashes.
+`Leave` is a RETURN in it.
 """
 
 from __future__ import annotations

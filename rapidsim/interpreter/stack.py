@@ -73,29 +73,33 @@ def rapid_stack(exception: BaseException) -> tuple[Frame, ...]:
     An error in an ERROR clause or a trap happened below the statement that led there; its own
     traceback continues the outer one.
     """
-    frames: list[Frame] = []
-    for frame in _frames(exception):
-        # An error that an ERROR clause passed on leaves the same place twice.
-        if frame not in frames[-1:]:
-            frames.append(frame)
-    return tuple(reversed(frames))
-
-
-def _frames(exception: BaseException) -> Iterator[Frame]:
-    yield from _frames_of(exception.__traceback__)
+    entries = list(_entries(exception.__traceback__))
     if isinstance(exception.__cause__, Exception):
-        yield from _frames_of(exception.__cause__.__traceback__)
+        entries += _entries(exception.__cause__.__traceback__)
+    # An error that an ERROR clause passed on leaves its routine twice: where it was passed on, and
+    # then where it happened.
+    last_of_frame = [
+        entry
+        for entry, following in zip(entries, [*entries[1:], None], strict=True)
+        if following is None or following.tb_frame is not entry.tb_frame
+    ]
+    return tuple(_frame(entry) for entry in reversed(last_of_frame))
 
 
-def _frames_of(traceback: TracebackType | None) -> Iterator[Frame]:
+def _entries(traceback: TracebackType | None) -> Iterator[TracebackType]:
+    """The entries of a traceback that belong to RAPID routines."""
     while traceback is not None:
-        frame = traceback.tb_frame
-        if is_generated(frame):
-            origin: Origin = frame.f_globals[GENERATED]
-            function = frame.f_code.co_qualname.partition(".")[0]
-            start, end = _offsets(origin.source, frame.f_code, traceback)
-            yield Frame(origin.routine_names.get(function, ""), origin.source, start, end)
+        if is_generated(traceback.tb_frame):
+            yield traceback
         traceback = traceback.tb_next
+
+
+def _frame(traceback: TracebackType) -> Frame:
+    code = traceback.tb_frame.f_code
+    origin: Origin = traceback.tb_frame.f_globals[GENERATED]
+    function = code.co_qualname.partition(".")[0]
+    start, end = _offsets(origin.source, code, traceback)
+    return Frame(origin.routine_names.get(function, ""), origin.source, start, end)
 
 
 def _offsets(source: Source, code: CodeType, traceback: TracebackType) -> tuple[int, int]:

@@ -16,12 +16,14 @@ _PARTS: dict[type[tree.Node], tuple[str, ...]] = {
 
 def walk(node: tree.Node) -> Iterator[tree.Node]:
     """The node itself and everything below it."""
-    yield node
-    for name in _PARTS[type(node)]:
-        part = getattr(node, name)
-        if isinstance(part, tree.Node):
-            yield from walk(part)
-        # Tuples hold nodes, or the numbers of literal aggregates and runs.
-        elif isinstance(part, tuple) and part and isinstance(part[0], tree.Node):
-            for one in part:
-                yield from walk(one)
+    waiting = [node]
+    while waiting:
+        node = waiting.pop()
+        yield node
+        for name in reversed(_PARTS[type(node)]):
+            part = getattr(node, name)
+            if isinstance(part, tree.Node):
+                waiting.append(part)
+            # Tuples hold nodes, or the numbers of literal aggregates and runs.
+            elif isinstance(part, tuple) and part and isinstance(part[0], tree.Node):
+                waiting.extend(reversed(part))

@@ -14,7 +14,7 @@ from typing import Annotated, NamedTuple
 from rapidsim.language import types
 
 UNUSED_AXIS = 8999999488.0
-"""The value of an external axis that is not connected: 9E9, as the single that `num` makes of it."""
+"""An external axis that is not connected: 9E9, as the single that `num` makes of it."""
 
 
 class Pos(NamedTuple):

@@ -22,9 +22,10 @@ from rapidsim.motion.path import Path
 from rapidsim.motion.sweep import sweep
 
 _ACCELERATION_EXCESS = 0.002
-_WORTHWHILE = 1e-5
+_SPEED_EXCESS = 1e-3
+_WORTHWHILE = 2e-4
 _IDLE = 1e-3
-_SMALLEST_PART = 0.02
+_SMALLEST_PART = 0.1
 _LARGEST_X = 1e12
 _CHUNK = 4096
 
@@ -66,11 +67,12 @@ def solve(
 
 
 def _speed_caps(path: Path, cells: Cells, limits: Limits, pace: Array) -> Array:
-    """Largest x at the nodes (c + 1,); what the middle of a cell asks for holds at its ends."""
+    """Largest x at the nodes (c + 1,); a dip within a cell holds at both of its ends."""
     x = _largest_by_speed(path, cells, limits, pace)
+    dip = np.where(x[:, 1] < np.minimum(x[:, 0], x[:, 2]), x[:, 1], np.inf)
     caps = np.full(len(x) + 1, np.inf)
-    caps[:-1] = np.minimum(x[:, 0], x[:, 1])
-    caps[1:] = np.minimum(caps[1:], np.minimum(x[:, 2], x[:, 1]))
+    caps[:-1] = np.minimum(x[:, 0], dip)
+    caps[1:] = np.minimum(caps[1:], np.minimum(x[:, 2], dip))
     return caps
 
 
@@ -139,10 +141,10 @@ def refinement(
     limit = limits.max_acceleration * path.acceleration_share[cells.piece][:, None]
     load = np.abs(cells.first[:, 1] * u[:, None] + cells.second[:, 1] * middle[:, None])
     used = (load / limit).max(axis=-1)
-    over = used > 1.0 + _ACCELERATION_EXCESS
+    by_speed = _largest_by_speed(path, cells, limits, pace)[:, 1]
+    over = (used > 1.0 + _ACCELERATION_EXCESS) | (middle > (1.0 + _SPEED_EXCESS) * by_speed)
 
     # Somewhere a limit is reached all the time; where none is, both ends of a cell are at odds.
-    by_speed = _largest_by_speed(path, cells, limits, pace)[:, 1]
     used = np.maximum(used, np.sqrt(middle / by_speed))
     times = _pass(width, x[:-1], x[1:])
     segment = segment_of(path, cells)
@@ -150,24 +152,30 @@ def refinement(
     idle = 0.5 * times * (1.0 - used) > _IDLE * matters
     halve = (over | idle) & (width > 1e-9 * path.length)
 
-    # Within a cell u is constant. Speeding up for one part of it and braking for the other, or
-    # driving at the largest speed in between, may gain time.
+    # Within a cell u is constant. Time is gained by a node where speeding up turns into braking, or
+    # where the largest speed is reached or left.
     slack, tilt = _rows(path, cells, limits, 2.0 * width)
     speed_up = (slack - tilt * x[:-1, None]).min(axis=1)
     brake = (-slack - tilt * x[:-1, None]).max(axis=1)
     bend = (np.abs(cells.second[:, 1]) / limit).max(axis=-1)
     top = np.minimum(by_speed, 1.0 / np.maximum(bend, 1.0 / _LARGEST_X))
     with np.errstate(all="ignore"):
-        step = (x[1:] - x[:-1] - 2.0 * brake * width) / (2.0 * (speed_up - brake))
-        peak = x[:-1] + 2.0 * speed_up * step
-        up = (top - x[:-1]) / (2.0 * speed_up)
-        down = width - (top - x[1:]) / (-2.0 * brake)
-        capped = np.where(up > _SMALLEST_PART * width, up, down)
-        step, peak = np.where(peak > top, capped, step), np.minimum(peak, top)
-        quicker = _pass(step, x[:-1], peak) + _pass(width - step, peak, x[1:])
-        inside = (step > _SMALLEST_PART * width) & (step < (1.0 - _SMALLEST_PART) * width)
-        switch = inside & (times - quicker > _WORTHWHILE * matters) & ~over
-    at = np.where(switch, cells.start + step, 0.5 * (cells.start + cells.end))
+        turn = (x[1:] - x[:-1] - 2.0 * brake * width) / (2.0 * (speed_up - brake))
+        reached = (top - x[:-1]) / (2.0 * speed_up)
+        left = width - (x[1:] - top) / (2.0 * brake)
+        steps = np.stack([turn, reached, left])
+        peaks = np.stack([np.minimum(x[:-1] + 2.0 * speed_up * turn, top), top, top])
+        quicker = _pass(steps, x[:-1], peaks) + _pass(width - steps, peaks, x[1:])
+        inside = (steps > _SMALLEST_PART * width) & (steps < (1.0 - _SMALLEST_PART) * width)
+        # Only where the line of speeding up is below the top until then, and that of braking after.
+        inside[1] &= reached <= turn
+        inside[2] &= left >= turn
+        gain = np.where(inside, times - quicker, 0.0)
+    best = gain.argmax(axis=0)
+    columns = np.arange(len(width))
+    switch = (gain[best, columns] > _WORTHWHILE * matters) & ~over
+    middles = 0.5 * (cells.start + cells.end)
+    at = np.where(switch, cells.start + steps[best, columns], middles)
     index = np.flatnonzero(halve | switch).astype(np.int64)
     return index, at[index]
 

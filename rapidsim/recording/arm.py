@@ -87,7 +87,7 @@ def _log_motion(stream: rr.RecordingStream, run: SampledRun, chain: Chain) -> No
     for k, frame in enumerate(chain.link_frames):
         parent_from_link = base_from_parent.inverse() @ base_from_link[:, k]
         stream.send_columns(
-            f"{ENTITY}/joints/{chain.joint_names[k]}",
+            rr.new_entity_path([ENTITY, "joints", chain.joint_names[k]]),
             indexes=index,
             columns=moving_frame(parent, frame, parent_from_link),
         )
@@ -117,7 +117,11 @@ def _log_fixed_frames(
     )
     for joint in tree.joints():
         if joint.name not in chain.joint_names:
-            stream.log(f"{ENTITY}/fixed/{joint.name}", joint.compute_transform(0.0), static=True)
+            stream.log(
+                rr.new_entity_path([ENTITY, "fixed", joint.name]),
+                joint.compute_transform(0.0),
+                static=True,
+            )
 
 
 def _log_skeleton(

@@ -32,7 +32,7 @@ def log_lanes(stream: rr.RecordingStream, run: SampledRun) -> None:
         _log_lane(stream, MOVE_LANE, states, colours, moves)
     for name, events in _signal_events(run.simulation.events).items():
         states, colours = _signal_states(events)
-        _log_lane(stream, f"{SIGNALS}/{name}", states, colours, moves)
+        _log_lane(stream, rr.new_entity_path([SIGNALS, name]), states, colours, moves)
 
 
 def _log_lane(

@@ -32,6 +32,15 @@ class SampledRun:
     samples: Samples
 
     @property
+    def remarks(self) -> tuple[str, ...]:
+        """What sampling leaves out that a user would expect, a line each."""
+        if self.dt <= DEFAULT_DT:
+            return ()
+        return (
+            f"the motion is shown every {1000.0 * self.dt:.0f} ms, not {1000.0 * DEFAULT_DT:.0f}",
+        )
+
+    @property
     def end_s(self) -> float:
         """The last instant [s]."""
         return float(self.samples.times[-1])

@@ -14,10 +14,12 @@ from rapidsim.frames.transform import Array
 from rapidsim.language.data import IDENTITY_POSE, WobjData
 from rapidsim.motion.targets import base_from_object
 from rapidsim.recording import palette
+from rapidsim.recording.arm import FLANGE
 from rapidsim.recording.changes import changes, stacked
 from rapidsim.recording.sampled import SampledRun
 from rapidsim.recording.timelines import indexes_at
-from rapidsim.recording.transforms import BASE, BASE_FROM_WORLD, moving_frame
+from rapidsim.recording.tool import TCP
+from rapidsim.recording.transforms import BASE, BASE_FROM_WORLD, WORLD, moving_frame
 from rapidsim.simulation.result import ExecutedMove
 
 ENTITY = "work_objects"
@@ -37,7 +39,7 @@ def log_work_objects(stream: rr.RecordingStream, run: SampledRun, axis_m: float)
             ("user", BASE, user_frame, users),
             ("object", user_frame, name, objects),
         ):
-            path = f"{ENTITY}/{name}/{entity}"
+            path = _entity(name, entity)
             stream.send_columns(
                 path,
                 indexes=indexes_at([change.time_s for change in values], run.simulation.moves),
@@ -59,6 +61,11 @@ def object_origins(moves: Sequence[ExecutedMove]) -> Array:
     return np.array(origins).reshape(-1, 3)
 
 
+def _entity(name: str, part: str) -> str:
+    """Where a part of a work object is logged; the name may be any expression, `wobjs{1}` too."""
+    return rr.new_entity_path([ENTITY, name, part])
+
+
 def _by_name(moves: Sequence[ExecutedMove]) -> dict[str, list[ExecutedMove]]:
     """The moves that use a work object of their own, by its name."""
     found: dict[str, list[ExecutedMove]] = {}
@@ -67,6 +74,8 @@ def _by_name(moves: Sequence[ExecutedMove]) -> dict[str, list[ExecutedMove]]:
         if wobj.uframe == IDENTITY_POSE and wobj.oframe == IDENTITY_POSE:
             continue
         name = " ".join(move.place.arguments.get("wobj", "wobj").split())
+        if name in (WORLD, BASE, FLANGE, TCP):
+            name = f"{name} (wobj)"
         found.setdefault(name, []).append(move)
     return found
 
@@ -85,7 +94,7 @@ def _log_plate(stream: rr.RecordingStream, name: str, moves: Sequence[ExecutedMo
     half = np.maximum(0.5 * (high - low) * 1.5, _SMALLEST)
     centre = 0.5 * (low + high)
     stream.log(
-        f"{ENTITY}/{name}/plate",
+        _entity(name, "plate"),
         rr.CoordinateFrame(name),
         rr.Boxes3D(
             centers=[[*centre, -_THICKNESS]],
@@ -96,7 +105,7 @@ def _log_plate(stream: rr.RecordingStream, name: str, moves: Sequence[ExecutedMo
         static=True,
     )
     stream.log(
-        f"{ENTITY}/{name}/name",
+        _entity(name, "name"),
         rr.CoordinateFrame(name),
         rr.Points3D(
             [[*_emptiest_corner(centre, half, corners), 0.0]],

@@ -73,7 +73,7 @@ def _log_all(stream: rr.RecordingStream, run: SampledRun, targets: tuple[Target,
     near_m = extent(near_targets(targets)) or cell_size(run)
     # Long enough to see in the cell, short enough not to cover a small figure seen from near.
     axis_m = float(np.clip(0.35 * near_m, 0.03 * cell_size(run), 0.1 * cell_size(run)))
-    remarks = log_arm(stream, run)
+    remarks = run.remarks + log_arm(stream, run)
     log_tool(stream, run, 0.7 * axis_m)
     log_work_objects(stream, run, axis_m)
     log_paths(stream, run)

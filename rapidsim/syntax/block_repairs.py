@@ -148,8 +148,8 @@ def _by_indentation(row: Row, start: int, stop: int, inner: list[Block]) -> Patc
     for block, words, around in candidates:
         if block.index < outermost:
             continue
-        own = row.column(row.line_begin(block.index))
-        outer = {row.column(row.line_begin(o.index)) for o in around if o.kind == block.kind}
+        own = row.indent(block.index)
+        outer = {row.indent(o.index) for o in around if o.kind == block.kind}
         for word in words:
             column = row.column(word)
             if row.first_on_line(word) and column < own and column in outer:
@@ -159,7 +159,7 @@ def _by_indentation(row: Row, start: int, stop: int, inner: list[Block]) -> Patc
 
 def _dedent(row: Row, block: Block, stop: int) -> int:
     """Where a reader would expect the closing word: the first line that stands no deeper."""
-    column = row.column(row.line_begin(block.index))
+    column = row.indent(block.index)
     own = set(block.dividers)
     inside = {
         closed.block.index: closed.closer

@@ -91,7 +91,7 @@ def panic(at: Situation) -> Patch:
 def _statement_end(at: Situation) -> int:
     """One past the semicolon, or where something else begins without one."""
     row = at.row
-    column = row.column(row.line_begin(at.statement))
+    column = row.indent(at.statement)
     stop = at.index
     while row.kinds[stop] not in BLOCK_WORDS:
         if stop > at.statement and row.kinds[stop - 1] == "SEMICOLON" and stop > at.index:

@@ -122,7 +122,8 @@ def cut_calls_ended(
         index = bisect_left(row.starts, offset)
         while row.ends[index] == offset:
             index += 1  # a token of no width that an earlier repair has put there
-        patch = semicolon_before(row, row.line_begin(index - 1), index)
+        # The name of a call that was cut stands right before its first argument.
+        patch = semicolon_before(row, index - 1, index)
         diagnostics.append(patch.diagnostic)
         _apply(row, patch)
     changed, found = repaired(

@@ -19,6 +19,7 @@ LOOKAHEAD = 6
 """How many tokens after a change must parse for the change to be believed."""
 
 _LINE_END = re.compile(r"[\r\n]")
+_BLANKS = re.compile(r"\s*")
 
 Token: TypeAlias = tuple[str, int, int]
 """Kind, start and end."""
@@ -59,12 +60,6 @@ class Row:
         before = self.place_before(index)
         return index == 0 or bool(_LINE_END.search(self.source.text, before, self.starts[index]))
 
-    def line_begin(self, index: int) -> int:
-        """The first token on the line of a token."""
-        while not self.first_on_line(index):
-            index -= 1
-        return index
-
     def line_stop(self, index: int) -> int:
         """One past the last token on the line of a token."""
         index += 1
@@ -75,6 +70,13 @@ class Row:
     def column(self, index: int) -> int:
         """Column of a token, from 1; a tab counts as one, as it does for every line alike."""
         return self.source.position(self.starts[index])[1]
+
+    def indent(self, index: int) -> int:
+        """Column of the first character on the line of a token that is not blank."""
+        start = self.starts[index]
+        begin = start - self.column(index) + 1
+        blanks = _BLANKS.match(self.source.text, begin, start)
+        return (blanks.end() if blanks else begin) - begin + 1
 
 
 @dataclass(frozen=True, eq=False, slots=True)

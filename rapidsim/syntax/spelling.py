@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from rapidsim.syntax.stored_table import rapid_table
 
 _SHORT = 4
 
 
-def near_words(text: str) -> list[tuple[int, str]]:
+@lru_cache(maxsize=1024)
+def near_words(text: str) -> tuple[tuple[int, str], ...]:
     """Reserved words that a name may be a slip for, nearest first, each with its distance.
 
     One slip is allowed in a word of up to four letters, two in a longer one.
@@ -20,7 +23,7 @@ def near_words(text: str) -> list[tuple[int, str]]:
             slips = distance(written, word)
             if 0 < slips <= allowed:
                 found.append((slips, word))
-    return sorted(found)
+    return tuple(sorted(found))
 
 
 def distance(a: str, b: str) -> int:

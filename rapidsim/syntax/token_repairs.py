@@ -11,7 +11,6 @@ from rapidsim.syntax.blocks import CLOSERS, DIVIDERS, ITEMS, OPENERS
 from rapidsim.syntax.lexer import UNKNOWN, lex
 from rapidsim.syntax.recognition import in_list, takes
 from rapidsim.syntax.situation import (
-    LOOKAHEAD,
     Patch,
     Row,
     Situation,
@@ -37,11 +36,15 @@ BLOCK_WORDS = frozenset({*CLOSERS, *OPENERS, *DIVIDERS, *ITEMS, END})
 """Kinds that tell where one is in the structure of a file."""
 # In the order tried: what separates, what closes, what divides, what begins. A comma comes before a
 # semicolon because within a line an argument is more likely than a statement.
-_MISSING = tuple(
-    "COMMA SEMICOLON RPAR RSQB RBRACE THEN DO BECOMES COLON EXP LPAR BACKSLASH PERCENT TO FROM"
-    " WITH NAME".split()
+_MISSING = (
+    *("COMMA", "SEMICOLON", "RPAR", "RSQB", "RBRACE"),
+    *("THEN", "DO", "BECOMES", "COLON", "EXP"),
+    *("LPAR", "BACKSLASH", "PERCENT", "TO", "FROM", "WITH", "NAME"),
 )
 _BRACKETS = {"RPAR": "LPAR", "RSQB": "LSQB", "RBRACE": "LBRACE"}
+# How many tokens before the one at fault the cause is looked for. Every look costs a parse of the
+# statement, and a generated statement may have thousands of tokens.
+_FARTHEST = 100
 # Name with a part in parentheses: longer ones are more likely something else.
 _LONGEST_PART = 8
 
@@ -74,7 +77,7 @@ def _respelt(at: Situation, window: list[str]) -> Patch | None:
     row = at.row
     kinds = [*row.kinds[at.statement : at.index], *window]
     best: tuple[int, int, str] | None = None
-    for index in range(at.statement, at.index + 1):
+    for index in range(max(at.statement, at.index - _FARTHEST), at.index + 1):
         if row.kinds[index] != "NAME" or row.starts[index] == row.ends[index]:
             continue
         for slips, word in near_words(row.text(index)):
@@ -114,7 +117,7 @@ def missing_semicolon(at: Situation) -> Patch | None:
     row = at.row
     candidates = [
         index
-        for index in range(at.index, at.statement, -1)
+        for index in range(at.index, max(at.statement, at.index - _FARTHEST), -1)
         if row.first_on_line(index) or (index == at.index and row.kinds[index] in BLOCK_WORDS)
     ]
     for index in candidates:

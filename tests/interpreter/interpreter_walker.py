@@ -6,6 +6,7 @@ bool data, arrays, branches, loops, references to whole variables, and ERROR cla
 
 from __future__ import annotations
 
+import contextlib
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -14,15 +15,15 @@ import numpy as np
 from rapidsim.syntax import tree
 
 
-class Failed(Exception):
+class Failed(Exception):  # noqa: N818 - RAPID's word
     """A RAPID error; only that there is one matters here."""
 
 
-class Returned(Exception):
+class Returned(Exception):  # noqa: N818 - RAPID's word
     """The routine ends."""
 
 
-class Handled(Exception):
+class Handled(Exception):  # noqa: N818 - RAPID's word
     """What an ERROR clause decided."""
 
 
@@ -43,10 +44,8 @@ class Walker:
         routine = self.routine(name)
         names = [p.name.key for p in routine.parameters if isinstance(p, tree.Parameter)]
         frame = dict(zip(names, arguments, strict=True))
-        try:
+        with contextlib.suppress(Returned):
             self.body(routine.body, frame, routine.error)
-        except Returned:
-            pass
 
     def body(self, body: tree.Body, frame: dict[str, Slot], handler: Any) -> None:
         for statement in body:
@@ -79,6 +78,7 @@ class Walker:
             case tree.Assignment():
                 self.guard(lambda: self.assign(s, frame), frame, h, None)
             case tree.If():
+
                 def decide() -> tree.Body:
                     for branch in s.branches:
                         if self.value(branch.condition, frame):
@@ -93,6 +93,7 @@ class Walker:
                 while self.guard(lambda: self.value(s.condition, frame), frame, h, False):
                     self.body(s.body, frame, h)
             case tree.For():
+
                 def bounds() -> list[float]:
                     first, last = self.value(s.first, frame), self.value(s.last, frame)
                     step = self.value(s.step, frame) if s.step else (1.0 if last >= first else -1.0)
@@ -105,6 +106,7 @@ class Walker:
                 for count in self.guard(bounds, frame, h, []):
                     self.body(s.body, {**frame, s.counter.key: Slot(count)}, h)
             case tree.Test():
+
                 def choose() -> tree.Body:
                     subject = self.value(s.subject, frame)
                     for case in s.cases:
@@ -114,6 +116,7 @@ class Walker:
 
                 self.body(self.guard(choose, frame, h, ()), frame, h)
             case tree.Call():
+
                 def call() -> None:
                     arguments = []
                     parameters = self.routine(s.name.key).parameters

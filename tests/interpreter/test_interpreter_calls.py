@@ -5,7 +5,9 @@ from __future__ import annotations
 import pytest
 from interpreter_cell import main, module, run, texts
 
-REFERENCES = "VAR num x := 1; VAR num a{3} := [1,2,3]; VAR pose f; VAR pose many{2}; PERS num k := 1;"
+REFERENCES = (
+    "VAR num x := 1; VAR num a{3} := [1,2,3]; VAR pose f; VAR pose many{2}; PERS num k := 1;"
+)
 DOUBLE = "PROC bump(INOUT num v) v := v + 10; v := v + 10; ENDPROC"
 
 
@@ -149,7 +151,9 @@ def test_functions_return_values_and_recursion_has_its_own_locals() -> None:
 
 
 def test_a_function_without_return_is_an_error() -> None:
-    more = "FUNC num f(num n)\n  IF n > 0 THEN\n RETURN 1;\n ENDIF\n WHILE n > 0 DO ENDWHILE ENDFUNC"
+    more = (
+        "FUNC num f(num n)\n  IF n > 0 THEN\n RETURN 1;\n ENDIF\n WHILE n > 0 DO ENDWHILE ENDFUNC"
+    )
     try:
         ran = run(main("TPWrite ValToStr(f(0));", "", more))
     except AssertionError:
@@ -175,8 +179,10 @@ def test_where_data_are_kept() -> None:
 
 
 def test_modules_see_each_other_and_keep_what_is_local() -> None:
-    first = module("PROC main() show; other; ENDPROC LOCAL PROC show() TPWrite name; ENDPROC",
-                   'LOCAL CONST string name := "first"; VAR num shared := 4;')
+    first = module(
+        "PROC main() show; other; ENDPROC LOCAL PROC show() TPWrite name; ENDPROC",
+        'LOCAL CONST string name := "first"; VAR num shared := 4;',
+    )
     second = (
         'MODULE two\nLOCAL VAR string name := "second";\n'
         "PROC other() show; shared := shared + 1; TPWrite ValToStr(shared); ENDPROC\n"
@@ -234,11 +240,17 @@ def test_late_binding_that_does_not_fit(body: str, message: str) -> None:
 
 
 def test_two_options_that_exclude_each_other() -> None:
-    ran = run(main(r"both FALSE;", "", r"""
+    ran = run(
+        main(
+            r"both FALSE;",
+            "",
+            r"""
       PROC both(bool value) middle \a:=value \b:=value; ENDPROC
       PROC middle(\bool a \bool b) inner \x?a \y?b; ENDPROC
       PROC inner(\bool x | bool y) TPWrite "no"; ENDPROC
-    """))
+    """,
+        )
+    )
     assert ran.texts == []
     assert ran.fatal is not None
     assert ran.fatal.error.cf == "ABB 40192"

@@ -113,7 +113,7 @@ def test_single_is_what_a_store_to_four_bytes_gives(x: float) -> None:
         ("FOR i FROM 1 TO 4 DO z := a{i}; ENDFOR", "index 4 is outside"),
         ("FOR i FROM 1 TO 4 DO a{i - 1} := 0; ENDFOR", "index 0 is outside"),
         ("z := m{1, 3};", "index 3 is outside the array, which has 1 to 2"),
-        ("FOR i FROM 1 TO 60 DO s := s + \"ab\"; ENDFOR", "the string has 82 characters"),
+        ('FOR i FROM 1 TO 60 DO s := s + "ab"; ENDFOR', "the string has 82 characters"),
     ],
 )
 def test_what_has_no_value_is_an_error(statement: str, message: str) -> None:

@@ -72,7 +72,9 @@ def test_persistents_report_what_changed() -> None:
     task, _ = loaded(main("count := count + 1; list{2} := 5; w.oframe.trans.x := 7;", data))
     assert task.persistents() == ()
     task.run()
-    changes = {change.name: (change.module, change.old, change.new) for change in task.persistents()}
+    changes = {
+        change.name: (change.module, change.old, change.new) for change in task.persistents()
+    }
     assert changes["count"] == ("cell", 1.0, 2.0)
     assert changes["list"] == ("cell", [1.0, 2.0, 3.0], [1.0, 5.0, 3.0])
     assert changes["w"][2].oframe.trans == Pos(7.0, 0.0, 0.0)

@@ -30,15 +30,20 @@ SHAPES = {
     ),
     "records": ("p.trans.x := x; q{2}.rot := p.rot; p := [[x, 1, 2], [1, 0, 0, 0]];", ""),
     "strings": ('s := s + "a" + s;', ""),
-    "references": ("VAR num own; bump own; bump q{2}.trans.y; bump x; x := own;",
-                   "PROC bump(INOUT num v) v := v + 1; ENDPROC"),
+    "references": (
+        "VAR num own; bump own; bump q{2}.trans.y; bump x; x := own;",
+        "PROC bump(INOUT num v) v := v + 1; ENDPROC",
+    ),
     "protected": (
         "x := 6 / y; IF 6 / y > 1 THEN x := 1; ENDIF WHILE a{x} > 1 DO x := 1; ENDWHILE x := 1; "
         "ERROR y := 1; RETRY;",
         "",
     ),
     "goto": ("top: FOR i FROM 1 TO 3 DO IF i > x GOTO done; ENDFOR GOTO top; done: x := 1;", ""),
-    "instruction": ('TPWrite "a" \\Num:=x; TPWrite ValToStr(f());', "FUNC num f() RETURN 1; ENDFUNC"),
+    "instruction": (
+        'TPWrite "a" \\Num:=x; TPWrite ValToStr(f());',
+        "FUNC num f() RETURN 1; ENDFUNC",
+    ),
     "options": ("", r"PROC o(\num v | switch w) IF Present(v) x := v; o \v?v \w?w; ENDPROC"),
     "trap": ("CONNECT irq WITH t;", "TRAP t x := INTNO; ENDTRAP"),
 }

@@ -56,7 +56,7 @@ def test_while() -> None:
 
 
 def test_for_counter_hides_data_of_its_name() -> None:
-    body = 'i := 7; FOR i FROM 1 TO 2 DO s := s + ValToStr(i); ENDFOR s := s + ValToStr(i);'
+    body = "i := 7; FOR i FROM 1 TO 2 DO s := s + ValToStr(i); ENDFOR s := s + ValToStr(i);"
     assert said(body) == "127"
     assert said("VAR num i := 7;\n" + body[8:]) == "127"
 
@@ -79,7 +79,7 @@ def test_loops_in_loops_with_one_name() -> None:
         ("again: n := n + 1; s := s + ValToStr(n); IF n < 3 GOTO again;", "123"),
         (
             "FOR a FROM 1 TO 9 DO FOR b FROM 1 TO 9 DO "
-            "IF a * b = 12 GOTO found; ENDFOR ENDFOR found: s := \"f\";",
+            'IF a * b = 12 GOTO found; ENDFOR ENDFOR found: s := "f";',
             "f",
         ),
         (
@@ -89,7 +89,7 @@ def test_loops_in_loops_with_one_name() -> None:
         (
             # Out of two loops, to a label of the loop around them.
             "FOR a FROM 1 TO 2 DO WHILE TRUE DO WHILE TRUE DO GOTO out; ENDWHILE ENDWHILE "
-            "s := \"no\"; out: s := s + ValToStr(a); ENDFOR",
+            's := "no"; out: s := s + ValToStr(a); ENDFOR',
             "12",
         ),
         (
@@ -105,7 +105,7 @@ def test_loops_in_loops_with_one_name() -> None:
             "io",
         ),
         ('TEST n CASE 0: GOTO end; DEFAULT: s := "d"; ENDTEST s := "no"; end: s := s + "e";', "e"),
-        ('back: IF n < 2 THEN n := n + 1; GOTO back; ENDIF s := ValToStr(n); unused: ', "2"),
+        ("back: IF n < 2 THEN n := n + 1; GOTO back; ENDIF s := ValToStr(n); unused: ", "2"),
     ],
 )
 def test_goto(body: str, expected: str) -> None:

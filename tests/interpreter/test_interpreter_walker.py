@@ -59,14 +59,23 @@ def compound(children: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
             lambda t: f"TEST {t[0]} CASE {t[1]}, {t[2]}: {t[3]} DEFAULT: {t[4]} ENDTEST"
         ),
         # The counter of the loop is nobody else's, so it ends.
-        body.map(lambda b: f"turns := 0; WHILE turns < 3 AND 1 / y <> 0 DO turns := turns + 1; {b} "
-                 "turns := turns + 1; ENDWHILE"),
+        body.map(
+            lambda b: (
+                f"turns := 0; WHILE turns < 3 AND 1 / y <> 0 DO turns := turns + 1; {b} "
+                "turns := turns + 1; ENDWHILE"
+            )
+        ),
     )
 
 
 statements = st.lists(st.recursive(simple, compound, max_leaves=6), min_size=1, max_size=4)
 handlers = st.sampled_from(
-    ["", "ERROR y := y + 1; TRYNEXT;", "ERROR y := y + 1; x := 1; z := 1; own := 2; RETRY;", "ERROR"]
+    [
+        "",
+        "ERROR y := y + 1; TRYNEXT;",
+        "ERROR y := y + 1; x := 1; z := 1; own := 2; RETRY;",
+        "ERROR",
+    ]
 )
 
 

@@ -194,7 +194,7 @@ def test_programmed_times_of_neighbours_are_all_kept() -> None:
 def test_a_time_too_short_is_driven_as_fast_as_possible() -> None:
     hasty = plan(path_of(Programmer().line((0.3, 0, 0), duration=0.01)), LIMITS)
     fastest = plan(path_of(Programmer(speed=RAPID).line((0.3, 0, 0))), LIMITS)
-    assert hasty.duration == pytest.approx(fastest.duration, rel=1e-4)
+    assert hasty.duration == pytest.approx(fastest.duration, rel=1e-3)
 
 
 def test_less_acceleration_takes_longer_ramps() -> None:
@@ -305,7 +305,8 @@ def test_another_solver_finds_the_same_time(seed: int, speed: float) -> None:
     random = np.random.default_rng(seed)
     program = Programmer(speed=Speed(speed, 1e3))
     for _ in range(4):
-        program.line(random.uniform(-0.08, 0.08, 3), random.uniform(-0.1, 0.1, 3), zone(20))
+        offset, turn = random.uniform(-0.08, 0.08, 3), random.uniform(-0.1, 0.1, 3)
+        program.line(offset.tolist(), turn.tolist(), zone(20))
     path = path_of(program)
     theirs, _ = toppra_duration(path, LIMITS)
     cells = cells_of(path, LIMITS, 0.0)

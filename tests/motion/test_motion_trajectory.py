@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -114,7 +115,7 @@ def test_cutting_a_command_into_pieces_changes_nothing(cuts: list[float], pause:
     at_once = run(pause)
     in_pieces = Trajectory(START, FILTER)
     places = np.array([0.0, *sorted(cuts), 1.0]) * PATH.length
-    for begin, end in zip(places[:-1], places[1:], strict=True):
+    for begin, end in pairwise(places):
         in_pieces.append(
             Piece(pause + TIMING.time_at(float(begin)), PATH, TIMING, float(begin), float(end))
         )

@@ -275,6 +275,27 @@ def test_a_tool_that_changes_is_followed(tmp_path: Path) -> None:
     assert np.allclose(edges[1][1]["Transform3D:translation"][0], [0.0, 0.0, 0.3])
 
 
+def test_a_work_object_may_be_an_expression_or_named_like_a_frame(tmp_path: Path) -> None:
+    names = ["wobjs{1}", "base", r"Cells{n}.wobj"]
+    moves = tuple(
+        replace(
+            move,
+            place=replace(
+                move.place, arguments={**move.place.arguments, "wobj": names[move.index % 3]}
+            ),
+        )
+        for move in SIMULATION.moves
+    )
+    path = record(replace(SIMULATION, moves=moves), tmp_path / "names.rrd")
+    frames = {
+        row["Transform3D:child_frame"][0]
+        for _, row in rows(path, "/work_objects/**")
+        if row.get("Transform3D:child_frame")
+    }
+    assert {"wobjs{1}", "base (wobj)", "Cells{n}.wobj"} <= frames
+    assert "base" not in frames
+
+
 class Interrupting(Trajectory):
     """A trajectory during which the user presses Ctrl-C."""
 

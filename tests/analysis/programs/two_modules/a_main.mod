@@ -1,0 +1,10 @@
+MODULE a_main
+  VAR num shared:=1;
+  LOCAL VAR num own:=2;
+  PROC main()
+    helper shared;
+    shared:=limit;
+    own:=private;                       ! error: N201
+    secret;                             ! warning: N209
+  ENDPROC
+ENDMODULE

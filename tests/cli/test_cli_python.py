@@ -1,0 +1,44 @@
+"""The Python API does what the command line does."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from cli_helper import PROGRAMS
+
+import rapidsim
+from rapidsim.files import InputError
+from rapidsim.simulation.run_files import ProgramRejectedError
+
+
+def test_check_finds_what_the_command_finds() -> None:
+    result = rapidsim.check([PROGRAMS / "wrong.mod"])
+    assert not result.accepted
+    assert {"N201", "E103", "N209"} <= {d.violation.code for d in result.diagnostics}
+    clean = rapidsim.check([PROGRAMS / "cell.mod"], robot="irb120")
+    assert clean.accepted
+    assert [move.line for move in clean.unchecked_moves] == [15, 17, 22, 23, 25]
+
+
+def test_simulate_and_record(tmp_path: Path) -> None:
+    run = rapidsim.simulate([PROGRAMS / "cell.mod"], robot="irb1600", max_time=60.0)
+    assert run.end == "ended"
+    assert len(run.moves) == 5
+    samples = run.trajectory.at(np.array([0.0, 0.5, 1.0]) * run.trajectory.duration)
+    assert samples.joints.shape == (3, 6)
+    file = rapidsim.record(run, tmp_path / "cell.rrd")
+    assert file.stat().st_size > 0
+
+
+def test_robots_answer_in_radians_and_metres() -> None:
+    robot = rapidsim.load_robot("irb120")
+    pose = robot.forward([0.0] * 6)
+    assert pose.translation == pytest.approx([0.374, 0.0, 0.63], abs=1e-9)
+
+
+def test_mistakes_are_exceptions_that_say_what() -> None:
+    with pytest.raises(ProgramRejectedError) as rejected:
+        rapidsim.simulate([PROGRAMS / "wrong.mod"], robot="irb1600")
+    assert rejected.value.diagnostics
+    with pytest.raises(InputError, match="does not exist"):
+        rapidsim.check(["nowhere.mod"])
