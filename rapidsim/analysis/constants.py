@@ -23,8 +23,10 @@ def constant_number(
         case tree.Unary(operator=operator, operand=operand) if operator != "NOT":
             number = constant_number(operand, context, seen)
             return -number if number is not None and operator == "-" else number
-        case tree.Binary():
-            return _binary(expression, context, seen)
+        case tree.Binary(left=left, operator=operator, right=right):
+            a = constant_number(left, context, seen)
+            b = constant_number(right, context, seen)
+            return None if a is None or b is None else _computed(operator, a, b)
         case tree.Reference(name=name):
             symbol = context.scope.find(name.key) or installed_symbol(name.key)
             if not isinstance(symbol, DataSymbol) or symbol.storage is not Storage.CONST:
@@ -44,20 +46,6 @@ def _constant(symbol: DataSymbol, context: Context, seen: frozenset[DataSymbol])
     else:
         home = context.analysis.home_of[context.analysis.module_of[symbol]]
     return constant_number(symbol.node.value, home, seen | {symbol})
-
-
-def _binary(expression: tree.Binary, context: Context, seen: frozenset[DataSymbol]) -> float | None:
-    # Sums of many terms lean to the left; going down that side in a loop keeps the stack short.
-    spine = [expression]
-    while isinstance(spine[-1].left, tree.Binary):
-        spine.append(spine[-1].left)
-    value = constant_number(spine[-1].left, context, seen)
-    for node in reversed(spine):
-        right = constant_number(node.right, context, seen)
-        if value is None or right is None:
-            return None
-        value = _computed(node.operator, value, right)
-    return value
 
 
 def _computed(operator: str, left: float, right: float) -> float | None:

@@ -80,48 +80,33 @@ def _number(node: tree.Number, context: Context, wanted: Wanted | None) -> Type:
 
 
 def _unary(node: tree.Unary, context: Context, wanted: Wanted | None) -> Type | None:
-    # Signs may stand in long rows; going down in a loop keeps the stack short.
-    chain = [node]
-    while isinstance(chain[-1].operand, tree.Unary):
-        chain.append(chain[-1].operand)
-    inner_wanted = None if node.operator == "NOT" else wanted
-    found = type_of_expression(chain[-1].operand, context, inner_wanted)
-    for unary in reversed(chain):
-        if found is None:
-            found_here: Type | None = types.BOOL if unary.operator == "NOT" else None
-            guess = found_here or (wanted.type if wanted is not None else types.NUM)
-            context.analysis.type_of[unary] = guess
-            found = found_here
-            continue
-        result = unary_result(unary.operator, found)
-        if result is None:
-            operator = f"the sign `{unary.operator}`" if unary.operator != "NOT" else "NOT"
-            cure = "compare the number first, as in `NOT x=1`" if operator == "NOT" else ""
-            context.report(WrongOperands(operator, found.name, cure), unary)
-            return None
-        context.analysis.type_of[unary] = result
-        found = result
-    return found
+    is_not = node.operator == "NOT"
+    found = type_of_expression(node.operand, context, None if is_not else wanted)
+    if found is None:
+        guess = types.BOOL if is_not else context.analysis.type_of.get(node.operand, types.NUM)
+        context.analysis.type_of[node] = guess
+        return types.BOOL if is_not else None
+    result = unary_result(node.operator, found)
+    if result is None:
+        operator = "NOT" if is_not else f"the sign `{node.operator}`"
+        cure = "compare the number first, as in `NOT x=1`" if is_not else ""
+        context.report(WrongOperands(operator, found.name, cure), node)
+        return None
+    context.analysis.type_of[node] = result
+    return result
 
 
 def _binary(node: tree.Binary, context: Context, wanted: Wanted | None) -> Type | None:
-    # Sums of many terms lean to the left; going down that side in a loop keeps the stack short.
-    spine = [node]
-    while isinstance(spine[-1].left, tree.Binary):
-        spine.append(spine[-1].left)
-    first = spine.pop()
-    hint = _hint(first, wanted)
-    if _waits_for_other(first.left):
-        right = type_of_expression(first.right, context, hint)
-        left = _operand(first.left, right, hint, context)
+    # What an arithmetic expression wants goes on to the literals in it.
+    is_dnum = wanted is not None and resolved(wanted.type) == types.DNUM
+    hint = wanted if is_dnum and node.operator in _ARITHMETIC else None
+    if _waits_for_other(node.left):
+        right = type_of_expression(node.right, context, hint)
+        left = _operand(node.left, right, hint, context)
     else:
-        left = type_of_expression(first.left, context, hint)
-        right = _operand(first.right, left, hint, context)
-    found = _result(first, left, right, context)
-    for binary in reversed(spine):
-        right = _operand(binary.right, found, _hint(binary, wanted), context)
-        found = _result(binary, found, right, context)
-    return found
+        left = type_of_expression(node.left, context, hint)
+        right = _operand(node.right, left, hint, context)
+    return _result(node, left, right, context)
 
 
 def _operand(
@@ -189,12 +174,6 @@ def _waits_for_other(node: tree.Expression) -> bool:
             return _waits_for_other(inner)
         case _:
             return False
-
-
-def _hint(node: tree.Binary, wanted: Wanted | None) -> Wanted | None:
-    """What an arithmetic expression passes on to the literals in it."""
-    is_dnum = wanted is not None and resolved(wanted.type) == types.DNUM
-    return wanted if is_dnum and node.operator in _ARITHMETIC else None
 
 
 def _is_literal_number(node: tree.Expression) -> bool:

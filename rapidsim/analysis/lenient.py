@@ -24,6 +24,7 @@ _DECLARATIONS = frozenset({"TDN", "DDN", "RDN", "PAR", "ALT", "DIM"})
 
 def check_lenient_marks(context: Context) -> None:
     """Report every lenient mark and placeholder of a module."""
+    text = context.module.source.text
     for node in descendants(*context.module.items):
         match node:
             case tree.Assignment(equals_sign=True):
@@ -47,6 +48,9 @@ def check_lenient_marks(context: Context) -> None:
                 context.report(ArrayComponent(node.name.text), node)
             case tree.Proc(parentheses_missing=True) | tree.Func(parentheses_missing=True):
                 context.report(MissingParameterList(node.name.text), node.name)
+            case tree.Placeholder() if text[node.start : node.start + 1] not in ("<", "*"):
+                # Put in by the parser for what it could not read, and reported there.
+                pass
             case tree.Placeholder(kind="*"):
                 context.report(UnfinishedCode("the target `*`"), node)
             case tree.Placeholder(kind=kind) if kind.upper() in _DECLARATIONS:

@@ -24,7 +24,7 @@ from rapidsim.analysis.program import (
     UnknownSymbol,
 )
 from rapidsim.analysis.signal_violations import UnknownSignal
-from rapidsim.analysis.suggestions import RESERVED_WORDS, closest, slip_of
+from rapidsim.analysis.suggestions import closest, reserved_words, slip_of
 from rapidsim.language import types
 from rapidsim.language.annotations import Mode
 from rapidsim.language.types import Type
@@ -92,7 +92,7 @@ def report_undefined(name: tree.Name, context: Context) -> None:
     if context.analysis.may_be_unread(name.key):
         return
     nearest = closest(name.text, _known_names(context))
-    reserved = nearest in RESERVED_WORDS
+    reserved = nearest in reserved_words()
     context.report(UndefinedName(name.text, nearest, reserved), name)
 
 
@@ -188,9 +188,9 @@ def _unknown_routine(name: tree.Name, context: Context) -> UnknownSymbol | None:
     if analysis.may_be_unread(name.key):
         return None
     known = [*_routine_names(context), *installed_routine_names()]
-    slip = slip_of(name.text, (*known, *RESERVED_WORDS))
+    slip = slip_of(name.text, (*known, *reserved_words()))
     if slip is not None:
-        context.report(UndefinedName(name.text, slip, slip in RESERVED_WORDS), name)
+        context.report(UndefinedName(name.text, slip, slip in reserved_words()), name)
         return None
     context.report(UnknownRoutine(name.text, closest(name.text, known)), name)
     return analysis.unknown_symbol(name.text)
@@ -217,7 +217,7 @@ def _known_names(context: Context) -> Iterator[str]:
         if not isinstance(symbol, TypeSymbol):
             yield symbol.name
     yield from installed_data_names()
-    yield from RESERVED_WORDS
+    yield from reserved_words()
 
 
 def _routine_names(context: Context) -> Iterator[str]:

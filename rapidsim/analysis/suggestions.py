@@ -10,16 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-RESERVED_WORDS = (
-    *("ALIAS", "AND", "BACKWARD", "CASE", "CONNECT", "CONST", "DEFAULT", "DIV", "DO", "ELSE"),
-    *("ELSEIF", "ENDFOR", "ENDFUNC", "ENDIF", "ENDMODULE", "ENDPROC", "ENDRECORD", "ENDTEST"),
-    *("ENDTRAP", "ENDWHILE", "ERROR", "EXIT", "FALSE", "FOR", "FROM", "FUNC", "GOTO", "IF"),
-    *("INOUT", "LOCAL", "MOD", "MODULE", "NOSTEPIN", "NOT", "NOVIEW", "OR", "PERS", "PROC"),
-    *("RAISE", "READONLY", "RECORD", "RETRY", "RETURN", "STEP", "SYSMODULE", "TASK", "TEST"),
-    *("THEN", "TO", "TRAP", "TRUE", "TRYNEXT", "UNDO", "VAR", "VIEWONLY", "WHILE", "WITH", "XOR"),
-)
-"""Words that are never names. Source: Technical reference manual RAPID Kernel, "Lexical elements".
-"""
+from rapidsim.syntax.spelling import distance
+from rapidsim.syntax.stored_table import rapid_table
+
+
+def reserved_words() -> Iterable[str]:
+    """Words of the language, which are never names."""
+    return rapid_table().words
 
 
 def closest(name: str, candidates: Iterable[str]) -> str | None:
@@ -28,11 +25,9 @@ def closest(name: str, candidates: Iterable[str]) -> str | None:
     best: str | None = None
     limit = _most_slips(folded)
     for candidate in candidates:
-        distance = _distance(folded, candidate.lower(), limit)
-        if distance is not None and distance > 0:
-            best, limit = candidate, distance - 1
-            if limit == 0:
-                break
+        other = candidate.lower()
+        if limit and other != folded and _is_near(folded, other, limit):
+            best, limit = candidate, distance(folded, other) - 1
     return best
 
 
@@ -49,7 +44,7 @@ def is_slip(name: str, meant: str) -> bool:
     behind are such relatives, unless that letter is a doubled one or a small one left out.
     """
     a, b = name.lower(), meant.lower()
-    if len(a) < 3 or _distance(a, b, _most_slips(a)) is None:
+    if len(a) < 3 or a == b or not _is_near(a, b, _most_slips(a)):
         return False
     start = _common_start(a, b)
     end = _common_start(a[start:][::-1], b[start:][::-1])
@@ -79,19 +74,8 @@ def _common_start(a: str, b: str) -> int:
     return count
 
 
-def _distance(a: str, b: str, limit: int) -> int | None:
-    """The distance, or None where it exceeds the limit."""
-    if abs(len(a) - len(b)) > limit:
-        return None
-    before: list[int] = []
-    row = list(range(len(b) + 1))
-    for i, x in enumerate(a, 1):
-        before, row, last = row, [i], before
-        for j, y in enumerate(b, 1):
-            cost = min(before[j] + 1, row[j - 1] + 1, before[j - 1] + (x != y))
-            if i > 1 and j > 1 and x == b[j - 2] and a[i - 2] == y:
-                cost = min(cost, last[j - 2] + 1)
-            row.append(cost)
-        if min(row) > limit:
-            return None
-    return row[-1] if row[-1] <= limit else None
+def _is_near(a: str, b: str, limit: int) -> bool:
+    """Whether two folded names are within a distance; cheap for names that are not."""
+    if abs(len(a) - len(b)) > limit or len(set(a) ^ set(b)) > 2 * limit:
+        return False
+    return distance(a, b) <= limit

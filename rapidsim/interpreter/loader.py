@@ -7,12 +7,13 @@ of RAPID lines.
 
 from __future__ import annotations
 
+import gc
 import linecache
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
-from types import FunctionType
+from types import CodeType, FunctionType
 from typing import Any
 
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Scope, Storage
@@ -120,8 +121,9 @@ def load(program: Program, controller: Controller) -> Task:
         NotExecutableError: If it needs something that cannot be simulated; nothing has run then.
         FatalError: If an initial value fails, as a division by zero does.
     """
-    with _fatal_errors():
+    with _fatal_errors(), _no_collection():
         translation = translate(program)
+        codes = [_compiled(module) for module in translation.modules]
     memory = Memory(program)
     recovery = Recovery(controller)
     functions: dict[RoutineSymbol, FunctionType] = {}
@@ -139,13 +141,12 @@ def load(program: Program, controller: Controller) -> Task:
         }
         for module in translation.modules
     ]
-    for module, namespace in zip(translation.modules, namespaces, strict=True):
+    for module, code, namespace in zip(translation.modules, codes, namespaces, strict=True):
         _show_lines_of(module.module.source)
-        exec(compile(module.code, module.module.source.file, "exec"), namespace)
+        exec(code, namespace)
         functions.update({s: _function(namespace, name) for name, s in module.functions.items()})
         for name, numbers in module.long_jumps:
-            code = _function(namespace, name).__code__
-            recovery.long_jumps[code] = _function(namespace, numbers)
+            recovery.long_jumps[_function(namespace, name).__code__] = _function(namespace, numbers)
     for symbol, function in functions.items():
         routines = by_module.setdefault(symbol.module.name.key, {})
         routines[symbol.name.lower()] = UserRoutine(symbol, function)
@@ -177,6 +178,10 @@ def _bind(
                 namespace[name] = functions[binding]
             case Fixed(value=value):
                 namespace[name] = value
+
+
+def _compiled(module: TranslatedModule) -> CodeType:
+    return compile(module.code, module.module.source.file, "exec")
 
 
 def _function(namespace: Mapping[str, Any], name: str) -> FunctionType:
@@ -216,6 +221,18 @@ def _stack_overflow(stack: tuple[Frame, ...]) -> RapidError:
         f"the stack overflowed{innermost}: routines call each other more than {len(stack)} deep",
         cf="ABB 40222",
     )
+
+
+@contextmanager
+def _no_collection() -> Iterator[None]:
+    """Keep the garbage collector from walking through growing syntax trees again and again."""
+    was_enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_enabled:
+            gc.enable()
 
 
 @contextmanager

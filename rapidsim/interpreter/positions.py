@@ -217,6 +217,9 @@ class Positions:
         """Read positions of a source."""
         self._source = source
         self._ascii = source.text.isascii()
+        # The line that was asked for last, as offsets; most questions follow on the same one.
+        self._line = 0
+        self._start = self._end = 0
 
     def at(self, node: tree.Node) -> At:
         """Where a node begins, as far as it goes on its first line."""
@@ -224,13 +227,19 @@ class Positions:
 
     def between(self, start: int, end: int) -> At:
         """The stretch from `start` as far as it goes on its first line."""
-        line, column = self._source.position(start)
-        end_line, end_column = self._source.position(end)
-        if end_line == line and self._ascii:
-            return At(line, column - 1, end_column - 1)
-        text = self._source.line(line)
-        last = end_column - 1 if end_line == line else len(text)
-        return At(line, len(text[: column - 1].encode()), len(text[:last].encode()))
+        if not self._start <= start < self._end:
+            self._find(start)
+        first, last = start - self._start, min(end, self._end) - self._start
+        if self._ascii:
+            return At(self._line, first, last)
+        text = self._source.text[self._start : self._end]
+        return At(self._line, len(text[:first].encode()), len(text[:last].encode()))
+
+    def _find(self, offset: int) -> None:
+        line, column = self._source.position(offset)
+        self._line = line
+        self._start = offset - column + 1
+        self._end = self._start + len(self._source.line(line))
 
     def within(self, statement: At, node: tree.Node) -> At:
         """Where a part of a statement stands.

@@ -28,27 +28,20 @@ from dataclasses import dataclass
 from rapidsim.analysis.program import (
     DataSymbol,
     LibrarySymbol,
-    ParameterSymbol,
     Program,
     RoutineSymbol,
     Scope,
     Storage,
     Symbol,
-    UnknownSymbol,
 )
-from rapidsim.interpreter.calls import match_arguments
 from rapidsim.interpreter.expressions import ConstantValue, Expressions
 from rapidsim.interpreter.jumps import Jumps, goto_targets
+from rapidsim.interpreter.lending import lent_symbols
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.names import LocalNames, ModuleNames
-from rapidsim.interpreter.paths import bare, by_reference, flat
 from rapidsim.interpreter.positions import At, Positions
 from rapidsim.interpreter.statements import Statements
-from rapidsim.interpreter.values import is_signal
 from rapidsim.interpreter.walk import walk
-from rapidsim.language.annotations import Mode
-from rapidsim.language.types import ArrayOf, resolved
-from rapidsim.library.table import Parameter
 from rapidsim.syntax import tree
 
 
@@ -81,11 +74,12 @@ class _RoutineTranslation:
         self._symbol = symbol
         self._node = symbol.node
         self._context = context
+        self._nodes = list(walk(symbol.node))
         self._names = LocalNames(
             context.names,
             symbol.name,
             symbol.parameters,
-            in_cell=frozenset(_lent_symbols(symbol, context.program)),
+            in_cell=frozenset(lent_symbols(symbol, self._nodes, context.program)),
         )
         self._expressions = Expressions(
             context.program,
@@ -119,7 +113,7 @@ class _RoutineTranslation:
 
     def _declare(self) -> list[str]:
         """Name the variables, clear of what the routine uses of its module."""
-        nodes = list(walk(self._node))
+        nodes = self._nodes
         used = {id(s): s for s in map(self._context.program.symbol_of.get, nodes) if s is not None}
         self._names.reserved = frozenset(
             name for symbol in used.values() if (name := self._module_name(symbol)) is not None
@@ -220,74 +214,3 @@ class _RoutineTranslation:
 
 def _ends_in_return(body: list[ast.stmt]) -> bool:
     return bool(body) and isinstance(body[-1], ast.Return | ast.Raise)
-
-
-def _lent_symbols(symbol: RoutineSymbol, program: Program) -> Iterator[Symbol]:
-    """Local scalars that something takes by reference: only a cell can be lent out."""
-    options = {parameter.name.lower(): parameter for parameter in symbol.parameters}
-    for node in walk(symbol.node):
-        if isinstance(node, tree.Data):
-            # A signal is read through a reference that names it.
-            declared = program.symbol_of[node]
-            if isinstance(declared, DataSymbol) and is_signal(declared.type):
-                yield declared
-        elif isinstance(node, tree.LateCall):
-            # Which parameters take references, only the run will show.
-            for argument in node.arguments:
-                if not isinstance(argument, tree.Conditional) and argument.value is not None:
-                    yield from _lendable(argument.value, program)
-        elif isinstance(node, tree.Call | tree.FunctionCall):
-            for name, given in match_arguments(node.arguments, _parameters(node, program)).items():
-                parameter = _by_name(_parameters(node, program), name)
-                if parameter is None or not _takes_reference(parameter):
-                    continue
-                if given.value is not None:
-                    yield from _lendable(given.value, program)
-                elif given.caller_option is not None:
-                    option = options.get(given.caller_option.key)
-                    if option is not None and _lives_in_variable(option):
-                        yield option
-
-
-def _parameters(
-    call: tree.Call | tree.FunctionCall, program: Program
-) -> tuple[ParameterSymbol, ...] | tuple[Parameter, ...]:
-    match program.symbol_of[call]:
-        case RoutineSymbol(parameters=parameters):
-            return parameters
-        case LibrarySymbol(routine=routine):
-            return routine.signature.parameters
-        case _:
-            return ()
-
-
-def _by_name(
-    parameters: tuple[ParameterSymbol, ...] | tuple[Parameter, ...], name: str
-) -> ParameterSymbol | Parameter | None:
-    return next((p for p in parameters if p.name.lower() == name), None)
-
-
-def _takes_reference(parameter: ParameterSymbol | Parameter) -> bool:
-    # REF parameters look at a name, not at what is behind it.
-    return by_reference(parameter.mode) and parameter.mode is not Mode.REF
-
-
-def _lendable(expression: tree.Expression, program: Program) -> Iterator[Symbol]:
-    path = bare(expression)
-    if isinstance(path, tree.Reference | tree.Index | tree.Component):
-        symbol = program.symbol_of[flat(path).reference]
-        if isinstance(symbol, UnknownSymbol):
-            return
-        if isinstance(symbol, DataSymbol) and symbol.scope is Scope.ROUTINE:
-            if symbol.storage is Storage.VAR and not isinstance(resolved(symbol.type), ArrayOf):
-                yield symbol
-        elif isinstance(symbol, ParameterSymbol) and _lives_in_variable(symbol):
-            yield symbol
-
-
-def _lives_in_variable(parameter: ParameterSymbol) -> bool:
-    """Whether the routine has a copy of its own, not a reference or a list."""
-    is_array = isinstance(resolved(parameter.type), ArrayOf)
-    return not (
-        by_reference(parameter.mode) or is_array or parameter.is_switch or is_signal(parameter.type)
-    )

@@ -23,9 +23,9 @@ from rapidsim.motion.sweep import sweep
 
 _ACCELERATION_EXCESS = 0.002
 _SPEED_EXCESS = 1e-3
-_WORTHWHILE = 2e-4
+_WORTHWHILE = 5e-5
 _IDLE = 1e-3
-_SMALLEST_PART = 0.1
+_SMALLEST_PART = 0.02
 _LARGEST_X = 1e12
 _CHUNK = 4096
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections import Counter
 from collections.abc import Sequence
 
@@ -82,10 +83,16 @@ def _full(finding: Finding, palette: Palette, width: int) -> str:
         lines += source_frame(related.span, label, palette, colour=palette.note, width=width)
         shown = related.span
     margin = f"{' ' * gutter} {palette.paint('=', palette.frame)}"
-    if diagnostic.violation.help:
-        lines.append(f"{margin} {palette.paint('help:', palette.help)} {diagnostic.violation.help}")
-    if diagnostic.fix:
-        lines.append(f"{margin} {palette.paint('fix:', palette.help)} {diagnostic.fix.title}")
+    cures = (
+        ("help:", diagnostic.violation.help),
+        ("fix:", diagnostic.fix and diagnostic.fix.title),
+    )
+    for label, cure in cures:
+        if cure:
+            first, *rest = textwrap.wrap(f"{label} {printable(cure)}", width - gutter - 3)
+            coloured = first.replace(label, palette.paint(label, palette.help), 1)
+            lines.append(f"{margin} {coloured}")
+            lines += [f"{' ' * (gutter + len(label) + 4)}{line}" for line in rest]
     if finding.repeats:
         lines.append(f"{margin} and {len(finding.repeats)} more like it, {_lines_of(finding)}")
     return "\n".join(lines)

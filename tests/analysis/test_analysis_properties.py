@@ -6,7 +6,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from rapidsim.analysis.checker import Checked, check
-from rapidsim.analysis.suggestions import RESERVED_WORDS, closest, is_slip
+from rapidsim.analysis.suggestions import closest, is_slip, reserved_words
 from rapidsim.analysis.walk import descendants
 from rapidsim.diagnostics import Severity, Source
 from rapidsim.syntax import tree
@@ -16,7 +16,7 @@ PROGRAMS = sorted((Path(__file__).parent / "programs").glob("*.mod"))
 TEXTS = [path.read_text(encoding="utf-8") for path in PROGRAMS]
 TOKENS = st.sampled_from(
     [
-        *RESERVED_WORDS,
+        *reserved_words(),
         *("a", "b", "p10", "num", "dnum", "robtarget", "MoveL", "Offs", "SetDO", "reg1", "v100"),
         *(":=", "=", "<>", "<", "+", "-", "*", "/", "(", ")", "{", "}", "[", "]", ",", ";", ":"),
         *("\\", "?", "|", "%", ".", "1", "0", "2.5", "1E400", '"text"', "<SMT>", "<EXP>", "\n"),

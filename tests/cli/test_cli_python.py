@@ -32,7 +32,7 @@ def test_simulate_and_record(tmp_path: Path) -> None:
 
 def test_robots_answer_in_radians_and_metres() -> None:
     robot = rapidsim.load_robot("irb120")
-    pose = robot.forward([0.0] * 6)
+    pose = robot.forward(np.zeros(6))
     assert pose.translation == pytest.approx([0.374, 0.0, 0.63], abs=1e-9)
 
 
