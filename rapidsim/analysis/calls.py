@@ -9,7 +9,7 @@ from rapidsim.analysis.arguments import check_argument
 from rapidsim.analysis.binding import bind
 from rapidsim.analysis.callees import callee_of
 from rapidsim.analysis.context import Context, TypeOf
-from rapidsim.analysis.names import find, routine_named
+from rapidsim.analysis.names import find, routine_named, take_for_unknown
 from rapidsim.analysis.parameters import Callee, Formal, Wanted
 from rapidsim.analysis.program import ParameterSymbol
 from rapidsim.language import types
@@ -54,7 +54,7 @@ def type_of_call(
 def check_unbound(arguments: Sequence[tree.Argument], context: Context, type_of: TypeOf) -> None:
     """Check the arguments of a call whose parameters are not known.
 
-    The call is skipped, so names that nothing declares are no mistake in its arguments.
+    The call is skipped, so names that nothing declares are no mistake in its arguments unless they are misspelt.
     """
     for argument in arguments:
         match argument:
@@ -62,8 +62,7 @@ def check_unbound(arguments: Sequence[tree.Argument], context: Context, type_of:
                 if isinstance(value, tree.Aggregate | tree.LiteralAggregate):
                     continue
                 if isinstance(value, tree.Reference) and find(value.name.key, context) is None:
-                    symbol = context.analysis.unknown_symbol(value.name.text)
-                    context.analysis.symbol_of[value] = symbol
+                    take_for_unknown(value, context)
                     continue
                 type_of(value, context, None)
             case tree.Conditional():

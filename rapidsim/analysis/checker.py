@@ -14,14 +14,14 @@ from types import MappingProxyType
 
 from rapidsim.analysis.context import Analysis, Context
 from rapidsim.analysis.declarations import declare_locals, declare_task
-from rapidsim.analysis.flow import check_flow, clauses
+from rapidsim.analysis.flow import check_flow
 from rapidsim.analysis.initial_values import check_circles, check_initial_value
 from rapidsim.analysis.lenient import check_lenient_marks
 from rapidsim.analysis.names import decide_undeclared
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Scope
 from rapidsim.analysis.statements import check_body
 from rapidsim.analysis.user_types import UserTypes
-from rapidsim.analysis.walk import descendants
+from rapidsim.analysis.walk import clauses, statements
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.syntax import tree
 
@@ -85,9 +85,9 @@ def _check_routine(
     context = declare_locals(routine, home, user_types)
     local_data = [
         (symbol, context)
-        for node in descendants(*(part for body in clauses(routine.node) for part in body))
-        if isinstance(symbol := context.analysis.symbol_of.get(node), DataSymbol)
-        and symbol.node is node
+        for node in statements(*clauses(routine.node))
+        if isinstance(node, tree.Data)
+        and isinstance(symbol := context.analysis.symbol_of.get(node), DataSymbol)
     ]
     for symbol, _ in local_data:
         check_initial_value(symbol, context)
@@ -124,12 +124,14 @@ def _program(
 
 def _unread_text(modules: Sequence[tree.Module]) -> str:
     """The folded text of every stretch that the parser gave up."""
-    return "\n".join(
-        module.span(node).text.lower()
+    unread = [
+        module.span(part).text.lower()
         for module in modules
-        for node in descendants(*module.items)
-        if isinstance(node, tree.Broken)
-    )
+        for item in module.items
+        for part in (statements(*clauses(item)) if isinstance(item, tree.RoutineNode) else (item,))
+        if isinstance(part, tree.Broken)
+    ]
+    return "\n".join(unread)
 
 
 def _in_order(

@@ -26,7 +26,7 @@ from rapidsim.analysis.program import (
 )
 from rapidsim.analysis.syntax_violations import UnfinishedDeclaration
 from rapidsim.analysis.user_types import TypeNode, UserTypes
-from rapidsim.analysis.walk import children, descendants
+from rapidsim.analysis.walk import children, clauses, statements
 from rapidsim.diagnostics import Related
 from rapidsim.language import types
 from rapidsim.language.annotations import Mode
@@ -108,14 +108,13 @@ def declare_locals(routine: RoutineSymbol, home: Context, user_types: UserTypes)
         if first is not parameter:
             _report_duplicate(parameter.node.name, first, context)
     node = routine.node
-    clauses = (node.backward or (), node.error.body if node.error else (), node.undo or ())
-    for part in descendants(*node.body, *(part for clause in clauses for part in clause)):
+    for part in statements(*clauses(node)):
         if isinstance(part, tree.Data):
             symbol = declare_data(part, context, user_types, local=True)
             first_symbol = names.setdefault(part.name.key, symbol)
             if first_symbol is not symbol:
                 _report_duplicate(part.name, first_symbol, context)
-    for part in descendants(*node.body):
+    for part in statements(*clauses(node)):
         if isinstance(part, tree.Label) and part.name.key in names:
             _report_duplicate(part.name, names[part.name.key], context)
     return context

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from rapidsim.analysis.context import Context
 from rapidsim.analysis.flow_violations import (
@@ -14,7 +14,7 @@ from rapidsim.analysis.flow_violations import (
 from rapidsim.analysis.name_violations import DuplicateName
 from rapidsim.analysis.suggestions import closest
 from rapidsim.analysis.syntax_violations import LateDataDeclaration
-from rapidsim.analysis.walk import descendants
+from rapidsim.analysis.walk import blocks, clauses, statements
 from rapidsim.diagnostics import Related
 from rapidsim.syntax import tree
 
@@ -30,38 +30,6 @@ def check_flow(routine: tree.Routine, context: Context) -> None:
     _check_labels(routine, context)
 
 
-def clauses(routine: tree.Routine) -> Iterator[tree.Body]:
-    """The body of a routine and those of its clauses."""
-    yield routine.body
-    if routine.backward is not None:
-        yield routine.backward
-    if routine.error is not None:
-        yield routine.error.body
-    if routine.undo is not None:
-        yield routine.undo
-
-
-def blocks(statement: tree.Statement) -> Iterator[tree.Body]:
-    """The statement lists directly inside a statement."""
-    match statement:
-        case tree.If(branches=branches, otherwise=otherwise):
-            for branch in branches:
-                yield branch.body
-            if otherwise is not None:
-                yield otherwise
-        case tree.CompactIf(statement=inner):
-            yield (inner,)
-        case tree.For(body=body) | tree.While(body=body):
-            yield body
-        case tree.Test(cases=cases, default=default):
-            for case in cases:
-                yield case.body
-            if default is not None:
-                yield default
-        case _:
-            pass
-
-
 def _check_declarations(routine: tree.Routine, context: Context) -> None:
     """Declarations stand before the first statement of the routine's body."""
     in_front = True
@@ -75,16 +43,15 @@ def _check_declarations(routine: tree.Routine, context: Context) -> None:
             in_front = in_front and isinstance(statement, tree.Broken)
     nested = [part for statement in routine.body for part in blocks(statement)]
     handlers = [body for body in clauses(routine) if body is not routine.body]
-    for body in (*nested, *handlers):
-        for node in descendants(*body):
-            if isinstance(node, tree.Data):
-                context.report(LateDataDeclaration(node.name.text, "inside a block"), node)
+    for node in statements(*nested, *handlers):
+        if isinstance(node, tree.Data):
+            context.report(LateDataDeclaration(node.name.text, "inside a block"), node)
 
 
 def _check_answers(routine: tree.Routine, context: Context) -> None:
     """RETRY, TRYNEXT and RAISE alone answer an error; only an ERROR clause has one."""
     outside = [body for body in clauses(routine) if not _is_handler(body, routine)]
-    for node in descendants(*(statement for body in outside for statement in body)):
+    for node in statements(*outside):
         match node:
             case tree.Retry():
                 context.report(RaiseRetryPlacement("RETRY"), node)
@@ -101,8 +68,7 @@ def _is_handler(body: tree.Body, routine: tree.Routine) -> bool:
 
 
 def _check_returns(routine: tree.Routine, context: Context) -> None:
-    every = (statement for body in clauses(routine) for statement in body)
-    for node in descendants(*every):
+    for node in statements(*clauses(routine)):
         match node, routine:
             case tree.Return(value=None), tree.Func(name=name, type=of):
                 problem = f"RETURN gives no value, and `{name.text}` is a function"
@@ -152,7 +118,7 @@ def _passes(statement: tree.Statement) -> bool:
             )
         case tree.While(condition=tree.Bool(value=True), body=body):
             # RAPID has no statement that leaves a loop but a jump.
-            return any(isinstance(node, tree.Goto) for node in descendants(*body))
+            return any(isinstance(node, tree.Goto) for node in statements(body))
         case _:
             return True
 
@@ -160,16 +126,12 @@ def _passes(statement: tree.Statement) -> bool:
 def _check_labels(routine: tree.Routine, context: Context) -> None:
     """A jump may leave blocks and never enter one."""
     seen: dict[str, tree.Label] = {}
-    for body in clauses(routine):
-        for node in descendants(*body):
-            if isinstance(node, tree.Label):
-                first = seen.setdefault(node.name.key, node)
-                if first is not node:
-                    context.report(
-                        DuplicateName(node.name.text, " as a label"),
-                        node.name,
-                        Related(context.module.span(first.name), "the first one is here"),
-                    )
+    for node in statements(*clauses(routine)):
+        if isinstance(node, tree.Label):
+            first = seen.setdefault(node.name.key, node)
+            if first is not node:
+                place = Related(context.module.span(first.name), "the first one is here")
+                context.report(DuplicateName(node.name.text, " as a label"), node.name, place)
     for body in clauses(routine):
         _check_jumps(body, (), seen, context)
 

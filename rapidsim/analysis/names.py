@@ -105,6 +105,15 @@ def take_for_signal(reference: tree.Reference, of: Type, context: Context) -> No
     analysis.type_of[reference] = of
 
 
+def take_for_unknown(reference: tree.Reference, context: Context) -> None:
+    """Let an undeclared name stand in the arguments of a call that is skipped anyway."""
+    name = reference.name
+    if slip_of(name.text, _known_names(context)):
+        report_undefined(name, context)
+    else:
+        context.analysis.symbol_of[reference] = context.analysis.unknown_symbol(name.text)
+
+
 def decide_undeclared(analysis: Analysis) -> None:
     """Take undeclared names for signals if they are used or named like one, report the others.
 

@@ -8,13 +8,13 @@ with their neighbour.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 
 from rapidsim.syntax.spelling import distance
 from rapidsim.syntax.stored_table import rapid_table
 
 
-def reserved_words() -> Iterable[str]:
+def reserved_words() -> Collection[str]:
     """Words of the language, which are never names."""
     return rapid_table().words
 

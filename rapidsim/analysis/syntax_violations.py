@@ -291,7 +291,7 @@ class SignInside(Violation):
     code: ClassVar[str] = "E146"
     name: ClassVar[str] = "sign-inside"
     template: ClassVar[str] = "{operator} stands after another operator without parentheses"
-    severity: ClassVar[Severity] = Severity.WARNING
+    severity: ClassVar[Severity] = Severity.NOTE
 
     operator: str
 

@@ -16,7 +16,7 @@ from rapidsim.analysis.installed import installed_type, installed_type_names
 from rapidsim.analysis.name_violations import DuplicateName, UndefinedName, UnknownType
 from rapidsim.analysis.program import TypeSymbol
 from rapidsim.analysis.suggestions import slip_of
-from rapidsim.analysis.walk import descendants
+from rapidsim.analysis.walk import data_of
 from rapidsim.diagnostics import Related
 from rapidsim.language import types
 from rapidsim.language.types import Alias, ArrayOf, Atomic, Component, Kind, Record, Type
@@ -132,11 +132,10 @@ def _first_values(homes: Sequence[Context]) -> dict[str, tuple[tree.LiteralValue
     """By type name, the first initial value that data of it have, and their dimensions."""
     found: dict[str, tuple[tree.LiteralValue | None, int]] = {}
     for context in homes:
-        for node in descendants(*context.module.items):
-            if isinstance(node, tree.Data) and node.value is not None:
-                value = literal_value(node.value)
-                if value is not None:
-                    found.setdefault(node.type.key, (value, len(node.dimensions)))
+        for node in data_of(context.module):
+            value = None if node.value is None else literal_value(node.value)
+            if value is not None:
+                found.setdefault(node.type.key, (value, len(node.dimensions)))
     return found
 
 

@@ -1,4 +1,4 @@
-"""Every node of a tree, whatever its kind, for passes that look for a few kinds only."""
+"""Ways through a tree for passes that look for a few kinds of nodes only."""
 
 from __future__ import annotations
 
@@ -16,6 +16,63 @@ _WITHOUT_NODES = frozenset(
         *("tuple[int, ...]", "tuple[tuple[float, ...], ...]"),
     }
 )
+
+
+_WITH_BLOCKS = (tree.If, tree.CompactIf, tree.For, tree.While, tree.Test)
+
+
+def clauses(routine: tree.RoutineNode) -> Iterator[tree.Body]:
+    """The body of a routine and those of its clauses."""
+    yield routine.body
+    if routine.backward is not None:
+        yield routine.backward
+    if routine.error is not None:
+        yield routine.error.body
+    if routine.undo is not None:
+        yield routine.undo
+
+
+def blocks(statement: tree.Statement) -> Iterator[tree.Body]:
+    """The statement lists directly inside a statement."""
+    match statement:
+        case tree.If(branches=branches, otherwise=otherwise):
+            for branch in branches:
+                yield branch.body
+            if otherwise is not None:
+                yield otherwise
+        case tree.CompactIf(statement=inner):
+            yield (inner,)
+        case tree.For(body=body) | tree.While(body=body):
+            yield body
+        case tree.Test(cases=cases, default=default):
+            for case in cases:
+                yield case.body
+            if default is not None:
+                yield default
+        case _:
+            pass
+
+
+def statements(*bodies: tree.Body) -> Iterator[tree.Statement]:
+    """The statements of some lists and of the blocks in them, in the order of the text."""
+    stack = [statement for body in reversed(bodies) for statement in reversed(body)]
+    while stack:
+        statement = stack.pop()
+        yield statement
+        if isinstance(statement, _WITH_BLOCKS):
+            inner = [part for block in blocks(statement) for part in block]
+            stack += reversed(inner)
+
+
+def data_of(module: tree.Module) -> Iterator[tree.Data]:
+    """Every data declaration of a module, those of its routines included."""
+    for item in module.items:
+        if isinstance(item, tree.Data):
+            yield item
+        elif isinstance(item, tree.RoutineNode):
+            for statement in statements(*clauses(item)):
+                if isinstance(statement, tree.Data):
+                    yield statement
 
 
 def descendants(*roots: tree.Node) -> Iterator[tree.Node]:

@@ -17,6 +17,7 @@ from rapidsim.report.palette import COLOURED, PLAIN, Palette
 if TYPE_CHECKING:
     from rich.console import Console
 
+_LEAST_COLUMNS = 40
 _MOST_COLUMNS = 120
 _PIPED_COLUMNS = 80
 
@@ -50,7 +51,8 @@ class Terminal:
     def width(self) -> int:
         """Columns to fill: the terminal's, but not more than a person likes to read across."""
         fallback = (_PIPED_COLUMNS, 24)
-        return min(shutil.get_terminal_size(fallback).columns, _MOST_COLUMNS)
+        columns = shutil.get_terminal_size(fallback).columns
+        return max(_LEAST_COLUMNS, min(columns, _MOST_COLUMNS))
 
     def console(self) -> Console:
         """A rich console on standard output with the same colours and width."""

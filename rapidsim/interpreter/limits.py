@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -13,6 +16,22 @@ MAX_EXPRESSION = 200
 """Depth of an expression."""
 MAX_BRANCHES = 1000
 """ELSEIF or CASE branches of one statement, which nest in Python."""
+RUNNING_DEPTH = 10_000
+"""Python's recursion limit while a program runs; calls of RAPID routines use no C stack."""
+TRANSLATING_DEPTH = 10_000
+"""And while it is translated: the parser bounds how deep programs nest, at several calls a level.
+Never for `compile`, whose recursion does use the C stack."""
+
+
+@contextmanager
+def recursion_limit(limit: int) -> Iterator[None]:
+    """Allow Python calls to nest at least so deep, for a while."""
+    before = sys.getrecursionlimit()
+    sys.setrecursionlimit(max(before, limit))
+    try:
+        yield
+    finally:
+        sys.setrecursionlimit(before)
 
 
 @dataclass(frozen=True)

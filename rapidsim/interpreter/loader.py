@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import gc
 import linecache
-import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -20,6 +19,7 @@ from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Scope,
 from rapidsim.diagnostics import Source
 from rapidsim.interpreter.constants import Constants
 from rapidsim.interpreter.late_binding import LateBinding, UserRoutine
+from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
 from rapidsim.interpreter.memory import ChangedPersistent, Memory, module_data
 from rapidsim.interpreter.names import Fixed
 from rapidsim.interpreter.recovery import GENERATED, Recovery, Unrecoverable, as_rapid_error
@@ -33,9 +33,6 @@ from rapidsim.language.errors import RapidError
 from rapidsim.library.predefined import DATA
 
 __all__ = ["FatalError", "Frame", "Task", "load"]
-
-RECURSION_LIMIT = 10_000
-"""Python's own limit while a program runs; calls of RAPID routines use no C stack."""
 
 ERR_STACK_OVERFLOW = 40222.0
 """Not catchable, so the number is the controller's event, which no program compares with."""
@@ -65,7 +62,7 @@ class Task:
         symbol = self.program.routines.get(entry.lower())
         if symbol is None or any(not parameter.optional for parameter in symbol.parameters):
             raise LookupError(f"there is no procedure {entry} without parameters")
-        with _fatal_errors(), _recursion_limit(RECURSION_LIMIT):
+        with _fatal_errors(), recursion_limit(RUNNING_DEPTH):
             self._functions[symbol](*_absent(symbol))
 
     def value(self, name: str, module: str | None = None) -> Value:
@@ -215,7 +212,7 @@ def _fatal_errors() -> Iterator[None]:
 
 
 def _stack_overflow(stack: tuple[Frame, ...]) -> RapidError:
-    innermost = f" in {stack[0].routine}" if stack else ""
+    innermost = f" in {stack[-1].routine}" if stack else ""
     return RapidError(
         ERR_STACK_OVERFLOW,
         f"the stack overflowed{innermost}: routines call each other more than {len(stack)} deep",
@@ -233,13 +230,3 @@ def _no_collection() -> Iterator[None]:
     finally:
         if was_enabled:
             gc.enable()
-
-
-@contextmanager
-def _recursion_limit(limit: int) -> Iterator[None]:
-    before = sys.getrecursionlimit()
-    sys.setrecursionlimit(max(before, limit))
-    try:
-        yield
-    finally:
-        sys.setrecursionlimit(before)

@@ -60,7 +60,7 @@ class FatalError(Exception):
 
         Args:
             error: What went wrong.
-            stack: The routines that were running, the innermost first.
+            stack: The routines that were running, the outermost first.
         """
         super().__init__(error.message)
         self.error = error
@@ -68,7 +68,7 @@ class FatalError(Exception):
 
 
 def rapid_stack(exception: BaseException) -> tuple[Frame, ...]:
-    """The RAPID routines in a traceback, the innermost first.
+    """The RAPID routines in a traceback, the outermost first.
 
     An error in an ERROR clause or a trap happened below the statement that led there; its own
     traceback continues the outer one.
@@ -83,7 +83,7 @@ def rapid_stack(exception: BaseException) -> tuple[Frame, ...]:
         for entry, following in zip(entries, [*entries[1:], None], strict=True)
         if following is None or following.tb_frame is not entry.tb_frame
     ]
-    return tuple(_frame(entry) for entry in reversed(last_of_frame))
+    return tuple(_frame(entry) for entry in last_of_frame)
 
 
 def _entries(traceback: TracebackType | None) -> Iterator[TracebackType]:

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Storage
 from rapidsim.interpreter.constants import Constants
 from rapidsim.interpreter.expressions import Expressions
+from rapidsim.interpreter.limits import TRANSLATING_DEPTH, recursion_limit
 from rapidsim.interpreter.memory import initial_literal
 from rapidsim.interpreter.names import Binding, LocalNames, ModuleNames
 from rapidsim.interpreter.positions import Positions
@@ -52,10 +53,9 @@ def translate(program: Program) -> Translation:
         RapidError: If the expression of a constant fails.
     """
     constants = Constants(program)
-    return Translation(
-        tuple(_translate_module(module, program, constants) for module in program.modules),
-        constants,
-    )
+    with recursion_limit(TRANSLATING_DEPTH):
+        modules = [_translate_module(module, program, constants) for module in program.modules]
+    return Translation(tuple(modules), constants)
 
 
 def show_python(program: Program) -> str:

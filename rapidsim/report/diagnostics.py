@@ -89,10 +89,15 @@ def _full(finding: Finding, palette: Palette, width: int) -> str:
     )
     for label, cure in cures:
         if cure:
-            first, *rest = textwrap.wrap(f"{label} {printable(cure)}", width - gutter - 3)
+            first, *rest = textwrap.wrap(
+                f"{label} {printable(cure)}",
+                width - gutter - 3,
+                subsequent_indent=" " * (len(label) + 1),
+                break_on_hyphens=False,
+            )
             coloured = first.replace(label, palette.paint(label, palette.help), 1)
             lines.append(f"{margin} {coloured}")
-            lines += [f"{' ' * (gutter + len(label) + 4)}{line}" for line in rest]
+            lines += [f"{' ' * (gutter + 3)}{line}" for line in rest]
     if finding.repeats:
         lines.append(f"{margin} and {len(finding.repeats)} more like it, {_lines_of(finding)}")
     return "\n".join(lines)

@@ -39,7 +39,7 @@ def parse(source: Source) -> Parsed:
     modules = build_tree(tokens, builder)
     if modules is None:
         tokens, found = repaired(tokens, source)
-        diagnostics += found
+        diagnostics += _not_behind_lost_quotes(found, tokens, source)
         builder, modules = _built(tokens, source)
     if builder.cut_calls:
         tokens, found = cut_calls_ended(tokens, source, builder.cut_calls)
@@ -63,6 +63,22 @@ def _built(tokens: Tokens, source: Source) -> tuple[Builder, tuple[tree.Module, 
     modules = build_tree(tokens, builder)
     assert modules is not None, "repair leaves tokens that the grammar describes"
     return builder, modules
+
+
+def _not_behind_lost_quotes(
+    diagnostics: tuple[Diagnostic, ...], tokens: Tokens, source: Source
+) -> tuple[Diagnostic, ...]:
+    """Without those on the same line as an unterminated string and behind its beginning.
+
+    Where the string was meant to end is a guess, so what seems wrong there follows from the guess.
+    """
+    lost = {source.position(start)[0]: start for start in reversed(tokens.unterminated)}
+    return tuple(
+        diagnostic
+        for diagnostic in diagnostics
+        if diagnostic.span is None
+        or diagnostic.span.start < lost.get(diagnostic.span.line, len(source.text) + 1)
+    )
 
 
 def _unterminated(tokens: Tokens, source: Source) -> tuple[Diagnostic, ...]:

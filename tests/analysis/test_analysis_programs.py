@@ -16,7 +16,7 @@ from rapidsim.syntax.parser import parse
 
 FOLDER = Path(__file__).parent / "programs"
 TASKS = sorted(path for path in FOLDER.iterdir() if path.suffix == ".mod" or path.is_dir())
-EXPECTED = re.compile(r"!.*?\b(error|warning|note): ([A-Z]\d+(?:, [A-Z]\d+)*)")
+EXPECTED = re.compile(r"! (error|warning|note): ([A-Z]\d+(?:, [A-Z]\d+)*)")
 
 Finding = tuple[str, int, str, str]
 """File, line, severity, code."""

@@ -63,3 +63,9 @@ def test_standard_input_is_a_module() -> None:
     )
     assert ended.code == 1
     assert all(line.startswith("<stdin>:") for line in ended.out.splitlines()[:-1])
+
+
+@pytest.mark.parametrize("columns", [1, 20, 1000])
+def test_any_width_will_do(columns: int) -> None:
+    for command in (("check", "wrong.mod"), ("frames", "cell.mod"), ("robots",)):
+        assert rapidsim(*command, columns=columns).code in (0, 1)

@@ -85,7 +85,7 @@ def test_an_array_sized_by_the_caller_checks_its_indices() -> None:
     ran = run(main("p a, 4;", "VAR num a{3};", more))
     assert ran.fatal is not None
     assert "index 4 is outside the array, which has 1 to 3" in ran.fatal.error.message
-    assert [frame.routine for frame in ran.fatal.stack] == ["p", "main"]
+    assert [frame.routine for frame in ran.fatal.stack] == ["main", "p"]
 
 
 OPTIONS = r"""

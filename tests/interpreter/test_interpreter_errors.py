@@ -139,22 +139,22 @@ def test_nobody_catches() -> None:
     assert ran.fatal.error.errno == ERR_DIVZERO
     assert ran.fatal.error.cf == "ABB 40194"
     frames = [(frame.routine, frame.line) for frame in ran.fatal.stack]
-    assert frames == [("p", 8), ("p", 11), ("p", 11), ("main", 4)]
-    assert ran.fatal.stack[-1].span.text == "p 2"
+    assert frames == [("main", 4), ("p", 11), ("p", 11), ("p", 8)]
+    assert ran.fatal.stack[0].span.text == "p 2"
 
 
 def test_an_error_passed_on_shows_where_it_happened() -> None:
     more = "PROC p()\n x := 1 / d;\nERROR\n RAISE;\nENDPROC"
     ran = run(main("p;", DATA, more))
     assert ran.fatal is not None
-    assert [(f.routine, f.line) for f in ran.fatal.stack] == [("p", 7), ("main", 4)]
-    assert ran.fatal.stack[0].span.text == "1 / d"
+    assert [(f.routine, f.line) for f in ran.fatal.stack] == [("main", 4), ("p", 7)]
+    assert ran.fatal.stack[-1].span.text == "1 / d"
 
 
 def test_columns_are_found_behind_letters_of_several_bytes() -> None:
     ran = run(main('name := "äöü" + ValToStr(1 / d);', DATA))
     assert ran.fatal is not None
-    assert ran.fatal.stack[0].span.text == "1 / d"
+    assert ran.fatal.stack[-1].span.text == "1 / d"
 
 
 def test_an_error_in_a_clause_is_final() -> None:
@@ -162,7 +162,7 @@ def test_an_error_in_a_clause_is_final() -> None:
     ran = run(main('p;\nERROR\nTPWrite "no"; TRYNEXT;', DATA, more))
     assert ran.texts == []
     assert ran.fatal is not None
-    assert [(f.routine, f.line) for f in ran.fatal.stack] == [("p", 11), ("p", 9), ("main", 4)]
+    assert [(f.routine, f.line) for f in ran.fatal.stack] == [("main", 4), ("p", 9), ("p", 11)]
 
 
 def test_an_error_handled_inside_a_clause_is_not_final() -> None:

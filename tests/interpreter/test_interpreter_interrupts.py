@@ -45,7 +45,7 @@ def test_an_error_in_a_trap_is_final() -> None:
     ran = run(text, controller=controller)
     assert ran.texts == []
     assert ran.fatal is not None
-    assert [(f.routine, f.line) for f in ran.fatal.stack] == [("count", 9), ("main", 4)]
+    assert [(f.routine, f.line) for f in ran.fatal.stack] == [("main", 4), ("count", 9)]
 
 
 def test_a_trap_may_return() -> None:

@@ -178,3 +178,16 @@ def test_many_branches() -> None:
 def test_code_is_the_same_each_time() -> None:
     text = main(SHAPES["protected"][0], DATA)
     assert show_python(checked(text)) == show_python(checked(text))
+
+
+@pytest.mark.parametrize(
+    "statement",
+    [
+        "x := " + "(" * 150 + "1" + ")" * 150 + ";",
+        "x := " + " + ".join("x" * 150) + ";",
+        "x := " + "-(" * 70 + "x" + ")" * 70 + ";",
+        "x := 1 / x; " + "IF x = 1 / x THEN " * 150 + "x := 2; " + "ENDIF " * 150,
+    ],
+)
+def test_deep_nesting_that_the_parser_allows(statement: str) -> None:
+    assert run(main(f"x := 1;\n{statement}\nERROR RETURN;", "VAR num x;")).fatal is None

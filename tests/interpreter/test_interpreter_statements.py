@@ -198,3 +198,9 @@ def test_conditions_are_evaluated_again_while_waiting() -> None:
 
 def test_programs_are_checked_before() -> None:
     assert checked(main("")).routines.keys() == {"main"}
+
+
+def test_an_unknown_function_is_reported_and_has_no_value() -> None:
+    ran = run(main('n := AcmeForce(3); TPWrite "n" \\Num:=n;', DATA))
+    assert ran.texts == ["n0"]
+    assert ran.controller.skipped == [("AcmeForce", "skipped")]

@@ -53,7 +53,7 @@ def test_a_joint_move_takes_a_trapezoid(way: float) -> None:
     program = Programmer(speed=RAPID).move((way, 0.1 * way, 0, 0, 0, 0))
     timing = plan(path_of(program), LIMITS)
     expected = trapezoid(way, LIMITS.max_speed[0], LIMITS.max_acceleration[0])
-    assert timing.duration == pytest.approx(expected, rel=1e-6)
+    assert timing.duration == pytest.approx(expected, rel=1e-4)
 
 
 def test_a_long_line_takes_its_length_by_its_speed_and_two_ramps() -> None:
@@ -221,10 +221,10 @@ def test_a_start_on_the_way_goes_on_as_planned(
     time = whole.time_at(cut)
     rest = plan(path, LIMITS, start=cut, start_speed=whole.speed_at(time))
     assert rest.s[0] == cut
-    assert rest.duration == pytest.approx(whole.duration - time, rel=2e-4, abs=2e-4)
+    assert rest.duration == pytest.approx(whole.duration - time, rel=2e-3, abs=5e-4)
     assert rest.start_excess <= 0.01 * whole.speed.max()
     s = np.linspace(cut, path.length, 50)
-    assert rest.time_at(s) + time == pytest.approx(whole.time_at(s), abs=1e-3)
+    assert rest.time_at(s) + time == pytest.approx(whole.time_at(s), rel=2e-3, abs=1e-3)
 
 
 def test_a_start_too_fast_to_brake_says_so() -> None:

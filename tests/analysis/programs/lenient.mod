@@ -24,8 +24,8 @@ MODULE lenient
       n:=1;
     ENDTEST
     n:=%"two"%();                       ! error: E145
-    n:=n*-2;                            ! warning: E146
-    IF n=1 AND NOT m=2 n:=1;            ! warning: E146
+    n:=n*-2;                            ! note: E146
+    IF n=1 AND NOT m=2 n:=1;            ! note: E146
     <SMT>                               ! warning: E148
     n:=<EXP>;                           ! warning: E148
   ENDPROC

@@ -41,6 +41,7 @@ MODULE names
     hleper2;                            ! warning: N209
     count:=AddOnFunction(1);            ! warning: N209
     ArcLike pPick,weld9,\Fast,fine;     ! warning: N209
+    ArcLike pPcik,weld9;                ! warning: N209 ! error: N201
     LOCAL VAR num late;                 ! error: N213, E104
   ENDPROC
 
