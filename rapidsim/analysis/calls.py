@@ -54,7 +54,8 @@ def type_of_call(
 def check_unbound(arguments: Sequence[tree.Argument], context: Context, type_of: TypeOf) -> None:
     """Check the arguments of a call whose parameters are not known.
 
-    The call is skipped, so names that nothing declares are no mistake in its arguments unless they are misspelt.
+    The call is skipped, so a name that nothing declares is no mistake in its arguments unless it is
+    a slip for one that is known.
     """
     for argument in arguments:
         match argument:

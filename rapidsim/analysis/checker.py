@@ -19,7 +19,7 @@ from rapidsim.analysis.initial_values import check_circles, check_initial_value
 from rapidsim.analysis.lenient import check_lenient_marks
 from rapidsim.analysis.names import decide_undeclared
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Scope
-from rapidsim.analysis.statements import check_body
+from rapidsim.analysis.statements import check_routine_body
 from rapidsim.analysis.user_types import UserTypes
 from rapidsim.analysis.walk import clauses, statements
 from rapidsim.diagnostics import Diagnostic, Severity
@@ -91,8 +91,7 @@ def _check_routine(
     ]
     for symbol, _ in local_data:
         check_initial_value(symbol, context)
-    for body in clauses(routine.node):
-        check_body(body, context)
+    check_routine_body(routine.node, context)
     check_flow(routine.node, context)
     return local_data
 

@@ -18,14 +18,19 @@ from rapidsim.analysis.program import DataSymbol, Storage, Symbol
 from rapidsim.analysis.user_types import literal_value
 from rapidsim.analysis.walk import descendants
 from rapidsim.language import types
-from rapidsim.language.types import Kind, resolved
+from rapidsim.language.types import ArrayOf, Kind, resolved
 from rapidsim.syntax import tree
 
 
 def check_initial_value(symbol: DataSymbol, context: Context) -> None:
-    """Check the initial value of one declaration."""
+    """Check the initial value of one declaration, and what its sizes are made of."""
     node = symbol.node
     assert node is not None
+    if isinstance(symbol.type, ArrayOf):
+        wanted_size = Wanted(types.NUM, f"the size of `{symbol.name}`")
+        for dimension, size in zip(node.dimensions, symbol.type.dimensions, strict=True):
+            if size is not None:
+                require(dimension, wanted_size, context, type_of_expression)
     if node.value is None:
         if symbol.storage is Storage.CONST and not node.equals_sign:
             context.report(MissingInitialValue(symbol.name), node.name)

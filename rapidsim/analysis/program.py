@@ -133,8 +133,12 @@ class Program:
 
     modules: tuple[tree.Module, ...]
     symbol_of: Mapping[tree.Node, Symbol]
-    """For each `Reference`, `FunctionCall`, `Call`, `Connect` (its trap) and each declaration."""
+    """For each `Reference`, `FunctionCall`, `Call`, `Connect` (its trap), `Conditional` (the
+    parameter passed on) and each declaration; a `For` declares its counter."""
     type_of: Mapping[tree.Node, Type]
-    """For each expression, with aggregates typed by their context."""
+    """For each expression, with aggregates typed by their context.
+
+    What is not known has the type its place wants: calls of unknown functions, placeholders. Names
+    in the arguments of a call to an unknown routine may have none."""
     routines: Mapping[str, RoutineSymbol]
     """Global routines by folded name, for late binding and the entry."""

@@ -19,6 +19,7 @@ from rapidsim.analysis.program import (
     RoutineSymbol,
     Storage,
 )
+from rapidsim.analysis.walk import clauses
 from rapidsim.language import types
 from rapidsim.language.types import Kind, resolved
 from rapidsim.library.predefined import TYPES
@@ -26,6 +27,16 @@ from rapidsim.syntax import tree
 
 _STRING = Wanted(types.STRING, "a call by name")
 _ERROR_NUMBER = Wanted(types.NUM, "RAISE")
+_HANDLED_NUMBER = Wanted(types.NUM, "the list of ERROR")
+
+
+def check_routine_body(routine: tree.Routine, context: Context) -> None:
+    """Check the body of a routine and its clauses."""
+    for body in clauses(routine):
+        check_body(body, context)
+    numbers = None if routine.error is None else routine.error.numbers
+    for number in numbers or ():
+        require(number, _HANDLED_NUMBER, context, type_of_expression)
 
 
 def check_body(body: tree.Body, context: Context) -> None:

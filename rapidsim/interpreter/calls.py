@@ -10,7 +10,6 @@ from __future__ import annotations
 import ast
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from rapidsim.analysis.program import (
     LibrarySymbol,
@@ -21,7 +20,8 @@ from rapidsim.analysis.program import (
 from rapidsim.interpreter.code import Code
 from rapidsim.interpreter.late_binding import LateArgument
 from rapidsim.interpreter.limits import NotExecutableError
-from rapidsim.interpreter.paths import bare, by_reference
+from rapidsim.interpreter.operands import Operands
+from rapidsim.interpreter.paths import Paths, bare, by_reference
 from rapidsim.interpreter.positions import At
 from rapidsim.interpreter.special_forms import SPECIAL_FORMS
 from rapidsim.interpreter.values import is_signal
@@ -31,9 +31,6 @@ from rapidsim.language.initial import initial_value
 from rapidsim.language.types import NUM, ArrayOf, Type, resolved
 from rapidsim.library.table import LibraryRoutine, Parameter, Signature
 from rapidsim.syntax import tree
-
-if TYPE_CHECKING:
-    from rapidsim.interpreter.expressions import Expressions
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,9 +63,10 @@ def match_arguments(
 class Calls:
     """Translates the calls of one routine."""
 
-    def __init__(self, expressions: Expressions) -> None:
+    def __init__(self, expressions: Operands, paths: Paths) -> None:
         """Translate with the names and the place that expressions have."""
         self._expressions = expressions
+        self._paths = paths
         self._names = expressions.names
         self._program = expressions.program
 
@@ -81,7 +79,7 @@ class Calls:
             case LibrarySymbol(routine=routine):
                 form = SPECIAL_FORMS.get(routine.name.lower())
                 if form is not None:
-                    return form(self._expressions, call, at)
+                    return form(self._expressions, self._paths, call, at)
                 return self._library_function(routine, call, at)
             case UnknownSymbol(name=name):
                 value = self._names.module.constant(self._initial_value(call))
@@ -146,7 +144,7 @@ class Calls:
         is_path = isinstance(value, tree.Reference | tree.Index | tree.Component)
         if is_path and (by_reference(parameter.mode) or is_signal(parameter.type)):
             assert isinstance(value, tree.Reference | tree.Index | tree.Component)
-            return self._expressions.paths.reference(value).node
+            return self._paths.reference(value).node
         return self._expressions.copy(given.value).node
 
     def _forwarded(self, option: tree.Name, mode: Mode, at: At) -> ast.expr:
@@ -276,7 +274,7 @@ class Calls:
         if isinstance(value, tree.Reference | tree.Index | tree.Component) and (
             by_reference(parameter.mode) or any(is_signal(of) for of in parameter.types)
         ):
-            return self._expressions.paths.reference(value)
+            return self._paths.reference(value)
         code = self._expressions.value(given.value)
         if by_reference(parameter.mode):
             return Code(at.call("_Cell", [code.node]), code.owed, code.may_raise, code.calls)
@@ -305,7 +303,7 @@ class Calls:
                 of = self._expressions.type_of(value)
                 if isinstance(inner, tree.Reference | tree.Index | tree.Component):
                     refers = not isinstance(resolved(of), ArrayOf)
-                    node = self._expressions.paths.reference(inner).node
+                    node = self._paths.reference(inner).node
                     return LateArgument(key, refers, of), node
                 return LateArgument(key, False, of), self._expressions.copy(value).node
 

@@ -71,7 +71,7 @@ class Expressions:
     def __post_init__(self) -> None:
         """Join the parts that translate each other's operands."""
         self.paths = Paths(self)
-        self.calls = Calls(self)
+        self.calls = Calls(self, self.paths)
 
     def at(self, node: tree.Node) -> At:
         """The place of a part of the statement."""
@@ -94,7 +94,7 @@ class Expressions:
     def copy(self, expression: tree.Expression) -> Code:
         """As `value`, but of arrays a list that nobody else has."""
         code = self.value(expression)
-        # Aggregates with computed elements and calls give a new list by themselves.
+        # A literal aggregate is a constant of the namespace; functions give a list of their own.
         shared = isinstance(
             bare(expression),
             tree.Reference | tree.Index | tree.LiteralAggregate | tree.Aggregate,

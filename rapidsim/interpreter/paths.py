@@ -10,7 +10,6 @@ from __future__ import annotations
 import ast
 from dataclasses import dataclass
 from enum import Enum
-from typing import TYPE_CHECKING
 
 from rapidsim.analysis.program import (
     CounterSymbol,
@@ -22,14 +21,12 @@ from rapidsim.analysis.program import (
 )
 from rapidsim.interpreter.code import Code, Interval, finished
 from rapidsim.interpreter.limits import NotExecutableError
+from rapidsim.interpreter.operands import Operands
 from rapidsim.interpreter.positions import At
 from rapidsim.interpreter.values import element_type, is_signal
 from rapidsim.language.annotations import Mode
 from rapidsim.language.types import NUM, SIGNAL_DI, ArrayOf, Record, Type, resolved
 from rapidsim.syntax import tree
-
-if TYPE_CHECKING:
-    from rapidsim.interpreter.expressions import Expressions
 
 
 class Home(Enum):
@@ -99,7 +96,7 @@ def by_reference(mode: Mode) -> bool:
 class Paths:
     """Translates the paths of one statement after the other."""
 
-    def __init__(self, expressions: Expressions) -> None:
+    def __init__(self, expressions: Operands) -> None:
         """Translate with the names and the place that expressions have."""
         self._expressions = expressions
         self._names = expressions.names

@@ -11,24 +11,21 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
-from typing import TYPE_CHECKING
 
 from rapidsim.analysis.program import DataSymbol, ParameterSymbol, Storage
 from rapidsim.interpreter.code import Code
 from rapidsim.interpreter.limits import NotExecutableError
-from rapidsim.interpreter.paths import bare, by_reference, number
+from rapidsim.interpreter.operands import Operands
+from rapidsim.interpreter.paths import Paths, bare, by_reference, number
 from rapidsim.interpreter.positions import At
 from rapidsim.language.controller import Place
 from rapidsim.language.types import ArrayOf, Type, resolved
 from rapidsim.syntax import tree
 
-if TYPE_CHECKING:
-    from rapidsim.interpreter.expressions import Expressions
-
-SpecialForm = Callable[["Expressions", tree.FunctionCall, At], Code]
+SpecialForm = Callable[[Operands, Paths, tree.FunctionCall, At], Code]
 
 
-def _argument(expressions: Expressions, call: tree.FunctionCall) -> tree.Path:
+def _argument(expressions: Operands, call: tree.FunctionCall) -> tree.Path:
     """The first argument, which must be data."""
     first = call.arguments[0] if call.arguments else None
     if isinstance(first, tree.Required):
@@ -40,8 +37,8 @@ def _argument(expressions: Expressions, call: tree.FunctionCall) -> tree.Path:
     )
 
 
-def _present(expressions: Expressions, call: tree.FunctionCall, at: At) -> Code:
-    symbol = expressions.paths.symbol(_argument(expressions, call))
+def _present(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
+    symbol = paths.symbol(_argument(expressions, call))
     name = expressions.names.get(symbol)
     if not isinstance(symbol, ParameterSymbol) or not symbol.optional or name is None:
         return Code(at.constant(True))
@@ -50,34 +47,34 @@ def _present(expressions: Expressions, call: tree.FunctionCall, at: At) -> Code:
     return Code(at.compare(at.name(name), (ast.IsNot(), at.name("_ABSENT"))))
 
 
-def _dim(expressions: Expressions, call: tree.FunctionCall, at: At) -> Code:
+def _dim(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
     path = _argument(expressions, call)
     which = call.arguments[1]
     assert isinstance(which, tree.Required)
     code = expressions.value(which.value)
-    of = resolved(expressions.paths.type_of(path))
+    of = resolved(paths.type_of(path))
     if isinstance(of, ArrayOf) and code.literal is not None:
         size = of.dimensions[int(code.literal) - 1] if 1 <= code.literal <= 3 else None
         if size is not None:
             return number(float(size), at)
-    array = expressions.paths.reference(path)
+    array = paths.reference(path)
     return Code(at.call("_dimension", [array.node, code.node]), may_raise=True)
 
 
-def _is_pers(expressions: Expressions, call: tree.FunctionCall, at: At) -> Code:
-    return _is_storage(expressions, call, at, Storage.PERS)
+def _is_pers(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
+    return _is_storage(expressions, paths, call, at, Storage.PERS)
 
 
-def _is_var(expressions: Expressions, call: tree.FunctionCall, at: At) -> Code:
-    return _is_storage(expressions, call, at, Storage.VAR)
+def _is_var(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
+    return _is_storage(expressions, paths, call, at, Storage.VAR)
 
 
 def _is_storage(
-    expressions: Expressions, call: tree.FunctionCall, at: At, storage: Storage
+    expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At, storage: Storage
 ) -> Code:
     """Known from the declaration; of a by-reference parameter from what the caller gave."""
     path = _argument(expressions, call)
-    symbol = expressions.paths.symbol(path)
+    symbol = paths.symbol(path)
     if isinstance(symbol, DataSymbol):
         return Code(at.constant(symbol.storage is storage))
     if not isinstance(symbol, ParameterSymbol) or not by_reference(symbol.mode):
@@ -90,20 +87,20 @@ def _is_storage(
     return Code(code, may_raise=symbol.optional)
 
 
-def _type(expressions: Expressions, call: tree.FunctionCall, at: At) -> Code:
-    of = expressions.paths.type_of(_argument(expressions, call))
+def _type(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
+    of = paths.type_of(_argument(expressions, call))
     element: Type = of.element if isinstance(of, ArrayOf) else of
     if len(call.arguments) > 1:  # \BaseName
         element = resolved(element)
     return Code(at.constant(element.name))
 
 
-def _arg_name(expressions: Expressions, call: tree.FunctionCall, at: At) -> Code:
+def _arg_name(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
     """The parameter's own name: what the caller wrote is not carried along, and that is said."""
     path = _argument(expressions, call)
     place = expressions.names.module.place(Place(expressions.span(call), expressions.names.routine))
     text = expressions.span(path).text
-    if not isinstance(expressions.paths.symbol(path), ParameterSymbol):
+    if not isinstance(paths.symbol(path), ParameterSymbol):
         return Code(at.constant(text))
     arguments = [at.name(place), at.constant("ArgName"), at.constant("the parameter's own name")]
     return Code(at.call("_stand_in", [*arguments, at.constant(text)]), calls=True)

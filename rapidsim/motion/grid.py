@@ -12,6 +12,7 @@ import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.curves import Index
+from rapidsim.motion.kinematics import Mask
 from rapidsim.motion.limits import Limits
 from rapidsim.motion.path import Path
 
@@ -21,6 +22,7 @@ _CORNER_CELLS = 6
 _FIRST_DEVIATION = 0.02
 _SECOND_DEVIATION = 0.05
 _SHORTEST_SHARE = 1e-9
+_SHORTEST_DENT = 1e-4
 _ROUNDS = 24
 
 
@@ -119,7 +121,7 @@ def _evaluate(path: Path, start: Array, end: Array, piece: Index) -> Cells:
     )
 
 
-def _rough(cells: Cells, limits: Limits, length: float) -> Array:
+def _rough(cells: Cells, limits: Limits, length: float) -> Mask:
     """Whether derivatives bend too much within each cell (c,)."""
     first = cells.first / limits.max_speed
     bend = np.abs(first[:, 1] - 0.5 * (first[:, 0] + first[:, 2])).max(axis=-1)
@@ -131,5 +133,10 @@ def _rough(cells: Cells, limits: Limits, length: float) -> Array:
     middle = cells.second[:, 1] - 0.5 * (cells.second[:, 0] + cells.second[:, 2])
     curl = np.abs(middle / limits.max_acceleration).max(axis=-1) * fastest
     wide = cells.end - cells.start > _SHORTEST_SHARE * length
-    rough: Array = wide & ((bend > _FIRST_DEVIATION * scale) | (curl > _SECOND_DEVIATION))
+    # The TCP may come to a point and go back: then its rate is a V that a middle can miss.
+    dent = np.abs(cells.tcp_rate[:, 1] - 0.5 * (cells.tcp_rate[:, 0] + cells.tcp_rate[:, 2]))
+    dented = dent > _FIRST_DEVIATION * cells.tcp_rate.max(axis=1)
+    dented &= cells.end - cells.start > _SHORTEST_DENT * length
+    bent = (bend > _FIRST_DEVIATION * scale) | (curl > _SECOND_DEVIATION)
+    rough: Mask = (wide & bent) | dented
     return rough

@@ -110,10 +110,10 @@ class ConfigurationNotReachable(Violation):
 
     @property
     def help(self) -> str:
-        """The configurations that work."""
+        """The configurations that work, the nearest to the arm first."""
         if len(self.working) == 1:
             return f"only {self.working[0]} reaches it with this tool and work object"
-        return f"with this tool and work object it is reached by {', '.join(self.working)}"
+        return f"it is reached, nearest first, by {', '.join(self.working)}"
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,8 @@ from rapidsim.motion.model import MotionModel
 from rapidsim.report.diagnostics import diagnostic_json
 from rapidsim.report.figures import Figures, JointMargin, LineTime, Singularity, argument
 from rapidsim.report.merging import merged
-from rapidsim.simulation.result import Event, ExecutedMove, Simulation
+from rapidsim.simulation.event_record import event_record
+from rapidsim.simulation.result import ExecutedMove, Simulation
 
 SCHEMA = 1
 PROGRAM_POINTER = (
@@ -48,7 +49,7 @@ def run_json(
         "min_joint_margin": _margin(figures.joint_margin),
         "min_singularity": _singularity(figures.singularity),
         "diagnostics": [diagnostic_json(finding) for finding in merged(findings)],
-        "events": [_event(event) for event in simulation.events],
+        "events": [event_record(event) for event in simulation.events],
         "unsimulated": [
             {"name": one.name, "count": one.count, "treated_as": one.treated_as}
             for one in simulation.unsimulated
@@ -128,19 +129,6 @@ def _move(move: ExecutedMove) -> dict[str, object]:
     }
 
 
-def _event(event: Event) -> dict[str, object]:
-    span = event.place.span if event.place else None
-    return {
-        "time_s": _number(event.time_s),
-        "task": event.task,
-        "kind": event.kind.value,
-        "file": span.file if span else None,
-        "line": span.line if span else None,
-        "message": event.message,
-        **{name: _plain(value) for name, value in event.details.items()},
-    }
-
-
 def _line_time(line: LineTime) -> dict[str, object]:
     return {
         "file": line.place.span.file,
@@ -178,13 +166,6 @@ def _singularity(singularity: Singularity | None) -> dict[str, object] | None:
 
 def _place(move: ExecutedMove) -> dict[str, object]:
     return {"file": move.place.span.file, "line": move.place.span.line}
-
-
-def _plain(value: object) -> object:
-    """A detail of an event as JSON; what is no plain value becomes its text."""
-    if isinstance(value, float | np.floating):
-        return _number(value)
-    return value if isinstance(value, str | int | bool | None) else str(value)
 
 
 def _number(value: float | np.floating[np.typing.NBitBase]) -> float | None:

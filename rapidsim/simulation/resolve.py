@@ -182,7 +182,7 @@ class Resolver:
                     name,
                     _conf_text(_rounded(stored)),
                     _conf_text(chosen.confdata),
-                    tuple(_conf_text(configuration.confdata) for configuration in working),
+                    tuple(_conf_text(c.confdata) for c in _by_distance(working, chosen.joints)),
                 ),
                 place,
                 once=("configuration", name),
@@ -277,7 +277,11 @@ def _choice(working: Sequence[Configuration], stored: ConfData, near: Array) -> 
 
 def _nearest(working: Sequence[Configuration], near: Array) -> Configuration:
     """The configuration whose furthest-moving joint moves least."""
-    return min(working, key=lambda candidate: float(np.max(np.abs(candidate.joints - near))))
+    return _by_distance(working, near)[0]
+
+
+def _by_distance(working: Sequence[Configuration], near: Array) -> list[Configuration]:
+    return sorted(working, key=lambda candidate: float(np.max(np.abs(candidate.joints - near))))
 
 
 def _rounded(conf: ConfData) -> tuple[int, int, int, int]:

@@ -8,6 +8,7 @@ from os import PathLike, fspath
 
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import InputError, read_tasks
+from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.motion.robot import Robot, load_robot
 from rapidsim.simulation.load import load
 from rapidsim.simulation.options import RunOptions
@@ -60,5 +61,8 @@ def simulate(
     options = replace(options, program_files=tuple(file.name for file in tasks[0].files))
     if max_time is not None:
         options = replace(options, max_time_s=max_time)
-    run = simulate_program(loaded.program, arm, options=options)
+    try:
+        run = simulate_program(loaded.program, arm, options=options)
+    except NotExecutableError as error:
+        raise ProgramRejectedError((*loaded.diagnostics, error.diagnostic)) from None
     return replace(run, diagnostics=(*loaded.diagnostics, *run.diagnostics))

@@ -21,6 +21,7 @@ from rapidsim.syntax.recognition import START, advance, in_file, in_list
 from rapidsim.syntax.situation import Patch, Row, Situation
 from rapidsim.syntax.token_repairs import (
     BLOCK_WORDS,
+    doubled_token,
     half_readable_word,
     missing_semicolon,
     missing_token,
@@ -45,6 +46,7 @@ REPAIRS: tuple[Callable[[Situation], Patch | None], ...] = (
     stray_block_word,
     name_with_parentheses,
     square_index,
+    doubled_token,
     missing_token,
     wrong_token,
     half_readable_word,

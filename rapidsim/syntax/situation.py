@@ -17,7 +17,8 @@ from rapidsim.syntax.recognition import takes
 
 LOOKAHEAD = 6
 """How many tokens after a change must parse for the change to be believed."""
-
+# Fewer tokens than this prove nothing, so they are taken from the next line.
+_SURE = 2
 _LINE_END = re.compile(r"[\r\n]")
 _BLANKS = re.compile(r"\s*")
 
@@ -112,11 +113,15 @@ class Situation:
     def window(self, start: int) -> list[str]:
         """The kinds that must parse for a change before them to be believed.
 
-        They end soon after a semicolon, because the next statement may have an error of its own.
+        They end with the statement or the line, because the next may have an error of its own.
         """
-        kinds = self.row.kinds[start : start + LOOKAHEAD]
-        if "SEMICOLON" in kinds:
-            del kinds[kinds.index("SEMICOLON") + 2 :]
+        row = self.row
+        kinds = row.kinds[start : start + LOOKAHEAD]
+        for count, kind in enumerate(kinds):
+            if kind == "SEMICOLON":
+                return kinds[: count + 1]
+            if count >= _SURE and row.first_on_line(start + count):
+                return kinds[:count]
         return kinds
 
     def goes_on(self, kinds: list[str], after: int) -> bool:

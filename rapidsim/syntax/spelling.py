@@ -7,13 +7,15 @@ from functools import lru_cache
 from rapidsim.syntax.stored_table import rapid_table
 
 _SHORT = 4
+_TINY = 2
 
 
 @lru_cache(maxsize=1024)
 def near_words(text: str) -> tuple[tuple[int, str], ...]:
     """Reserved words that a name may be a slip for, nearest first, each with its distance.
 
-    One slip is allowed in a word of up to four letters, two in a longer one.
+    One slip is allowed in a word of up to four letters, two in a longer one; two letters may only
+    be swapped, since nearly any name of two letters is a slip away from OR.
     """
     written = text.upper()
     found = []
@@ -21,7 +23,8 @@ def near_words(text: str) -> tuple[tuple[int, str], ...]:
         allowed = 1 if min(len(word), len(written)) <= _SHORT else 2
         if abs(len(word) - len(written)) <= allowed:
             slips = distance(written, word)
-            if 0 < slips <= allowed:
+            swapped = sorted(written) == sorted(word)
+            if 0 < slips <= allowed and (len(word) > _TINY or swapped):
                 found.append((slips, word))
     return tuple(sorted(found))
 

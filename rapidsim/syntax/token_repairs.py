@@ -168,8 +168,8 @@ def name_with_parentheses(at: Situation) -> Patch | None:
     )
     if closing is None or not at.goes_on([], closing + 1):
         return None
-    written = row.span(index - 1, closing + 1).text
-    return deletion(row, index, closing + 1, NameWithParentheses(written))
+    span = row.span(index - 1, closing + 1)
+    return Patch(index, closing + 1, (), Diagnostic(NameWithParentheses(span.text), span))
 
 
 def square_index(at: Situation) -> Patch | None:
@@ -208,6 +208,16 @@ def square_index(at: Situation) -> Patch | None:
     return None
 
 
+def doubled_token(at: Situation) -> Patch | None:
+    """Leave out the second of two equal marks, before an expression is put between them."""
+    row, index = at.row, at.index
+    doubled = index > at.statement and at.kind == row.kinds[index - 1] and at.kind != "NAME"
+    if not doubled or at.kind in BLOCK_WORDS or not at.goes_on([], index + 1):
+        return None
+    where = wording.construct(row, at.statement, index)
+    return deletion(row, index, index + 1, UnexpectedSymbol(wording.token(row, index), where))
+
+
 def missing_token(at: Situation) -> Patch | None:
     """Put in the one token that lets the parse go on."""
     row, index = at.row, at.index
@@ -238,9 +248,9 @@ def wrong_token(at: Situation) -> Patch | None:
         return None
     if at.goes_on([], index + 1):
         return deletion(row, index, index + 1, UnexpectedSymbol(written, where))
-    for kind in ("COMMA", "SEMICOLON", "BECOMES", "COLON", "RPAR", "RBRACE", "RSQB", "LPAR", "EXP"):
+    for kind in ("COMMA", "BECOMES", "COLON", "RPAR", "RBRACE", "RSQB", "LPAR", "EXP"):
         if at.goes_on([kind], index + 1):
-            violation = UnexpectedSymbol(f"{written} instead of {wording.symbol(kind)}", where)
+            violation = UnexpectedSymbol(f"{written}, read as {wording.symbol(kind)},", where)
             return replacement(row, index, index + 1, kind, violation)
     return None
 

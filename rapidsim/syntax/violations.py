@@ -23,7 +23,7 @@ class BrokenSyntax(Violation):
         MODULE example
           PROC main()
             VAR num x;
-            x:=;
+            x:=(1 2) 3;
           ENDPROC
         ENDMODULE
 
@@ -32,7 +32,7 @@ class BrokenSyntax(Violation):
         MODULE example
           PROC main()
             VAR num x;
-            x:=1;
+            x:=(1+2)*3;
           ENDPROC
         ENDMODULE
     """
@@ -397,16 +397,20 @@ class BrokenHead(Violation):
     ## Example
 
         MODULE example
-          PROC pick(num: part)
-            Stop;
+          PROC main()
+            FOR i=1 TO 3 DO
+              Stop;
+            ENDFOR
           ENDPROC
         ENDMODULE
 
     ## Fix
 
         MODULE example
-          PROC pick(num part)
-            Stop;
+          PROC main()
+            FOR i FROM 1 TO 3 DO
+              Stop;
+            ENDFOR
           ENDPROC
         ENDMODULE
     """

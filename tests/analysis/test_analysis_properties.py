@@ -77,16 +77,12 @@ def test_every_expression_of_a_program_has_a_type() -> None:
             continue
         seen += 1
         for module in file.modules:
-            for node in nodes(module):
+            for node in descendants(*module.items):
                 if isinstance(node, expressions) and node not in program.type_of:
                     raise AssertionError(f"{module.span(node).text} has no type")
                 if isinstance(node, tree.Reference | tree.Call | tree.FunctionCall):
                     assert node in program.symbol_of, module.span(node).text
     assert seen
-
-
-def nodes(module: tree.Module) -> list[tree.Node]:
-    return [node for routine in module.routines for node in descendants(*routine.body)]
 
 
 @given(st.text("abcdefgh_0123456789", min_size=1, max_size=12))

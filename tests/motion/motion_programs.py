@@ -48,7 +48,9 @@ class Programmer:
     def __repr__(self) -> str:
         moves = []
         for s in self.segments:
-            step = s.end.base_from_tcp.translation - s.start.base_from_tcp.translation
+            start, end = s.start.base_from_tcp, s.end.base_from_tcp
+            turn = vector_from_rotation(end.rotation @ start.rotation.T)
+            step = np.concatenate([end.translation - start.translation, turn])
             if s.geometry is Geometry.JOINT:
                 step = s.end.joints - s.start.joints
             radius = s.zone.position if s.zone else None

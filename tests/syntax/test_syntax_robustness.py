@@ -14,14 +14,15 @@ from rapidsim.syntax.lexer import lex
 from rapidsim.syntax.parser import Parsed, parse
 
 PROGRAMS = sorted((Path(__file__).parent / "programs").iterdir())
-VOCABULARY = """
+WORDS_AND_MARKS = """
     MODULE ENDMODULE PROC ENDPROC FUNC ENDFUNC TRAP ENDTRAP RECORD ENDRECORD ALIAS LOCAL TASK VAR
     PERS CONST IF THEN ELSEIF ELSE ENDIF FOR FROM TO STEP DO ENDFOR WHILE ENDWHILE TEST CASE
     DEFAULT ENDTEST GOTO RETURN RAISE EXIT RETRY TRYNEXT CONNECT WITH ERROR UNDO BACKWARD NOT AND
     OR XOR DIV MOD TRUE FALSE INOUT SYSMODULE num x main p10 MoveL 1 .5 9E9 0xFF "text" "open
     := = <> <= >= < > + - * / ( ) [ ] { } , ; : . \\ ? | % [1,2] [[1],["a"]] ! # € <SMT> <EXP>
     <VAR> <TDN> <EIT> <CSE> ELS EDNIF
-""".split()
+"""
+VOCABULARY = WORDS_AND_MARKS.split()
 
 token_soup = st.lists(st.sampled_from([*VOCABULARY, "\n", ";\n"]), max_size=60).map(" ".join)
 statements = token_soup.map(lambda soup: f"MODULE m\nPROC p()\n{soup}\nENDPROC\nENDMODULE\n")

@@ -68,7 +68,7 @@ MODULE flow
 
   PROC long_jump()
     main;
-  ERROR (ERR_MINE,ERR_DIVZERO)
+  ERROR (ERR_MINE,ERR_DIVZERO,ERR_MIEN) ! error: N201
     RETURN;
   UNDO
     n:=0;

@@ -1,0 +1,84 @@
+"""What a programmer reads about a broken file: the reports of `broken/`, kept as text.
+
+`UPDATE_GOLDEN=1 pytest` writes them anew; read the difference before you keep it.
+"""
+
+from __future__ import annotations
+
+import inspect
+import os
+import re
+from pathlib import Path
+
+import pytest
+
+from rapidsim.diagnostics import Diagnostic, Source, Violation
+from rapidsim.syntax import violations
+from rapidsim.syntax.parser import parse
+
+BROKEN = sorted(
+    path for path in (Path(__file__).parent / "broken").iterdir() if path.suffix != ".reports"
+)
+RULES = [
+    rule
+    for _, rule in sorted(inspect.getmembers(violations, inspect.isclass))
+    if issubclass(rule, Violation) and rule is not Violation
+]
+
+
+def line(diagnostic: Diagnostic) -> str:
+    """A report in one line."""
+    span, violation = diagnostic.span, diagnostic.violation
+    assert span is not None
+    text = f"{span.line}:{span.column} {violation.severity}[{violation.code}] {violation.message}"
+    for related in diagnostic.related:
+        text += f" ({related.message}: {related.span.line})"
+    return text
+
+
+def reports(text: str) -> list[str]:
+    return [line(diagnostic) for diagnostic in parse(Source("broken", text)).diagnostics]
+
+
+@pytest.mark.parametrize("program", BROKEN, ids=lambda program: program.name)
+def test_reports_of_a_broken_file(program: Path) -> None:
+    golden = program.with_suffix(".reports")
+    found = "".join(f"{report}\n" for report in reports(program.read_text()))
+    if os.environ.get("UPDATE_GOLDEN"):
+        golden.write_text(found)
+    assert found == golden.read_text()
+
+
+def section(rule: type[Violation], name: str) -> str:
+    """The program under a heading of a rule's page."""
+    page = inspect.cleandoc(rule.__doc__ or "")
+    match = re.search(rf"^## {name}\n+((?:    .*\n?|\n)+)", page, re.MULTILINE)
+    assert match, f"{rule.__name__} has no ## {name}"
+    return inspect.cleandoc(match.group(1)) + "\n"
+
+
+@pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.code)
+def test_the_example_of_a_rule_breaks_it_and_the_fix_does_not(rule: type[Violation]) -> None:
+    example = parse(Source("example", section(rule, "Example"))).diagnostics
+    assert {type(diagnostic.violation) for diagnostic in example} == {rule}
+    assert not parse(Source("fix", section(rule, "Fix"))).diagnostics
+
+
+def test_codes_are_unique() -> None:
+    assert len({rule.code for rule in RULES}) == len(RULES)
+    assert len({rule.name for rule in RULES}) == len(RULES)
+
+
+def test_a_fix_can_be_applied() -> None:
+    source = Source("m", "MODULE m\nPROC p()\nx:=1\nIF a THNE\ny:=2;\nENDIF\nENDPROC\nENDMODULE\n")
+    text = source.text
+    edits = [e for d in parse(source).diagnostics if d.fix for e in d.fix.edits]
+    for edit in sorted(edits, key=lambda edit: -edit.span.start):
+        text = text[: edit.span.start] + edit.text + text[edit.span.end :]
+    assert not parse(Source("m", text)).diagnostics
+
+
+def test_the_rest_of_a_broken_file_is_read() -> None:
+    text = (Path(__file__).parent / "broken" / "beginner.mod").read_text()
+    module = parse(Source("beginner", text)).file.modules[0]
+    assert [routine.name.text for routine in module.routines] == ["main", "report"]
