@@ -11,6 +11,7 @@ from collections.abc import Sequence
 
 from rapidsim.analysis.agreement import require
 from rapidsim.analysis.context import Context, TypeOf
+from rapidsim.analysis.installed import installed_type
 from rapidsim.analysis.parameters import Wanted
 from rapidsim.analysis.type_violations import (
     NumberOutOfRange,
@@ -67,7 +68,8 @@ def check_literal(
 def _report_untyped(
     node: tree.Aggregate | tree.LiteralAggregate, context: Context, wanted: Wanted | None
 ) -> None:
-    if wanted is None or wanted.type is types.ANYTYPE:
+    is_open = wanted is None or wanted.type is types.ANYTYPE
+    if wanted is None or is_open or installed_type(wanted.type.name.lower()) is None:
         context.report(UntypedAggregate(context.module.span(node).text), node)
     else:
         violation = TypeMismatch(wanted.by, wanted.type.name, "an aggregate")

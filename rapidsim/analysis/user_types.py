@@ -19,7 +19,7 @@ from rapidsim.analysis.suggestions import slip_of
 from rapidsim.analysis.walk import data_of
 from rapidsim.diagnostics import Related
 from rapidsim.language import types
-from rapidsim.language.types import Alias, ArrayOf, Atomic, Component, Kind, Record, Type
+from rapidsim.language.types import Alias, ArrayOf, Atomic, Component, Record, Type
 from rapidsim.syntax import tree
 
 TypeNode = tree.RecordType | tree.AliasType
@@ -75,7 +75,7 @@ class UserTypes:
             circle = [*self._building[self._building.index(node) :], node]
             names = " -> ".join(part.name.text for part in circle)
             context.report(CircularDefinition(node.name.text, names), node.name)
-            return Atomic(node.name.text, Kind.NON_VALUE)
+            return Atomic(node.name.text)
         self._building.append(node)
         if isinstance(node, tree.RecordType):
             built = self._record(node, context)
@@ -112,12 +112,17 @@ class UserTypes:
         return Alias(node.name.text, of)
 
     def _unknown_type(self, name: tree.Name, context: Context) -> Type:
-        known = [node.name.text for node in self._nodes.values()]
+        known = [
+            node.name.text
+            for (module, _), node in self._nodes.items()
+            if module in (None, context.module)
+        ]
         slip = slip_of(name.text, [*known, *installed_type_names()])
         analysis = context.analysis
         if slip is not None:
             context.report(UndefinedName(name.text, slip), name)
-            return Atomic(name.text, Kind.NON_VALUE)
+            meant = tree.Name(name.start, name.end, slip)
+            return self.named(meant, context)
         if not analysis.may_be_unread(name.key):
             context.report(UnknownType(name.text), name)
         shape = self._unknown.get(name.key)
@@ -162,7 +167,7 @@ def _shape(name: str, value: tree.LiteralValue | None, dimensions: int) -> Type:
         value = value[0] if isinstance(value, tuple) and value else None
     match value:
         case None:
-            return Atomic(name, Kind.NON_VALUE)
+            return Atomic(name)
         case bool():
             return Alias(name, types.BOOL)
         case str():

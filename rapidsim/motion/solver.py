@@ -28,6 +28,10 @@ _IDLE = 1e-3
 _SMALLEST_PART = 0.02
 _LARGEST_X = 1e12
 _CHUNK = 4096
+_SHARES = np.array([[0.75, 0.5, 0.25], [0.25, 0.5, 0.75]])
+"""From values at both ends of a cell to its quarters, on a straight line."""
+_QUARTERS = np.array([[0.375, 0.0, -0.125], [0.75, 1.0, 0.75], [-0.125, 0.0, 0.375]])
+"""From values at start, middle and end of a cell to its quarters, on a parabola."""
 
 
 def solve(
@@ -141,8 +145,13 @@ def refinement(
     limit = limits.max_acceleration * path.acceleration_share[cells.piece][:, None]
     load = np.abs(cells.first[:, 1] * u[:, None] + cells.second[:, 1] * middle[:, None])
     used = (load / limit).max(axis=-1)
-    by_speed = _largest_by_speed(path, cells, limits, pace)[:, 1]
-    over = (used > 1.0 + _ACCELERATION_EXCESS) | (middle > (1.0 + _SPEED_EXCESS) * by_speed)
+    largest = _largest_by_speed(path, cells, limits, pace)
+    by_speed = largest[:, 1]
+    # x is straight within a cell and its limit bends, so they may cross off the middle, too.
+    slowness = (1.0 / np.sqrt(largest)) @ _QUARTERS
+    between = np.stack([x[:-1], x[1:]], axis=1) @ _SHARES
+    fast = (between * slowness**2 > 1.0 + _SPEED_EXCESS).any(axis=1)
+    over = (used > 1.0 + _ACCELERATION_EXCESS) | fast
 
     # Somewhere a limit is reached all the time; where none is, both ends of a cell are at odds.
     used = np.maximum(used, np.sqrt(middle / by_speed))

@@ -91,7 +91,8 @@ def tcp_from_flange(tool: ToolData) -> Transform:
 
 def joints(target: JointTarget, count: int) -> Array:
     """Axis positions [deg] of a target as joints (count,) [rad]."""
-    return np.radians(np.array(target.robax[:count]))
+    radians: Array = np.radians(np.array(target.robax[:count], dtype=np.float64))
+    return radians
 
 
 def rob_joint(joints: Array) -> RobJoint:

@@ -214,7 +214,8 @@ class PathQueue:
             MotionError: See `append`.
         """
         self._advance(now_s)
-        return self.trajectory.at(np.array([now_s])).joints[0]
+        joints: Array = self.trajectory.at(np.array([now_s])).joints[0]
+        return joints
 
     def executed(self, task: str) -> tuple[ExecutedMove, ...]:
         """All moves that were planned, with the times at which the arm is seen to make them."""

@@ -8,16 +8,13 @@ function. Words and marks that the grammar keeps arrive as `tree.Name`.
 from __future__ import annotations
 
 from collections.abc import Callable
-from types import MappingProxyType
 from typing import Any, NamedTuple, TypeAlias, TypeVar
 
 from rapidsim.diagnostics import Source
-from rapidsim.syntax import literals, tree
+from rapidsim.syntax import tree
 
 Build: TypeAlias = Callable[..., Any]
 """`build(start, end, *children)`; what the children are is said by the grammar."""
-BuildTerminal: TypeAlias = Callable[[int, int, str], tree.Node]
-"""`build(start, end, text)`."""
 
 T = TypeVar("T")
 Dimensions: TypeAlias = "tuple[tree.Expression, ...] | None"
@@ -457,54 +454,3 @@ def _literal_value(element: tree.Expression) -> tree.LiteralValue | None:
             return value
         case _:
             return None
-
-
-def _number(start: int, end: int, text: str) -> tree.Number:
-    return tree.Number(start, end, text, literals.number(text))
-
-
-def _string(start: int, end: int, text: str) -> tree.String:
-    return tree.String(start, end, literals.string(text))
-
-
-def _bool(start: int, end: int, text: str) -> tree.Bool:
-    return tree.Bool(start, end, text.upper() == "TRUE")
-
-
-def _literals(start: int, end: int, text: str) -> tree.LiteralAggregate:
-    return tree.LiteralAggregate(start, end, literals.aggregate(text))
-
-
-def _placeholder(start: int, end: int, text: str) -> tree.Placeholder:
-    return tree.Placeholder(start, end, text.strip("<>").upper())
-
-
-def _missing_operand(start: int, end: int, text: str) -> tree.Placeholder:
-    """`<EXP>`, written or put in by repair for text that is no expression."""
-    return tree.Placeholder(start, end, "EXP")
-
-
-def _broken(start: int, end: int, text: str) -> tree.Broken:
-    return tree.Broken(start, end)
-
-
-_KEPT = (
-    "NAME STAR SLASH DIV MOD PLUS MINUS EQUAL UNEQUAL LESS LESS_EQUAL GREATER GREATER_EQUAL AND OR"
-    " XOR NOT BECOMES LOCAL TASK VAR PERS CONST INOUT SYSMODULE NOVIEW NOSTEPIN VIEWONLY READONLY"
-)
-_PLACEHOLDERS = "TDN DDN RDN PAR ALT DIM SMT VAR_PLACEHOLDER EIT CSE ARG"
-
-TERMINALS: MappingProxyType[str, BuildTerminal] = MappingProxyType(
-    {
-        **dict.fromkeys(_KEPT.split(), tree.Name),
-        **dict.fromkeys(_PLACEHOLDERS.split(), _placeholder),
-        "EXP": _missing_operand,
-        "NUMBER": _number,
-        "STRING": _string,
-        "TRUE": _bool,
-        "FALSE": _bool,
-        "LITERALS": _literals,
-        "BROKEN": _broken,
-    }
-)
-"""What a kept terminal becomes; the others carry no value."""

@@ -11,10 +11,11 @@ from functools import cache
 from typing import Any, NamedTuple
 
 from rapidsim.syntax import tree
-from rapidsim.syntax.builder import TERMINALS, Build, Builder
+from rapidsim.syntax.builder import Build, Builder
 from rapidsim.syntax.lexer import Tokens
 from rapidsim.syntax.stored_table import rapid_table
 from rapidsim.syntax.table import ACCEPT
+from rapidsim.syntax.terminals import TERMINALS
 
 
 class _Reduction(NamedTuple):

@@ -8,14 +8,9 @@ from rapidsim.syntax.blocks import ROUTINES
 from rapidsim.syntax.recognition import in_file, in_list, takes
 from rapidsim.syntax.situation import Patch, Row, Situation, Token, deletion
 from rapidsim.syntax.spelling import distance
+from rapidsim.syntax.text_violations import NoModule, TextOutsideModule
 from rapidsim.syntax.token_repairs import BLOCK_WORDS, respelling
-from rapidsim.syntax.violations import (
-    BrokenHead,
-    BrokenSyntax,
-    NoModule,
-    StrayStatement,
-    TextOutsideModule,
-)
+from rapidsim.syntax.violations import BrokenHead, BrokenSyntax, StrayStatement
 
 # Heads of blocks: the word that ends each, and what its condition can be replaced by.
 _BLOCK_HEADS = {

@@ -18,7 +18,7 @@ from rapidsim.syntax import literals
 from rapidsim.syntax.lexer import Tokens
 from rapidsim.syntax.situation import Row
 from rapidsim.syntax.table import END
-from rapidsim.syntax.violations import BadEscape, LimitExceeded
+from rapidsim.syntax.text_violations import BadEscape, LimitExceeded
 
 LONGEST_NAME = 32
 LONGEST_STRING = 80

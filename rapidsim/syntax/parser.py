@@ -15,7 +15,8 @@ from rapidsim.syntax.driver import build_tree
 from rapidsim.syntax.lexer import Tokens, lex
 from rapidsim.syntax.limits import bounded, token_limits
 from rapidsim.syntax.repair import cut_calls_ended, repaired
-from rapidsim.syntax.violations import NoModule, RepeatedClause, UnterminatedString
+from rapidsim.syntax.text_violations import NoModule, UnterminatedString
+from rapidsim.syntax.violations import RepeatedClause
 
 
 @dataclass(frozen=True, slots=True)

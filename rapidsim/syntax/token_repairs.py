@@ -21,15 +21,17 @@ from rapidsim.syntax.situation import (
 from rapidsim.syntax.spelling import near_words
 from rapidsim.syntax.stored_table import rapid_table
 from rapidsim.syntax.table import END
+from rapidsim.syntax.text_violations import (
+    NameWithParentheses,
+    ReservedName,
+    UnknownCharacter,
+)
 from rapidsim.syntax.violations import (
     MissingSemicolon,
     MissingSymbol,
     MisspeltWord,
-    NameWithParentheses,
-    ReservedName,
     SquareIndex,
     UnexpectedSymbol,
-    UnknownCharacter,
 )
 
 BLOCK_WORDS = frozenset({*CLOSERS, *OPENERS, *DIVIDERS, *ITEMS, END})

@@ -21,11 +21,8 @@ PROGRAMS = sorted((Path(__file__).parent / "programs").iterdir())
 INNER_CLOSERS = frozenset({"ENDIF", "ENDFOR", "ENDWHILE", "ENDTEST"})
 ROUTINE_CLOSERS = frozenset({"ENDPROC", "ENDFUNC", "ENDTRAP"})
 BRACKETS = frozenset({"LPAR", "RPAR", "LBRACE", "RBRACE"})
-MISSPELLABLE = (
-    {"THEN", "DO", "FROM", "WHILE", "ELSEIF", "PROC", "FOR", "TEST", "CASE", "RETURN", "VAR"}
-    | INNER_CLOSERS
-    | ROUTINE_CLOSERS
-)
+OPENERS = frozenset({"THEN", "DO", "FROM", "WHILE", "ELSEIF", "PROC", "FOR", "TEST", "CASE", "VAR"})
+MISSPELLABLE = OPENERS | INNER_CLOSERS | ROUTINE_CLOSERS
 
 
 @dataclass(frozen=True)

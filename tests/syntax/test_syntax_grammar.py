@@ -14,11 +14,12 @@ from lark.lexer import Lexer, LexerState, Token
 from rapidsim.diagnostics import Source
 from rapidsim.syntax import tree
 from rapidsim.syntax.build_table import GrammarConflictError, export, written
-from rapidsim.syntax.builder import TERMINALS, Builder
+from rapidsim.syntax.builder import Builder
 from rapidsim.syntax.lexer import lex
 from rapidsim.syntax.parser import parse
 from rapidsim.syntax.stored_table import rapid_table
 from rapidsim.syntax.table import END, GRAMMAR_FILE, TABLE_FILE
+from rapidsim.syntax.terminals import TERMINALS
 
 GRAMMARS = Path(__file__).parents[2] / "grammars"
 PROGRAMS = sorted((Path(__file__).parent / "programs").iterdir())
@@ -64,7 +65,7 @@ def test_reading_a_file_does_not_import_lark() -> None:
 class OurTokens(Lexer):
     """Our tokens, as Lark wants them."""
 
-    __future_interface__ = True  # type: ignore[assignment]
+    __future_interface__ = True
 
     def __init__(self, lexer_conf: object) -> None:
         pass

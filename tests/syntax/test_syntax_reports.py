@@ -8,12 +8,13 @@ from __future__ import annotations
 import inspect
 import os
 import re
+import textwrap
 from pathlib import Path
 
 import pytest
 
 from rapidsim.diagnostics import Diagnostic, Source, Violation
-from rapidsim.syntax import violations
+from rapidsim.syntax import text_violations, violations
 from rapidsim.syntax.parser import parse
 
 BROKEN = sorted(
@@ -21,7 +22,8 @@ BROKEN = sorted(
 )
 RULES = [
     rule
-    for _, rule in sorted(inspect.getmembers(violations, inspect.isclass))
+    for module in (violations, text_violations)
+    for _, rule in sorted(inspect.getmembers(module, inspect.isclass))
     if issubclass(rule, Violation) and rule is not Violation
 ]
 
@@ -54,7 +56,7 @@ def section(rule: type[Violation], name: str) -> str:
     page = inspect.cleandoc(rule.__doc__ or "")
     match = re.search(rf"^## {name}\n+((?:    .*\n?|\n)+)", page, re.MULTILINE)
     assert match, f"{rule.__name__} has no ## {name}"
-    return inspect.cleandoc(match.group(1)) + "\n"
+    return textwrap.dedent(match.group(1))
 
 
 @pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.code)
