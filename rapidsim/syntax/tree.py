@@ -3,6 +3,7 @@
 Nodes are values: frozen, compared by identity, so that analysis can key its side tables with them.
 Each node knows its first and one-past-last character offset in the module's source; the optional
 extra offsets name the places that messages point at. Names keep the case they were written in.
+A statement or declaration ends before its semicolon.
 
 The parser accepts more than RAPID allows; fields marked *lenient* record what was written so that
 analysis can reject it with a better message than a parser could give.
