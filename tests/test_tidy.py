@@ -14,7 +14,7 @@ TOOLS = {
     "ruff-format": ["ruff", "format", "--check", "."],
     "ruff-check": ["ruff", "check", "."],
     "mypy": ["mypy"],
-    "import-linter": ["lint-imports"],
+    "import-linter": ["lint-imports", "--no-cache"],
 }
 
 LONGEST_FILE = 500

@@ -6,7 +6,7 @@ that what jumps at zone edges does not smear.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -41,6 +41,8 @@ class Cells:
     """TCP travel, shape (c, 3) [m/m]."""
     turn_rate: Array
     """Reorientation, shape (c, 3) [rad/m]."""
+    behind: Cells | None = None
+    """Cells before the first, which are not driven: smoothing still sees their speed limits."""
 
     @property
     def nodes(self) -> Array:
@@ -51,6 +53,8 @@ class Cells:
 def cells_of(path: Path, limits: Limits, start: float) -> Cells:
     """Cells from a place to the end of a path, fine enough for its derivatives."""
     cells = _evaluate(path, *_first_cells(path, start))
+    if start > 0.0:
+        cells = replace(cells, behind=_evaluate(path, *_first_cells_before(path, start)))
     for _ in range(_ROUNDS):
         rough = np.flatnonzero(_rough(cells, limits, path.length))
         if not len(rough):
@@ -84,6 +88,7 @@ def split(path: Path, cells: Cells, index: Index, at: Array) -> Cells:
         second=merged(cells.second, halves.second),
         tcp_rate=merged(cells.tcp_rate, halves.tcp_rate),
         turn_rate=merged(cells.turn_rate, halves.turn_rate),
+        behind=cells.behind,
     )
 
 
@@ -104,6 +109,12 @@ def _first_cells(path: Path, start: float) -> tuple[Array, Array, Index]:
     begin, end, owner = begin[kept], end[kept], owner[kept]
     begin[0] = start
     return begin, end, owner.astype(np.int64)
+
+
+def _first_cells_before(path: Path, start: float) -> tuple[Array, Array, Index]:
+    begin, end, owner = _first_cells(path, 0.0)
+    kept = begin < start
+    return begin[kept], np.minimum(end[kept], start), owner[kept]
 
 
 def _evaluate(path: Path, start: Array, end: Array, piece: Index) -> Cells:

@@ -81,7 +81,26 @@ def _speed_caps(path: Path, cells: Cells, limits: Limits, pace: Array) -> Array:
 
 
 def _largest_by_speed(path: Path, cells: Cells, limits: Limits, pace: Array) -> Array:
-    """Largest x (c, 3) by speeds of axes, TCP and reorientation at starts, middles and ends."""
+    """Largest x (c, 3) by speeds of axes, TCP and reorientation at starts, middles and ends.
+
+    The arm's speed is the mean of the command's over the filter time. It keeps the largest speed of
+    the place where the arm is if the command keeps it as far around as it gets in that time.
+    """
+    fastest = _fastest_by_speed(path, cells, limits, pace)
+    window = path.model.filter_time
+    if window == 0.0:
+        return fastest**2
+    places, speeds = _places(cells), fastest
+    if cells.behind is not None:
+        before = _fastest_by_speed(path, cells.behind, limits, pace)
+        places = np.concatenate([_places(cells.behind), places])
+        speeds = np.concatenate([before, speeds])
+    held: Array = _least_around(places.ravel(), speeds.ravel(), window)[-fastest.size :]
+    return held.reshape(fastest.shape) ** 2
+
+
+def _fastest_by_speed(path: Path, cells: Cells, limits: Limits, pace: Array) -> Array:
+    """Largest path speeds (c, 3) [m/s] of the places themselves."""
     segment = segment_of(path, cells)
     paced = ~np.isnan(pace)
     tcp = np.array([s.speed.tcp for s in path.segments])
@@ -92,8 +111,24 @@ def _largest_by_speed(path: Path, cells: Cells, limits: Limits, pace: Array) -> 
     slowest = np.maximum(slowest, cells.tcp_rate * tcp_share[:, None])
     slowest = np.maximum(slowest, cells.turn_rate * turn_share[:, None])
     slowest = np.maximum(slowest, np.where(paced, 1.0 / pace, 0.0)[segment][:, None])
-    largest: Array = np.minimum(1.0 / np.maximum(slowest, 1e-9) ** 2, _LARGEST_X)
-    return largest
+    fastest: Array = np.minimum(1.0 / np.maximum(slowest, 1e-9), np.sqrt(_LARGEST_X))
+    return fastest
+
+
+def _places(cells: Cells) -> Array:
+    """S (c, 3) of starts, middles and ends."""
+    return np.stack([cells.start, 0.5 * (cells.start + cells.end), cells.end], axis=1)
+
+
+def _least_around(places: Array, speeds: Array, window: float) -> Array:
+    """The least of speeds (k,) [m/s] within the way each makes in a window [s]; places ascend."""
+    way = speeds * window
+    first = np.searchsorted(places, places - way, side="left")
+    after = np.searchsorted(places, places + way, side="right")
+    # `reduceat` takes the least from each index to the next; every second one is a window.
+    bounds = np.stack([first, after], axis=1).ravel()
+    least: Array = np.minimum.reduceat(np.append(speeds, np.inf), bounds)[::2]
+    return least
 
 
 def _rows(path: Path, cells: Cells, limits: Limits, span: Array) -> tuple[Array, Array]:
