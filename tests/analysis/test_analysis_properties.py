@@ -22,9 +22,7 @@ TOKENS = st.sampled_from(
         *("\\", "?", "|", "%", ".", "1", "0", "2.5", "1E400", '"text"', "<SMT>", "<EXP>", "\n"),
     ]
 )
-LAW = settings(
-    derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow], max_examples=150
-)
+LAW = settings(derandomize=True, suppress_health_check=[HealthCheck.too_slow], max_examples=150)
 
 
 def checked(text: str) -> Checked:

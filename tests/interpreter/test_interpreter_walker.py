@@ -79,7 +79,7 @@ handlers = st.sampled_from(
 )
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(statements, handlers)
 def test_both_leave_the_same_memory(body: list[str], handler: str) -> None:
     text = module(

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
+from hypothesis import strategies as st
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.following import PathFault
@@ -23,7 +25,7 @@ LIMITS = Limits(
     max_speed=np.array([joint.max_speed or 1.0 for joint in ROBOT.joints]),
     max_acceleration=np.array([(joint.max_speed or 1.0) / 0.16 for joint in ROBOT.joints]),
 )
-MODEL = MotionModel()
+MODEL = MotionModel(filter_time=0.0)
 V500 = Speed(0.5, np.radians(500.0))
 
 
@@ -150,3 +152,23 @@ def path_or_fault(
     """What `build_path` says about a program."""
     segments = program.segments if isinstance(program, Programmer) else program
     return build_path(ROBOT, segments, model)
+
+
+offsets = st.floats(-0.12, 0.12)
+steps = st.tuples(offsets, offsets, offsets).filter(lambda step: math.hypot(*step) > 0.01)
+turns = st.tuples(*[st.floats(-0.15, 0.15)] * 3)
+zones = st.sampled_from([None, 0.3, 1.0, 5.0, 10.0, 50.0])
+
+
+@st.composite
+def programs(draw: st.DrawFn) -> Programmer:
+    """Two to six moves of any kind with any zones."""
+    program = Programmer()
+    for _ in range(draw(st.integers(2, 6))):
+        radius = draw(zones)
+        z = zone(radius) if radius is not None else None
+        if draw(st.booleans()):
+            program.line(draw(steps), draw(turns), z)
+        else:
+            program.move(draw(st.tuples(*[st.floats(-0.15, 0.15)] * 6)), z)
+    return program

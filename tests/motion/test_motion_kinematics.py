@@ -179,7 +179,7 @@ def test_any_shape_of_batch(arm: OrthoParallel) -> None:
 angles = st.floats(-3.0, 3.0)
 
 
-@settings(max_examples=60, deadline=None, derandomize=True)
+@settings(max_examples=60)
 @given(joints=st.tuples(*[angles] * 6))
 def test_forward_undoes_inverse_for_any_joints(joints: tuple[float, ...]) -> None:
     arm = _catalogue_arm("irb120")

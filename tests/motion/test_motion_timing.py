@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from motion_programs import LIMITS, MODEL, ROBOT, Programmer, path_of, path_or_fault, zone
-from test_motion_path import programs
+from motion_programs import LIMITS, MODEL, ROBOT, Programmer, path_of, path_or_fault, programs, zone
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.following import PathFault
@@ -24,7 +23,7 @@ from rapidsim.motion.solver import solve
 from rapidsim.motion.sweep import sweep
 from rapidsim.motion.timing import Timing, plan
 
-PARABOLA = MotionModel(corner="parabola", parabola_acceleration=1.0)
+PARABOLA = MotionModel(corner="parabola", parabola_acceleration=1.0, filter_time=0.0)
 RAPID = Speed(7.0, math.radians(5000.0))
 
 
@@ -74,7 +73,7 @@ def test_every_stop_is_a_standstill() -> None:
     assert timing.speed[0] == timing.speed[-1] == 0.0
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(
     program=programs(),
     model=st.sampled_from([MODEL, PARABOLA]),
@@ -97,7 +96,7 @@ def test_limits_are_kept(program: Programmer, model: MotionModel, speed: float) 
     assert (points.tcp_rate * timing.speed_at(t)).max() < speed * 1.005
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(program=programs())
 def test_the_way_back_takes_as_long(program: Programmer) -> None:
     segments = [replace(segment, zone=zone(5)) for segment in program.segments]
@@ -111,7 +110,7 @@ def test_the_way_back_takes_as_long(program: Programmer) -> None:
     assert again.duration == pytest.approx(there.duration, rel=2e-3)
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(program=programs(), share=st.floats(0.3, 0.95))
 def test_stronger_axes_are_never_slower(program: Programmer, share: float) -> None:
     path = path_or_fault(program)
@@ -206,7 +205,7 @@ def test_less_acceleration_takes_longer_ramps() -> None:
     assert half.duration == pytest.approx(full.duration * math.sqrt(2.0), rel=1e-6)
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(program=programs(), share=st.floats(0.05, 0.95), snap=st.booleans())
 def test_a_start_on_the_way_goes_on_as_planned(
     program: Programmer, share: float, snap: bool
@@ -320,7 +319,7 @@ def test_another_solver_finds_the_same_time(seed: int, speed: float) -> None:
     assert ours == pytest.approx(theirs, rel=1e-4)
 
 
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=10)
 @given(seed=st.integers(0, 2**32 - 1))
 def test_lanes_give_what_one_row_gives(seed: int) -> None:
     random = np.random.default_rng(seed)

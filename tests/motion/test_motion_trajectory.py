@@ -9,11 +9,22 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from motion_programs import LIMITS, ROBOT, TOOL, Programmer, path_of, zone
+from motion_programs import (
+    LIMITS,
+    ROBOT,
+    TOOL,
+    Programmer,
+    path_of,
+    path_or_fault,
+    programs,
+    zone,
+)
 
 from rapidsim.frames.transform import Array
+from rapidsim.motion.following import PathFault
+from rapidsim.motion.model import Corner, MotionModel
 from rapidsim.motion.path import Path
-from rapidsim.motion.segments import Waypoint
+from rapidsim.motion.segments import Speed, Waypoint
 from rapidsim.motion.timing import Timing, plan
 from rapidsim.motion.trajectory import Piece, Trajectory
 
@@ -63,7 +74,7 @@ def test_without_pieces_the_arm_stands_at_its_start() -> None:
     assert trajectory.time_at_place(0.0) == pytest.approx(0.0, abs=1e-12)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(
     pauses=st.lists(st.floats(0.0, 0.3), min_size=1, max_size=3),
     share=st.floats(0.0, 1.0),
@@ -73,6 +84,29 @@ def test_the_visible_place_is_the_mean_of_the_commanded(pauses: list[float], sha
     time = share * trajectory.duration
     place = float(trajectory.place_at(np.array([time]))[0])
     assert place == pytest.approx(mean_command(trajectory, time), abs=1e-8)
+
+
+@settings(max_examples=40)
+@given(
+    program=programs(),
+    corner=st.sampled_from(["c2", "parabola"]),
+    speed=st.sampled_from([0.1, 0.5, 1.5]),
+)
+def test_smoothing_keeps_programmed_and_axis_speeds(
+    program: Programmer, corner: Corner, speed: float
+) -> None:
+    segments = [
+        replace(segment, speed=Speed(speed, np.radians(500.0))) for segment in program.segments
+    ]
+    path = path_or_fault(segments, MotionModel(corner=corner, filter_time=FILTER))
+    if isinstance(path, PathFault):
+        return
+    trajectory = Trajectory(segments[0].start, FILTER)
+    trajectory.append(whole(0.0, path, plan(path, LIMITS)))
+    samples = trajectory.at(np.arange(0.0, trajectory.duration, 1e-3))
+    assert samples.tcp_speed.max(initial=0.0) < speed * 1.005
+    rates = np.abs(np.diff(samples.joints, axis=0)) / 1e-3
+    assert (rates / LIMITS.max_speed).max(initial=0.0) < 1.005
 
 
 def test_smoothing_keeps_the_path() -> None:
@@ -109,7 +143,7 @@ def test_without_smoothing_the_arm_is_where_the_command_is() -> None:
     assert trajectory.time_at_place(PATH.length) == pytest.approx(trajectory.duration)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(cuts=st.lists(st.floats(0.0, 1.0), min_size=1, max_size=12), pause=st.floats(0.0, 0.2))
 def test_cutting_a_command_into_pieces_changes_nothing(cuts: list[float], pause: float) -> None:
     at_once = run(pause)
@@ -173,7 +207,7 @@ def test_speed_is_that_of_the_tcp() -> None:
     assert samples.tcp_speed.max() <= 0.5 * 1.001
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(share=st.floats(0.0, 1.0), pauses=st.lists(st.floats(0.0, 0.2), min_size=1, max_size=3))
 def test_the_time_at_a_place_is_when_the_arm_is_there(share: float, pauses: list[float]) -> None:
     trajectory = run(*pauses)
