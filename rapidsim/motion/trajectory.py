@@ -143,12 +143,12 @@ class Trajectory:
         joints = np.tile(self._start.joints, (len(times), 1))
         rotation = np.tile(self._start.base_from_tcp.rotation, (len(times), 1, 1))
         translation = np.tile(self._start.base_from_tcp.translation, (len(times), 1))
-        first_move = self._pieces[0].path.segments[0].index if self._pieces else 0
-        move = np.full(len(times), first_move, dtype=np.int64)
+        move = np.zeros(len(times), dtype=np.int64)
         tcp_speed = np.zeros(len(times))
-        for number, at in _groups(row):
+        for number, at in _groups(np.maximum(row, min(1, len(self._pieces)))):
             if number == 0:
                 continue
+            # Before the first piece the arm stands where it begins, with the tool it begins with.
             piece = self._pieces[number - 1]
             points = piece.path.evaluate(piece.from_s + way[at])
             joints[at] = points.joints

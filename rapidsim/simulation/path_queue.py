@@ -35,6 +35,8 @@ MAX_OPEN_MOVES = 2000
 """So many moves are planned in one go; a longer block is committed as it is planned."""
 LOOK_AHEAD_SLACK_S = 0.01
 """The program may think this long at a fly-by point before it makes a difference to the path."""
+TOLERATED_EXCESS = 0.01
+"""Share of the path speed by which a re-planned start may be too fast to brake for a new corner."""
 
 
 class MotionError(Exception):
@@ -260,6 +262,13 @@ class PathQueue:
             raise MotionError(self._block[first + path.segment], path)
         from_m = float(path.segment_starts[commit.move - first]) + commit.distance_m
         timing = plan(path, self.limits, start=from_m, start_speed=commit.speed_m_s)
+        under_way = self._block[commit.move]
+        if timing.start_excess > TOLERATED_EXCESS * commit.speed_m_s and under_way.segment.zone:
+            # The corner that the next move has added is too tight for the speed the arm has: it
+            # was learnt too late, as if it had come after the zone was reached.
+            under_way.segment = replace(under_way.segment, zone=None)
+            under_way.corner = CornerKind.STOP_CORNER_PATH_FAILURE
+            return self._planned()
         self._plan = _Plan(path, timing, first, from_m, commit.time_s)
         return self._plan
 
@@ -333,7 +342,7 @@ class PathQueue:
     def _note_corner(self, queued: QueuedMove, corner: Corner) -> None:
         """What became of the end of a move; the last of the open block is still undecided."""
         queued.zone_m = corner.radius
-        if corner.stops and queued is not self._block[-1]:
+        if corner.stops and queued.corner is CornerKind.FLY_BY and queued is not self._block[-1]:
             queued.corner = CornerKind.STOP
 
     def _braking_distance_m(self, segment: Segment) -> float:

@@ -1,0 +1,147 @@
+"""Nodes of what stands in a module: types, routines; the module and the file themselves."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TypeAlias
+
+from rapidsim.diagnostics import Source, Span
+from rapidsim.syntax.tree.expressions import (
+    Expression,
+    Name,
+    Node,
+    Placeholder,
+)
+from rapidsim.syntax.tree.statements import (
+    Body,
+    Broken,
+    Data,
+)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Field(Node):
+    """One component of a RECORD declaration."""
+
+    type: Name
+    name: Name
+    dimensions: tuple[Expression, ...] = ()
+    """Lenient: components cannot be arrays."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class RecordType(Node):
+    """RECORD ... ENDRECORD."""
+
+    scope: str | None
+    name: Name
+    components: tuple[Field | Placeholder, ...]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class AliasType(Node):
+    """`ALIAS type name;`"""
+
+    scope: str | None
+    type: Name
+    name: Name
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Parameter(Node):
+    """One parameter; `mode` is "IN", "INOUT", "VAR", "PERS" or "REF", `dimensions` its stars."""
+
+    mode: str
+    type: Name
+    name: Name
+    dimensions: int = 0
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class OptionalGroup(Node):
+    r"""`\a | b`: optional parameters of which at most one is given."""
+
+    alternatives: tuple[Parameter, ...]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class ErrorHandler(Node):
+    """The ERROR clause; `numbers` is the list of a long-jump handler."""
+
+    numbers: tuple[Expression, ...] | None
+    body: Body
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class RoutineNode(Node):
+    """What PROC, FUNC and TRAP share."""
+
+    scope: str | None
+    name: Name
+    parameters: tuple[Parameter | OptionalGroup | Placeholder, ...]
+    body: Body
+    backward: Body | None
+    error: ErrorHandler | None
+    undo: Body | None
+    header_end: int
+    """Offset just past the header, where the body begins."""
+    parentheses_missing: bool
+    """Lenient: `PROC name` without `()`."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Proc(RoutineNode):
+    """PROC."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Func(RoutineNode):
+    """FUNC with the type of its result."""
+
+    type: Name
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Trap(RoutineNode):
+    """TRAP."""
+
+
+Routine: TypeAlias = Proc | Func | Trap
+Item: TypeAlias = RecordType | AliasType | Data | Proc | Func | Trap | Broken | Placeholder
+
+
+@dataclass(frozen=True, eq=False)
+class Module(Node):
+    """One module with everything in it."""
+
+    source: Source
+    name: Name
+    attributes: tuple[Name, ...]
+    items: tuple[Item, ...]
+
+    def span(self, node: Node) -> Span:
+        """The place of a node of this module."""
+        return Span(self.source, node.start, node.end)
+
+    @cached_property
+    def routines(self) -> tuple[Routine, ...]:
+        """The routines, in order."""
+        return tuple(item for item in self.items if isinstance(item, Proc | Func | Trap))
+
+
+@dataclass(frozen=True, slots=True)
+class Comment:
+    """A comment from `!` to the end of its line, kept beside the tree for tools."""
+
+    start: int
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class File:
+    """What a file holds: its modules (several are allowed) and its comments."""
+
+    source: Source
+    modules: tuple[Module, ...]
+    comments: tuple[Comment, ...]
