@@ -221,30 +221,16 @@ class PathQueue:
 
     def executed(self, task: str) -> tuple[ExecutedMove, ...]:
         """All moves that were planned, with the times at which the arm is seen to make them."""
-        return tuple(
-            self._executed(index, task, queued)
+        done = [
+            (index, queued)
             for index, queued in enumerate(self.moves)
             if queued.end_place_m >= queued.start_place_m and queued.started.time is not None
-        )
-
-    def _executed(self, index: int, task: str, queued: QueuedMove) -> ExecutedMove:
-        start_s = queued.command_start_s
-        if start_s is None:
-            start_s = self.trajectory.time_at_place(queued.start_place_m)
-        return ExecutedMove(
-            index=index,
-            task=task,
-            move=queued.move,
-            place=queued.place,
-            corner=queued.corner,
-            zone_m=queued.zone_m,
-            start_s=start_s,
-            end_s=max(start_s, self.trajectory.time_at_place(queued.end_place_m)),
-            length_m=queued.length_m,
-            base_from_tcp=queued.segment.end.base_from_tcp,
-            tcp_from_flange=queued.segment.tcp_from_flange,
-            joints=queued.segment.end.joints,
-            conf=queued.conf,
+        ]
+        places = [[queued.start_place_m, queued.end_place_m] for _, queued in done]
+        seen_s = self.trajectory.time_at_place(np.array(places).reshape(-1)).reshape(-1, 2)
+        return tuple(
+            _executed(index, task, queued, float(start_s), float(end_s))
+            for (index, queued), (start_s, end_s) in zip(done, seen_s, strict=True)
         )
 
     def _planned(self) -> _Plan:
@@ -353,6 +339,29 @@ class PathQueue:
         limits = self.limits
         longest_s = float(np.max(limits.max_speed / limits.max_acceleration))
         return segment.speed.tcp * longest_s / segment.acceleration_share
+
+
+def _executed(
+    index: int, task: str, queued: QueuedMove, start_s: float, end_s: float
+) -> ExecutedMove:
+    if queued.command_start_s is not None:
+        # The arm may have stood at this place for a while.
+        start_s = queued.command_start_s
+    return ExecutedMove(
+        index=index,
+        task=task,
+        move=queued.move,
+        place=queued.place,
+        corner=queued.corner,
+        zone_m=queued.zone_m,
+        start_s=start_s,
+        end_s=max(start_s, end_s),
+        length_m=queued.length_m,
+        base_from_tcp=queued.segment.end.base_from_tcp,
+        tcp_from_flange=queued.segment.tcp_from_flange,
+        joints=queued.segment.end.joints,
+        conf=queued.conf,
+    )
 
 
 def _frames(queued: QueuedMove) -> tuple[ToolData, WobjData]:
