@@ -46,4 +46,4 @@ class UnknownSignal(Violation):
     @property
     def help(self) -> str:
         """Where signals are declared."""
-        return f"declare it as {self.type} under [signals] in rapidsim.toml"
+        return f"the controller takes its {self.type} from the I/O configuration; a run starts it at 0"

@@ -28,6 +28,8 @@ _TURN_ONLY_ANGLE = 1e-3
 _TRAVEL_SAMPLES = 32
 _SHORTEST_CIRCLE_SIDE = 1e-4
 _WIDEST_ARC = math.radians(240.0)
+_ONE_WAY_ONLY = math.radians(90.0)
+"""Below this nobody means the long way round, which would be three quarters of a turn."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -136,6 +138,11 @@ def curves_of(segments: Sequence[Segment], kinematics: Kinematics) -> Curves:
     tool_turn = vector_from_rotation(
         rotation_from_vector(-frame_turn) @ end.rotation @ np.swapaxes(start.rotation, -1, -2)
     )
+    for row, segment in enumerate(segments):
+        if segment.geometry is Geometry.ARC:
+            tool_turn[row] = _turn_by_circle_point(
+                segment, spoke[row], frame_turn[row], tool_turn[row]
+            )
     angle = np.linalg.norm(turn, axis=-1)
 
     travel = np.linalg.norm(chord, axis=-1)
@@ -175,7 +182,7 @@ def circle_fault(segment: Segment) -> str | None:
     if segment.geometry is not Geometry.ARC:
         return None
     if segment.via is None:
-        return "circle uncertain: there is no circle point"
+        return "there is no circle point"
     start, via, end = _circle_points(segment)
     for a, b, names in (
         (start, end, "end point is {} mm from the start"),
@@ -184,13 +191,13 @@ def circle_fault(segment: Segment) -> str | None:
     ):
         distance = float(np.linalg.norm(b - a))
         if distance < _SHORTEST_CIRCLE_SIDE:
-            return f"circle uncertain: the {names.format(f'{distance * 1e3:.3f}')}"
+            return f"the {names.format(f'{distance * 1e3:.3f}')}"
     sides = np.linalg.norm(via - start) * np.linalg.norm(end - start)
     if np.linalg.norm(np.cross(via - start, end - start)) < 1e-9 * sides:
-        return "circle uncertain: start, circle point and end point lie on one line"
+        return "start, circle point and end point lie on one line"
     angle = float(np.linalg.norm(_circle(segment)[1]))
     if angle > _WIDEST_ARC:
-        return f"circle uncertain: the arc spans {math.degrees(angle):.1f} deg, more than 240 deg"
+        return f"the arc spans {math.degrees(angle):.1f} deg, more than 240 deg"
     return None
 
 
@@ -215,6 +222,37 @@ def _circle(segment: Segment) -> tuple[Array, Array]:
     last = b - centre
     angle = math.atan2(float(axis @ np.cross(spoke, last)), float(spoke @ last)) % (2.0 * math.pi)
     return spoke, angle * axis
+
+
+def _turn_by_circle_point(
+    segment: Segment, spoke: Array, frame_turn: Array, short_turn: Array
+) -> Array:
+    """The tool's turn (3,) relative to the path's frame: the short way, or the long way round.
+
+    Half a circle with the same orientation at both ends turns the tool by half a turn against the
+    path's frame, and either way would do. The orientation of the circle point says which is meant;
+    it says nothing else.
+    """
+    short = float(np.linalg.norm(short_turn))
+    if short < _ONE_WAY_ONLY or segment.via is None:
+        return short_turn
+    long_turn = short_turn * (1.0 - 2.0 * math.pi / short)
+    start, via, _ = _circle_points(segment)
+    whole = float(np.linalg.norm(frame_turn))
+    to_via = via - start + spoke
+    axis = frame_turn / whole
+    turned = math.atan2(float(axis @ np.cross(spoke, to_via)), float(spoke @ to_via))
+    share = (turned % (2.0 * math.pi)) / whole
+    wanted = (
+        rotation_from_vector(-frame_turn * share)
+        @ segment.via.rotation
+        @ segment.start.base_from_tcp.rotation.T
+    )
+    away = [
+        float(np.linalg.norm(vector_from_rotation(rotation_from_vector(-turn * share) @ wanted)))
+        for turn in (short_turn, long_turn)
+    ]
+    return short_turn if away[0] <= away[1] else long_turn
 
 
 def _joint_move_travel(

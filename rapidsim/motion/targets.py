@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rapidsim.frames.transform import Array, Transform, slerp
+from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import (
     JointTarget,
     Orient,
@@ -64,13 +64,6 @@ def unsupported(tool: ToolData, wobj: WobjData) -> NotSimulatedFrame | None:
             f"a user frame moved by the mechanical unit `{wobj.ufmec}` is not simulated"
         )
     return None
-
-
-def line(start: Transform, end: Transform, fractions: Array) -> Transform:
-    """Poses (k,) on the straight way between two: position and turn evenly, the short way."""
-    quaternions = slerp(start.quaternion, end.quaternion, fractions)
-    translation = start.translation + fractions[:, None] * (end.translation - start.translation)
-    return Transform.from_quaternion(quaternions, translation)
 
 
 def base_from_object(wobj: WobjData, base_from_world: Transform) -> Transform:

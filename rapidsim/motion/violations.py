@@ -164,3 +164,40 @@ class QuaternionNotUnit(Violation):
     def help(self) -> str:
         """The function that cures it."""
         return "normalise it with NOrient, or write more digits"
+
+
+@dataclass(frozen=True)
+class CircleUncertain(Violation):
+    """The three points of a MoveC do not make a circle that can be trusted.
+
+    Points too close to each other, points on a line, or an arc of more than 240 degrees let a small
+    error of one point turn the whole circle. A full circle takes two MoveC.
+
+    ## Example
+
+        MODULE example
+          CONST robtarget p:=[[900,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+          PROC main()
+            MoveJ p,v500,fine,tool0;
+            MoveC Offs(p,0,50,0),Offs(p,0,100,0),v200,fine,tool0;
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          CONST robtarget p:=[[900,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+          PROC main()
+            MoveJ p,v500,fine,tool0;
+            MoveC Offs(p,-50,50,0),Offs(p,0,100,0),v200,fine,tool0;
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "M506"
+    name: ClassVar[str] = "movec-geometry"
+    template: ClassVar[str] = "the move to `{target}` is no sure circle: {why}"
+    cf: ClassVar[str | None] = "ABB 50063"
+
+    target: str
+    why: str

@@ -8,7 +8,7 @@ run against another work object than they were taught with, and the rest of them
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -28,10 +28,12 @@ from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH, ERR_ROBLIMIT
 from rapidsim.language.errors import RapidError
 from rapidsim.motion import targets
 from rapidsim.motion.confdata import Configuration, confdata_of, configurations
+from rapidsim.motion.curves import circle_fault, curves_of
 from rapidsim.motion.reach import limit_excess, why_unreachable
 from rapidsim.motion.robot import Robot
 from rapidsim.motion.segments import Geometry, Segment, Speed, Waypoint, Zone
 from rapidsim.motion.violations import (
+    CircleUncertain,
     ConfigurationNotReachable,
     JointOutOfRange,
     QuaternionNotUnit,
@@ -41,8 +43,8 @@ from rapidsim.simulation.journal import Instant, Journal
 from rapidsim.simulation.path_queue import QueuedMove
 from rapidsim.simulation.result import CornerKind
 
-LINE_SAMPLES = 33
-"""Poses along a line by which the whole turns of the joints are followed to its end."""
+CURVE_SAMPLES = 33
+"""Poses along a line or arc by which the whole turns of the joints are followed to its end."""
 
 
 class MoveRefusedError(RapidError):
@@ -72,31 +74,31 @@ class Resolver:
         """
         name = place.arguments.get("topoint", place.arguments.get("tojointpos", move.instruction))
         tcp_from_flange = targets.tcp_from_flange(move.tool)
-        start = Waypoint(
-            start.joints,
-            self.robot.forward(start.joints) @ tcp_from_flange.inverse(),
-        )
+        start = Waypoint(start.joints, self.robot.forward(start.joints) @ tcp_from_flange.inverse())
         if isinstance(move.to, JointTarget):
             joints = self._axes(move.to, name)
-            base_from_tcp = self.robot.forward(joints) @ tcp_from_flange.inverse()
+            end = Waypoint(joints, self.robot.forward(joints) @ tcp_from_flange.inverse())
         else:
+            # Until the way there is known, its end stands in the joints of its start.
             base_from_tcp = self._pose(move.to, move.tool, move.wobj, name, place)
-            joints = self._end_joints(move, name, place, start, base_from_tcp, settings)
-        branch = int(self.robot.kinematics.branch_of(start.joints))
+            end = Waypoint(start.joints, base_from_tcp)
         segment = Segment(
             index=0,
             geometry=_GEOMETRY[move.interpolation],
             start=start,
-            end=Waypoint(joints, base_from_tcp),
+            end=end,
             tcp_from_flange=tcp_from_flange,
-            branch=branch,
+            branch=int(self.robot.kinematics.branch_of(start.joints)),
             speed=_speed(move, settings),
             zone=_zone(move),
             via=self._via(move, name, place),
             duration=move.duration_s,
             acceleration_share=settings.acceleration_percent / 100.0,
         )
-        conf = ConfData(*confdata_of(self.robot.kinematics, joints).astype(float).tolist())
+        if isinstance(move.to, RobTarget):
+            joints = self._end_joints(move, move.to, name, place, segment, settings)
+            segment = replace(segment, end=Waypoint(joints, end.base_from_tcp))
+        conf = ConfData(*self._confdata(segment.end.joints))
         corner = CornerKind.STOP if segment.zone is None else CornerKind.FLY_BY
         return QueuedMove(move, place, segment, conf, Instant(), corner)
 
@@ -109,7 +111,7 @@ class Resolver:
         base_from_tcp = self.robot.forward(joints) @ targets.transform(tool.tframe)
         base_from_object = targets.base_from_object(wobj, self.base_from_world)
         pose = targets.pose(base_from_object.inverse() @ base_from_tcp)
-        conf = ConfData(*confdata_of(self.robot.kinematics, joints).astype(float).tolist())
+        conf = ConfData(*self._confdata(joints))
         return RobTarget(pose.trans, pose.rot, conf, NO_EXTERNAL_AXES)
 
     def reach(self, target: RobTarget, tool: ToolData, wobj: WobjData, near: Array) -> Array:
@@ -155,27 +157,25 @@ class Resolver:
     def _end_joints(
         self,
         move: Move,
+        to: RobTarget,
         name: str,
         place: Place,
-        start: Waypoint,
-        base_from_tcp: Transform,
+        segment: Segment,
         settings: MotionSettings,
     ) -> Array:
         """Joints at the end of a move to a pose, in the stored configuration where it works."""
-        assert isinstance(move.to, RobTarget)
-        base_from_flange = base_from_tcp @ targets.tcp_from_flange(move.tool)
-        working = self._working(base_from_flange, name)
-        stored = move.to.robconf
+        fault = circle_fault(segment)
+        if fault is not None:
+            raise MoveRefusedError(ERR_OUTSIDE_REACH, CircleUncertain(name, fault))
+        working = self._working(segment.end.base_from_tcp @ segment.tcp_from_flange, name)
+        stored = to.robconf
+        near = segment.start.joints
         if move.interpolation is Interpolation.JOINT:
             monitored = settings.conf_j
-            chosen = (
-                _choice(working, stored, start.joints)
-                if monitored
-                else _nearest(working, start.joints)
-            )
+            chosen = _choice(working, stored, near) if monitored else _nearest(working, near)
         else:
             monitored = settings.conf_l
-            chosen = self._line_end(start, base_from_tcp, base_from_flange, move.tool, working)
+            chosen = self._end_of_curve(segment) or _nearest(working, near)
         if monitored and chosen.confdata != _rounded(stored):
             self.journal.finding(
                 ConfigurationNotReachable(
@@ -189,32 +189,29 @@ class Resolver:
             )
         return chosen.joints
 
-    def _line_end(
-        self,
-        start: Waypoint,
-        base_from_tcp: Transform,
-        base_from_flange: Transform,
-        tool: ToolData,
-        working: Sequence[Configuration],
-    ) -> Configuration:
-        """Where a line arrives: on the branch it starts on, with the turns it makes on the way.
+    def _end_of_curve(self, segment: Segment) -> Configuration | None:
+        """Where a line or arc arrives: on the branch it starts on, with the turns made on the way.
 
-        Where that branch does not get there the path fails, which the planner says with the place;
-        until then the nearest joints stand for the end.
+        None where that branch does not get there; the planner then says where the path fails.
         """
         kinematics = self.robot.kinematics
-        fractions = np.linspace(0.0, 1.0, LINE_SAMPLES)
-        line = targets.line(start.base_from_tcp, base_from_tcp, fractions)
+        curves = curves_of((segment,), kinematics)
+        rows = np.zeros(CURVE_SAMPLES, dtype=np.int64)
+        motion = curves.at(rows, np.linspace(0.0, float(curves.length[0]), CURVE_SAMPLES))
+        base_from_flange = Transform(motion.rotation, motion.position) @ segment.tcp_from_flange
         followed = kinematics.inverse_on_branch(
-            line @ targets.tcp_from_flange(tool),
-            int(kinematics.branch_of(start.joints)),
-            start.joints,
+            base_from_flange, segment.branch, segment.start.joints
         )
         if not followed.exists[-1]:
-            return _nearest(working, start.joints)
+            return None
         joints = followed.joints[-1]
-        cf1, cf4, cf6, cfx = (int(v) for v in confdata_of(kinematics, joints))
+        cf1, cf4, cf6, cfx = (int(value) for value in self._confdata(joints))
         return Configuration(joints, (cf1, cf4, cf6, cfx))
+
+    def _confdata(self, joints: Array) -> list[float]:
+        """cf1, cf4, cf6 and cfx of a joint vector (n,) [rad]."""
+        found: list[float] = confdata_of(self.robot.kinematics, joints).astype(float).tolist()
+        return found
 
     def _working(self, base_from_flange: Transform, name: str) -> tuple[Configuration, ...]:
         """Every configuration that reaches a pose.
