@@ -167,20 +167,23 @@ class Resolver:
         fault = circle_fault(segment)
         if fault is not None:
             raise MoveRefusedError(ERR_OUTSIDE_REACH, CircleUncertain(name, fault))
-        working = self._working(segment.end.base_from_tcp @ segment.tcp_from_flange, name)
-        stored = to.robconf
-        near = segment.start.joints
+        base_from_flange = segment.end.base_from_tcp @ segment.tcp_from_flange
+        near, stored = segment.start.joints, to.robconf
+        wanted = _rounded(stored)
         if move.interpolation is Interpolation.JOINT:
             monitored = settings.conf_j
+            working = self._working(base_from_flange, name)
             chosen = _choice(working, stored, near) if monitored else _nearest(working, near)
         else:
             monitored = settings.conf_l
-            chosen = self._end_of_curve(segment) or _nearest(working, near)
-        if monitored and chosen.confdata != _rounded(stored):
+            arrived = self._end_of_curve(segment)
+            chosen = arrived or _nearest(self._working(base_from_flange, name), near)
+        if monitored and chosen.confdata != wanted:
+            working = self._working(base_from_flange, name)
             self.journal.finding(
                 ConfigurationNotReachable(
                     name,
-                    _conf_text(_rounded(stored)),
+                    _conf_text(wanted),
                     _conf_text(chosen.confdata),
                     tuple(_conf_text(c.confdata) for c in _by_distance(working, chosen.joints)),
                 ),
@@ -192,7 +195,8 @@ class Resolver:
     def _end_of_curve(self, segment: Segment) -> Configuration | None:
         """Where a line or arc arrives: on the branch it starts on, with the turns made on the way.
 
-        None where that branch does not get there; the planner then says where the path fails.
+        None where that branch does not get there, or only past a joint limit; the planner then says
+        where the path fails.
         """
         kinematics = self.robot.kinematics
         curves = curves_of((segment,), kinematics)
@@ -205,6 +209,8 @@ class Resolver:
         if not followed.exists[-1]:
             return None
         joints = followed.joints[-1]
+        if np.any(limit_excess(self.robot, joints) != 0.0):
+            return None
         cf1, cf4, cf6, cfx = (int(value) for value in self._confdata(joints))
         return Configuration(joints, (cf1, cf4, cf6, cfx))
 
