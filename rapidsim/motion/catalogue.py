@@ -1,12 +1,14 @@
 """The robots that ship with rapidsim: one folder each, with a `robot.toml` that says it all.
 
 Enters a name, leaves a `CatalogueEntry` in SI units. Shapes are generated from the same entry
-by `scripts/build_robots.py` and lie beside it.
+by `scripts/build_robots.py` and lie beside it. The short names of all robots stand in one file,
+`aliases.toml`, so that finding a robot reads its own entry and no other.
 """
 
 from __future__ import annotations
 
 import difflib
+import re
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -19,10 +21,14 @@ from typing import Any
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.five_axis import FiveAxis, FiveAxisGeometry
+from rapidsim.motion.kinematics import Kinematics
 from rapidsim.motion.opw import OrthoParallel
 from rapidsim.motion.opw_geometry import JOINT_COUNT, OpwGeometry
+from rapidsim.motion.palletizer import Palletizer, PalletizerGeometry
+from rapidsim.motion.structures import Geometry, geometry_from_table
 
-ORTHO_PARALLEL = "ortho-parallel"
+_PARTS = re.compile(r"(\d+)")
 NEAR_NAMES = 5
 """How many similar names an unknown one is answered with."""
 
@@ -38,8 +44,7 @@ class CatalogueEntry:
     name: str
     title: str
     maker: str
-    aliases: tuple[str, ...]
-    geometry: OpwGeometry
+    geometry: Geometry
     joint_names: tuple[str, ...]
     limits: tuple[tuple[float, float], ...]
     """Lower and upper limit of each joint [rad]."""
@@ -52,6 +57,8 @@ class CatalogueEntry:
     checks: tuple[str, ...]
     """What they were compared with."""
     notes: tuple[str, ...]
+    not_modelled: tuple[str, ...]
+    """What the arm has and a run leaves out; every run on it says so."""
     folder: Path
 
     @property
@@ -68,18 +75,21 @@ def robots_folder() -> Path:
 
 @cache
 def robot_names() -> tuple[str, ...]:
-    """The names of all robots of the catalogue, sorted."""
-    return tuple(sorted(file.parent.name for file in robots_folder().glob("*/robot.toml")))
+    """The names of all robots of the catalogue, sorted; numbers in them by their value."""
+    names = (file.parent.name for file in robots_folder().glob("*/robot.toml"))
+    return tuple(sorted(names, key=_by_number))
 
 
 @cache
 def aliases() -> Mapping[str, str]:
     """The short names of robots, and what they stand for."""
-    return {
-        alias: entry.name
-        for entry in (read_entry(robots_folder() / name) for name in robot_names())
-        for alias in entry.aliases
-    }
+    text = (robots_folder() / "aliases.toml").read_text(encoding="utf-8")
+    return tomllib.loads(text)
+
+
+def aliases_of(name: str) -> tuple[str, ...]:
+    """The short names of a robot."""
+    return tuple(alias for alias, robot in aliases().items() if robot == name)
 
 
 def find_entry(name: str) -> CatalogueEntry:
@@ -111,6 +121,17 @@ def read_entry(folder: Path) -> CatalogueEntry:
         raise RobotError(f"{file}: {mistake}") from None
 
 
+def kinematics_of(geometry: Geometry) -> Kinematics:
+    """The closed-form solver for an arm."""
+    match geometry:
+        case OpwGeometry():
+            return arm_from_geometry(geometry)
+        case FiveAxisGeometry():
+            return FiveAxis(geometry)
+        case PalletizerGeometry():
+            return Palletizer(geometry)
+
+
 def arm_from_geometry(geometry: OpwGeometry) -> OrthoParallel:
     """The arm with link frames that are parallel to the base where all joints are 0.
 
@@ -130,29 +151,17 @@ def arm_from_geometry(geometry: OpwGeometry) -> OrthoParallel:
 
 
 def _entry(table: Mapping[str, Any], folder: Path) -> CatalogueEntry:
-    if table["structure"] != ORTHO_PARALLEL:
-        raise ValueError(f"structure `{table['structure']}` is not known, only `{ORTHO_PARALLEL}`")
     if table["name"] != folder.name:
         raise ValueError(f"name `{table['name']}` is not that of the folder")
     joints = table["joint"]
-    zero = table["zero"]
-    if not len(joints) == len(zero["offsets_deg"]) == len(zero["signs"]) == JOINT_COUNT:
-        raise ValueError(f"the arm needs {JOINT_COUNT} joints, offsets and signs")
-    lengths = {key: millimetres / 1000.0 for key, millimetres in table["geometry_mm"].items()}
-    geometry = OpwGeometry(
-        **lengths,
-        offsets=tuple(radians(degrees) for degrees in zero["offsets_deg"]),
-        signs=tuple(zero["signs"]),
-        coupling=zero["coupling_3_2"],
-    )
+    geometry = geometry_from_table(table)
     speeds = (joint.get("max_speed_deg_s") for joint in joints)
     return CatalogueEntry(
         name=table["name"],
         title=table["title"],
         maker=table["maker"],
-        aliases=tuple(table["aliases"]),
         geometry=geometry,
-        joint_names=tuple(f"joint_{number}" for number in range(1, JOINT_COUNT + 1)),
+        joint_names=tuple(f"joint_{number}" for number in range(1, len(joints) + 1)),
         limits=tuple(
             (radians(lower), radians(upper)) for lower, upper in (j["limits_deg"] for j in joints)
         ),
@@ -162,8 +171,14 @@ def _entry(table: Mapping[str, Any], folder: Path) -> CatalogueEntry:
         sources=tuple(table["sources"]),
         checks=tuple(table["checks"]),
         notes=tuple(table["notes"]),
+        not_modelled=tuple(table.get("not_modelled", ())),
         folder=folder,
     )
+
+
+def _by_number(name: str) -> list[tuple[int, str]]:
+    """A sort key that puts `kr16-2` before `kr120-r2500-pro`."""
+    return [(int(part or 0), "") if part.isdigit() else (0, part) for part in _PARTS.split(name)]
 
 
 def _unknown(name: str) -> str:

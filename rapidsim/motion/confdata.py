@@ -5,7 +5,8 @@ cf1, cf4 and cf6 are the quarter turns that axes 1, 4 and 6 stand in: 0 from 0 t
 one joint vector, but where axis 5 is 0 and only the sum of axes 4 and 6 matters.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, confdata, for
-robots with a serial wrist.
+robots with a serial wrist. For arms of other kinds cfx is the branch of their own solver; YuMi's
+digits, which stand for its arm angle, are not modelled.
 """
 
 from __future__ import annotations
@@ -19,6 +20,8 @@ import numpy.typing as npt
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics import Kinematics, Mask
+from rapidsim.motion.numerical import Numerical
+from rapidsim.motion.opw import OrthoParallel
 from rapidsim.motion.reach import LIMIT_TOLERANCE, turns_within_limits
 from rapidsim.motion.robot import Robot
 
@@ -28,8 +31,6 @@ QUARTER = pi / 2.0
 TURN = 2.0 * pi
 SNAP = 2e-8
 """A joint this close [rad] below a quarter counts as standing on it: 90 deg computed."""
-COUNTED = [0, 3, 5]
-"""The axes whose quarter turns confdata counts: 1, 4 and 6."""
 UNDETERMINED_WRIST = 1e-7
 """Axis 5 up to which [rad] confdata may share out the sum of axes 4 and 6."""
 SAME = 1e-9
@@ -41,7 +42,7 @@ class Configuration:
     """One way to reach a pose."""
 
     joints: Array
-    """Shape (6,) [rad]."""
+    """Shape (n,) [rad]."""
     confdata: tuple[int, int, int, int]
     """cf1, cf4, cf6, cfx."""
 
@@ -51,18 +52,23 @@ class Selected:
     """What confdata selects for a row of poses."""
 
     joints: Array
-    """Shape (k, 6) [rad]; 0 where the branch does not reach the pose. Limits are not heeded."""
+    """Shape (k, n) [rad]; 0 where the branch does not reach the pose. Limits are not heeded."""
     exists: Mask
     """Shape (k,): False where the branch does not reach the pose or cfx is not 0 to 7."""
     quarters_off: Integers
     """Shape (k, 3): how many quarter turns axes 1, 4 and 6 are from what confdata says."""
 
 
+def told_apart(kinematics: Kinematics) -> bool:
+    """Whether confdata names one of an arm's solutions, as it does where they have branches."""
+    return not isinstance(kinematics, Numerical)
+
+
 def confdata_of(kinematics: Kinematics, joints: Array) -> Integers:
-    """cf1, cf4, cf6 and cfx, shape (..., 4), of joint vectors (..., 6) [rad]."""
+    """cf1, cf4, cf6 and cfx, shape (..., 4), of joint vectors (..., n) [rad]."""
     joints = np.asarray(joints, dtype=np.float64)
     branch = kinematics.branch_of(joints)
-    return np.concatenate([_quarters(joints[..., COUNTED]), branch[..., None]], axis=-1)
+    return np.concatenate([_counted_quarters(joints), branch[..., None]], axis=-1)
 
 
 def select(
@@ -71,10 +77,10 @@ def select(
     """Joint vectors of poses with confdata.
 
     Args:
-        robot: An arm with a spherical wrist.
+        robot: The arm.
         base_from_flange: Poses (k,).
         confdata: cf1, cf4, cf6, cfx of each, shape (k, 4).
-        near: Joint vectors (k, 6) or (6,) [rad]: axes that the pose leaves undetermined stay as
+        near: Joint vectors (k, n) or (n,) [rad]: axes that the pose leaves undetermined stay as
             near to them as confdata allows.
 
     Returns:
@@ -82,8 +88,8 @@ def select(
         is nearest to their range.
     """
     wanted = np.rint(np.asarray(confdata)).astype(np.int64)
-    held = np.broadcast_to(np.asarray(near, dtype=np.float64), (len(wanted), 6))
-    joints = np.zeros((len(wanted), 6))
+    joints = np.zeros((len(wanted), robot.kinematics.joint_count))
+    held = np.broadcast_to(np.asarray(near, dtype=np.float64), joints.shape)
     exists = np.zeros(len(wanted), dtype=np.bool_)
     for branch in range(robot.kinematics.branch_count):
         rows = np.flatnonzero(wanted[:, 3] == branch)
@@ -91,13 +97,17 @@ def select(
             found = robot.kinematics.inverse_on_branch(base_from_flange[rows], branch, held[rows])
             joints[rows], exists[rows] = found.joints, found.exists
     joints = turns_within_limits(robot, joints)
-    joints[:, COUNTED] += TURN * np.round((wanted[:, :3] - _quarters(joints[:, COUNTED])) / 4.0)
-    undetermined = exists & (np.abs(joints[:, 4]) < UNDETERMINED_WRIST)
-    joints[undetermined] = _share_out(
-        joints[undetermined], wanted[undetermined], held[undetermined]
-    )
+    turns = np.round((wanted[:, :3] - _counted_quarters(joints)) / 4.0)
+    for column, axis in enumerate(_counted_axes(joints.shape[1])):
+        if axis is not None:
+            joints[:, axis] += TURN * turns[:, column]
+    if isinstance(robot.kinematics, OrthoParallel):
+        undetermined = exists & (np.abs(joints[:, 4]) < UNDETERMINED_WRIST)
+        joints[undetermined] = _share_out(
+            joints[undetermined], wanted[undetermined], held[undetermined]
+        )
     joints[~exists] = 0.0
-    return Selected(joints, exists, _quarters(joints[:, COUNTED]) - wanted[:, :3])
+    return Selected(joints, exists, _counted_quarters(joints) - wanted[:, :3])
 
 
 def configurations(robot: Robot, base_from_flange: Transform) -> tuple[Configuration, ...]:
@@ -109,8 +119,8 @@ def configurations(robot: Robot, base_from_flange: Transform) -> tuple[Configura
     branches = robot.kinematics.inverse(base_from_flange)
     vectors = [
         turned
-        for joints in _distinct(branches.joints[branches.exists])
-        for turned in product(*map(_turns, joints, robot.lower, robot.upper))
+        for joints in distinct(branches.joints[branches.exists])
+        for turned in product(*map(whole_turns, joints, robot.lower, robot.upper))
     ]
     if not vectors:
         return ()
@@ -122,8 +132,8 @@ def configurations(robot: Robot, base_from_flange: Transform) -> tuple[Configura
     )
 
 
-def _distinct(joints: Array) -> list[Array]:
-    """Joint vectors (k, 6) [rad] without those that an earlier one is but for whole turns."""
+def distinct(joints: Array) -> list[Array]:
+    """Joint vectors (k, n) [rad] without those that an earlier one is but for whole turns."""
     difference = joints[:, None] - joints
     difference -= TURN * np.round(difference / TURN)
     alike = np.max(np.abs(difference), axis=-1, initial=0.0) < SAME
@@ -131,11 +141,31 @@ def _distinct(joints: Array) -> list[Array]:
     return [row for index, row in enumerate(joints) if first[index] == index]
 
 
+def _counted_axes(joint_count: int) -> tuple[int | None, ...]:
+    """The joints, counted from 0, that are RAPID's axes 1, 4 and 6; None where there is no such.
+
+    Palletizers have no axis 4; five-axis arms roll with the last; the joint that a seven-axis arm
+    has more stands third in its chain.
+    """
+    axis_4 = {5: 3, 6: 3, 7: 4}.get(joint_count)
+    return 0, axis_4, joint_count - 1
+
+
+def _counted_quarters(joints: Array) -> Integers:
+    """Quarter turns (..., 3) that axes 1, 4 and 6 of joint vectors (..., n) [rad] stand in."""
+    axes = _counted_axes(joints.shape[-1])
+    columns = [
+        np.zeros(joints.shape[:-1], np.int64) if axis is None else _quarters(joints[..., axis])
+        for axis in axes
+    ]
+    return np.stack(columns, axis=-1)
+
+
 def _quarters(angles: Array) -> Integers:
     return np.floor((angles + SNAP) / QUARTER).astype(np.int64)
 
 
-def _turns(angle: float, lower: float, upper: float) -> tuple[float, ...]:
+def whole_turns(angle: float, lower: float, upper: float) -> tuple[float, ...]:
     """The angle in every whole turn that lies within a range [rad], from below; one if endless."""
     if isinf(lower) or isinf(upper):
         return (float(angle),)

@@ -29,6 +29,12 @@ class Branches:
     """Shape (..., branches): whether the branch reaches the pose; joints are 0 if not."""
     shortfall: Array
     """Shape (...,) [m]: how far the wrist centre lies outside what the arm can reach; 0 inside."""
+    tilt: Array | None = None
+    """Shape (...,) [rad]: how far the orientation is from those that the arm can give; None for
+    arms that can give all."""
+    searched: bool = False
+    """Whether the joints were searched for step by step: then there may be others than those found,
+    and `shortfall` and `tilt` say how near the search came to the pose."""
 
 
 @dataclass(frozen=True, slots=True)

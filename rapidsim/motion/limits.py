@@ -8,7 +8,7 @@ import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.model import MotionModel
-from rapidsim.motion.robot import Robot
+from rapidsim.motion.robot import Robot, RobotError
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -25,18 +25,28 @@ def limits_of(robot: Robot, model: MotionModel) -> Limits:
     """The limits of an arm under a motion model.
 
     Raises:
-        ValueError: If the speed of an axis is not known, or the model's accelerations are not one
-            per axis.
+        RobotError: If the speed of an axis is not known, or the model's speeds or accelerations are
+            not one per axis.
     """
-    unknown = [joint.name for joint in robot.joints if joint.max_speed is None]
-    if unknown:
-        names = ", ".join(unknown)
-        raise ValueError(f"{robot.name}: no axis speed is known for {names}")
-    max_speed = np.array([joint.max_speed for joint in robot.joints], dtype=np.float64)
+    max_speed = _max_speed(robot, model)
     if model.acceleration is None:
         return Limits(max_speed, max_speed / model.acceleration_time)
     if len(model.acceleration) != len(robot.joints):
-        raise ValueError(
+        raise RobotError(
             f"{robot.name}: {len(robot.joints)} axes, but {len(model.acceleration)} accelerations"
         )
     return Limits(max_speed, np.array(model.acceleration, dtype=np.float64))
+
+
+def _max_speed(robot: Robot, model: MotionModel) -> Array:
+    """Axis speeds (n,) [rad/s]: those of the model, else the robot's own."""
+    if model.max_speed is not None:
+        if len(model.max_speed) != len(robot.joints):
+            raise RobotError(
+                f"{robot.name}: {len(robot.joints)} axes, but {len(model.max_speed)} axis speeds"
+            )
+        return np.array(model.max_speed, dtype=np.float64)
+    unknown = [joint.name for joint in robot.joints if joint.max_speed is None]
+    if unknown:
+        raise RobotError(f"{robot.name}: no axis speed is known for {', '.join(unknown)}")
+    return np.array([joint.max_speed for joint in robot.joints], dtype=np.float64)

@@ -21,6 +21,8 @@ class MotionModel:
     """Axis acceleration is axis speed divided by this [s]."""
     acceleration: tuple[float, ...] | None = None
     """Axis accelerations [rad/s2], where they are known; they replace `acceleration_time`."""
+    max_speed: tuple[float, ...] | None = None
+    """Axis speeds [rad/s] that replace the robot's, for arms of which no source gives them."""
     filter_time: float = 0.080
     """Width [s] of the moving average over the path parameter; 0 switches it off."""
     fine_dwell: float = 0.105

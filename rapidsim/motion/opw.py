@@ -24,6 +24,7 @@ from rapidsim.motion import opw_inverse
 from rapidsim.motion.kinematics import Branches, Followed
 from rapidsim.motion.opw_geometry import JOINT_COUNT, OpwGeometry
 from rapidsim.motion.turns import cross
+from rapidsim.motion.whole_turns import in_turn_of, principal
 
 _JOINT = np.arange(JOINT_COUNT)
 _AXIS = np.array([2, 1, 1, 2, 1, 2])
@@ -84,7 +85,7 @@ class OrthoParallel:
         """Joint vectors (..., 6) [rad], each joint in its principal turn -180..180 deg."""
         joints = (theta + self._offsets) * self._signs
         joints[..., 2] -= self.geometry.coupling * joints[..., 1]
-        return joints - 2.0 * np.pi * np.round(joints / (2.0 * np.pi))
+        return principal(joints)
 
     def forward(self, joints: Array) -> Transform:
         """base_from_flange of joint vectors (..., 6) [rad]; the flange is ABB's tool0."""
@@ -123,15 +124,7 @@ class OrthoParallel:
         theta, exists = opw_inverse.one_branch(
             self.geometry, self._opw6(base_from_flange), branch, self.theta_from_joints(near)
         )
-        principal = self.joints_from_theta(theta)
-        joints = np.zeros_like(principal)
-        if near.ndim == 1:
-            # Rows out of reach have no joints; what follows them is near to what came before.
-            row = np.concatenate([near[None], principal[exists]])
-            joints[exists] = np.unwrap(row, axis=0)[1:]
-        else:
-            turns = np.round((near - principal) / (2.0 * np.pi))
-            joints[exists] = (principal + 2.0 * np.pi * turns)[exists]
+        joints = in_turn_of(self.joints_from_theta(theta), exists, near)
         return Followed(joints, exists)
 
     def branch_of(self, joints: Array) -> npt.NDArray[np.int64]:

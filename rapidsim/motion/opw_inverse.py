@@ -1,8 +1,7 @@
 """Inverse kinematics of ortho-parallel arms in the angles theta of the formulas.
 
 Enter poses of the last frame, whose origin is the wrist centre; leave angles, unwrapped to no turn
-in particular. No solution is lost where two of them meet, because nothing is computed by acos:
-the elbow comes from the tangent of its half angle, the wrist from atan2.
+in particular. No solution is lost where two of them meet, because nothing is computed by acos.
 """
 
 from __future__ import annotations
@@ -14,9 +13,8 @@ import numpy as np
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics import Mask
 from rapidsim.motion.opw_geometry import OpwGeometry
+from rapidsim.motion.two_link import REACH_TOLERANCE, close_triangle
 
-REACH_TOLERANCE = 1e-9
-"""Share of the reach by which a wrist centre may lie outside and still count as just reached."""
 ON_AXIS = 1e-10
 """Share of the reach within which a wrist centre counts as lying on axis 1."""
 ROUNDED_WRIST = 1e-12
@@ -128,26 +126,14 @@ def _arm(geometry: OpwGeometry, wrist_centre: Array, side: Array, bend: Array, t
         bend: 1 where it is in front of the lower arm, -1 where behind.
         t1: Axis 1 (...) [rad].
     """
-    upper, fore = geometry.c2, float(np.hypot(geometry.a2, geometry.c3))
+    fore = float(np.hypot(geometry.a2, geometry.c3))
     radius = np.hypot(wrist_centre[..., 0], wrist_centre[..., 1])
     forward = side * np.sqrt(np.maximum(radius**2 - geometry.b**2, 0.0)) - geometry.a1
     up = wrist_centre[..., 2] - geometry.c1
-    distance = np.hypot(forward, up)
-    # Products, not differences of squares, so that the stretched elbow keeps its digits.
-    short_of_stretched = (upper + fore - distance) * (upper + fore + distance)
-    beyond_folded = (distance - abs(upper - fore)) * (distance + abs(upper - fore))
-    elbow = (
-        2.0
-        * bend
-        * np.arctan2(
-            np.sqrt(np.maximum(short_of_stretched, 0.0)), np.sqrt(np.maximum(beyond_folded, 0.0))
-        )
-    )
-    t2 = np.arctan2(forward, up) - np.arctan2(fore * np.sin(elbow), upper + fore * np.cos(elbow))
+    t2, elbow, outside = close_triangle(forward, up, geometry.c2, fore, bend)
     t3 = elbow - np.arctan2(geometry.a2, geometry.c3)
-    outside = np.maximum(distance - (upper + fore), abs(upper - fore) - distance)
     within_b = np.maximum(abs(geometry.b) - radius, 0.0)
-    return _Arm(*np.broadcast_arrays(t1, t2, t3, np.maximum(outside, 0.0) + within_b))
+    return _Arm(*np.broadcast_arrays(t1, t2, t3, outside + within_b))
 
 
 def _wrist_matrix(arm: _Arm, rotation: Array) -> Array:

@@ -6,11 +6,10 @@ and flange. Leaves the arm with its closed-form solver, or the reason why it is 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.chain import AxesAtZero
 from rapidsim.motion.opw import OrthoParallel
 from rapidsim.motion.opw_geometry import JOINT_COUNT, OpwGeometry
 
@@ -18,19 +17,6 @@ ANGLE_TOLERANCE = 1e-9
 """Axes count as square or parallel up to this [rad]; descriptions with 1.571 for 90 deg do not."""
 LENGTH_TOLERANCE = 1e-9
 """Axes count as meeting up to this [m]."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class AxesAtZero:
-    """Six axes of rotation with all joints at 0, in base."""
-
-    directions: Array
-    """Unit vectors (6, 3)."""
-    points: Array
-    """A point (6, 3) [m] on each."""
-    base_from_link: Transform
-    """Shape (6,): the link that each axis moves."""
-    base_from_flange: Transform
 
 
 def ortho_parallel_arm(axes: AxesAtZero) -> OrthoParallel | str:

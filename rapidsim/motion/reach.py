@@ -26,12 +26,23 @@ class Unreachable:
     """The joint that is furthest over on that branch, counted from 1."""
     excess: float = 0.0
     """How far [rad] that joint is above its upper limit, or, if negative, below its lower one."""
+    tilt: float = 0.0
+    """How far [rad] the orientation is from those that an arm with few axes can give."""
+    searched: bool = False
+    """Whether nothing was found by searching; shortfall and tilt are of the nearest found."""
 
     @property
     def message(self) -> str:
         """The reason in the words of a shop floor: mm and degrees."""
+        off_mm, off_deg = 1000.0 * self.shortfall, degrees(self.tilt)
+        if self.searched and self.joint is None:
+            return f"the search came no nearer than {off_mm:.3g} mm and {off_deg:.3g} deg"
+        if self.joint is None and off_deg > 0.0 and off_mm > 0.0:
+            return f"wrist centre {off_mm:.1f} mm beyond reach, and {_turned(off_deg)}"
+        if self.joint is None and off_deg > 0.0:
+            return _turned(off_deg)
         if self.joint is None:
-            return f"wrist centre {1000.0 * self.shortfall:.1f} mm beyond reach"
+            return f"wrist centre {off_mm:.1f} mm beyond reach"
         limit = "upper" if self.excess > 0.0 else "lower"
         over = degrees(abs(self.excess))
         return f"joint {self.joint} over by {over:.1f} deg at its {limit} limit"
@@ -71,7 +82,11 @@ def why_unreachable(
         wanted[:] = False
         wanted[branch] = branches.exists[branch]
     if not wanted.any():
-        return Unreachable(shortfall=float(branches.shortfall))
+        return Unreachable(
+            shortfall=float(branches.shortfall),
+            tilt=0.0 if branches.tilt is None else float(branches.tilt),
+            searched=branches.searched,
+        )
     excess = limit_excess(robot, turns_within_limits(robot, branches.joints))
     worst = np.where(wanted, np.max(np.abs(excess), axis=-1), np.inf)
     best = int(np.argmin(worst))
@@ -79,3 +94,7 @@ def why_unreachable(
         return None
     joint = int(np.argmax(np.abs(excess[best])))
     return Unreachable(0.0, best, joint + 1, float(excess[best, joint]))
+
+
+def _turned(off_deg: float) -> str:
+    return f"orientation {off_deg:.3g} deg from what the axes of this arm can give"

@@ -12,13 +12,17 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.catalogue import (
     CatalogueEntry,
     RobotError,
-    arm_from_geometry,
     find_entry,
+    kinematics_of,
     robot_names,
 )
 from rapidsim.motion.kinematics import Branches, Kinematics
+from rapidsim.motion.opw import OrthoParallel
 
 __all__ = ["Joint", "Robot", "RobotError", "load_robot", "robot_names"]
+
+BENT_WRIST = np.radians(30.0)
+"""Axis 5 where a run starts [rad]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +52,17 @@ class Robot:
     """The description with link shapes, for the recording and for other tools."""
     payload_kg: float | None = None
     reach_m: float | None = None
+    maker: str | None = None
+    """None for a URDF, which does not say."""
     sources: tuple[str, ...] = ()
+    notices: tuple[str, ...] = ()
+    """What the user should know of how this arm is solved; commands print them."""
+    """Where the numbers come from."""
+    checks: tuple[str, ...] = ()
+    """What they were compared with."""
+    notes: tuple[str, ...] = ()
+    not_modelled: tuple[str, ...] = ()
+    """What the arm has and a run leaves out."""
 
     @cached_property
     def lower(self) -> Array:
@@ -59,6 +73,20 @@ class Robot:
     def upper(self) -> Array:
         """Upper joint limits (n,) [rad]."""
         return np.array([joint.upper for joint in self.joints])
+
+    @cached_property
+    def start(self) -> Array:
+        """Joints (n,) [rad] of the posture a run begins in if nothing says otherwise.
+
+        Lower arm upright, forearm level, axis 5 bent, whatever the maker calls zero: with axis 5 at
+        0 the arm would be singular, and a program may begin with a line. Arms of other kinds start
+        in the middle of their limits. Always within these.
+        """
+        if isinstance(self.kinematics, OrthoParallel):
+            theta = np.array([0.0, 0.0, np.pi / 2.0, 0.0, BENT_WRIST, 0.0])
+            return np.clip(self.kinematics.joints_from_theta(theta), self.lower, self.upper)
+        endless = np.isinf(self.lower) | np.isinf(self.upper)
+        return np.where(endless, 0.0, (self.lower + self.upper) / 2.0)
 
     def forward(self, joints: Array) -> Transform:
         """base_from_flange of joint vectors (..., n) [rad]; the flange of ABB arms is tool0."""
@@ -88,7 +116,15 @@ def load_robot(name_or_path: str | Path) -> Robot:
                 parts.joint_names, parts.limits, parts.max_speeds, strict=True
             )
         )
-        return Robot(parts.name, parts.name, joints, parts.kinematics, Path(text), sources=(text,))
+        return Robot(
+            name=parts.name,
+            title=parts.name,
+            joints=joints,
+            kinematics=parts.kinematics,
+            urdf=Path(text),
+            sources=(text,),
+            notices=parts.notices,
+        )
     return _from_entry(find_entry(text))
 
 
@@ -102,9 +138,13 @@ def _from_entry(entry: CatalogueEntry) -> Robot:
                 entry.joint_names, entry.limits, entry.max_speeds, strict=True
             )
         ),
-        kinematics=arm_from_geometry(entry.geometry),
+        kinematics=kinematics_of(entry.geometry),
         urdf=entry.urdf,
         payload_kg=entry.payload_kg,
         reach_m=entry.reach_m,
+        maker=entry.maker,
         sources=entry.sources,
+        checks=entry.checks,
+        notes=entry.notes,
+        not_modelled=entry.not_modelled,
     )

@@ -16,6 +16,7 @@ import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import (
+    UNUSED_AXIS,
     JointTarget,
     Orient,
     Pos,
@@ -83,12 +84,31 @@ def tcp_from_flange(tool: ToolData) -> Transform:
 
 
 def joints(target: JointTarget, count: int) -> Array:
-    """Axis positions [deg] of a target as joints (count,) [rad]."""
-    radians: Array = np.radians(np.array(target.robax[:count], dtype=np.float64))
+    """Axis positions [deg] of a target as joints (count,) [rad].
+
+    The joint that seven-axis arms have more is `eax_a`; it stays 0 where that is not given.
+    """
+    axes = np.array([*target.robax, _given(target.extax.eax_a)], dtype=np.float64)
+    radians: Array = np.radians(axes[_axes(count)])
     return radians
 
 
 def rob_joint(joints: Array) -> RobJoint:
     """Joints (n,) [rad] as axis positions [deg]; missing axes are 0."""
-    degrees = [*np.degrees(joints).tolist(), *(0.0,) * 6][:6]
-    return RobJoint(*degrees)
+    axes = np.zeros(7)
+    axes[_axes(len(joints))] = np.degrees(joints)
+    return RobJoint(*axes[:6].tolist())
+
+
+def _axes(count: int) -> list[int]:
+    """Which of RAPID's six axes and `eax_a` the joints of an arm are, from base to flange.
+
+    Palletizers keep their fourth joint as axis 6; the additional joint of seven-axis arms stands
+    third in their chain.
+    """
+    return {4: [0, 1, 2, 5], 7: [0, 1, 6, 2, 3, 4, 5]}.get(count, list(range(count)))
+
+
+def _given(external_axis: float) -> float:
+    """An external axis, 0 where it is 9E9: not programmed."""
+    return 0.0 if external_axis >= UNUSED_AXIS else external_axis

@@ -24,6 +24,9 @@ from rapidsim.motion.timing import Timing
 
 Index = npt.NDArray[np.int64]
 
+SAMPLE_STEP_S = 0.012
+"""As often as ABB's controllers log positions."""
+_SAMPLES_AT_ONCE = 10_000
 _ROUNDING = 1e-11
 _HALVINGS = 52
 
@@ -158,6 +161,20 @@ class Trajectory:
             move[at] = indices[points.segment]
             tcp_speed[at] = points.tcp_rate * speed[at]
         return Samples(times, move, joints, Transform(rotation, translation), tcp_speed)
+
+    @property
+    def times(self) -> Array:
+        """Instants (k,) [s] every `SAMPLE_STEP_S` from 0, and the last of visible motion."""
+        steps: Array = np.arange(0.0, self.duration, SAMPLE_STEP_S)
+        return np.append(steps, self.duration)
+
+    @property
+    def joints(self) -> Array:
+        """Joints (k, n) [rad] at `times`, worked out anew each time; `at` gives more."""
+        times = self.times
+        # In parts, so that a long run does not need the memory for all its solutions at once.
+        parts = np.array_split(times, len(times) // _SAMPLES_AT_ONCE + 1)
+        return np.concatenate([self.at(part).joints for part in parts])
 
     def place_at(self, times: Array) -> Array:
         """Visible place S (k,) [m] of the run at times (k,) [s]."""

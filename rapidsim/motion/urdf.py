@@ -6,7 +6,7 @@ for a file.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
 from pathlib import Path
 
@@ -15,12 +15,18 @@ import yourdfpy
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.catalogue import RobotError
+from rapidsim.motion.chain import AxesAtZero, SerialChain
 from rapidsim.motion.kinematics import Kinematics
+from rapidsim.motion.numerical import Numerical
+from rapidsim.motion.offset_wrist import near_arm
+from rapidsim.motion.opw import OrthoParallel
 from rapidsim.motion.opw_geometry import JOINT_COUNT
-from rapidsim.motion.opw_recognise import AxesAtZero, ortho_parallel_arm
+from rapidsim.motion.opw_recognise import ortho_parallel_arm
+from rapidsim.motion.starts import MOST_JOINTS
 
 FLANGE_NAMES = ("tool0", "flange")
 """Links that are the flange, the first that the file has; else the link of the last axis."""
+FEWEST_JOINTS = 2
 TURNING = ("revolute", "continuous")
 
 
@@ -33,31 +39,57 @@ class RobotParts:
     limits: tuple[tuple[float, float], ...]
     """[rad]; infinite for continuous joints."""
     max_speeds: tuple[float | None, ...]
-    """[rad/s]"""
+    """[rad/s]; None where there is none, or the 0 that exporters write for an unknown one."""
     kinematics: Kinematics
+    notices: tuple[str, ...]
+    """What the user should know of how this arm is solved."""
 
 
 def robot_parts_from_urdf(file: Path) -> RobotParts:
     """Read a URDF.
 
     Raises:
-        RobotError: If the file is no URDF, or its arm is not six axes of the ortho-parallel kind.
+        RobotError: If the file is no URDF, or its moving joints are not one row of turning axes.
     """
     robot = _read(file)
     joints = _moving_joints(file, robot)
     axes = _axes_at_zero(robot, joints)
-    arm = ortho_parallel_arm(axes)
-    if isinstance(arm, str):
-        raise RobotError(
-            f"{file}: {arm}; only arms with axis 2 square to axis 1, axis 3 parallel to axis 2 and "
-            "a spherical wrist are supported, a numerical solver for others is not built yet"
+    limits = tuple(_limits(file, joint) for joint in joints)
+    arm: Kinematics | str = f"it has {len(joints)} axes"
+    if len(joints) == JOINT_COUNT:
+        arm = ortho_parallel_arm(axes)
+    coupling = _coupling(file, robot, joints, axes)
+    if coupling:
+        if not isinstance(arm, OrthoParallel):
+            raise RobotError(
+                f"{file}: {arm}; arms with a rod are supported only with closed formulas"
+            )
+        arm = replace(arm, geometry=replace(arm.geometry, coupling=coupling))
+    notices: tuple[str, ...] = ()
+    if coupling:
+        notices = (
+            f"{robot.name}: a rod moves axis 3; how far joint 3 - joint 2 may go is unknown, "
+            "so poses the rod forbids are not refused",
         )
+    if isinstance(arm, str):
+        notices = (
+            f"{robot.name}: {arm}, so its joints are searched for step by step; solutions beyond "
+            "those found may exist",
+        )
+        if len(joints) > JOINT_COUNT:
+            notices += (
+                f"{robot.name}: of the many ways to hold a pose the nearest of those found is "
+                "taken; the arm angle and the configuration of targets are not heeded",
+            )
+        lower, upper = np.array(limits).T
+        arm = Numerical(SerialChain.uncoupled(axes), lower, upper, near_arm(axes))
     return RobotParts(
         name=robot.name,
         joint_names=tuple(joint.name for joint in joints),
-        limits=tuple(_limits(file, joint) for joint in joints),
-        max_speeds=tuple(joint.limit.velocity if joint.limit else None for joint in joints),
+        limits=limits,
+        max_speeds=tuple(_max_speed(joint) for joint in joints),
         kinematics=arm,
+        notices=notices,
     )
 
 
@@ -82,16 +114,18 @@ def _moving_joints(file: Path, robot: yourdfpy.Robot) -> list[yourdfpy.Joint]:
     """The moving joints from base to flange."""
     moving = [joint for joint in robot.joints if joint.type != "fixed"]
     for joint in moving:
-        if joint.type not in TURNING or joint.mimic is not None:
-            kind = "mimic" if joint.mimic is not None else joint.type
-            raise RobotError(f"{file}: {kind} joint `{joint.name}` is not supported yet")
-    if len(moving) != JOINT_COUNT:
+        if joint.type not in TURNING:
+            raise RobotError(f"{file}: {joint.type} joint `{joint.name}` is not supported yet")
+    moving = [joint for joint in moving if joint.mimic is None]
+    if not FEWEST_JOINTS <= len(moving) <= MOST_JOINTS:
+        joints = "joint" if len(moving) == 1 else "joints"
         raise RobotError(
-            f"{file}: {len(moving)} moving joints; only arms with {JOINT_COUNT} are supported yet"
+            f"{file}: {len(moving)} moving {joints}; supported are arms with "
+            f"{FEWEST_JOINTS} to {MOST_JOINTS}"
         )
     joint_to = {joint.child: joint for joint in robot.joints}
     ordered = max((_towards_base(joint_to, joint) for joint in moving), key=len)[::-1]
-    if len(ordered) != JOINT_COUNT:
+    if len(ordered) != len(moving):
         raise RobotError(f"{file}: the moving joints do not follow one another in one chain")
     return ordered
 
@@ -103,10 +137,36 @@ def _towards_base(
     carried: list[yourdfpy.Joint] = []
     step: yourdfpy.Joint | None = joint
     while step is not None:
-        if step.type != "fixed":
+        if step.type != "fixed" and step.mimic is None:
             carried.append(step)
         step = joint_to.get(step.parent)
     return carried
+
+
+def _coupling(
+    file: Path, robot: yourdfpy.Robot, joints: list[yourdfpy.Joint], axes: AxesAtZero
+) -> int:
+    """How joint 2 turns axis 3 besides joint 3: -1 where a rod holds the link between them level.
+
+    Raises:
+        RobotError: If a joint mimics another in any other way.
+    """
+    for rod in (joint for joint in robot.joints if joint.mimic is not None):
+        if len(joints) == JOINT_COUNT and rod.mimic.joint == joints[1].name:
+            base_from_rod = _frames_at_zero(robot)[rod.child]
+            direction = base_from_rod[:3, :3] @ rod.axis / np.linalg.norm(rod.axis)
+            along = float(direction @ axes.directions[2])
+            off_axis = np.cross(base_from_rod[:3, 3] - axes.points[2], direction)
+            multiplier = 1.0 if rod.mimic.multiplier is None else rod.mimic.multiplier
+            turn = [multiplier * along, abs(along), rod.mimic.offset or 0.0, *off_axis]
+            between = (rod.parent, rod.child) == (joints[1].child, joints[2].parent)
+            if between and np.allclose(turn, [-1.0, 1.0, 0.0, 0.0, 0.0, 0.0], atol=1e-9):
+                return -1
+        raise RobotError(
+            f"{file}: joint `{rod.name}` mimics `{rod.mimic.joint}`; supported is only a link that "
+            "a rod holds level between joints 2 and 3"
+        )
+    return 0
 
 
 def _axes_at_zero(robot: yourdfpy.Robot, joints: list[yourdfpy.Joint]) -> AxesAtZero:
@@ -140,6 +200,11 @@ def _frames_at_zero(robot: yourdfpy.Robot) -> dict[str, Array]:
             frames[joint.child] = frames[joint.parent] @ origin
         waiting = [joint for joint in waiting if joint.child not in frames]
     return frames
+
+
+def _max_speed(joint: yourdfpy.Joint) -> float | None:
+    """The speed [rad/s] of a joint; URDF demands one, and exporters write 0 where none is known."""
+    return joint.limit.velocity or None if joint.limit else None
 
 
 def _limits(file: Path, joint: yourdfpy.Joint) -> tuple[float, float]:

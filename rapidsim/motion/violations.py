@@ -143,6 +143,41 @@ class PathNotReachable(Violation):
 
 
 @dataclass(frozen=True)
+class TooLittleTime(Violation):
+    r"""A move has less time than the arm needs for it.
+
+    `\T` gives the time of the whole move in place of a speed. The arm makes the move as fast as its
+    axes allow, which takes longer, so whatever relies on the time is late.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tool0;
+            MoveAbsJ [[90,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v500\T:=0.2,fine,tool0;
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tool0;
+            MoveAbsJ [[90,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v500\T:=2,fine,tool0;
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "K605"
+    name: ClassVar[str] = "too-little-time"
+    template: ClassVar[str] = "the move takes {needed_s:.3f} s; `\\T` gives it {programmed_s:g} s"
+    severity: ClassVar[Severity] = Severity.WARNING
+
+    programmed_s: float
+    needed_s: float
+
+
+@dataclass(frozen=True)
 class QuaternionNotUnit(Violation):
     """An orientation is not a unit quaternion.
 

@@ -18,6 +18,7 @@ from rapidsim.motion.grid import cells_of
 from rapidsim.motion.limits import Limits, limits_of
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path import Path
+from rapidsim.motion.robot import RobotError
 from rapidsim.motion.segments import Speed
 from rapidsim.motion.solver import solve
 from rapidsim.motion.sweep import sweep
@@ -341,8 +342,8 @@ def test_limits_come_from_the_robot_and_the_model() -> None:
     assert limits.max_acceleration == pytest.approx(limits.max_speed / 0.16)
     given_model = replace(MODEL, acceleration=(1.0, 2.0, 3.0, 4.0, 5.0, 6.0))
     assert limits_of(ROBOT, given_model).max_acceleration == pytest.approx([1, 2, 3, 4, 5, 6])
-    with pytest.raises(ValueError, match="6 axes, but 1 accelerations"):
+    with pytest.raises(RobotError, match="6 axes, but 1 accelerations"):
         limits_of(ROBOT, replace(MODEL, acceleration=(1.0,)))
     nameless = replace(ROBOT, joints=(replace(ROBOT.joints[0], max_speed=None),))
-    with pytest.raises(ValueError, match="no axis speed is known for joint_1"):
+    with pytest.raises(RobotError, match="no axis speed is known for joint_1"):
         limits_of(nameless, MODEL)

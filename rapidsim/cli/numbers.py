@@ -1,0 +1,36 @@
+"""Numbers on the command line: `1,2.5,-3`, with or without the brackets that RAPID writes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import isfinite
+
+import click
+
+
+def numbers(*counts: int) -> Callable[[str], tuple[float, ...]]:
+    """The type of an option that takes finite numbers with commas between.
+
+    Args:
+        counts: How many there may be; any number of them if none is given.
+    """
+
+    def read(text: str) -> tuple[float, ...]:
+        parts = text.replace("[", " ").replace("]", " ").strip().strip(",").split(",")
+        found = tuple(_number(part.strip(), text) for part in parts)
+        if counts and len(found) not in counts:
+            wanted = " or ".join(map(str, counts))
+            raise click.BadParameter(f"`{text}` has {len(found)} numbers, not {wanted}")
+        return found
+
+    return read
+
+
+def _number(part: str, text: str) -> float:
+    try:
+        number = float(part)
+    except ValueError:
+        raise click.BadParameter(f"`{part}` in `{text}` is not a number") from None
+    if not isfinite(number):
+        raise click.BadParameter(f"`{part}` in `{text}` is not a finite number")
+    return number

@@ -1,0 +1,192 @@
+"""All arms of the catalogue: complete, sane, their own inverse; and the KR 10 against its table."""
+
+import json
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.catalogue import aliases, aliases_of, find_entry, robots_folder
+from rapidsim.motion.opw import OrthoParallel
+from rapidsim.motion.opw_geometry import OpwGeometry
+from rapidsim.motion.robot import Robot, load_robot, robot_names
+
+GROUND_TRUTH = Path(__file__).parents[2].parent / "shared" / "reference" / "ground_truth.json"
+MAKERS = {"ABB", "KUKA", "Mitsubishi"}
+LONGEST_REACH_M = 4.0
+FASTEST_DEG_S = 1000.0
+
+
+@pytest.fixture(params=robot_names(), scope="module")
+def robot(request: pytest.FixtureRequest) -> Robot:
+    return load_robot(request.param)
+
+
+def test_names_and_aliases_are_unique() -> None:
+    names = robot_names()
+    assert len(set(names)) == len(names)
+    assert all(name == name.lower() for name in (*names, *aliases()))
+    assert not set(names) & set(aliases())
+    assert set(aliases().values()) <= set(names)
+    titles = [load_robot(name).title for name in names]
+    assert len(set(titles)) == len(titles)
+
+
+def test_numbers_in_names_are_sorted_by_value() -> None:
+    names = robot_names()
+    assert names.index("irb120-3-0.58") < names.index("irb1600-6-1.2")
+    assert names.index("kr16-2") < names.index("kr120-r2700-2")
+
+
+def test_aliases_name_the_arms_of_the_books() -> None:
+    assert load_robot("kr10").name == "kr10-r1100-sixx"
+    assert load_robot("RVM1").name == "rv-m1"
+    assert aliases_of("irb1600-6-1.2") == ("irb1600",)
+    assert aliases_of("irb1600-6-1.45") == ()
+
+
+def test_an_arm_is_found_without_reading_the_others() -> None:
+    """Names come from the folders and one file of aliases; only the arm's own entry is opened."""
+    script = (
+        "import sys\n"
+        "opened = []\n"
+        "sys.addaudithook(lambda event, what: opened.append(str(what[0])) if event == 'open' "
+        "else None)\n"
+        "from rapidsim.motion.robot import load_robot\n"
+        "load_robot('kr10')\n"
+        "print(sum(name.endswith('robot.toml') for name in opened))\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, check=True, text=True
+    )
+    assert done.stdout.split() == ["1"]
+
+
+def test_every_file_says_only_what_is_read(robot: Robot) -> None:
+    text = (robots_folder() / robot.name / "robot.toml").read_text(encoding="utf-8")
+    table = tomllib.loads(text)
+    known = "name title maker structure payload_kg reach_m sources checks notes not_modelled"
+    assert set(table) <= {*known.split(), "geometry_mm", "zero", "joint"}
+    assert table["maker"] in MAKERS
+    assert table["title"].startswith(table["maker"])
+
+
+def test_limits_are_sane(robot: Robot) -> None:
+    """No joint is locked or endless, speeds are in degrees, and zero or the start is within."""
+    span = np.degrees(robot.upper - robot.lower)
+    assert (span >= 90.0).all()
+    assert (span <= 800.0).all()
+    speeds = [joint.max_speed for joint in robot.joints]
+    assert all(v is None or 30.0 <= np.degrees(v) <= FASTEST_DEG_S for v in speeds)
+    assert len({speed is None for speed in speeds}) == 1
+    if speeds[0] is None:
+        assert [note for note in robot.notes if "speeds" in note]
+    assert robot.reach_m is not None
+    assert 0.4 <= robot.reach_m <= LONGEST_REACH_M
+    assert (robot.lower <= robot.start).all()
+    assert (robot.start <= robot.upper).all()
+
+
+@pytest.mark.parametrize("name", [name for name in robot_names() if name != "rv-m1"])
+def test_home_is_where_the_lengths_say(name: str) -> None:
+    """Lower arm upright, forearm level, wrist straight: one corner in the plane of axis 1."""
+    robot = load_robot(name)
+    arm = robot.kinematics
+    assert isinstance(arm, OrthoParallel)
+    g = arm.geometry
+    upright = arm.joints_from_theta(np.array([0.0, 0.0, np.pi / 2.0, 0.0, 0.0, 0.0]))
+    flange = arm.forward(upright)
+    expected = [g.a1 + g.c3 + g.c4, g.b, g.c1 + g.c2 - g.a2]
+    assert flange.translation == pytest.approx(expected, abs=1e-12)
+    assert flange.rotation[:, 2] == pytest.approx([1.0, 0.0, 0.0], abs=1e-12)
+    if robot.maker == "ABB":
+        assert upright == pytest.approx(np.zeros(6), abs=1e-12)
+
+
+def test_a_run_starts_away_from_singularities(robot: Robot) -> None:
+    jacobian = robot.kinematics.jacobian(robot.start)
+    scaled = jacobian / np.array([robot.reach_m] * 3 + [1.0] * 3)[:, None]
+    assert np.linalg.svd(scaled, compute_uv=False)[-1] > 0.02
+
+
+def test_the_inverse_undoes_the_forward(robot: Robot) -> None:
+    joints = np.random.default_rng(11).uniform(robot.lower, robot.upper, (300, len(robot.joints)))
+    pose = robot.forward(joints)
+    branches = robot.inverse(pose)
+    own = robot.kinematics.branch_of(joints)
+    row = np.arange(len(joints))
+    assert branches.exists[row, own].all()
+    assert np.max(np.abs(turns_aside(branches.joints[row, own] - joints))) < 1e-6
+    reached = robot.forward(branches.joints).matrix - pose.matrix[:, None]
+    assert np.max(np.abs(reached[branches.exists])) < 1e-9
+
+
+@pytest.mark.parametrize("name", ["irb2400-10-1.55", "irb4400-60-1.95"])
+def test_a_rod_keeps_the_forearm_level(name: str) -> None:
+    """Joint 3 is the angle of the forearm to the horizontal, wherever joint 2 stands."""
+    robot = load_robot(name)
+    for q2 in np.radians([-50.0, 0.0, 60.0]):
+        flange = robot.forward(np.array([0.0, q2, 0.0, 0.0, 0.0, 0.0]))
+        assert flange.rotation[:, 2] == pytest.approx([1.0, 0.0, 0.0], abs=1e-12)
+    assert robot.not_modelled
+
+
+def test_the_kr_10_is_its_dh_table() -> None:
+    """KUKA's axes mapped to the table's angles give the table's tip."""
+    if not GROUND_TRUTH.is_file():
+        pytest.skip(f"{GROUND_TRUTH.name} is not beside this checkout")
+    truth = json.loads(GROUND_TRUTH.read_text(encoding="utf-8"))["kr10"]
+    robot = load_robot("kr10")
+    geometry = find_entry("kr10").geometry
+    assert isinstance(geometry, OpwGeometry)
+    beyond_flange = truth["tool_z"] - geometry.c4
+    for case in truth["fk_ik_random"]:
+        axes = kuka_axes_from_dh(np.array(case["q"]))
+        flange = robot.forward(axes)
+        tip = flange.translation + beyond_flange * flange.rotation[:, 2]
+        assert tip == pytest.approx(case["tool_T"]["p_m"], abs=1e-9)
+        assert flange.rotation == pytest.approx(np.array(case["tool_T"]["R"]), abs=1e-9)
+        ours = robot.inverse(flange)
+        listed = [
+            kuka_axes_from_dh(np.array(solution["q"]))
+            for solution in case["ik"]
+            if solution["reachable"]
+        ]
+        assert ours.exists.sum() == len(listed)
+        for theirs in listed:
+            gap = np.abs(turns_aside(ours.joints[ours.exists] - theirs)).max(axis=-1)
+            assert gap.min() < 1e-6
+    limits = [np.degrees([joint.lower, joint.upper]).tolist() for joint in robot.joints]
+    assert np.array(limits) == pytest.approx(
+        np.array(truth["limits_ros_industrial_kr10r1100sixx_deg"])
+    )
+
+
+def test_the_rv_m1_is_its_dh_table() -> None:
+    if not GROUND_TRUTH.is_file():
+        pytest.skip(f"{GROUND_TRUTH.name} is not beside this checkout")
+    truth = json.loads(GROUND_TRUTH.read_text(encoding="utf-8"))["rvm1"]
+    robot = load_robot("rvm1")
+    for case in truth["random"]:
+        flange = robot.forward(np.array(case["q"]))
+        assert flange.translation == pytest.approx(case["p_m"], abs=1e-9)
+        assert flange.rotation == pytest.approx(np.array(case["R"]), abs=1e-9)
+    limits = np.degrees([robot.lower, robot.upper]).T
+    assert limits == pytest.approx(np.array(truth["limits_deg"]))
+
+
+def kuka_axes_from_dh(theta: Array) -> Array:
+    """A1 to A6 [rad] of the angles of the DH table."""
+    quarter = np.pi / 2.0
+    return np.array(
+        [-theta[0], -theta[1], theta[2] + quarter, -theta[3], theta[4], np.pi - theta[5]]
+    )
+
+
+def turns_aside(difference: Array) -> Array:
+    """Differences of angles [rad] without whole turns."""
+    return difference - 2.0 * np.pi * np.round(difference / (2.0 * np.pi))
