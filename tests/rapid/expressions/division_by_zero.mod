@@ -1,0 +1,11 @@
+! RAPID Kernel, Arithmetic operators: dividing by zero is the error ERR_DIVZERO.
+MODULE division_by_zero
+  VAR num zero;
+  VAR num n;
+
+  PROC main()
+    n:=1;
+    n:=5/zero;                            ! stops: division by zero
+    TPWrite "never";
+  ENDPROC
+ENDMODULE

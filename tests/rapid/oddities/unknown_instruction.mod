@@ -1,0 +1,11 @@
+! Field practice, Options: an instruction of a process that is not there is skipped and said.
+MODULE unknown_instruction
+  CONST jointtarget jHome:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+
+  PROC main()
+    GlueStart 1,"bead"\Fast;              ! warning: N209 ! about the run: warning R104
+    MoveAbsJ jHome,v1000,fine,tool0;
+    SetDO doGlue,1;                       ! warning: I801
+    TPWrite "glued";                      ! -> glued
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,140 @@
+"""What the comments of a program promise, and what happened when it was checked and run.
+
+    TPWrite "hello";    ! -> hello          this line shows exactly this; one such comment a time
+    b:=1;               ! error: T301       checking or running reports exactly this on this line
+    n:=1/zero;          ! stops: division by zero
+    EXIT;               ! ends: stopped     how the run ends, where it is not by reaching the end
+                        ! about the run: warning R104      a finding that stands on no line
+
+A comment on a line of its own belongs to the line of code above it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from rapidsim.diagnostics import Diagnostic, Severity, Source
+from rapidsim.files import SourceFile, decode
+from rapidsim.motion.robot import Robot, load_robot
+from rapidsim.simulation.load import load
+from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.result import EventKind, Simulation
+from rapidsim.simulation.simulate import simulate
+from rapidsim.syntax.lexer import lex
+
+ROBOT = "irb1600-6-1.2"
+MAX_TIME_S = 60.0
+
+_PROMISE = re.compile(
+    r"! (?:(?P<shows>->)|(?P<severity>error|warning|note):|(?P<stops>stops):|(?P<ends>ends):"
+    r"|(?P<run>about the run):) ?(?P<text>.*)"
+)
+_NEXT = re.compile(r"\s*(?=! (?:->|error:|warning:|note:|stops:|ends:|about the run:))")
+
+Fact = tuple[str, int, str, str]
+"""File, line (0 for none), kind, text; facts of one line keep their order."""
+
+
+@dataclass(frozen=True, slots=True)
+class Comment:
+    """A comment and the line of code it belongs to."""
+
+    line: int
+    text: str
+
+
+def comments(source: Source) -> list[Comment]:
+    """All comments of a file in order; strings and broken text are understood."""
+    found = []
+    code_line = 1
+    next_line = 1
+    for comment in lex(source.text).comments:
+        line, column = source.position(comment.start)
+        for number in range(next_line, line):
+            code = source.line(number).strip()
+            if code and not code.startswith("!"):
+                code_line = number
+        if source.line(line)[: column - 1].strip():
+            code_line = line
+        next_line = line
+        found.append(Comment(code_line, comment.text))
+    return found
+
+
+def promises(source: Source) -> list[Fact]:
+    """What a file says must happen."""
+    facts: list[Fact] = []
+    for comment in comments(source):
+        for part in _NEXT.split(comment.text):
+            match = _PROMISE.match(part)
+            if match is None:
+                continue
+            text = match["text"].rstrip()
+            if match["severity"]:
+                codes = text.split(", ")
+                facts += [(source.file, comment.line, match["severity"], code) for code in codes]
+            elif match["shows"]:
+                facts.append((source.file, comment.line, "shows", text))
+            elif match["stops"]:
+                facts.append((source.file, comment.line, "stops", text))
+            elif match["ends"]:
+                facts.append(("", 0, "ends", text))
+            else:
+                severity, code = text.split(" ")
+                facts.append(("", 0, severity, code))
+    return facts
+
+
+def sources(task: Path) -> list[Source]:
+    """The modules of a program: one file, or all of a folder."""
+    paths = sorted(task.iterdir()) if task.is_dir() else [task]
+    return [Source(path.name, decode(path.read_bytes())[0]) for path in paths]
+
+
+def promised(texts: Iterable[Source]) -> list[Fact]:
+    """What the comments of a program say must happen, by file and line."""
+    return _ordered(fact for source in texts for fact in promises(source))
+
+
+def happened(texts: Sequence[Source]) -> list[Fact]:
+    """What happens when a program is checked and, if it can be, run."""
+    loaded = load([SourceFile(source.file, source.text, "utf-8") for source in texts])
+    facts = [_finding(diagnostic) for diagnostic in loaded.diagnostics]
+    if loaded.program is not None:
+        facts += _run(simulate(loaded.program, robot(), options=RunOptions(max_time_s=MAX_TIME_S)))
+    return _ordered(facts)
+
+
+@cache
+def robot() -> Robot:
+    """The arm that all programs run on."""
+    return load_robot(ROBOT)
+
+
+def _run(run: Simulation) -> list[Fact]:
+    facts: list[Fact] = []
+    for event in run.events:
+        if event.kind is EventKind.TEXT and event.place is not None:
+            span = event.place.span
+            facts.append((span.file, span.line, "shows", event.message.rstrip()))
+    facts += [_finding(diagnostic) for diagnostic in run.diagnostics]
+    if run.end.value not in ("ended", "error"):
+        facts.append(("", 0, "ends", run.end.value))
+    return facts
+
+
+def _finding(diagnostic: Diagnostic) -> Fact:
+    place = (diagnostic.span.file, diagnostic.span.line) if diagnostic.span else ("", 0)
+    violation = diagnostic.violation
+    if violation.code.startswith(("R101", "R106", "K")) and violation.severity is Severity.ERROR:
+        return (*place, "stops", violation.message)
+    return (*place, violation.severity.value, violation.code)
+
+
+def _ordered(facts: Iterable[Fact]) -> list[Fact]:
+    """By file and line; what a line shows stays in order, findings are sorted."""
+    return sorted(facts, key=lambda fact: (*fact[:3], "" if fact[2] == "shows" else fact[3]))

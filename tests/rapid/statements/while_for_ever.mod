@@ -1,0 +1,11 @@
+! RAPID Kernel, WHILE: a loop without an end; in a simulation virtual time passes and ends it.
+MODULE while_for_ever
+  VAR num turns;
+
+  PROC main()
+    TPWrite "begin";                  ! -> begin
+    WHILE TRUE DO                     ! ends: time_limit
+      WaitTime 1;
+    ENDWHILE
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,49 @@
+"""The language book: small programs whose comments say what must happen, and nothing else may."""
+
+import re
+from pathlib import Path
+
+import pytest
+from rapid_promises import happened, promised, sources
+
+BOOK = Path(__file__).parent
+CHAPTERS = (
+    "lexical",
+    "declarations",
+    "types",
+    "expressions",
+    "statements",
+    "routines",
+    "parameters",
+    "errors",
+    "interrupts",
+    "modules",
+    "oddities",
+    "broken",
+)
+PROGRAMS = [program for chapter in CHAPTERS for program in sorted((BOOK / chapter).iterdir())]
+TITLE = re.compile(r"^\s*! (RAPID (Kernel|Overview|Instructions|Functions)|Field practice), \w")
+
+
+def name(program: Path) -> str:
+    return f"{program.parent.name}/{program.stem}"
+
+
+@pytest.mark.parametrize("program", PROGRAMS, ids=name)
+def test_what_a_program_promises_is_what_happens(program: Path) -> None:
+    texts = sources(program)
+    assert happened(texts) == promised(texts)
+
+
+@pytest.mark.parametrize("program", PROGRAMS, ids=name)
+def test_a_program_names_its_rule_and_where_the_rule_is_from(program: Path) -> None:
+    for source in sources(program):
+        head = source.text.splitlines()[:6]
+        assert any(TITLE.match(line) for line in head), head
+
+
+@pytest.mark.parametrize("program", sorted((BOOK / "broken").iterdir()), ids=name)
+def test_a_broken_shape_gives_one_finding_in_its_place(program: Path) -> None:
+    found = [fact for fact in happened(sources(program)) if fact[2] in ("error", "warning")]
+    assert len(found) == 1
+    assert found[0][1] > 0
