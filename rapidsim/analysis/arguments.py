@@ -10,6 +10,7 @@ from rapidsim.analysis.argument_violations import BadArgumentMode, PersistentEle
 from rapidsim.analysis.context import Context, TypeOf
 from rapidsim.analysis.name_violations import UnknownUnit
 from rapidsim.analysis.names import find, kind_of, report_undefined, take_for_signal
+from rapidsim.analysis.operators import is_literal_number
 from rapidsim.analysis.parameters import Formal, Wanted
 from rapidsim.analysis.paths import Path, root_of
 from rapidsim.analysis.program import (
@@ -19,6 +20,7 @@ from rapidsim.analysis.program import (
     Storage,
     Symbol,
 )
+from rapidsim.analysis.walk import descendants
 from rapidsim.language import types
 from rapidsim.language.annotations import Mode
 from rapidsim.language.single import LARGEST_EXACT_INTEGER
@@ -36,41 +38,67 @@ _WORDS = {
 
 
 def check_argument(
-    value: tree.Expression, formal: Formal, context: Context, type_of: TypeOf
-) -> None:
-    """Check the value of an argument."""
+    value: tree.Expression,
+    formal: Formal,
+    context: Context,
+    type_of: TypeOf,
+    *,
+    beside: Type | None = None,
+) -> Type | None:
+    """Check the value of an argument.
+
+    Args:
+        value: The argument.
+        formal: Its parameter.
+        context: Where the call stands.
+        type_of: Finds the types of expressions.
+        beside: Type of the argument before it that may be num or dnum; literals follow it.
+
+    Returns:
+        The type of the argument; None where it is not known.
+    """
     plain = _without_parentheses(value)
     if isinstance(plain, tree.Reference) and find(plain.name.key, context) is None:
         signal = formal.signal
         if signal is not None:
             take_for_signal(plain, signal, context)
-            return
+            return None
         unit = next((of for of in formal.types if _is_configured(of)), None)
         if unit is not None:
             _take_for_unit(plain, unit, context)
-            return
+            return None
         if formal.mode is not Mode.IN:
             report_undefined(plain.name, context)
-            return
-    wanted = _wanted(plain, formal)
+            return None
+    wanted = _wanted(plain, formal, beside)
     found = type_of(value, context, wanted)
     if found is not None and not any(agrees(found, of) for of in formal.types):
         _report_types(value, found, formal, context)
-        return
+        return found
     if formal.mode is not Mode.IN and found is not None:
         _check_mode(value, formal, context)
     elif found is not None and formal.types == (types.ANYTYPE,):
         require_value(value, found, "passed by value", context)
+    return found
 
 
-def _wanted(value: tree.Expression, formal: Formal) -> Wanted:
-    """The type that guides literals and aggregates where several are taken."""
-    if len(formal.types) == 1:
+def _wanted(value: tree.Expression, formal: Formal, beside: Type | None) -> Wanted:
+    """The type that guides literals and aggregates where several are taken.
+
+    A literal follows the data it is used with, as in `Add d, 0.2`; without any it is a num unless
+    only a dnum holds it exactly, as in `SetGO go, 4294967295`.
+    """
+    is_open = types.DNUM in formal.types or formal.types == (types.ANYTYPE,)
+    if not (is_open and is_literal_number(value)) or formal.types == (types.DNUM,):
         return formal.wanted
-    if isinstance(value, tree.Number) and types.DNUM in formal.types:
-        large = abs(value.value) > LARGEST_EXACT_INTEGER
-        return Wanted(types.DNUM if large else types.NUM, formal.wanted.by)
-    return formal.wanted
+    is_dnum = beside is not None and resolved(beside) == types.DNUM
+    if not is_dnum and beside is None:
+        is_dnum = any(
+            abs(part.value) > LARGEST_EXACT_INTEGER
+            for part in descendants(value)
+            if isinstance(part, tree.Number)
+        )
+    return Wanted(types.DNUM if is_dnum else types.NUM, formal.wanted.by)
 
 
 def _report_types(value: tree.Expression, found: Type, formal: Formal, context: Context) -> None:

@@ -82,6 +82,7 @@ def _check_arguments(
     bound, unbound = bind(call, arguments, callee, context)
     check_unbound(unbound, context, type_of)
     given: dict[int, tree.Argument] = {}
+    beside: Type | None = None
     for argument, formal in bound:
         if formal.group:
             other = given.setdefault(formal.group, argument)
@@ -94,7 +95,9 @@ def _check_arguments(
                 context.report(BadOption(problem, "give one of them"), argument)
         match argument:
             case tree.Required(value=value):
-                check_argument(value, formal, context, type_of)
+                found = check_argument(value, formal, context, type_of, beside=beside)
+                if types.DNUM in formal.types:
+                    beside = found
             case tree.Optional(value=value):
                 _check_option(argument, value, formal, context, type_of)
             case tree.Conditional():

@@ -24,6 +24,7 @@ from rapidsim.analysis.user_types import UserTypes
 from rapidsim.analysis.walk import clauses, statements
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.syntax import tree
+from rapidsim.syntax.collection import uncollected
 
 _DEEPEST = 20_000
 """Python calls within each other while checking; the parser bounds how deep programs nest."""
@@ -39,6 +40,7 @@ class Checked:
     """Ordered by file as given, then by place."""
 
 
+@uncollected()
 def check(files: Sequence[tree.File]) -> Checked:
     """Check the modules of one task together.
 

@@ -9,12 +9,15 @@ from __future__ import annotations
 from rapidsim.analysis.aggregates import type_of_aggregate
 from rapidsim.analysis.calls import check_unbound, type_of_call
 from rapidsim.analysis.context import Context
+from rapidsim.analysis.error_numbers import check_error_number
 from rapidsim.analysis.operators import (
+    ARITHMETIC,
     EQUALITY,
     LOGICAL,
     ORDERING,
     binary_result,
     has_value,
+    is_literal_number,
     unary_result,
     usual_cure,
     value_type,
@@ -22,14 +25,12 @@ from rapidsim.analysis.operators import (
 from rapidsim.analysis.parameters import Wanted
 from rapidsim.analysis.paths import type_of_path
 from rapidsim.analysis.type_violations import NoValue, NumberOutOfRange, WrongOperands
-from rapidsim.analysis.walk import descendants
 from rapidsim.language import types
 from rapidsim.language.single import LARGEST_SINGLE
 from rapidsim.language.types import Type, resolved
 from rapidsim.syntax import tree
 
 _LARGEST_DOUBLE = 1.7976931348623157e308
-_ARITHMETIC = frozenset({"+", "-", "*", "/", "DIV", "MOD"})
 
 
 def type_of_expression(
@@ -99,13 +100,16 @@ def _unary(node: tree.Unary, context: Context, wanted: Wanted | None) -> Type | 
 def _binary(node: tree.Binary, context: Context, wanted: Wanted | None) -> Type | None:
     # What an arithmetic expression wants goes on to the literals in it.
     is_dnum = wanted is not None and resolved(wanted.type) == types.DNUM
-    hint = wanted if is_dnum and node.operator in _ARITHMETIC else None
+    hint = wanted if is_dnum and node.operator in ARITHMETIC else None
     if _waits_for_other(node.left):
         right = type_of_expression(node.right, context, hint)
         left = _operand(node.left, right, hint, context)
     else:
         left = type_of_expression(node.left, context, hint)
         right = _operand(node.right, left, hint, context)
+    if node.operator in EQUALITY:
+        check_error_number(node.left, node.right, context)
+        check_error_number(node.right, node.left, context)
     return _result(node, left, right, context)
 
 
@@ -142,7 +146,7 @@ def _result(
     if result is None and {left, right} == {types.NUM, types.DNUM}:
         # Literals were taken for num before a dnum was seen beside them.
         literal = node.left if left == types.NUM else node.right
-        if _is_literal_number(literal):
+        if is_literal_number(literal):
             type_of_expression(literal, context, Wanted(types.DNUM, ""))
             result = binary_result(operator, types.DNUM, types.DNUM)
     if result is None:
@@ -174,12 +178,3 @@ def _waits_for_other(node: tree.Expression) -> bool:
             return _waits_for_other(inner)
         case _:
             return False
-
-
-def _is_literal_number(node: tree.Expression) -> bool:
-    """Whether an expression computes with literal numbers alone."""
-    return all(
-        isinstance(part, tree.Number | tree.Unary | tree.Parenthesised)
-        or (isinstance(part, tree.Binary) and part.operator in _ARITHMETIC)
-        for part in descendants(node)
-    )

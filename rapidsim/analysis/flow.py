@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import takewhile
 
 from rapidsim.analysis.context import Context
 from rapidsim.analysis.flow_violations import (
@@ -10,6 +11,7 @@ from rapidsim.analysis.flow_violations import (
     MissingReturn,
     RaiseRetryPlacement,
     ReturnValue,
+    UnreachableCode,
 )
 from rapidsim.analysis.name_violations import DuplicateName
 from rapidsim.analysis.suggestions import closest
@@ -28,6 +30,8 @@ def check_flow(routine: tree.Routine, context: Context) -> None:
     _check_answers(routine, context)
     _check_returns(routine, context)
     _check_labels(routine, context)
+    for body in clauses(routine):
+        _check_reached(body, context, is_resumed=body is routine.body and _resumes(routine))
 
 
 def _check_declarations(routine: tree.Routine, context: Context) -> None:
@@ -87,6 +91,56 @@ def _check_returns(routine: tree.Routine, context: Context) -> None:
             closing,
             Related(context.module.span(routine.name), "the function begins here"),
         )
+
+
+def _check_reached(body: tree.Body, context: Context, *, is_resumed: bool) -> None:
+    """Report what stands behind a statement that never passes, once up to the next label.
+
+    Args:
+        body: A statement list.
+        context: Takes the reports.
+        is_resumed: TRYNEXT may go on behind a statement of the list that failed.
+    """
+    last: tree.Statement | None = None
+    is_reported = False
+    for position, statement in enumerate(body):
+        if isinstance(statement, tree.Label):
+            last, is_reported = None, False
+        if last is not None:
+            if not is_reported and not _is_for_safety(body[position:]):
+                place = Related(context.module.span(last), "this never goes on to the next one")
+                context.report(UnreachableCode(), statement, place)
+            is_reported = True
+            continue
+        for block in blocks(statement):
+            _check_reached(block, context, is_resumed=is_resumed)
+        if _leads_elsewhere(statement, is_resumed=is_resumed):
+            last = statement
+
+
+def _resumes(routine: tree.Routine) -> bool:
+    handler = routine.error.body if routine.error is not None else ()
+    return any(isinstance(statement, tree.TryNext) for statement in statements(handler))
+
+
+def _leads_elsewhere(statement: tree.Statement, *, is_resumed: bool) -> bool:
+    """Whether execution surely never goes on behind a statement."""
+    if is_resumed:
+        match statement:
+            case tree.Exit() | tree.Goto() | tree.Return(value=None):
+                return True
+            case _:
+                return False
+    # Of what could not be read nobody knows where it leads.
+    if any(isinstance(node, tree.Broken | tree.Placeholder) for node in statements((statement,))):
+        return False
+    return not _passes(statement)
+
+
+def _is_for_safety(rest: tree.Body) -> bool:
+    """Whether nothing but a RETURN stands there up to the next label."""
+    before_label = takewhile(lambda statement: not isinstance(statement, tree.Label), rest)
+    return all(isinstance(statement, tree.Return | tree.Empty) for statement in before_label)
 
 
 def _goes_on(body: Sequence[tree.Statement]) -> bool:

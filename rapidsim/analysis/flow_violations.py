@@ -9,6 +9,39 @@ from rapidsim.diagnostics import Severity, Violation
 
 
 @dataclass(frozen=True)
+class UnreachableCode(Violation):
+    """A statement can never be executed: the one before it always leads elsewhere.
+
+    Moves that are never made mislead whoever reads the program. A lone RETURN is not reported; it
+    often stands at the end of a function for safety.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            TPErase;
+            RETURN;
+            TPWrite "done";
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            TPErase;
+            TPWrite "done";
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "F401"
+    name: ClassVar[str] = "unreachable-code"
+    template: ClassVar[str] = "this is never executed"
+    severity: ClassVar[Severity] = Severity.WARNING
+
+
+@dataclass(frozen=True)
 class MissingReturn(Violation):
     """A function can reach its end without giving a value. The call then fails.
 

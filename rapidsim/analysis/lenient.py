@@ -7,6 +7,7 @@ from rapidsim.analysis.syntax_violations import (
     ArrayComponent,
     CallInParentheses,
     CaseRange,
+    EmptyRecord,
     EqualsForAssignment,
     LateBoundFunction,
     MissingParameterList,
@@ -46,7 +47,11 @@ def check_lenient_marks(context: Context) -> None:
                 context.report(SignInside(node.operator), node)
             case tree.Field(dimensions=(_, *_)):
                 context.report(ArrayComponent(node.name.text), node)
-            case tree.Proc(parentheses_missing=True) | tree.Func(parentheses_missing=True):
+            case tree.RecordType(components=()):
+                context.report(EmptyRecord(node.name.text), node.name)
+            case tree.Proc(parentheses_missing=True) | tree.Func(parentheses_missing=True) if (
+                node.name.text  # Without a name the head has been reported as a whole.
+            ):
                 context.report(MissingParameterList(node.name.text), node.name)
             case tree.Placeholder() if text[node.start : node.start + 1] not in ("<", "*"):
                 # Put in by the parser for what it could not read, and reported there.

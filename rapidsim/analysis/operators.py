@@ -7,12 +7,14 @@ from __future__ import annotations
 
 from types import MappingProxyType
 
+from rapidsim.analysis.walk import descendants
 from rapidsim.language import types
 from rapidsim.language.types import ArrayOf, Atomic, Kind, Record, Type, resolved
 from rapidsim.library.predefined import TYPES
+from rapidsim.syntax import tree
 
 _POS, _ORIENT = TYPES["pos"], TYPES["orient"]
-_ARITHMETIC = MappingProxyType(
+_RESULTS = MappingProxyType(
     {
         ("+", "num", "num"): types.NUM,
         ("+", "dnum", "dnum"): types.DNUM,
@@ -35,6 +37,7 @@ _ARITHMETIC = MappingProxyType(
         ("MOD", "dnum", "dnum"): types.DNUM,
     }
 )
+ARITHMETIC = frozenset({"+", "-", "*", "/", "DIV", "MOD"})
 ORDERING = frozenset({"<", "<=", ">", ">="})
 EQUALITY = frozenset({"=", "<>"})
 LOGICAL = frozenset({"AND", "OR", "XOR"})
@@ -49,7 +52,7 @@ def binary_result(operator: str, left: Type, right: Type) -> Type | None:
         return types.BOOL if a == b and a in (types.NUM, types.DNUM) else None
     if operator in EQUALITY:
         return types.BOOL if a == b and has_value(a) and not isinstance(a, ArrayOf) else None
-    return _ARITHMETIC.get((operator, a.name.lower(), b.name.lower()))
+    return _RESULTS.get((operator, a.name.lower(), b.name.lower()))
 
 
 def unary_result(operator: str, operand: Type) -> Type | None:
@@ -95,3 +98,12 @@ def usual_cure(operator: str, left: Type, right: Type) -> str:
     if "num" in names and (operator in LOGICAL or "bool" in names):
         return "compare the number first, as in `x=1`"
     return ""
+
+
+def is_literal_number(node: tree.Expression) -> bool:
+    """Whether an expression computes with literal numbers alone."""
+    return all(
+        isinstance(part, tree.Number | tree.Unary | tree.Parenthesised)
+        or (isinstance(part, tree.Binary) and part.operator in ARITHMETIC)
+        for part in descendants(node)
+    )

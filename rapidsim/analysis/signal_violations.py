@@ -46,4 +46,6 @@ class UnknownSignal(Violation):
     @property
     def help(self) -> str:
         """Where signals are declared."""
-        return f"the controller takes its {self.type} from the I/O configuration; a run starts it at 0"
+        return (
+            f"the controller takes its {self.type} from the I/O configuration; a run starts it at 0"
+        )

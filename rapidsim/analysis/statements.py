@@ -6,6 +6,7 @@ from rapidsim.analysis.agreement import require, require_value
 from rapidsim.analysis.argument_violations import BadArgumentMode
 from rapidsim.analysis.calls import check_call, check_unbound
 from rapidsim.analysis.context import Context, Scope
+from rapidsim.analysis.error_numbers import check_error_number
 from rapidsim.analysis.expressions import type_of_expression
 from rapidsim.analysis.flow_violations import BadConnect
 from rapidsim.analysis.names import find, kind_of, report_undefined
@@ -127,6 +128,7 @@ def _check_test(statement: tree.Test, context: Context) -> None:
     for case in statement.cases:
         ends = (case.range_to,) if case.range_to is not None else ()
         for value in (*case.values, *ends):
+            check_error_number(statement.subject, value, context)
             if wanted is not None:
                 require(value, wanted, context, type_of_expression)
             elif not isinstance(value, tree.Aggregate | tree.LiteralAggregate):

@@ -338,6 +338,33 @@ class ArrayComponent(Violation):
 
 
 @dataclass(frozen=True)
+class EmptyRecord(Violation):
+    """A record is declared without a component, so it could hold nothing.
+
+    ## Example
+
+        MODULE example
+          RECORD pallet
+          ENDRECORD
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          RECORD pallet
+            num rows;
+          ENDRECORD
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "E150"
+    name: ClassVar[str] = "empty-record"
+    template: ClassVar[str] = "the record `{record}` has no component"
+
+    record: str
+
+
+@dataclass(frozen=True)
 class UnfinishedCode(Violation):
     """A placeholder of the program editor was left in the code. Executing it stops the program.
 

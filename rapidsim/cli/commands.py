@@ -12,6 +12,7 @@ import click
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.terminal import terminal_options
 from rapidsim.files import InputError, did_you_mean
+from rapidsim.syntax.collection import uncollected
 
 # In the order of the help page, which is written from here: it must not import every command.
 # `rapidsim.cli.<name>` holds the command of that name.
@@ -22,6 +23,7 @@ _COMMANDS: Mapping[str, str] = MappingProxyType(
         "explain": "Explain a rule, with an example and a fix.",
         "robots": "List the robots, or show one.",
         "frames": "Show the frames of a program: tools, work objects, targets.",
+        "kin": "Forward and inverse kinematics and Jacobian of one pose.",
     }
 )
 
@@ -33,7 +35,9 @@ class _Commands(click.Group):
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         if cmd_name not in _COMMANDS:
             return None
-        return cast(click.Command, getattr(import_module(f"rapidsim.cli.{cmd_name}"), cmd_name))
+        with uncollected():
+            module = import_module(f"rapidsim.cli.{cmd_name}")
+        return cast(click.Command, getattr(module, cmd_name))
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]

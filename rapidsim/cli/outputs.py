@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from rapidsim.files import InputError
+from rapidsim.files import InputError, SourceFile
 from rapidsim.report.summary import Written
 from rapidsim.simulation.result import Simulation
 
 TRACE_STEP_S = 0.012
+VALUES = "values of persistents"
+"""What was written into files of the program."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +44,11 @@ def new_events(name: str) -> Path:
     return _new_file(name, (".jsonl",))
 
 
+def new_profile(name: str) -> Path:
+    """The place of a profile of the interpreter, refused like a recording's."""
+    return _new_file(name, (".prof",))
+
+
 def write(simulation: Simulation, outputs: Outputs) -> tuple[Written, ...]:
     """Write the files asked for. What writes them imports rerun and more, so only then."""
     written = []
@@ -60,6 +68,18 @@ def write(simulation: Simulation, outputs: Outputs) -> tuple[Written, ...]:
         write_events(simulation, outputs.events)
         written.append(Written(outputs.events, "events"))
     return tuple(written)
+
+
+def write_values(simulation: Simulation, files: Iterable[SourceFile]) -> tuple[Written, ...]:
+    """Write what persistents hold into the program's files.
+
+    Raises:
+        InputError: If one of them cannot be written; then none is.
+    """
+    from rapidsim.export.persistents import write_persistents
+
+    written = write_persistents(simulation.persistents, files)
+    return tuple(Written(path, VALUES) for path in written)
 
 
 def _new_file(name: str, suffixes: tuple[str, ...]) -> Path:

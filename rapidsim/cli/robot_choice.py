@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+import click
+
 from rapidsim.files import InputError
 from rapidsim.motion.catalogue import RobotError
 from rapidsim.motion.robot import Robot, load_robot
 
 
 def open_robot(name: str) -> Robot:
-    """A robot of the catalogue or of a URDF file.
+    """A robot of the catalogue or of a URDF file; what is special about it is said on stderr.
 
     Raises:
         InputError: If it is unknown, unreadable, or not supported.
     """
     try:
-        return load_robot(name)
+        robot = load_robot(name)
     except RobotError as error:
         raise InputError(str(error), "`rapidsim robots` lists the catalogue") from error
+    for notice in robot.notices:
+        click.echo(f"note: {notice}", err=True)
+    return robot

@@ -10,7 +10,7 @@ import click
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.robot_choice import open_robot
 from rapidsim.cli.terminal import current_terminal, terminal_options
-from rapidsim.motion.catalogue import aliases, robot_names
+from rapidsim.motion.catalogue import aliases_of, robot_names
 from rapidsim.motion.robot import Robot
 from rapidsim.report.robot_tables import catalogue_table, robot_page
 
@@ -32,18 +32,15 @@ def robots(name: str | None, output_format: str) -> int:
     NAME is a name or alias of the catalogue, or a URDF file.
     """
     console = current_terminal().console()
-    names = {
-        robot: tuple(a for a, of in aliases().items() if of == robot) for robot in robot_names()
-    }
     if name is not None:
         robot = open_robot(name)
-        short = names.get(robot.name, ())
+        short = aliases_of(robot.name)
         if output_format == "json":
             click.echo(json.dumps(_as_json(robot, short), indent=2, allow_nan=False))
         else:
             console.print(robot_page(robot, short))
         return ExitCode.CLEAN
-    listed = [(open_robot(robot), short) for robot, short in names.items()]
+    listed = [(open_robot(robot), aliases_of(robot)) for robot in robot_names()]
     if output_format == "json":
         report = [_as_json(robot, short) for robot, short in listed]
         click.echo(json.dumps({"schema": 1, "robots": report}, indent=2, allow_nan=False))
@@ -56,6 +53,7 @@ def _as_json(robot: Robot, aliases: tuple[str, ...]) -> dict[str, object]:
     return {
         "name": robot.name,
         "title": robot.title,
+        "maker": robot.maker,
         "aliases": list(aliases),
         "payload_kg": robot.payload_kg,
         "reach_mm": None if robot.reach_m is None else robot.reach_m * 1000.0,
@@ -69,4 +67,7 @@ def _as_json(robot: Robot, aliases: tuple[str, ...]) -> dict[str, object]:
             for joint in robot.joints
         ],
         "sources": list(robot.sources),
+        "checks": list(robot.checks),
+        "notes": list(robot.notes),
+        "not_modelled": list(robot.not_modelled),
     }

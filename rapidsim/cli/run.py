@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -25,11 +26,14 @@ from rapidsim.cli.inputs import (
 )
 from rapidsim.cli.outputs import (
     TRACE_STEP_S,
+    VALUES,
     Outputs,
     new_events,
+    new_profile,
     new_recording,
     new_trace,
     write,
+    write_values,
 )
 from rapidsim.cli.robot_choice import open_robot
 from rapidsim.cli.terminal import Terminal, current_terminal, terminal_options
@@ -48,6 +52,9 @@ from rapidsim.simulation.result import End, Simulation
 from rapidsim.simulation.simulate import simulate
 from rapidsim.simulation.station import Station
 from rapidsim.syntax import tree
+
+if TYPE_CHECKING:
+    from rapidsim.cli.profiler import Profile
 
 _EXIT_CODES = {
     End.ENDED: ExitCode.CLEAN,
@@ -103,6 +110,21 @@ _EXIT_CODES = {
     show_default=True,
     help="What is printed.",
 )
+@click.option(
+    "--write-pers",
+    is_flag=True,
+    help="Write what the run left in persistents into the program's files.",
+)
+@click.option(
+    "--break",
+    "breaks",
+    metavar="FILE:LINE",
+    multiple=True,
+    help="Stop there and take commands; on a terminal only.",
+)
+@click.option(
+    "--profile", metavar="FILE.prof", help="Where the interpreter spends the computer's time."
+)
 @terminal_options
 def run(
     paths: tuple[str, ...],
@@ -119,6 +141,9 @@ def run(
     max_time: float,
     cycles: int,
     output_format: str,
+    write_pers: bool,
+    breaks: tuple[str, ...],
+    profile: str | None,
 ) -> int:
     """Run a RAPID program on a virtual controller with a simulated robot.
 
@@ -131,6 +156,11 @@ def run(
     terminal = current_terminal()
     if record and no_record:
         raise InputError("--record and --no-record exclude each other")
+    if breaks and profile:
+        raise InputError("--break and --profile exclude each other")
+    profile_file = new_profile(profile) if profile else None
+    if write_pers and "-" in paths:
+        raise InputError("--write-pers: standard input cannot be written to")
     outputs = Outputs(
         recording=None if no_record else new_recording(record or f"{program_name(paths)}.rrd"),
         trace=new_trace(trace) if trace else None,
@@ -157,9 +187,25 @@ def run(
         entry=_entry(loaded.program, proc),
         task=cell.task,
     )
+    program = loaded.program
+    measured: Profile | None = None
+
+    def execute() -> Simulation:
+        return simulate(program, arm, options=options)
+
     try:
-        with _stage("simulating", terminal):
-            simulation = simulate(loaded.program, arm, options=options)
+        if breaks:
+            from rapidsim.cli.debugger import debugged
+
+            simulation = debugged(execute, program, breaks)
+        elif profile_file:
+            from rapidsim.cli.profiler import profiled
+
+            with _stage("simulating", terminal):
+                simulation, measured = profiled(execute, program)
+        else:
+            with _stage("simulating", terminal):
+                simulation = execute()
     except NotExecutableError as error:
         findings = (*loaded.diagnostics, error.diagnostic)
         return _reject(findings, names, arm, output_format, terminal)
@@ -169,6 +215,17 @@ def run(
     simulation = replace(simulation, home_files=home_files)
     with _stage("writing", terminal):
         written = write(simulation, outputs)
+    if profile_file and measured:
+        from rapidsim.cli.profiler import write_profile
+
+        write_profile(measured, profile_file)
+        written = (*written, Written(profile_file, "profile"))
+    refused: InputError | None = None
+    if write_pers:
+        try:
+            written = (*written, *write_values(simulation, files))
+        except InputError as error:
+            refused = error
     findings = (*loaded.diagnostics, *simulation.diagnostics)
     if output_format == "json":
         report = run_json(simulation, figures(simulation), findings, _json_files(written))
@@ -177,6 +234,13 @@ def run(
         _print_findings(findings, terminal)
         if not terminal.quiet:
             _print_summary(simulation, choice, written, terminal)
+            if measured:
+                from rapidsim.cli.profiler import costs_table
+
+                terminal.console().print(costs_table(measured.routines))
+    if refused is not None:
+        # What the run found is not lost over a file that could not be written.
+        raise refused
     return _EXIT_CODES[simulation.end]
 
 
@@ -237,8 +301,10 @@ def _entry(program: Program, name: str) -> str:
     )
 
 
-def _json_files(written: Sequence[Written]) -> dict[str, str]:
-    return {one.what: str(one.path) for one in written}
+def _json_files(written: Sequence[Written]) -> dict[str, object]:
+    files: dict[str, object] = {one.what: str(one.path) for one in written if one.what != VALUES}
+    program = [str(one.path) for one in written if one.what == VALUES]
+    return {**files, "program": program} if program else files
 
 
 def _as_text(report: dict[str, object]) -> str:

@@ -27,12 +27,14 @@ from rapidsim.language.single import single
 MAX_DOUBLE = 1.7976931348623157e308
 MAX_INTEGER = 2**24
 """Up to here a single holds every integer."""
+WHOLE_FROM = 2.0**52
+"""From here on every double is an integer, so adding this and taking it away leaves an integer."""
 MAX_STRING = 80
 
 
 def overflow(x: float) -> NoReturn:
     """Refuse a result beyond the largest number."""
-    raise rapid_error(ERR_OVERFLOW, f"the result {x:g} is too large")
+    raise rapid_error(ERR_OVERFLOW, f"the result {x:G} is too large")
 
 
 def too_long(text: str) -> NoReturn:
@@ -42,26 +44,26 @@ def too_long(text: str) -> NoReturn:
     )
 
 
-def _integers(left: float, right: float, operator: str) -> tuple[int, int]:
+def _not_integers(left: float, right: float, operator: str) -> NoReturn:
     for operand in (left, right):
-        if operand != int(operand):
+        if operand % 1.0:
             raise rapid_error(ERR_NOTINTVAL, f"{operator} takes integers, not {operand:g}")
-    if right == 0:
-        raise rapid_error(ERR_DIVZERO, f"{left:g} {operator} 0")
-    return int(left), int(right)
+    raise rapid_error(ERR_DIVZERO, f"{left:g} {operator} 0")
 
 
 def integer_quotient(left: float, right: float) -> float:
     """DIV: the quotient of integers, its fraction cut off."""
-    a, b = _integers(left, right, "DIV")
-    quotient = abs(a) // abs(b)
-    return float(quotient if (a < 0) == (b < 0) else -quotient)
+    if left % 1.0 or right % 1.0 or not right:
+        _not_integers(left, right, "DIV")
+    quotient = abs(int(left)) // abs(int(right))
+    return float(quotient if (left < 0.0) == (right < 0.0) else -quotient)
 
 
 def integer_remainder(left: float, right: float) -> float:
     """MOD: what DIV leaves, with the sign of the left operand."""
-    a, b = _integers(left, right, "MOD")
-    return math.fmod(a, b)
+    if left % 1.0 or right % 1.0 or not right:
+        _not_integers(left, right, "MOD")
+    return math.fmod(left, right)
 
 
 def add_positions(a: Pos, b: Pos) -> Pos:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any, NoReturn
 
 from rapidsim.interpreter.references import Absent, not_present
 from rapidsim.language.error_numbers import ERR_NOTEQDIM, ERR_NOTINTVAL, ERR_OUTOFBND, rapid_error
+from rapidsim.language.single import single
 
 
 def out_of_bounds(index: float, size: int) -> NoReturn:
@@ -18,12 +20,16 @@ def out_of_bounds(index: float, size: int) -> NoReturn:
 class IndexTable(dict[float, int]):
     """From RAPID's index to Python's: bounds and integrality in one look-up.
 
-    Equal integers and floats hash alike, so both kinds of num find their entry.
+    Equal integers and floats hash alike, so both kinds of num find their entry. An index may come
+    as computed, before it is rounded to a num: an integer is one already, the rest is missing.
     """
 
-    def __missing__(self, index: float) -> NoReturn:
-        """Refuse any other index."""
-        out_of_bounds(index, len(self))
+    def __missing__(self, index: float) -> int:
+        """The entry of the index as a num; refuse any other."""
+        rounded = single(index)
+        if rounded not in self:
+            out_of_bounds(rounded, len(self))
+        return self[rounded]
 
 
 class _AbsentTable(IndexTable):
@@ -34,20 +40,20 @@ class _AbsentTable(IndexTable):
         not_present("of this routine")
 
 
-_TABLES: dict[int, IndexTable] = {}
+class _IndexTables(dict[int, IndexTable]):
+    def __missing__(self, size: int) -> IndexTable:
+        table = self[size] = IndexTable((float(i + 1), i) for i in range(size))
+        return table
+
+
+INDEX_TABLES: Mapping[int, IndexTable] = _IndexTables()
+"""The tables by size of the array; each is made once, when it is first asked for."""
+
 _ABSENT_TABLE = _AbsentTable()
 
 
-def index_table(size: int) -> IndexTable:
-    """The table for arrays of a size; made once, since it depends on nothing else."""
-    table = _TABLES.get(size)
-    if table is None:
-        table = _TABLES[size] = IndexTable((float(i + 1), i) for i in range(size))
-    return table
-
-
 def index_table_of(array: list[Any] | Absent, depth: int) -> IndexTable:
-    """The table for one dimension of an array whose size the caller chose.
+    """The table for one dimension of an array that the caller may have left out.
 
     Args:
         array: Nested lists, or `ABSENT`.
@@ -57,7 +63,7 @@ def index_table_of(array: list[Any] | Absent, depth: int) -> IndexTable:
         return _ABSENT_TABLE
     for _ in range(depth):
         array = array[0]
-    return index_table(len(array))
+    return INDEX_TABLES[len(array)]
 
 
 def copy_array(array: list[Any] | Absent) -> list[Any]:

@@ -30,6 +30,7 @@ from rapidsim.language.controller import Place
 from rapidsim.language.initial import initial_value
 from rapidsim.language.types import NUM, ArrayOf, Type, resolved
 from rapidsim.library.table import LibraryRoutine, Parameter, Signature
+from rapidsim.library.text import value_text
 from rapidsim.syntax import tree
 
 
@@ -82,9 +83,11 @@ class Calls:
                     return form(self._expressions, self._paths, call, at)
                 return self._library_function(routine, call, at)
             case UnknownSymbol(name=name):
-                value = self._names.module.constant(self._initial_value(call))
+                value = self._initial_value(call)
                 place = at.name(self._place(call, {}))
-                node = at.call("_skip", [place, at.constant(name), at.name(value)])
+                instead = at.constant(self._taken_for(call, value))
+                constant = at.name(self._names.module.constant(value))
+                node = at.call("_stand_in", [place, at.constant(name), instead, constant])
                 return Code(node, calls=True)
             case _:
                 raise NotExecutableError(
@@ -97,6 +100,8 @@ class Calls:
         match self._program.symbol_of[call]:
             case RoutineSymbol() as symbol:
                 return [at.do(self._user(symbol, call.arguments, at).node)]
+            case LibrarySymbol(routine=routine) if routine.name == "CallByVar":
+                return self._call_by_var(routine, call, at)
             case LibrarySymbol(routine=routine):
                 return self._instruction(routine, call, at)
             case UnknownSymbol(name=name):
@@ -121,6 +126,15 @@ class Calls:
         place = at.name(self._place(call, {}))
         values_node = at.tuple_of(values)
         return [at.do(at.call("_late", [place, name, form, values_node]))]
+
+    def _call_by_var(self, routine: LibraryRoutine, call: tree.Call, at: At) -> list[ast.stmt]:
+        """CallByVar: late binding to a name that ends in a number."""
+        given = match_arguments(call.arguments, routine.signature.parameters)
+        parts = [value for key in ("name", "number") if (value := given[key].value) is not None]
+        name = at.call("_numbered_name", [self._expressions.value(part).node for part in parts])
+        form = at.name(self._names.module.numbered("_arguments", ()))
+        place = at.name(self._place(call, {}))
+        return [at.do(at.call("_late", [place, name, form, at.tuple_of([])]))]
 
     def _user(self, symbol: RoutineSymbol, arguments: Sequence[tree.Argument], at: At) -> Code:
         given = match_arguments(arguments, symbol.parameters)
@@ -320,3 +334,10 @@ class Calls:
     def _initial_value(self, call: tree.FunctionCall) -> object:
         of = self._program.type_of.get(call)
         return initial_value(of) if of is not None else 0.0
+
+    def _taken_for(self, call: tree.FunctionCall, value: object) -> str:
+        """What is done instead of calling a function that nobody declares."""
+        of = self._program.type_of.get(call, NUM)
+        if value is None:
+            return "skipped"
+        return f"skipped, {value_text(value, of)} taken for its value"

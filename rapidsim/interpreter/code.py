@@ -32,6 +32,8 @@ class Interval:
 
     low: int
     high: int
+    size: str = ""
+    """The Python variable with the size of an array, where none of them is larger than that."""
 
     @property
     def exact(self) -> bool:
@@ -75,9 +77,9 @@ def finished(code: Code, at: At) -> Code:
     if code.owed is Owed.SINGLE:
         node: ast.expr = _rounded(code.node, at)
     elif code.owed is Owed.CHECKED_SINGLE:
-        node = _rounded(_in_range(code.node, LARGEST_SINGLE, at), at)
+        node = _in_range(code.node, LARGEST_SINGLE, _split(at.name("_x"), at), at)
     elif code.owed is Owed.CHECKED_DOUBLE:
-        node = _in_range(code.node, MAX_DOUBLE, at)
+        node = _in_range(code.node, MAX_DOUBLE, at.name("_x"), at)
     else:
         length = at.call("_len", [at.named("_s", code.node)])
         fits = at.compare(length, (ast.LtE(), at.constant(MAX_STRING)))
@@ -93,14 +95,19 @@ def comparable(code: Code, at: At) -> Code:
 
 def _rounded(node: ast.expr, at: At) -> ast.expr:
     """`(_t := (_x := node) * SPLIT) - (_t - _x)`: see `language.single`."""
-    scaled = at.operation(at.named("_x", node), ast.Mult(), at.constant(SPLIT))
+    return _split(at.named("_x", node), at)
+
+
+def _split(x: ast.expr, at: At) -> ast.expr:
+    """The same, once `_x` is set or where `x` sets it."""
+    scaled = at.operation(x, ast.Mult(), at.constant(SPLIT))
     rest = at.operation(at.name("_t"), ast.Sub(), at.name("_x"))
     return at.operation(at.named("_t", scaled), ast.Sub(), rest)
 
 
-def _in_range(node: ast.expr, limit: float, at: At) -> ast.expr:
-    """The node, or ERR_OVERFLOW where it is beyond the limit either way, or no number."""
+def _in_range(node: ast.expr, limit: float, value: ast.expr, at: At) -> ast.expr:
+    """A value made from `_x`, the node, or ERR_OVERFLOW where that is beyond the limit or none."""
     test = at.compare(
         at.constant(-limit), (ast.LtE(), at.named("_x", node)), (ast.LtE(), at.constant(limit))
     )
-    return at.choice(test, at.name("_x"), at.call("_overflow", [at.name("_x")]))
+    return at.choice(test, value, at.call("_overflow", [at.name("_x")]))

@@ -64,5 +64,5 @@ class Constants:
         }
         if len(namespace) < len(names.bindings):
             raise NotExecutableError("a constant that depends on variables", module.span(node))
-        origin = Origin(module.source, {})
+        origin = Origin(module, {}, self.value_of)
         return eval(code, {**FUNCTIONS, GENERATED: origin, **namespace})

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 
 from rapidsim.analysis.program import DataSymbol, Program
 from rapidsim.diagnostics import Span
+from rapidsim.interpreter.arithmetic import WHOLE_FROM
 from rapidsim.interpreter.calls import Calls
 from rapidsim.interpreter.code import Code, Interval, Owed, comparable, finished
 from rapidsim.interpreter.limits import MAX_EXPRESSION, NotExecutableError
@@ -184,8 +185,7 @@ class Expressions:
             return self._comparison(expression, left, right, at)
         types = (self._name_of_type(expression.left), self._name_of_type(expression.right))
         if operator in _INTEGER:
-            operands = [finished(left, at).node, finished(right, at).node]
-            return Code(at.call(_INTEGER[operator], operands), may_raise=True, calls=calls)
+            return _integer_division(operator, left, right, at)
         if "pos" in types or "orient" in types:
             return self._vector(operator, types, left, right, at)
         if types[0] == "string":
@@ -276,6 +276,28 @@ class Expressions:
         if isinstance(of, Atomic) and of.reads_as:
             return of.reads_as
         return of.name.lower()
+
+
+def _integer_division(operator: str, left: Code, right: Code, at: At) -> Code:
+    """DIV and MOD: in Python's own operators where these mean the same, which is from 0 up."""
+    calls = left.calls or right.calls
+    python = ast.FloorDiv() if operator == "DIV" else ast.Mod()
+    a, b = left.integer, right.integer
+    if a is not None and b is not None and a.low >= 0 and b.low > 0 and left.stays_integer:
+        high = a.high // b.low if operator == "DIV" else min(a.high, b.high - 1)
+        node: ast.expr = at.operation(left.as_integer(at), python, right.as_integer(at))
+        may_raise = left.may_raise or right.may_raise
+        return Code(node, may_raise=may_raise, calls=calls, integer=Interval(0, high))
+    operands = [finished(left, at).node, finished(right, at).node]
+    if b is None or b.low <= 0 or right.literal is None:
+        return Code(at.call(_INTEGER[operator], operands), may_raise=True, calls=calls)
+    # n >= 0 and (n + WHOLE_FROM) - WHOLE_FROM == n, which is so for integers alone.
+    n, far = at.name("_n"), at.constant(WHOLE_FROM)
+    whole = at.operation(at.operation(n, ast.Add(), far), ast.Sub(), far)
+    easy = at.compare(at.constant(0.0), (ast.LtE(), at.named("_n", operands[0])), (ast.Eq(), whole))
+    refused_or_negative = at.call(_INTEGER[operator], [n, operands[1]])
+    node = at.choice(easy, at.operation(n, python, operands[1]), refused_or_negative)
+    return Code(node, may_raise=True, calls=calls)
 
 
 def _interval(operator: str, left: Code, right: Code) -> Interval | None:

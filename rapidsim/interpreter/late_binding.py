@@ -18,7 +18,13 @@ from rapidsim.interpreter.references import ABSENT
 from rapidsim.interpreter.values import is_signal
 from rapidsim.language.annotations import Mode
 from rapidsim.language.controller import Controller, Place
-from rapidsim.language.error_numbers import ERR_CALLPROC, ERR_REFUNKPRC, ERR_REFUNKTRP, rapid_error
+from rapidsim.language.error_numbers import (
+    ERR_ARGVALERR,
+    ERR_CALLPROC,
+    ERR_REFUNKPRC,
+    ERR_REFUNKTRP,
+    rapid_error,
+)
 from rapidsim.language.errors import RapidError
 from rapidsim.language.reference import Cell
 from rapidsim.language.types import ANYTYPE, ArrayOf, Type, resolved
@@ -111,6 +117,8 @@ class LateBinding:
             raise rapid_error(ERR_REFUNKPRC, f'no procedure is named "{name}"')
         if installed.signature.result is not None:
             raise rapid_error(ERR_CALLPROC, f'"{name}" is not a procedure')
+        if installed.name == "CallByVar":  # It is translated where it is written.
+            raise rapid_error(ERR_CALLPROC, "CallByVar by late binding is not simulated")
         return installed
 
     def _call_installed(
@@ -146,6 +154,17 @@ class LateBinding:
         if signature.takes_controller:
             self.controller.place = place
         routine.body(*positional, **options)
+
+
+def numbered_name(name: str, number: float) -> str:
+    """The procedure that CallByVar calls; it looks among the global ones of the task.
+
+    Raises:
+        RapidError: ERR_ARGVALERR when the number is negative or not whole.
+    """
+    if number < 0 or number != int(number):
+        raise rapid_error(ERR_ARGVALERR, f"CallByVar takes whole numbers from 0 on, not {number:G}")
+    return f":{name}{int(number)}"
 
 
 def _bound(

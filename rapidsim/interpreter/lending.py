@@ -15,6 +15,7 @@ from rapidsim.analysis.program import (
     Symbol,
 )
 from rapidsim.interpreter.calls import match_arguments
+from rapidsim.interpreter.in_place import assigned_in_place
 from rapidsim.interpreter.paths import bare, by_reference, flat
 from rapidsim.interpreter.values import is_signal
 from rapidsim.language.annotations import Mode
@@ -48,6 +49,8 @@ def lent_symbols(
             for argument in node.arguments:
                 if not isinstance(argument, tree.Conditional) and argument.value is not None:
                     yield from _lendable(argument.value, program)
+        elif isinstance(node, tree.Call) and assigned_in_place(node, program):
+            continue
         elif isinstance(node, tree.Call | tree.FunctionCall):
             callee = program.symbol_of[node]
             parameters = _parameters(callee)

@@ -6,6 +6,7 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from types import FrameType
 from typing import ClassVar
 
 from rapidsim.diagnostics import Diagnostic, Severity, Span, Violation
@@ -16,8 +17,10 @@ MAX_EXPRESSION = 200
 """Depth of an expression."""
 MAX_BRANCHES = 1000
 """ELSEIF or CASE branches of one statement, which nest in Python."""
+MAX_ELEMENTS = 10_000_000
+"""Elements of all arrays that a program declares; a list takes eight bytes for each at least."""
 RUNNING_DEPTH = 10_000
-"""Python's recursion limit while a program runs; calls of RAPID routines use no C stack."""
+"""How deep Python calls may nest while a program runs; those of RAPID routines use no C stack."""
 TRANSLATING_DEPTH = 10_000
 """And while it is translated: the parser bounds how deep programs nest, at several calls a level.
 Never for `compile`, whose recursion does use the C stack."""
@@ -25,13 +28,25 @@ Never for `compile`, whose recursion does use the C stack."""
 
 @contextmanager
 def recursion_limit(limit: int) -> Iterator[None]:
-    """Allow Python calls to nest at least so deep, for a while."""
+    """Allow Python calls to nest so deep below this one, for a while.
+
+    Counted from here, so that a program comes equally deep whoever runs it.
+    """
     before = sys.getrecursionlimit()
-    sys.setrecursionlimit(max(before, limit))
+    sys.setrecursionlimit(_calls_so_far() + limit)
     try:
         yield
     finally:
         sys.setrecursionlimit(before)
+
+
+def _calls_so_far() -> int:
+    frame: FrameType | None = sys._getframe()
+    calls = 0
+    while frame is not None:
+        frame = frame.f_back
+        calls += 1
+    return calls
 
 
 @dataclass(frozen=True)

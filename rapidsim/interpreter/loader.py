@@ -7,7 +7,6 @@ of RAPID lines.
 
 from __future__ import annotations
 
-import gc
 import linecache
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -31,6 +30,7 @@ from rapidsim.interpreter.values import Value, copied
 from rapidsim.language.controller import Controller
 from rapidsim.language.errors import RapidError
 from rapidsim.library.predefined import DATA
+from rapidsim.syntax.collection import uncollected
 
 __all__ = ["FatalError", "Frame", "Task", "load"]
 
@@ -118,7 +118,7 @@ def load(program: Program, controller: Controller) -> Task:
         NotExecutableError: If it needs something that cannot be simulated; nothing has run then.
         FatalError: If an initial value fails, as a division by zero does.
     """
-    with _fatal_errors(), _no_collection():
+    with _fatal_errors(), uncollected():
         translation = translate(program)
         codes = [_compiled(module) for module in translation.modules]
     memory = Memory(program)
@@ -127,19 +127,22 @@ def load(program: Program, controller: Controller) -> Task:
     by_module: dict[str, dict[str, UserRoutine]] = {}
     by_name: dict[str, UserRoutine] = {}
     late = LateBinding(controller, by_name, by_module)
+
+    def value_of(symbol: DataSymbol) -> Value:
+        if symbol.storage is Storage.CONST and symbol.node is not None:
+            return copied(translation.constants.value_of(symbol))
+        return memory.value(symbol)
+
     namespaces = [
         {
             **FUNCTIONS,
             **task_functions(controller, recovery, late, module.module.name.key),
-            GENERATED: Origin(
-                module.module.source,
-                {name: symbol.name for name, symbol in module.functions.items()},
-            ),
+            GENERATED: Origin(module.module, module.functions, value_of),
         }
         for module in translation.modules
     ]
     for module, code, namespace in zip(translation.modules, codes, namespaces, strict=True):
-        _show_lines_of(module.module.source)
+        show_lines_of(module.module.source)
         exec(code, namespace)
         functions.update({s: _function(namespace, name) for name, s in module.functions.items()})
         for name, numbers in module.long_jumps:
@@ -191,7 +194,7 @@ def _absent(symbol: RoutineSymbol) -> list[object]:
     return [False if parameter.is_switch else ABSENT for parameter in symbol.parameters]
 
 
-def _show_lines_of(source: Source) -> None:
+def show_lines_of(source: Source) -> None:
     """Let Python's tools print RAPID lines: they would look for a UTF-8 file of that name."""
     lines = [source.line(number) + "\n" for number in range(1, len(source.line_starts) + 1)]
     linecache.cache[source.file] = (len(source.text), None, lines, source.file)
@@ -213,20 +216,10 @@ def _fatal_errors() -> Iterator[None]:
 
 def _stack_overflow(stack: tuple[Frame, ...]) -> RapidError:
     innermost = f" in {stack[-1].routine}" if stack else ""
+    # In round figures: how deep Python comes depends a little on its version.
+    depth = round(len(stack), -2)
     return RapidError(
         ERR_STACK_OVERFLOW,
-        f"the stack overflowed{innermost}: routines call each other more than {len(stack)} deep",
+        f"the stack overflowed{innermost}: routines call each other about {depth} deep",
         cf="ABB 40222",
     )
-
-
-@contextmanager
-def _no_collection() -> Iterator[None]:
-    """Keep the garbage collector from walking through growing syntax trees again and again."""
-    was_enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if was_enabled:
-            gc.enable()

@@ -19,7 +19,7 @@ from rapidsim.analysis.program import (
     Symbol,
     UnknownSymbol,
 )
-from rapidsim.interpreter.arrays import index_table
+from rapidsim.interpreter.arrays import INDEX_TABLES
 from rapidsim.language.controller import Place
 from rapidsim.language.data import Signal
 from rapidsim.language.reference import Cell
@@ -74,7 +74,7 @@ class ModuleNames:
 
     def index_table(self, size: int) -> str:
         """The name of the table that checks indices of arrays of a size."""
-        return self._bound(("index", size), f"_at{size}", Fixed(index_table(size)))
+        return self._bound(("index", size), f"_at{size}", Fixed(INDEX_TABLES[size]))
 
     def place(self, place: Place) -> str:
         """A name for the place of a statement."""
@@ -100,6 +100,18 @@ class ModuleNames:
         return name
 
 
+@dataclass(frozen=True, slots=True)
+class ArrayDimension:
+    """One dimension of a parameter that is an array of the caller's."""
+
+    array: str
+    """The Python variable."""
+    depth: int
+    """From 0."""
+    optional: bool
+    """The array may be absent."""
+
+
 @dataclass(slots=True)
 class LocalNames:
     """The names of one routine's variables, which hide the module's."""
@@ -114,8 +126,10 @@ class LocalNames:
     """Local scalars that are passed by reference and so live in a cell."""
     assigned: set[str] = field(default_factory=set)
     """Plain locals that the function being written assigns."""
-    tables: dict[str, tuple[str, int]] = field(default_factory=dict)
-    """Index tables of arrays sized by the caller: name to array and dimension."""
+    tables: dict[str, ArrayDimension] = field(default_factory=dict)
+    """Index tables of arrays sized by the caller, by name."""
+    sizes: dict[str, ArrayDimension] = field(default_factory=dict)
+    """Python variables with the sizes of such arrays, by name."""
     _name_of: dict[Symbol, str] = field(default_factory=dict)
     _taken: set[str] = field(default_factory=set)
 
@@ -137,10 +151,16 @@ class LocalNames:
         yield name
         self._taken.discard(name)
 
-    def index_table(self, array: str, depth: int) -> str:
+    def index_table(self, array: str, depth: int, *, optional: bool) -> str:
         """The name of the table for one dimension of an array sized by the caller."""
         name = f"_{array}_at{depth + 1}"
-        self.tables[name] = (array, depth)
+        self.tables[name] = ArrayDimension(array, depth, optional)
+        return name
+
+    def size(self, array: str, depth: int) -> str:
+        """The name of the size of one dimension of an array that the caller always gives."""
+        name = f"_{array}_size{depth + 1}"
+        self.sizes[name] = ArrayDimension(array, depth, optional=False)
         return name
 
 

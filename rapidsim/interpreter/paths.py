@@ -19,7 +19,8 @@ from rapidsim.analysis.program import (
     Symbol,
     UnknownSymbol,
 )
-from rapidsim.interpreter.code import Code, Interval, finished
+from rapidsim.interpreter.arithmetic import MAX_INTEGER
+from rapidsim.interpreter.code import Code, Interval, Owed, finished
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.operands import Operands
 from rapidsim.interpreter.positions import At
@@ -165,6 +166,26 @@ class Paths:
             at.set("_record", at.item("_array", at.name("_index"))),
             at.assign(at.store_item("_array", at.name("_index")), new),
         ]
+
+    def size(self, path: tree.Path, dimension: int) -> Code | None:
+        """The size of one dimension, where declared or kept in a variable; None elsewhere.
+
+        Args:
+            path: To the array.
+            dimension: From 1.
+        """
+        of = resolved(self.type_of(path))
+        if not isinstance(of, ArrayOf) or not 1 <= dimension <= len(of.dimensions):
+            return None
+        at = self._expressions.at(path)
+        size = of.dimensions[dimension - 1]
+        if size is not None:
+            return number(float(size), at)
+        whole = self._whole(flat(path).reference)
+        if whole.optional or flat(path).indices:
+            return None
+        name = self._names.size(whole.name, dimension - 1)
+        return Code(at.name(name), integer=Interval(1, MAX_INTEGER, name))
 
     def may_raise(self, path: tree.Path) -> bool:
         """Whether finding the place of a path may raise."""
@@ -317,27 +338,42 @@ class Paths:
         """One index as a Python position, its bounds and integrality checked."""
         at = self._expressions.at(expression)
         code = self._expressions.code(expression)
+        literal = code.literal if code.integer is not None else None
+        if size is not None and literal is not None and 1 <= literal <= size:
+            return Code(at.constant(int(literal) - 1))
+        if code.stays_integer and code.integer is not None and (size or not whole.optional):
+            variable = "" if size else self._names.size(whole.name, depth)
+            return self._integer_index(code, code.integer, size or variable, at)
         if size is None:
-            table = self._names.index_table(whole.name, depth)
-            value = finished(code, at)
-            return Code(at.item(table, value.node), may_raise=True, calls=code.calls)
-        if code.literal is not None and code.integer is not None and 1 <= code.literal <= size:
-            return Code(at.constant(int(code.literal) - 1))
-        if code.stays_integer and code.integer is not None:
-            inside = code.integer.low >= 1 and code.integer.high <= size
-            name = code.node if isinstance(code.node, ast.Name) else None
-            position = at.operation(
-                code.node if name or inside else at.name("_i"), ast.Sub(), at.constant(1)
-            )
-            if inside:
-                return Code(position, calls=code.calls)
-            first = code.node if name else at.named("_i", code.node)
-            bounds = at.compare(at.constant(0), (ast.Lt(), first), (ast.LtE(), at.constant(size)))
-            refused = at.call("_out_of_bounds", [name or at.name("_i"), at.constant(size)])
-            return Code(at.choice(bounds, position, refused), may_raise=True, calls=code.calls)
-        value = finished(code, at)
-        table = self._names.module.index_table(size)
+            table = self._names.index_table(whole.name, depth, optional=whole.optional)
+        else:
+            table = self._names.module.index_table(size)
+        # The table rounds, where that makes a difference.
+        value = code if code.owed in (Owed.SINGLE, Owed.CHECKED_SINGLE) else finished(code, at)
         return Code(at.item(table, value.node), may_raise=True, calls=code.calls)
+
+    def _integer_index(self, code: Code, integer: Interval, size: int | str, at: At) -> Code:
+        """The index of which is known that it is an integer, checked as far as need be.
+
+        Args:
+            code: The index as a Python integer.
+            integer: What it can be.
+            size: Of the array; a string names the Python variable that holds it.
+            at: The place of the index.
+        """
+        within = integer.high <= size if isinstance(size, int) else integer.size == size
+        if integer.low >= 1 and within:
+            return Code(at.operation(code.node, ast.Sub(), at.constant(1)), calls=code.calls)
+        limit = at.constant(size) if isinstance(size, int) else at.name(size)
+        name = code.node if isinstance(code.node, ast.Name) else at.name("_i")
+        first = name if name is code.node else at.named("_i", code.node)
+        if integer.low >= 1:
+            bounds = at.compare(first, (ast.LtE(), limit))
+        else:
+            bounds = at.compare(at.constant(0), (ast.Lt(), first), (ast.LtE(), limit))
+        position = at.operation(name, ast.Sub(), at.constant(1))
+        refused = at.call("_out_of_bounds", [name, limit])
+        return Code(at.choice(bounds, position, refused), may_raise=True, calls=code.calls)
 
     def _with_component(
         self, of: Type, names: tuple[str, ...], record: ast.expr, value: ast.expr, at: At

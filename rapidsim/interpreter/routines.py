@@ -38,7 +38,7 @@ from rapidsim.interpreter.expressions import ConstantValue, Expressions
 from rapidsim.interpreter.jumps import Jumps, goto_targets
 from rapidsim.interpreter.lending import lent_symbols
 from rapidsim.interpreter.limits import NotExecutableError
-from rapidsim.interpreter.names import LocalNames, ModuleNames
+from rapidsim.interpreter.names import ArrayDimension, LocalNames, ModuleNames
 from rapidsim.interpreter.positions import At, Positions
 from rapidsim.interpreter.statements import Statements
 from rapidsim.interpreter.walk import walk
@@ -152,9 +152,14 @@ class _RoutineTranslation:
                     present = at.compare(at.name(name), (ast.IsNot(), at.name("_ABSENT")))
                     node = at.choice(present, node, at.name("_ABSENT"))
                 yield at.set(name, node)
-        for table, (array, depth) in self._names.tables.items():
-            size = at.call("_index_table_of", [at.name(array), at.constant(depth)])
-            yield at.set(table, size)
+        for name, dimension in self._names.sizes.items():
+            yield at.set(name, _size(dimension, at))
+        for name, dimension in self._names.tables.items():
+            if dimension.optional:
+                arguments = [at.name(dimension.array), at.constant(dimension.depth)]
+                yield at.set(name, at.call("_index_table_of", arguments))
+            else:
+                yield at.set(name, at.item("_index_tables", _size(dimension, at)))
 
     def _statements(
         self, body: tree.Body, *, is_protected: bool = False, in_handler: bool = False
@@ -210,6 +215,13 @@ class _RoutineTranslation:
         at = self._header
         nodes = [self._expressions.value(number).node for number in clause.numbers]
         return at.define(f"_numbers_{name}", [], [], [at.leave(at.tuple_of(nodes))])
+
+
+def _size(dimension: ArrayDimension, at: At) -> ast.expr:
+    rows: ast.expr = at.name(dimension.array)
+    for _ in range(dimension.depth):
+        rows = at.item(rows, at.constant(0))
+    return at.call("_len", [rows])
 
 
 def _ends_in_return(body: list[ast.stmt]) -> bool:

@@ -12,11 +12,11 @@ from types import MappingProxyType
 from typing import Any, NoReturn
 
 from rapidsim.interpreter import arithmetic, arrays, recovery, references
-from rapidsim.interpreter.late_binding import LateBinding
+from rapidsim.interpreter.late_binding import LateBinding, numbered_name
 from rapidsim.interpreter.memory import is_persistent
 from rapidsim.interpreter.recovery import Recovery
 from rapidsim.language.controller import Controller, Place
-from rapidsim.language.error_numbers import ERR_ARGDUPCND, ERR_EXECPHR, rapid_error
+from rapidsim.language.error_numbers import ERR_ALRDYCNT, ERR_ARGDUPCND, ERR_EXECPHR, rapid_error
 from rapidsim.language.errors import Stopped
 from rapidsim.language.reference import Cell
 
@@ -56,10 +56,12 @@ FUNCTIONS: Mapping[str, object] = MappingProxyType(
         "_cross_product": arithmetic.cross_product,
         "_dimension": arrays.dimension,
         "_index_table_of": arrays.index_table_of,
+        "_index_tables": arrays.INDEX_TABLES,
         "_is_persistent": is_persistent,
         "_len": len,
         "_negate_position": arithmetic.negate_position,
         "_new": tuple.__new__,
+        "_numbered_name": numbered_name,
         "_no_return": recovery.no_return,
         "_not_present": references.not_present,
         "_out_of_bounds": arrays.out_of_bounds,
@@ -94,15 +96,20 @@ def task_functions(
         controller.not_simulated(name, instead)
         return value
 
-    def skip(place: Place, name: str, value: object = None) -> object:
-        return stand_in(place, name, "skipped", value)
+    def skip(place: Place, name: str) -> None:
+        stand_in(place, name, "skipped", None)
 
-    def connect(trap: Callable[[], object], name: str) -> float:
+    def connect(number: float, trap: Callable[[], object], name: str) -> float:
+        if controller.is_connected(number):
+            raise rapid_error(
+                ERR_ALRDYCNT,
+                "the interrupt is connected to a trap routine already; IDelete it first",
+            )
         return controller.connect(recovery_of_task.trap(trap), name)
 
-    def connect_late(name: str) -> float:
+    def connect_late(number: float, name: str) -> float:
         found = late.trap(module, name)
-        return connect(found.function, found.symbol.name)
+        return connect(number, found.function, found.symbol.name)
 
     return {
         "_call_at": call_at,

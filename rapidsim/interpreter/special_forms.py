@@ -1,9 +1,11 @@
-"""Functions that look at their argument's name or place rather than its value.
+"""Functions whose calls are translated in their own way.
 
-They take a REF parameter, which no Python function can have, so calls of them are translated here.
+Most look at their argument's name or place rather than its value: they take a REF parameter, which
+no Python function can have. StrLen is here because a length is an integer, which loops and indices
+make good use of.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types: ArgName, Dim,
-IsPers, IsVar, Present, Type.
+IsPers, IsVar, Present, StrLen, Type.
 """
 
 from __future__ import annotations
@@ -13,10 +15,11 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from rapidsim.analysis.program import DataSymbol, ParameterSymbol, Storage
-from rapidsim.interpreter.code import Code
+from rapidsim.interpreter.arithmetic import MAX_INTEGER
+from rapidsim.interpreter.code import Code, Interval
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.operands import Operands
-from rapidsim.interpreter.paths import Paths, bare, by_reference, number
+from rapidsim.interpreter.paths import Paths, bare, by_reference
 from rapidsim.interpreter.positions import At
 from rapidsim.language.controller import Place
 from rapidsim.language.types import ArrayOf, Type, resolved
@@ -52,11 +55,9 @@ def _dim(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -
     which = call.arguments[1]
     assert isinstance(which, tree.Required)
     code = expressions.value(which.value)
-    of = resolved(paths.type_of(path))
-    if isinstance(of, ArrayOf) and code.literal is not None:
-        size = of.dimensions[int(code.literal) - 1] if 1 <= code.literal <= 3 else None
-        if size is not None:
-            return number(float(size), at)
+    size = paths.size(path, int(code.literal)) if code.literal is not None else None
+    if size is not None:
+        return size
     array = paths.reference(path)
     return Code(at.call("_dimension", [array.node, code.node]), may_raise=True)
 
@@ -87,6 +88,14 @@ def _is_storage(
     return Code(code, may_raise=symbol.optional)
 
 
+def _str_len(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
+    argument = call.arguments[0]
+    assert isinstance(argument, tree.Required)
+    text = expressions.value(argument.value)
+    node = at.call("_len", [text.node])
+    return Code(node, text.owed, text.may_raise, text.calls, Interval(0, MAX_INTEGER))
+
+
 def _type(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
     of = paths.type_of(_argument(expressions, call))
     element: Type = of.element if isinstance(of, ArrayOf) else of
@@ -113,6 +122,7 @@ SPECIAL_FORMS: Mapping[str, SpecialForm] = MappingProxyType(
         "ispers": _is_pers,
         "isvar": _is_var,
         "present": _present,
+        "strlen": _str_len,
         "type": _type,
     }
 )

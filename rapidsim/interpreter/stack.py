@@ -6,23 +6,37 @@ frames of our own functions between are left out.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import islice
-from types import CodeType, TracebackType
+from types import CodeType, MappingProxyType, TracebackType
 
+from rapidsim.analysis.program import DataSymbol, RoutineSymbol
 from rapidsim.diagnostics import Source, Span
 from rapidsim.interpreter.recovery import GENERATED, is_generated
+from rapidsim.interpreter.values import Value
 from rapidsim.language.errors import RapidError
+from rapidsim.syntax import tree
 
 
 @dataclass(frozen=True, slots=True)
 class Origin:
     """Where the code of a namespace comes from."""
 
-    source: Source
-    routine_names: Mapping[str, str]
-    """Routines as RAPID spells them, by the name of their function."""
+    module: tree.Module
+    routines: Mapping[str, RoutineSymbol]
+    """By the name of their function."""
+    value_of: Callable[[DataSymbol], Value]
+    """The value that declared data of any module have now."""
+
+    @property
+    def source(self) -> Source:
+        """The text the code was made from."""
+        return self.module.source
+
+
+CLAUSES = MappingProxyType({"ERROR": "ERROR", "_undo": "UNDO"})
+"""The clauses of a routine that are functions inside its own, by the name of the function."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,10 +45,17 @@ class Frame:
 
     routine: str
     """As RAPID spells it; "" for the initial values of a module."""
+    clause: str
+    """ERROR or UNDO where that clause of the routine was running, else ""."""
     source: Source
     start: int
     """Offset of the part that was being executed; it ends on the line it begins on."""
     end: int
+
+    @property
+    def place(self) -> str:
+        """The routine, or a clause of it, in words."""
+        return f"the {self.clause} clause of {self.routine}" if self.clause else self.routine
 
     @property
     def span(self) -> Span:
@@ -97,9 +118,10 @@ def _entries(traceback: TracebackType | None) -> Iterator[TracebackType]:
 def _frame(traceback: TracebackType) -> Frame:
     code = traceback.tb_frame.f_code
     origin: Origin = traceback.tb_frame.f_globals[GENERATED]
-    function = code.co_qualname.partition(".")[0]
+    routine = origin.routines.get(code.co_qualname.partition(".")[0])
     start, end = _offsets(origin.source, code, traceback)
-    return Frame(origin.routine_names.get(function, ""), origin.source, start, end)
+    clause = CLAUSES.get(code.co_name, "")
+    return Frame(routine.name if routine else "", clause, origin.source, start, end)
 
 
 def _offsets(source: Source, code: CodeType, traceback: TracebackType) -> tuple[int, int]:

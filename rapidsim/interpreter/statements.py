@@ -8,15 +8,15 @@ they choose stand outside. Loops take a tick each turn, which lets virtual time 
 from __future__ import annotations
 
 import ast
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NoReturn, assert_never
 
 from rapidsim.analysis.program import DataSymbol, RoutineSymbol
 from rapidsim.interpreter.arithmetic import MAX_INTEGER
-from rapidsim.interpreter.code import Code, Interval
+from rapidsim.interpreter.code import Code, Interval, finished
 from rapidsim.interpreter.expressions import Expressions
+from rapidsim.interpreter.in_place import assigned_in_place, value_in_place
 from rapidsim.interpreter.jumps import Jumps
 from rapidsim.interpreter.limits import MAX_BRANCHES, MAX_LOOPS, NotExecutableError
 from rapidsim.interpreter.positions import At
@@ -51,7 +51,7 @@ class Statements:
             case tree.Assignment():
                 return self._assignment(statement, at)
             case tree.Call():
-                return self._guard(self.expressions.calls.procedure(statement, at), at)
+                return self._call(statement, at)
             case tree.LateCall():
                 return self._guard(self.expressions.calls.late(statement, at), at)
             case tree.If(branches=branches, otherwise=otherwise):
@@ -112,6 +112,14 @@ class Statements:
             value.may_raise or is_array or self.expressions.paths.may_raise(statement.target)
         )
         return self._guard(body, at) if may_raise else body
+
+    def _call(self, statement: tree.Call, at: At) -> list[ast.stmt]:
+        variable = assigned_in_place(statement, self.expressions.program)
+        if variable is None:
+            return self._guard(self.expressions.calls.procedure(statement, at), at)
+        paths = self.expressions.paths
+        value = value_in_place(statement, variable, paths, at)
+        return self._guard(paths.write(variable, value, at), at)
 
     def _if(
         self,
@@ -256,29 +264,28 @@ class Statements:
     ) -> tuple[ast.expr, Interval | None, bool]:
         """What a FOR runs over, the integers its counter can be, and whether that may raise."""
         parts = [statement.first, statement.last, statement.step]
-        codes = [self.expressions.value(part) for part in parts if part is not None]
-        nodes = [code.node for code in codes]
-        may_raise = any(code.may_raise for code in codes)
-        first, last = _whole(statement.first), literal(statement.last, NUM)
+        codes = [self.expressions.code(part) for part in parts if part is not None]
+        may_raise = any(finished(code, at).may_raise for code in codes)
+        first, last = codes[0], codes[1]
         step = _whole(statement.step)
-        if first is None or (statement.step is not None and step is None):
-            return at.call("_steps", nodes), None, may_raise
-        if step is None and last is not None and abs(last) <= MAX_INTEGER:
-            way = 1 if last >= first else -1
-            end = math.floor(last) if way > 0 else math.ceil(last)
-            bounds = [first, end + way, *([way] if way < 0 else [])]
-            node = at.call("_range", [at.constant(bound) for bound in bounds])
-            return node, Interval(min(first, end), max(first, end)), False
-        up = step is None or step > 0
-        down = step is None or step < 0
-        interval = Interval(
-            min(first, int(last) if last is not None else -MAX_INTEGER) if down else first,
-            max(first, int(last) if last is not None else MAX_INTEGER) if up else first,
-        )
-        nodes[0] = at.constant(first)
-        if step is not None:
-            nodes[2] = at.constant(step)
-        return at.call("_count", nodes), interval, may_raise
+        if not _exact(first) or (statement.step is not None and step is None):
+            return at.call("_steps", [finished(code, at).node for code in codes]), None, may_raise
+        assert first.integer is not None
+        ends = last.integer if _exact(last) else None
+        way = _way(first.integer, ends) if step is None else step
+        interval = _between(first.integer, ends or Interval(-MAX_INTEGER, MAX_INTEGER), way)
+        nodes = [first.as_integer(at), *(at.constant(step) for _ in codes[2:])]
+        if ends is None or not way:
+            nodes.insert(1, finished(last, at).node)
+            return at.call("_count", nodes), interval, may_raise
+        past = 1 if way > 0 else -1
+        if last.literal is not None:
+            nodes.insert(1, at.constant(int(last.literal) + past))
+        else:
+            nodes.insert(1, at.operation(last.node, ast.Add(), at.constant(past)))
+        if way < 0 and step is None:
+            nodes.append(at.constant(-1))
+        return at.call("_range", nodes), interval, may_raise
 
     def _tick(self, at: At) -> list[ast.stmt]:
         """Let a little virtual time pass, and see to what is due."""
@@ -329,13 +336,15 @@ class Statements:
         if isinstance(statement.interrupt, tree.Placeholder):
             return self._guard([at.do(at.call("_unfinished"))], at)
         symbol = self.expressions.program.symbol_of.get(statement)
+        number = self.expressions.paths.read(statement.interrupt).node
         if isinstance(symbol, RoutineSymbol):
             function = at.name(self.expressions.names.module.routine(symbol))
-            node = at.call("_connect", [function, at.constant(symbol.name)])
+            node = at.call("_connect", [number, function, at.constant(symbol.name)])
         elif isinstance(statement.trap, tree.Name):
             self._refuse(f"CONNECT with `{statement.trap.text}`, which is no trap,", statement)
         else:
-            node = at.call("_connect_late", [self.expressions.value(statement.trap).node])
+            name = self.expressions.value(statement.trap).node
+            node = at.call("_connect_late", [number, name])
         value = Code(node, may_raise=True, calls=True)
         return self._guard(self.expressions.paths.write(statement.interrupt, value, at), at)
 
@@ -369,6 +378,29 @@ class Statements:
 
     def _refuse(self, what: str, node: tree.Node) -> NoReturn:
         raise NotExecutableError(what, self.expressions.span(node))
+
+
+def _exact(code: Code) -> bool:
+    """Whether it is an integer that a single holds."""
+    return code.integer is not None and code.integer.exact
+
+
+def _way(first: Interval, last: Interval | None) -> int:
+    """The step of a FOR that names none: 1 up, -1 down, 0 where only the run knows."""
+    if last is None:
+        return 0
+    if last.low >= first.high:
+        return 1
+    return -1 if last.high < first.low else 0
+
+
+def _between(first: Interval, last: Interval, way: int) -> Interval:
+    """What a counter can be that goes from one to the other."""
+    if way > 0:
+        return Interval(first.low, max(first.low, last.high), last.size)
+    if way < 0:
+        return Interval(min(first.high, last.low), first.high, first.size)
+    return Interval(min(first.low, last.low), max(first.high, last.high))
 
 
 def _whole(expression: tree.Expression | None) -> int | None:

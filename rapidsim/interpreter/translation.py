@@ -6,13 +6,20 @@ Nothing here depends on a task: what does is filled in by `loader`.
 from __future__ import annotations
 
 import ast
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Storage
+from rapidsim.analysis.walk import data_of
 from rapidsim.interpreter.constants import Constants
 from rapidsim.interpreter.expressions import Expressions
-from rapidsim.interpreter.limits import TRANSLATING_DEPTH, recursion_limit
+from rapidsim.interpreter.limits import (
+    MAX_ELEMENTS,
+    TRANSLATING_DEPTH,
+    NotExecutableError,
+    recursion_limit,
+)
 from rapidsim.interpreter.memory import initial_literal
 from rapidsim.interpreter.names import Binding, LocalNames, ModuleNames
 from rapidsim.interpreter.positions import Positions
@@ -52,6 +59,7 @@ def translate(program: Program) -> Translation:
         NotExecutableError: If the program needs something that cannot be simulated.
         RapidError: If the expression of a constant fails.
     """
+    _refuse_huge_arrays(program)
     constants = Constants(program)
     with recursion_limit(TRANSLATING_DEPTH):
         modules = [_translate_module(module, program, constants) for module in program.modules]
@@ -90,6 +98,24 @@ def _translate_module(
         body.append(initialise)
     code = ast.Module(body, [])
     return TranslatedModule(module, code, names.bindings, functions, tuple(long_jumps))
+
+
+def _refuse_huge_arrays(program: Program) -> None:
+    declared = 0
+    for module in program.modules:
+        for data in data_of(module):
+            symbol = program.symbol_of[data]
+            of = resolved(symbol.type) if isinstance(symbol, DataSymbol) else None
+            if not isinstance(of, ArrayOf):
+                continue
+            elements = math.prod(size or 0 for size in of.dimensions)
+            declared += elements
+            if declared > MAX_ELEMENTS:
+                raise NotExecutableError(
+                    f"the array `{data.name.text}` of {elements} elements, with more than "
+                    f"{MAX_ELEMENTS} in all arrays together,",
+                    module.span(data.name),
+                )
 
 
 def _initialise(module: tree.Module, context: ModuleContext) -> ast.FunctionDef | None:

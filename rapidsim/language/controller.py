@@ -221,6 +221,10 @@ class Interrupts(Protocol):
         """Book an interrupt number for a trap routine."""
         ...
 
+    def is_connected(self, interrupt: float) -> bool:
+        """Whether an interrupt number belongs to a trap routine, ordered or not."""
+        ...
+
     def order_timer(self, interrupt: float, seconds: float, *, single: bool) -> None:
         """Raise an interrupt once, or every so many seconds."""
         ...

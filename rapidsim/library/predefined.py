@@ -128,6 +128,9 @@ _INTEGER_TYPES = {
     **{"SINT": -1.0, "INT": -2.0, "DINT": -4.0, "LINT": -8.0},
 }
 
+_LOWER = "abcdefghijklmnopqrstuvwxyzàáâãäåæçèéêëìíîïðñòóôõöøùúûüýþ"
+# Of ISO 8859-1 those letters that have capitals there, so that StrMap takes one for the other.
+
 _CONSTANTS: tuple[tuple[str, str, object], ...] = (
     ("num", "pi", 3.1415926),
     ("num", "END_OF_LIST", -1.0),
@@ -136,6 +139,9 @@ _CONSTANTS: tuple[tuple[str, str, object], ...] = (
     ("num", "WAIT_MAX", 8388608.0),
     ("string", "EOF", "EOF"),
     ("string", "STR_DIGIT", "0123456789"),
+    ("string", "STR_LOWER", _LOWER),
+    ("string", "STR_UPPER", _LOWER.upper()),
+    ("string", "STR_WHITE", " "),
     ("string", "stEmpty", ""),
     ("string", "stSpace", " "),
     ("string", "diskhome", "HOME:"),

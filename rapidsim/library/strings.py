@@ -77,14 +77,16 @@ def str_len(str_: String) -> Num:
 
 def str_part(str_: String, ch_pos: Num, len_: Num) -> String:
     """The part from a position, so many characters long."""
+    # Loops over characters call this most, so what is in order is seen by two comparisons.
+    start = int(ch_pos) - 1
+    end = start + int(len_)
+    if 0 <= start == ch_pos - 1.0 and start <= end <= len(str_) > start:
+        return str_[start:end]
     start = _position(str_, ch_pos, len(str_))
-    length = int(len_)
-    if length < 0 or start + length > len(str_):
-        raise rapid_error(
-            ERR_ARGVALERR,
-            f"no {length} characters from {start + 1} in a string of {len(str_)}",
-        )
-    return str_[start : start + length]
+    raise rapid_error(
+        ERR_ARGVALERR,
+        f"no {int(len_)} characters from {start + 1} in a string of {len(str_)}",
+    )
 
 
 def str_find(str_: String, ch_pos: Num, set_: String, *, not_in_set: Switch = False) -> Num:

@@ -10,7 +10,7 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from rapidsim.language.error_numbers import ERR_STRTOOLNG, rapid_error
 from rapidsim.language.errors import RapidError
@@ -23,6 +23,7 @@ MAX_STRING = 80
 _NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:E[+-]?\d+)?", re.IGNORECASE)
 _STRING = re.compile(r'"((?:[^"\\]|""|\\\\|\\[0-9A-Fa-f]{2})*)"')
 _ESCAPE = re.compile(r'""|\\\\|\\([0-9A-Fa-f]{2})')
+_CONTROL = re.compile(r"[\x00-\x1f\x7f]")
 _BLANKS = re.compile(r"\s*")
 
 
@@ -50,8 +51,33 @@ def dnum_text(value: float) -> str:
 
 
 def value_text(value: object, of: Type) -> str:
-    """A value of any type as it would stand in a program."""
+    """A value of any type as it would stand in a program, numbers as ValToStr rounds them."""
+    return _text(value, of, _rounded_leaf)
+
+
+def source_text(value: object, of: Type) -> str:
+    """A value as an initial value: read back, it is the same to the last bit.
+
+    Numbers have as many digits as it takes, control characters their codes.
+    """
+    return _text(value, of, _exact_leaf)
+
+
+def _text(value: object, of: Type, leaf_text: Callable[[object, Type], str]) -> str:
+    """A value with its atomic parts written by `leaf_text`."""
     of = resolved(of)
+    match value:
+        case tuple() if isinstance(of, Record):
+            parts = zip(value, of.components, strict=True)
+            return "[" + ",".join(_text(part, c.type, leaf_text) for part, c in parts) + "]"
+        case list() if isinstance(of, ArrayOf):
+            element = _element(of)
+            return "[" + ",".join(_text(part, element, leaf_text) for part in value) + "]"
+        case _:
+            return leaf_text(value, of)
+
+
+def _rounded_leaf(value: object, of: Type) -> str:
     match value:
         case bool():
             return "TRUE" if value else "FALSE"
@@ -59,14 +85,25 @@ def value_text(value: object, of: Type) -> str:
             return dnum_text(value) if of == DNUM else number_text(value)
         case str():
             return '"' + value.replace("\\", "\\\\").replace('"', '""') + '"'
-        case tuple() if isinstance(of, Record):
-            parts = zip(value, of.components, strict=True)
-            return "[" + ",".join(value_text(part, c.type) for part, c in parts) + "]"
-        case list() if isinstance(of, ArrayOf):
-            element = _element(of)
-            return "[" + ",".join(value_text(part, element) for part in value) + "]"
         case _:
             raise TypeError(f"a value of type {of.name} has no text")
+
+
+def _exact_leaf(value: object, of: Type) -> str:
+    match value:
+        case str():
+            return _CONTROL.sub(lambda c: f"\\{ord(c[0]):02X}", _rounded_leaf(value, of))
+        case float() if of == DNUM:
+            return next(text for text in _digits(value, 15, 17) if float(text) == value)
+        case float():
+            return next(text for text in _digits(value, 6, 9) if single(float(text)) == value)
+        case _:
+            return _rounded_leaf(value, of)
+
+
+def _digits(value: float, least: int, most: int) -> Iterator[str]:
+    """A number with more and more significant digits; the most are enough for any."""
+    return (f"{value + 0.0:.{digits}G}" for digits in range(least, most + 1))
 
 
 def parsed_number(text: str) -> float | None:

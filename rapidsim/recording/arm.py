@@ -54,7 +54,7 @@ def log_arm(stream: rr.RecordingStream, run: SampledRun) -> tuple[str, ...]:
     if tree is None:
         _log_skeleton(stream, robot, chain, frozenset((BASE, *chain.link_frames)))
         return (f"{robot.name} has no description with link shapes: links are drawn as bars",)
-    _log_fixed_frames(stream, tree, prefix, chain)
+    _log_other_frames(stream, run, tree, prefix, chain)
     shapes = log_shapes(stream, tree)
     if not shapes.drawn:
         _log_skeleton(stream, robot, chain, frozenset((BASE, *chain.link_frames)))
@@ -106,17 +106,31 @@ def last_link_from_flange(robot: Robot) -> Transform:
     return base_from_links[-1].inverse() @ robot.kinematics.forward(zero)
 
 
-def _log_fixed_frames(
-    stream: rr.RecordingStream, tree: UrdfTree, prefix: str, chain: Chain
+def _log_other_frames(
+    stream: rr.RecordingStream, run: SampledRun, tree: UrdfTree, prefix: str, chain: Chain
 ) -> None:
-    """The frames of the description that the run does not move; a gripper's joints stay at 0."""
+    """The frames of the description that no joint of the run moves.
+
+    Joints that mimic one of the run follow it; a gripper's joints stay at 0.
+    """
     stream.log(
         f"{ENTITY}/base",
         static_frame(BASE, prefix + tree.root_link().name, Transform.identity()),
         static=True,
     )
+    samples = run.samples
     for joint in tree.joints():
-        if joint.name not in chain.joint_names:
+        if joint.name in chain.joint_names:
+            continue
+        if joint.mimic is not None and joint.mimic.joint in chain.joint_names:
+            leader = samples.joints[:, chain.joint_names.index(joint.mimic.joint)]
+            angles = (joint.mimic.multiplier or 1.0) * leader + (joint.mimic.offset or 0.0)
+            stream.send_columns(
+                rr.new_entity_path([ENTITY, "joints", joint.name]),
+                indexes=indexes(samples.times, samples.move),
+                columns=joint.compute_transform_columns(angles.tolist(), clamp=False),
+            )
+        else:
             stream.log(
                 rr.new_entity_path([ENTITY, "fixed", joint.name]),
                 joint.compute_transform(0.0),

@@ -8,7 +8,6 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from rapidsim.diagnostics import Diagnostic
-from rapidsim.motion.model import MotionModel
 from rapidsim.report.diagnostics import diagnostic_json
 from rapidsim.report.figures import Figures, JointMargin, LineTime, Singularity, argument
 from rapidsim.report.merging import merged
@@ -25,7 +24,7 @@ def run_json(
     simulation: Simulation,
     figures: Figures,
     findings: Sequence[Diagnostic],
-    files: Mapping[str, str],
+    files: Mapping[str, object],
 ) -> dict[str, object]:
     """The object that `rapidsim run --format json` prints.
 
@@ -33,7 +32,7 @@ def run_json(
         simulation: The run.
         figures: Its figures.
         findings: What checking and running found.
-        files: Paths of the files written, by what they are.
+        files: Paths of the files written, by what they are; `program` lists those of the program.
     """
     return {
         "schema": SCHEMA,
@@ -54,7 +53,11 @@ def run_json(
             {"name": one.name, "count": one.count, "treated_as": one.treated_as}
             for one in simulation.unsimulated
         ],
-        "models": models(simulation.model),
+        "persistents": [
+            {"name": one.name, "module": one.module, "old": one.old, "new": one.new}
+            for one in simulation.persistents
+        ],
+        "models": models(simulation),
         "files": {
             **files,
             "home": [{"path": file.path, "size": file.size} for file in simulation.home_files],
@@ -82,24 +85,32 @@ def rejected_json(
         "diagnostics": [diagnostic_json(finding) for finding in merged(findings)],
         "events": [],
         "unsimulated": [],
+        "persistents": [],
         "models": {},
         "files": {},
     }
 
 
-def models(model: MotionModel) -> dict[str, object]:
-    """The models behind the numbers and their parameters."""
+def models(simulation: Simulation) -> dict[str, object]:
+    """The models behind the numbers and their parameters, and what they leave out of the arm."""
+    model = simulation.model
     if model.acceleration is None:
         acceleration = f"axis acceleration = axis speed / {model.acceleration_time:g} s"
     else:
         degrees = ", ".join(f"{math.degrees(a):g}" for a in model.acceleration)
         acceleration = f"axis accelerations {degrees} deg/s2"
+    given_speeds = {}
+    if model.max_speed is not None:
+        degrees = ", ".join(f"{math.degrees(v):g}" for v in model.max_speed)
+        given_speeds = {"axis_speed": f"axis speeds {degrees} deg/s, as the station file says"}
     return {
         "acceleration": acceleration,
+        **given_speeds,
         "corner": model.corner,
         "program_pointer": PROGRAM_POINTER,
         "filter_time_s": model.filter_time,
         "fine_dwell_s": model.fine_dwell,
+        "robot_not_modelled": list(simulation.robot.not_modelled),
     }
 
 

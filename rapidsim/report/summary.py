@@ -18,10 +18,12 @@ from rich.text import Text
 from rapidsim.report.figures import Figures, JointMargin, LineTime, Singularity
 from rapidsim.report.run_json import models
 from rapidsim.report.source_frame import printable
+from rapidsim.simulation.persistents import PersistentChange, parts_of
 from rapidsim.simulation.result import CornerKind, End, EventKind, ExecutedMove, Simulation
 
 _BAR_CELLS = 24
 _SHOWN_TEXTS = 8
+_SHOWN_PERSISTENTS = 8
 _LOW_MARGIN_DEG = 5.0
 _NEAR_SINGULAR = 0.05
 
@@ -184,7 +186,29 @@ def _happenings(simulation: Simulation) -> list[tuple[str, RenderableType]]:
             for one in simulation.unsimulated
         )
         rows.append(("not simulated", Text("\n".join(lines), "yellow")))
+    if simulation.persistents:
+        rows.append(("persistents", _persistents(simulation.persistents)))
     return rows
+
+
+def _persistents(changes: Sequence[PersistentChange]) -> Text:
+    """What the run left in persistents; of records and arrays the first part that changed."""
+    shown = Text("\n").join(
+        Text.assemble(f"{one.name} ", (f"({one.module}) ", "dim"), printable(_change(one)))
+        for one in changes[:_SHOWN_PERSISTENTS]
+    )
+    if len(changes) > _SHOWN_PERSISTENTS:
+        shown.append(f"\nand {len(changes) - _SHOWN_PERSISTENTS} more", "dim")
+    return shown
+
+
+def _change(change: PersistentChange) -> str:
+    old, new = parts_of(change.old), parts_of(change.new)
+    changed = [pair for pair in zip(old, new, strict=True) if pair[0] != pair[1]]
+    first = f"{changed[0][0]} -> {changed[0][1]}"
+    if len(old) == 1:
+        return first
+    return f"{first}, {len(changed)} of {len(old)} values changed"
 
 
 def _slowest(lines: Sequence[LineTime], bars: Bars) -> Table:
@@ -210,11 +234,13 @@ def _slowest(lines: Sequence[LineTime], bars: Bars) -> Table:
 
 
 def _models(simulation: Simulation) -> Text:
-    behind = models(simulation.model)
+    behind = models(simulation)
+    speeds = f"{behind['axis_speed']}; " if "axis_speed" in behind else ""
+    left_out = "".join(f" Not modelled: {what}." for what in simulation.robot.not_modelled)
     return Text(
-        f"Models behind it: {behind['acceleration']}; corners {behind['corner']}; command "
+        f"Models behind it: {speeds}{behind['acceleration']}; corners {behind['corner']}; command "
         f"smoothed over {behind['filter_time_s']} s; {behind['fine_dwell_s']} s at a fine point; "
-        f"the program pointer {behind['program_pointer']}.",
+        f"the program pointer {behind['program_pointer']}.{left_out}",
         "dim",
     )
 

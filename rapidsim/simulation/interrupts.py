@@ -61,6 +61,10 @@ class InterruptTable:
         self._connections[float(self._last_number)] = _Connection(trap, trap_name)
         return float(self._last_number)
 
+    def is_connected(self, number: float) -> bool:
+        """Whether a number belongs to a trap."""
+        return number in self._connections
+
     def order_timer(self, number: float, now_s: float, seconds: float, *, single: bool) -> None:
         """Raise an interrupt once, or every so many seconds.
 

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
-from rapidsim.diagnostics import Violation
-from rapidsim.motion.violations import PathNotReachable
-from rapidsim.simulation.path_queue import MotionError
+from collections.abc import Iterable
+
+from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.motion.violations import PathNotReachable, TooLittleTime
+from rapidsim.simulation.path_queue import MotionError, QueuedMove
+
+_EXCESS = 1.01
+"""A timed move is planned to a tenth of a per cent; beyond this it could not be kept."""
 
 
 def path_violation(error: MotionError) -> Violation:
@@ -16,3 +21,18 @@ def path_violation(error: MotionError) -> Violation:
         distance_mm=1000.0 * fault.distance,
         why=fault.reason,
     )
+
+
+def hasty_move_findings(moves: Iterable[QueuedMove]) -> tuple[Diagnostic, ...]:
+    r"""A warning for each move that takes longer than its `\T`: no axis turns any faster."""
+    found = []
+    for queued in moves:
+        programmed_s, started_s = queued.move.duration_s, queued.started.time
+        if programmed_s is None or started_s is None or queued.ended_s is None:
+            continue
+        needed_s = queued.ended_s - started_s
+        if needed_s > _EXCESS * programmed_s:
+            violation = TooLittleTime(programmed_s, needed_s)
+            place = queued.place
+            found.append(Diagnostic(violation, place.span, routine=place.routine))
+    return tuple(found)

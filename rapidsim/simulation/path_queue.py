@@ -67,6 +67,8 @@ class QueuedMove:
     length_m: float = 0.0
     command_start_s: float | None = None
     """Command time of the start, for the first move of a block only."""
+    ended_s: float | None = None
+    """Command time of the end, as far as it is planned."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,6 +132,11 @@ class PathQueue:
         """Axis speeds and accelerations for timing."""
         return limits_of(self.robot, self.model)
 
+    @cached_property
+    def braking_s(self) -> float:
+        """More time [s] than the arm needs to stop: the longest any axis does from full speed."""
+        return float(np.max(self.limits.max_speed / self.limits.max_acceleration))
+
     def append(self, queued: QueuedMove, now_s: float) -> None:
         """Put a move on the path.
 
@@ -175,6 +182,12 @@ class PathQueue:
         self._commit = None
         self._plan = None
         return end_s
+
+    def nominal_last_start(self) -> float:
+        """About when the robot starts the last move [s]: at programmed speeds, without ramps."""
+        assert self._commit is not None
+        ahead = self._block[self._commit.move : -1]
+        return self._commit.time_s + sum(_nominal_s(queued.segment) for queued in ahead)
 
     def commit_last_start(self) -> float:
         """Plan what is known and fix it up to the start of the last move.
@@ -322,6 +335,7 @@ class PathQueue:
                 queued.start_place_m = offset_m + starts[k]
             queued.end_place_m = offset_m + ends[k]
             queued.length_m = float(tentative.path.lengths[k])
+            queued.ended_s = tentative.time_at(ends[k])
             self._note_corner(queued, tentative.path.corners[k])
         return tentative.time_at(to_m)
 
@@ -332,13 +346,8 @@ class PathQueue:
             queued.corner = CornerKind.STOP
 
     def _braking_distance_m(self, segment: Segment) -> float:
-        """More than the TCP needs to stop from the programmed speed.
-
-        No axis needs longer to stop than its speed divided by its acceleration.
-        """
-        limits = self.limits
-        longest_s = float(np.max(limits.max_speed / limits.max_acceleration))
-        return segment.speed.tcp * longest_s / segment.acceleration_share
+        """More than the TCP needs to stop from the programmed speed."""
+        return segment.speed.tcp * self.braking_s / segment.acceleration_share
 
 
 def _executed(
@@ -362,6 +371,17 @@ def _executed(
         joints=queued.segment.end.joints,
         conf=queued.conf,
     )
+
+
+def _nominal_s(segment: Segment) -> float:
+    """Time [s] of a move at its programmed speeds, straight from start to end."""
+    if segment.duration is not None:
+        return segment.duration
+    start, end = segment.start.base_from_tcp, segment.end.base_from_tcp
+    way = float(np.linalg.norm(end.translation - start.translation))
+    cosine = 0.5 * (float(np.sum(start.rotation * end.rotation)) - 1.0)
+    turn = float(np.arccos(np.clip(cosine, -1.0, 1.0)))
+    return max(way / segment.speed.tcp, turn / segment.speed.reorientation)
 
 
 def _frames(queued: QueuedMove) -> tuple[ToolData, WobjData]:

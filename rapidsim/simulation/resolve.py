@@ -27,7 +27,7 @@ from rapidsim.language.data import (
 from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH, ERR_ROBLIMIT
 from rapidsim.language.errors import RapidError
 from rapidsim.motion import targets
-from rapidsim.motion.confdata import Configuration, confdata_of, configurations
+from rapidsim.motion.confdata import Configuration, confdata_of, configurations, told_apart
 from rapidsim.motion.curves import circle_fault, curves_of
 from rapidsim.motion.reach import limit_excess, why_unreachable
 from rapidsim.motion.robot import Robot
@@ -171,11 +171,11 @@ class Resolver:
         near, stored = segment.start.joints, to.robconf
         wanted = _rounded(stored)
         if move.interpolation is Interpolation.JOINT:
-            monitored = settings.conf_j
+            monitored = settings.conf_j and told_apart(self.robot.kinematics)
             working = self._working(base_from_flange, name)
             chosen = _choice(working, stored, near) if monitored else _nearest(working, near)
         else:
-            monitored = settings.conf_l
+            monitored = settings.conf_l and told_apart(self.robot.kinematics)
             arrived = self._end_of_curve(segment)
             chosen = arrived or _nearest(self._working(base_from_flange, name), near)
         if monitored and chosen.confdata != wanted:

@@ -9,13 +9,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
+import numpy as np
+
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.controller import Move, Place
 from rapidsim.language.data import ConfData
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot import Robot
-from rapidsim.motion.trajectory import Trajectory
+from rapidsim.motion.trajectory import Samples, Trajectory
+from rapidsim.simulation.persistents import PersistentChange
 
 
 class End(StrEnum):
@@ -130,3 +133,9 @@ class Simulation:
     diagnostics: tuple[Diagnostic, ...]
     unsimulated: tuple[Unsimulated, ...]
     home_files: tuple[WrittenFile, ...]
+    persistents: tuple[PersistentChange, ...] = ()
+    """The persistents that ended with another value than their declarations give them."""
+
+    def sample(self, time_s: float | Array) -> Samples:
+        """The arm at one instant or several [s]: joints (k, n), TCP, speed; k is 1 for one."""
+        return self.trajectory.at(np.atleast_1d(np.asarray(time_s, dtype=np.float64)))

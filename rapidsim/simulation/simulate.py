@@ -2,26 +2,30 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
 
 from rapidsim.analysis.program import Program
-from rapidsim.diagnostics import Diagnostic, Related, Span
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.files import InputError
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.interpreter.loader import load
-from rapidsim.interpreter.stack import FatalError, Frame
+from rapidsim.interpreter.loader import Task, load
+from rapidsim.interpreter.stack import FatalError
 from rapidsim.language.controller import Place
-from rapidsim.language.errors import Stopped
-from rapidsim.motion.robot import Robot
+from rapidsim.language.errors import CycleEnded, Stopped
+from rapidsim.motion.limits import limits_of
+from rapidsim.motion.robot import Robot, RobotError
 from rapidsim.motion.segments import Waypoint
 from rapidsim.motion.trajectory import Trajectory
 from rapidsim.simulation.controller import VirtualController
 from rapidsim.simulation.journal import Journal
-from rapidsim.simulation.motion_findings import path_violation
+from rapidsim.simulation.motion_findings import hasty_move_findings
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.path_queue import MotionError, PathQueue
-from rapidsim.simulation.resolve import MoveRefusedError, Resolver
+from rapidsim.simulation.persistents import PersistentChange, changed_persistents
+from rapidsim.simulation.resolve import Resolver
 from rapidsim.simulation.result import (
     CornerKind,
     End,
@@ -31,17 +35,22 @@ from rapidsim.simulation.result import (
     Simulation,
     WrittenFile,
 )
+from rapidsim.simulation.run_findings import (
+    backward_findings,
+    endless_wait_finding,
+    fatal_finding,
+    motion_finding,
+    not_simulated_findings,
+    stopped_finding,
+)
 from rapidsim.simulation.stops import TimeLimitReached, WaitsForever
-from rapidsim.simulation.violations import EndlessWait, RoutineNotSimulated, UncaughtError
-
-DEFAULT_START_DEG = (0.0, 0.0, 0.0, 0.0, 30.0, 0.0)
-"""Axis 5 bent: the all-zero pose of most arms is singular, and a program may begin with a line."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Outcome:
     end: End
-    findings: tuple[Diagnostic, ...] = ()
+    findings: tuple[Diagnostic, ...]
+    persistents: tuple[PersistentChange, ...]
 
 
 def simulate(program: Program, robot: Robot, *, options: RunOptions) -> Simulation:
@@ -54,7 +63,11 @@ def simulate(program: Program, robot: Robot, *, options: RunOptions) -> Simulati
 
     Returns:
         What happened. A program that stops with an error is a result, not an exception.
+
+    Raises:
+        InputError: If how fast the arm's axes turn is not known.
     """
+    _require_limits(robot, options)
     journal = Journal(options.task)
     start = _start_waypoint(robot, options)
     trajectory = Trajectory(start, options.model.filter_time)
@@ -71,7 +84,9 @@ def simulate(program: Program, robot: Robot, *, options: RunOptions) -> Simulati
     moves = queue.executed(options.task)
     findings = (
         *journal.diagnostics(),
-        *_not_simulated(journal),
+        *not_simulated_findings(journal),
+        *backward_findings(program),
+        *hasty_move_findings(queue.moves),
         *outcome.findings,
     )
     motion_s = _motion_s(moves)
@@ -91,40 +106,57 @@ def simulate(program: Program, robot: Robot, *, options: RunOptions) -> Simulati
         diagnostics=findings,
         unsimulated=journal.not_simulated(),
         home_files=tuple(WrittenFile(path, size) for path, size in controller.home.written()),
+        persistents=outcome.persistents,
     )
 
 
 def _run(program: Program, controller: VirtualController, options: RunOptions) -> _Outcome:
     """Run main as often as asked and let the robot come to rest."""
+    task: Task | None = None
+    findings: tuple[Diagnostic, ...] = ()
     try:
         task = load(program, controller)
-        for _ in range(options.max_cycles):
-            task.run(options.entry)
+        end = _run_cycles(task, options)
         controller.finish()
     except FatalError as fatal:
         controller.abandon()
-        finding = _fatal_finding(fatal, program, controller.place)
-        return _Outcome(End.ERROR, (finding,))
+        end, findings = End.ERROR, (fatal_finding(fatal, controller.place),)
     except MotionError as error:
-        return _Outcome(End.ERROR, (_motion_finding(error),))
+        end, findings = End.ERROR, (motion_finding(error),)
     except TimeLimitReached:
-        return _Outcome(End.TIME_LIMIT)
+        end = End.TIME_LIMIT
     except WaitsForever as stop:
-        place = controller.place
-        finding = Diagnostic(EndlessWait(stop.reason), place.span, routine=place.routine)
-        return _Outcome(End.ERROR, (finding,))
-    except Stopped:
+        end, findings = End.ERROR, (endless_wait_finding(stop, controller.place),)
+    except Stopped as stop:
         controller.abandon()
-        return _Outcome(End.STOPPED)
-    return _Outcome(End.ENDED)
+        end, findings = End.STOPPED, (stopped_finding(stop, controller.place),)
+    return _Outcome(end, findings, changed_persistents(task) if task else ())
+
+
+def _run_cycles(task: Task, options: RunOptions) -> End:
+    """Run main again and again; module data keep their values from one cycle to the next."""
+    for _ in range(options.max_cycles):
+        with suppress(CycleEnded):
+            task.run(options.entry)
+    return End.CYCLE_LIMIT if options.max_cycles > 1 else End.ENDED
+
+
+def _require_limits(robot: Robot, options: RunOptions) -> None:
+    """Refuse an arm that cannot be timed before the program runs."""
+    try:
+        limits_of(robot, options.model)
+    except RobotError as error:
+        raise InputError(
+            str(error),
+            "give one value an axis in rapidsim.toml: [motion] axis_speed = [...] in deg/s",
+        ) from None
 
 
 def _start_waypoint(robot: Robot, options: RunOptions) -> Waypoint:
     """Where the arm stands before the first move, as the flange with no tool."""
     degrees = options.start_joints_deg
-    if degrees is None:
-        degrees = DEFAULT_START_DEG[: len(robot.joints)]
-    joints: Array = np.clip(np.radians(np.array(degrees)), robot.lower, robot.upper)
+    wanted = robot.start if degrees is None else np.radians(np.array(degrees))
+    joints: Array = np.clip(wanted, robot.lower, robot.upper)
     return Waypoint(joints, robot.kinematics.forward(joints))
 
 
@@ -163,44 +195,3 @@ def _sorted_events(journal: Journal, moves: tuple[ExecutedMove, ...]) -> tuple[E
         if move.corner is CornerKind.STOP_CORNER_PATH_FAILURE
     )
     return tuple(sorted((*journal.events(), *failures), key=lambda event: event.time_s))
-
-
-def _not_simulated(journal: Journal) -> tuple[Diagnostic, ...]:
-    """One warning for each routine that was met and not simulated."""
-    return tuple(
-        Diagnostic(RoutineNotSimulated(entry.name, entry.treated_as), None)
-        for entry in journal.not_simulated()
-    )
-
-
-def _motion_finding(error: MotionError) -> Diagnostic:
-    place = error.queued.place
-    return Diagnostic(path_violation(error), place.span, routine=place.routine)
-
-
-def _fatal_finding(fatal: FatalError, program: Program, place: Place) -> Diagnostic:
-    """The error that nothing caught, with the call chain as related places, innermost first."""
-    calls = [(frame.routine, _statement_span(frame, program)) for frame in reversed(fatal.stack)]
-    routine, span = calls[0] if calls else (place.routine, place.span)
-    related = tuple(
-        Related(call_span, f"called from {caller}" if caller else "initial value")
-        for caller, call_span in calls[1:]
-        if call_span is not None
-    )
-    error = fatal.error
-    violation = error.violation if isinstance(error, MoveRefusedError) else None
-    if span is not None and span.line == place.span.line and span.file == place.span.file:
-        span = place.span
-    return Diagnostic(violation or UncaughtError(error.message), span, related, routine=routine)
-
-
-def _statement_span(frame: Frame, program: Program) -> Span | None:
-    """The line a routine had come to, without its indentation."""
-    for module in program.modules:
-        source = module.source
-        if source.file == frame.file:
-            start = source.line_starts[frame.line - 1]
-            text = source.line(frame.line)
-            indent = len(text) - len(text.lstrip())
-            return Span(source, start + indent, start + max(len(text.rstrip()), indent + 1))
-    return None

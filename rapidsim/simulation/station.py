@@ -24,6 +24,7 @@ _KEYS: Mapping[str, tuple[str, ...]] = {
     "motion": (
         "acceleration_time",
         "acceleration",
+        "axis_speed",
         "filter_time",
         "fine_dwell",
         "corner",
@@ -118,6 +119,9 @@ def _model(reader: _Reader, motion: Mapping[str, object]) -> MotionModel:
     acceleration = reader.numbers(motion, "motion", "acceleration", None)
     if acceleration and min(acceleration) <= 0.0:
         raise reader.wrong("motion.acceleration", "accelerations are above 0")
+    axis_speed = reader.numbers(motion, "motion", "axis_speed", None)
+    if axis_speed and min(axis_speed) <= 0.0:
+        raise reader.wrong("motion.axis_speed", "axis speeds are above 0")
     corner: Corner
     match reader.text(motion, "motion", "corner") or default.corner:
         case "c2" | "parabola" as known:
@@ -127,6 +131,7 @@ def _model(reader: _Reader, motion: Mapping[str, object]) -> MotionModel:
     return MotionModel(
         acceleration_time=reader.positive(motion, "acceleration_time", default.acceleration_time),
         acceleration=tuple(math.radians(a) for a in acceleration) if acceleration else None,
+        max_speed=tuple(math.radians(v) for v in axis_speed) if axis_speed else None,
         filter_time=reader.not_negative(motion, "filter_time", default.filter_time),
         fine_dwell=reader.not_negative(motion, "fine_dwell", default.fine_dwell),
         corner=corner,

@@ -154,3 +154,72 @@ class RoutineNotSimulated(Violation):
 
     routine: str
     treated_as: str
+
+
+@dataclass(frozen=True)
+class ProgramStopped(Violation):
+    """The program stopped itself, and nobody starts it again.
+
+    On the cell the program stands here until somebody presses start (Stop, Break) or moves the
+    program pointer to main (EXIT). In a run nobody does, so the run ends.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            TPWrite "Change the gripper";
+            Stop;
+            TPWrite "Gripper changed";
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            TPWrite "Change the gripper";
+            TPWrite "Gripper changed";
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "R107"
+    name: ClassVar[str] = "program-stopped"
+    template: ClassVar[str] = "`{instruction}` stopped the program here, and the run ends"
+    severity: ClassVar[Severity] = Severity.NOTE
+
+    instruction: str
+
+
+@dataclass(frozen=True)
+class BackwardNotExecuted(Violation):
+    """A routine has a BACKWARD clause, which a run never executes.
+
+    The clause is for stepping backward by hand on the FlexPendant. A run goes forward only, so
+    the clause is checked and otherwise left alone.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            TPWrite "Forward";
+          BACKWARD
+            TPWrite "Backward";
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            TPWrite "Forward";
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "R108"
+    name: ClassVar[str] = "backward-not-executed"
+    template: ClassVar[str] = "BACKWARD of `{routine}` is not executed: a run goes forward only"
+    severity: ClassVar[Severity] = Severity.NOTE
+
+    routine: str

@@ -67,10 +67,9 @@ def stray_block_word(at: Situation) -> Patch | None:
         return opener
     if kind in ITEMS or kind == "MODULE":
         return None
-    stop = at.index + 1
     # What divides a block brings a condition or a colon along, which goes with it.
-    while stop < row.line_stop(at.index) and kind in {"ELSEIF", "CASE", "DEFAULT"}:
-        stop += 1
+    brings_more = kind in {"ELSEIF", "CASE", "DEFAULT"}
+    stop = row.line_stop(at.index) if brings_more else at.index + 1
     if row.kinds[stop] == "SEMICOLON":
         stop += 1
     names = " or ".join(sorted(wanted))

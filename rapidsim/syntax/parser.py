@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from rapidsim.diagnostics import Diagnostic, Source, Span
 from rapidsim.syntax import tree
 from rapidsim.syntax.builder import Builder
+from rapidsim.syntax.collection import uncollected
 from rapidsim.syntax.driver import build_tree
 from rapidsim.syntax.lexer import Tokens, lex
 from rapidsim.syntax.limits import bounded, token_limits
@@ -28,6 +29,7 @@ class Parsed:
     """In the order of their places."""
 
 
+@uncollected()
 def parse(source: Source) -> Parsed:
     """Read a file.
 

@@ -41,15 +41,39 @@ def _broken(start: int, end: int, text: str) -> tree.Broken:
     return tree.Broken(start, end)
 
 
-_KEPT = (
-    "NAME STAR SLASH DIV MOD PLUS MINUS EQUAL UNEQUAL LESS LESS_EQUAL GREATER GREATER_EQUAL AND OR"
-    " XOR NOT BECOMES LOCAL TASK VAR PERS CONST INOUT SYSMODULE NOVIEW NOSTEPIN VIEWONLY READONLY"
+def _kept(meant: str) -> BuildTerminal:
+    """A word or mark of the language. Repair takes other text for it: `VRA` for VAR."""
+
+    def build(start: int, end: int, text: str) -> tree.Name:
+        return tree.Name(start, end, text if text.upper() == meant else meant)
+
+    return build
+
+
+_WORDS = (
+    "DIV MOD AND OR XOR NOT LOCAL TASK VAR PERS CONST INOUT SYSMODULE NOVIEW NOSTEPIN VIEWONLY"
+    " READONLY"
 )
+_MARKS = {
+    "BECOMES": ":=",
+    "EQUAL": "=",
+    "UNEQUAL": "<>",
+    "LESS": "<",
+    "LESS_EQUAL": "<=",
+    "GREATER": ">",
+    "GREATER_EQUAL": ">=",
+    "PLUS": "+",
+    "MINUS": "-",
+    "STAR": "*",
+    "SLASH": "/",
+}
 _PLACEHOLDERS = "TDN DDN RDN PAR ALT DIM SMT VAR_PLACEHOLDER EIT CSE ARG"
 
 TERMINALS: MappingProxyType[str, BuildTerminal] = MappingProxyType(
     {
-        **dict.fromkeys(_KEPT.split(), tree.Name),
+        "NAME": tree.Name,
+        **{word: _kept(word) for word in _WORDS.split()},
+        **{kind: _kept(mark) for kind, mark in _MARKS.items()},
         **dict.fromkeys(_PLACEHOLDERS.split(), _placeholder),
         "EXP": _missing_operand,
         "NUMBER": _number,

@@ -246,6 +246,9 @@ def wrong_token(at: Situation) -> Patch | None:
     if at.kind == "BECOMES" and condition and at.goes_on(["EQUAL"], index + 1):
         violation = UnexpectedSymbol("`:=`, which assigns where `=` compares,", where)
         return replacement(row, index, index + 1, "EQUAL", violation)
+    if at.kind == "EQUAL" and at.goes_on(["BECOMES"], index + 1):
+        violation = UnexpectedSymbol("`=`, which compares where `:=` gives a value,", where)
+        return replacement(row, index, index + 1, "BECOMES", violation)
     if at.kind in BLOCK_WORDS:
         return None
     if at.goes_on([], index + 1):

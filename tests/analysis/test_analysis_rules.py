@@ -10,6 +10,7 @@ import pytest
 from rapidsim.analysis import (
     argument_violations,
     declaration_violations,
+    error_violations,
     flow_violations,
     name_violations,
     signal_violations,
@@ -23,6 +24,7 @@ from rapidsim.syntax.parser import parse
 MODULES = (
     argument_violations,
     declaration_violations,
+    error_violations,
     flow_violations,
     name_violations,
     signal_violations,

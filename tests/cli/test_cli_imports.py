@@ -43,7 +43,7 @@ def imported(*arguments: str, cwd: Path) -> set[str]:
         (("robots",), (*HEAVY, "lark")),
         (("explain", "N201"), (*HEAVY, "rich", "lark")),
         (("frames", "tiny.mod"), (*HEAVY, "lark")),
-        (("run", "tiny.mod", "--no-record"), (*HEAVY, "lark")),
+        (("run", "tiny.mod", "--no-record"), (*HEAVY, "lark", "coverage", "pdb", "cProfile")),
     ],
     ids=lambda value: " ".join(value) if isinstance(value, tuple) and value[0] not in HEAVY else "",
 )

@@ -26,6 +26,10 @@ def test_simulate_and_record(tmp_path: Path) -> None:
     assert len(run.moves) == 5
     samples = run.trajectory.at(np.array([0.0, 0.5, 1.0]) * run.trajectory.duration)
     assert samples.joints.shape == (3, 6)
+    assert run.trajectory.times[-1] == run.trajectory.duration
+    assert run.trajectory.joints.shape == (len(run.trajectory.times), 6)
+    assert np.array_equal(run.trajectory.joints[-1], run.sample(run.trajectory.duration).joints[0])
+    assert np.array_equal(run.sample(np.array([0.0, 1.0])).times, [0.0, 1.0])
     file = rapidsim.record(run, tmp_path / "cell.rrd")
     assert file.stat().st_size > 0
 
@@ -34,6 +38,14 @@ def test_robots_answer_in_radians_and_metres() -> None:
     robot = rapidsim.load_robot("irb120")
     pose = robot.forward(np.zeros(6))
     assert pose.translation == pytest.approx([0.374, 0.0, 0.63], abs=1e-9)
+
+
+def test_a_run_has_its_persistents(tmp_path: Path) -> None:
+    file = tmp_path / "count.mod"
+    file.write_text("MODULE a\n PERS num n:=1;\n PROC main()\n  n:=n+1;\n ENDPROC\nENDMODULE\n")
+    run = rapidsim.simulate([file], robot="irb1600")
+    assert [(one.name, one.old, one.new) for one in run.persistents] == [("n", "1", "2")]
+    assert "n:=1;" in file.read_text()
 
 
 def test_mistakes_are_exceptions_that_say_what() -> None:

@@ -84,6 +84,9 @@ class RecordingController:
         self.traps[number] = trap
         return number
 
+    def is_connected(self, interrupt: float) -> bool:
+        return interrupt in self.traps
+
     def delete_interrupt(self, interrupt: float) -> None:
         self.traps.pop(interrupt, None)
 

@@ -203,4 +203,4 @@ def test_programs_are_checked_before() -> None:
 def test_an_unknown_function_is_reported_and_has_no_value() -> None:
     ran = run(main('n := AcmeForce(3); TPWrite "n" \\Num:=n;', DATA))
     assert ran.texts == ["n0"]
-    assert ran.controller.skipped == [("AcmeForce", "skipped")]
+    assert ran.controller.skipped == [("AcmeForce", "skipped, 0 taken for its value")]

@@ -158,6 +158,9 @@ class RecordingController:
     def connect(self, trap: Callable[[], None], trap_name: str) -> float:
         raise AssertionError("CONNECT is no library routine")
 
+    def is_connected(self, interrupt: float) -> bool:
+        raise AssertionError("CONNECT is no library routine")
+
     def order_timer(self, interrupt: float, seconds: float, *, single: bool) -> None:
         self.log.append(f"timer {interrupt:g} {seconds:g} {'once' if single else 'again'}")
 

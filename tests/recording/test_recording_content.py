@@ -20,6 +20,7 @@ from rapidsim.files import InputError
 from rapidsim.frames.transform import Array, Transform, matrix_from_quaternion
 from rapidsim.language.data import Pos, Pose
 from rapidsim.motion import targets
+from rapidsim.motion.robot import load_robot
 from rapidsim.motion.trajectory import Samples, Trajectory
 from rapidsim.recording.write import record
 from rapidsim.simulation.result import End, Simulation
@@ -339,3 +340,19 @@ def test_an_interrupted_recording_keeps_the_older_one(
 def test_a_folder_that_does_not_exist_is_said(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="does not exist"):
         record(SIMULATION, tmp_path / "nowhere" / "frame.rrd")
+
+
+def test_a_rod_turns_its_link_back_by_axis_2(tmp_path: Path) -> None:
+    """The link that the description hangs link 3 on keeps the direction of link 1."""
+    file = record(replace(SIMULATION, robot=load_robot("irb2400")), tmp_path / "rod.rrd")
+    level = [row for _, row in rows(file, "/robot/joints/joint_3_rod")]
+    upper = [row for _, row in rows(file, "/robot/joints/joint_2")]
+    assert len(level) == len(upper) > 2
+    link_2_from_level, link_1_from_link_2 = (
+        matrix_from_quaternion(
+            np.roll([row["Transform3D:quaternion"][0] for row in edges], 1, axis=1)
+        )
+        for edges in (level, upper)
+    )
+    assert np.abs(link_1_from_link_2 - np.eye(3)).max() > 0.1
+    assert np.allclose(link_1_from_link_2 @ link_2_from_level, np.eye(3), atol=1e-6)

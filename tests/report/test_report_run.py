@@ -127,6 +127,7 @@ def test_json_is_the_contract() -> None:
         "diagnostics",
         "events",
         "unsimulated",
+        "persistents",
         "models",
         "files",
     ]

@@ -2,28 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
 from pathlib import Path
 
 import pytest
+from syntax_trees import shape
 
 from rapidsim.diagnostics import Source
-from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse
 from rapidsim.syntax.printer import print_module
 
 PROGRAMS = sorted((Path(__file__).parent / "programs").iterdir())
-PLACES = {"start", "end", "source", "operator_start", "header_end"}
-
-
-def shape(node: object) -> object:
-    """A tree without places: comparable, because nodes themselves compare by identity."""
-    if isinstance(node, tuple):
-        return tuple(shape(part) for part in node)
-    if isinstance(node, tree.Node):
-        parts = [shape(getattr(node, f.name)) for f in fields(node) if f.name not in PLACES]
-        return (type(node).__name__, *parts)
-    return node
 
 
 @pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.name)

@@ -103,6 +103,21 @@ def test_more_errors_than_anyone_reads_end_the_reading() -> None:
     assert len(sound(text).diagnostics) <= 201
 
 
+@pytest.mark.parametrize(
+    ("text", "storage", "operator"),
+    [("VIAR bool b:=a AND c;", "VAR", "AND"), ("cosnt num b:=a DVI c;", "CONST", "DIV")],
+)
+def test_a_misspelt_word_is_the_word_it_is_taken_for(
+    text: str, storage: str, operator: str
+) -> None:
+    (module,) = sound(f"MODULE m\n{text}\nENDMODULE\n").file.modules
+    (data,) = module.items
+    assert isinstance(data, tree.Data)
+    assert data.storage == storage
+    assert isinstance(data.value, tree.Binary)
+    assert data.value.operator == operator
+
+
 def depth(part: object) -> int:
     """How deep the tree is."""
     deepest = 0

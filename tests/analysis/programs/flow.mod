@@ -47,7 +47,7 @@ MODULE flow
     RAISE;                              ! error: F406
     RAISE ERR_MINE;
     GOTO nowhere;                       ! error: F405
-    GOTO inside;                        ! error: F405
+    GOTO inside;                        ! error: F405 ! warning: F401
     IF n=1 THEN
       inside:
       GOTO outside;
@@ -63,7 +63,7 @@ MODULE flow
       TRYNEXT;
     ENDIF
     GOTO outside;                       ! error: F405
-    RAISE;
+    RAISE;                              ! warning: F401
   ENDPROC
 
   PROC long_jump()

@@ -42,7 +42,7 @@ MODULE values
     BookErrNo ERR_GRIP;
     TPWrite "booked " \Bool:=ERR_GRIP>0;                        ! -> booked TRUE
     fails;
-    ExitCycle;
+    IF ok OR NOT ok ExitCycle;
     TPWrite "never";
   ENDPROC
 

@@ -1,0 +1,125 @@
+"""How fast executed RAPID is: `python benchmarks/execution.py [ROUNDS]`.
+
+Each loop of `loops.mod` runs as generated code, as plain Python without checks, and in a closure
+interpreter, one after the other in every round; the minimum of the rounds is printed, since
+whatever else the machine does only adds time.
+"""
+
+from __future__ import annotations
+
+import math
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import cast
+
+import plain_loops
+from closures import Interpreter
+
+from rapidsim.analysis.checker import check
+from rapidsim.analysis.program import DataSymbol, Program, Scope
+from rapidsim.diagnostics import Source
+from rapidsim.interpreter.loader import Task, load
+from rapidsim.language.controller import Controller
+from rapidsim.syntax.parser import parse
+
+HERE = Path(__file__).parent
+FILES = (HERE.parent / "programs" / "algorithms.mod", HERE / "loops.mod")
+LOOPS = (
+    *("sieve", "insertion_sort", "quicksort", "matrix_product", "texts"),
+    *("records", "recursion", "collatz", "floats"),
+)
+GEOMETRIC_MEAN_TARGET = 4.0
+WORST_TARGET = 7.0
+CLOSURE_TARGET = 2.0
+
+
+@dataclass
+class Ticking:
+    """As much of a controller as loops need."""
+
+    left: int = 1000
+    errno: float = 0.0
+    place: object = None
+    booked: float = 0.0
+
+    def service(self) -> None:
+        """Begin the next slice."""
+        self.left = 1000
+
+    def book_error_number(self) -> float:
+        """The next free number."""
+        self.booked += 1
+        return 20500.0 + self.booked
+
+
+def main() -> None:
+    """Measure and print."""
+    rounds = int(sys.argv[1]) if len(sys.argv) > 1 else 7
+    program = _program()
+    task = load(program, cast(Controller, Ticking()))
+    closures = Interpreter(program, Ticking())
+    task.run("prepare")
+    closures.run("prepare")
+    times: dict[str, list[float]] = {}
+    for name in LOOPS:
+        ways: list[Callable[[], None]] = [
+            lambda name=name: task.run(name),  # type: ignore[misc]
+            getattr(plain_loops, name),
+            lambda name=name: closures.run(name),  # type: ignore[misc]
+        ]
+        for way in ways:
+            way()  # once before the clock runs
+        measured = [[_seconds(way) for way in ways] for _ in range(rounds)]
+        times[name] = [min(column) for column in zip(*measured, strict=True)]
+    _expect_equal_memory(task, closures)
+    _show(times)
+
+
+def _program() -> Program:
+    files = [parse(Source(path.name, path.read_text())).file for path in FILES]
+    checked = check(files)
+    assert checked.program is not None, checked.diagnostics
+    return checked.program
+
+
+def _expect_equal_memory(task: Task, closures: Interpreter) -> None:
+    """What is compared must do the same."""
+    for symbol, held in closures.variables.items():
+        if isinstance(symbol, DataSymbol) and symbol.scope is not Scope.ROUTINE and symbol.node:
+            value = held if isinstance(held, list) else held.value
+            assert value == task.value(symbol.name), symbol.name
+
+
+def _seconds(way: Callable[[], None]) -> float:
+    begin = time.perf_counter()
+    way()
+    return time.perf_counter() - begin
+
+
+def _show(times: dict[str, list[float]]) -> None:
+    print(f"{'loop':16}{'rapidsim':>11}{'Python':>11}{'closures':>11}   ratio  closures/rapidsim")
+    slower, faster = [], []
+    for name, (generated, plain, closures) in times.items():
+        slower.append(generated / plain)
+        faster.append(closures / generated)
+        columns = "".join(f"{1000 * t:8.2f} ms" for t in (generated, plain, closures))
+        print(f"{name:16}{columns}{slower[-1]:8.2f}{faster[-1]:10.2f}")
+    print(
+        f"slower than Python: geometric mean {_mean(slower):.2f}"
+        f" (target {GEOMETRIC_MEAN_TARGET:g}), worst {max(slower):.2f} (target {WORST_TARGET:g})"
+    )
+    print(
+        f"faster than closures: geometric mean {_mean(faster):.2f}, "
+        f"least {min(faster):.2f} (target {CLOSURE_TARGET:g})"
+    )
+
+
+def _mean(ratios: list[float]) -> float:
+    return math.exp(sum(map(math.log, ratios)) / len(ratios))
+
+
+if __name__ == "__main__":
+    main()

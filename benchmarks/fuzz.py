@@ -1,0 +1,144 @@
+"""Throw bad texts at the parser and the checker: `python benchmarks/fuzz.py [EXAMPLES [SEED]]`.
+
+Random bytes, soups of tokens, and the repository's programs with pieces cut, doubled, moved and
+changed. Nothing may raise; what checks without an error must also load. Printed are the number of
+inputs of each kind and the longest time one took, with the seed to see it again; inputs that raise
+are kept in `fuzz-failures`.
+"""
+
+from __future__ import annotations
+
+import random
+import sys
+import time
+import traceback
+from collections.abc import Callable
+from pathlib import Path
+from typing import cast
+
+from rapidsim.analysis.checker import check
+from rapidsim.diagnostics import Severity, Source
+from rapidsim.files import decode
+from rapidsim.interpreter.limits import NotExecutableError
+from rapidsim.interpreter.loader import FatalError, load
+from rapidsim.language.controller import Controller
+from rapidsim.syntax.lexer import lex
+from rapidsim.syntax.parser import parse
+
+ROOT = Path(__file__).parents[1]
+FAILURES = Path("fuzz-failures")
+EXAMPLES = 20_000
+WORDS_AND_MARKS = """
+    MODULE ENDMODULE PROC ENDPROC FUNC ENDFUNC TRAP ENDTRAP RECORD ENDRECORD ALIAS LOCAL TASK VAR
+    PERS CONST IF THEN ELSEIF ELSE ENDIF FOR FROM TO STEP DO ENDFOR WHILE ENDWHILE TEST CASE
+    DEFAULT ENDTEST GOTO RETURN RAISE EXIT RETRY TRYNEXT CONNECT WITH ERROR UNDO BACKWARD NOT AND
+    OR XOR DIV MOD TRUE FALSE INOUT SYSMODULE num bool string robtarget x y main p10 MoveL v100
+    z10 tool0 TPWrite Offs 1 2.5 .5 9E9 9E999 0xFF "text" "open := = <> <= >= < > + - * / ( ) [ ]
+    { } , ; : . \\ ? | % [1,2] [[1],["a"]] ! # € <SMT> <EXP> <VAR> <TDN> <EIT> <CSE> ELS EDNIF
+"""
+SOUP = WORDS_AND_MARKS.split()
+
+
+def main() -> None:
+    """Run, print, and fail if anything raised."""
+    examples = int(sys.argv[1]) if len(sys.argv) > 1 else EXAMPLES
+    seed = int(sys.argv[2]) if len(sys.argv) > 2 else 0
+    programs = [decode(path.read_bytes())[0] for path in _programs()]
+    kinds: dict[str, Callable[[random.Random], str]] = {
+        "bytes": _bytes,
+        "tokens": _tokens,
+        "statements": lambda dice: _inside(_tokens(dice)),
+        "characters changed": lambda dice: _characters_changed(dice.choice(programs), dice),
+        "tokens changed": lambda dice: _tokens_changed(dice.choice(programs), dice),
+        "spliced": lambda dice: _spliced(dice.choice(programs), dice.choice(programs), dice),
+    }
+    failed = loaded = 0
+    for kind, make in kinds.items():
+        longest, which, size, total = 0.0, 0, 0, 0.0
+        for number in range(examples // len(kinds) + 1):
+            text = make(random.Random(f"{seed} {kind} {number}"))
+            begin = time.perf_counter()
+            try:
+                loaded += _try(text)
+            except Exception:
+                failed += 1
+                FAILURES.mkdir(exist_ok=True)
+                (FAILURES / f"{kind} {number}.mod").write_text(text, "utf-8", "surrogatepass")
+                print(f"{kind} {number}:\n{traceback.format_exc(limit=-4)}")
+            seconds = time.perf_counter() - begin
+            total += seconds
+            if seconds > longest:
+                longest, which, size = seconds, number, len(text)
+        print(
+            f"{kind:20} {number + 1:6} inputs, {total:6.1f} s; longest {1000 * longest:6.0f} ms"
+            f" for {size} characters, number {which}"
+        )
+    print(f"seed {seed}: {loaded} inputs were sound and loaded, {failed} raised")
+    sys.exit(failed > 0)
+
+
+def _programs() -> list[Path]:
+    found = [path for folder in ("programs", "tests") for path in (ROOT / folder).rglob("*.mod")]
+    return sorted(path for path in found if path.stat().st_size < 60_000)
+
+
+def _try(text: str) -> bool:
+    """Whether a text is a program that can be loaded."""
+    parsed = parse(Source("fuzz.mod", text))
+    checked = check([parsed.file])
+    if checked.program is None or any(d.severity is Severity.ERROR for d in parsed.diagnostics):
+        return False
+    try:
+        load(checked.program, cast(Controller, None))
+    except (FatalError, NotExecutableError):
+        return False
+    return True
+
+
+def _bytes(dice: random.Random) -> str:
+    return decode(dice.randbytes(dice.randrange(2000)))[0]
+
+
+def _tokens(dice: random.Random) -> str:
+    return " ".join(dice.choices([*SOUP, "\n", ";\n", ";"], k=dice.randrange(300)))
+
+
+def _inside(statements: str) -> str:
+    return f"MODULE m\nVAR num x;\nPROC main()\n{statements}\nENDPROC\nENDMODULE\n"
+
+
+def _characters_changed(text: str, dice: random.Random) -> str:
+    for _ in range(dice.randrange(1, 8)):
+        start = dice.randrange(len(text) + 1)
+        stop = start + dice.choice((0, 1, 1, 2, 30))
+        new = dice.choice(("", dice.choice(text or " "), chr(dice.randrange(1, 0x3000)), '"', "\n"))
+        text = text[:start] + new + text[stop:]
+    return text
+
+
+def _tokens_changed(text: str, dice: random.Random) -> str:
+    tokens = lex(text)
+    pieces = [text[a:b] for a, b in zip(tokens.starts, tokens.ends, strict=True)]
+    for _ in range(dice.randrange(1, 8)):
+        place = dice.randrange(len(pieces))
+        match dice.randrange(4):
+            case 0:
+                del pieces[place : place + dice.randrange(1, 6)]
+                pieces = pieces or [""]
+            case 1:
+                pieces.insert(place, dice.choice(SOUP))
+            case 2:
+                pieces[place] = dice.choice(pieces)
+            case _:
+                begin = dice.randrange(len(pieces))
+                pieces[place:place] = pieces[begin : begin + dice.randrange(1, 40)]
+    return " ".join(pieces)
+
+
+def _spliced(one: str, other: str, dice: random.Random) -> str:
+    cut, begin = dice.randrange(len(one) + 1), dice.randrange(len(other) + 1)
+    return one[:cut] + other[begin : begin + dice.randrange(1, 2000)] + one[cut:]
+
+
+if __name__ == "__main__":
+    main()

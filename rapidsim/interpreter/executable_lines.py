@@ -1,0 +1,106 @@
+"""Which lines of a RAPID file hold a statement that runs: what coverage counts, where one can stop.
+
+A statement counts on the line it begins on, an ELSEIF or CASE on the line of its condition.
+Headers, ends, labels and declarations of module data do not count: they are there when the program
+is loaded. BACKWARD clauses do not count either: the simulator never runs backwards.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import assert_never
+
+from rapidsim.diagnostics import Source
+from rapidsim.syntax import tree
+
+
+@dataclass(frozen=True, slots=True)
+class RoutineLines:
+    """The lines of one routine."""
+
+    name: str
+    """As RAPID spells it."""
+    first: int
+    """The line of its header, from 1."""
+    last: int
+    """The line of its end."""
+    executable: frozenset[int]
+
+
+def routine_lines(file: tree.File) -> tuple[RoutineLines, ...]:
+    """The routines of a file in order of writing, each with the lines that can be executed."""
+    return tuple(
+        _lines_of(routine, file.source) for module in file.modules for routine in module.routines
+    )
+
+
+def module_lines(module: tree.Module) -> frozenset[int]:
+    """All lines of a module that can be executed."""
+    routines = (_lines_of(routine, module.source) for routine in module.routines)
+    return frozenset(line for routine in routines for line in routine.executable)
+
+
+def _lines_of(routine: tree.Routine, source: Source) -> RoutineLines:
+    bodies = [routine.body, routine.error.body if routine.error else (), routine.undo or ()]
+    offsets = (offset for body in bodies for offset in _in_body(body))
+    return RoutineLines(
+        routine.name.text,
+        source.position(routine.start)[0],
+        source.position(routine.end - 1)[0],
+        frozenset(source.position(offset)[0] for offset in offsets),
+    )
+
+
+def _in_body(body: tree.Body) -> Iterator[int]:
+    for statement in body:
+        yield from _in_statement(statement)
+
+
+def _in_statement(statement: tree.Statement) -> Iterator[int]:
+    """Offsets where a statement, and what stands in it, is executed."""
+    match statement:
+        case tree.If(branches=branches, otherwise=otherwise):
+            # The first condition belongs to the line of the IF, wherever it stands.
+            yield statement.start
+            for number, branch in enumerate(branches):
+                if number:
+                    yield branch.condition.start
+                yield from _in_body(branch.body)
+            yield from _in_body(otherwise or ())
+        case tree.CompactIf(statement=inner):
+            yield statement.start
+            yield from _in_statement(inner)
+        case tree.For(body=body) | tree.While(body=body):
+            yield statement.start
+            yield from _in_body(body)
+        case tree.Test(cases=cases, default=default):
+            yield statement.start
+            for case in cases:
+                yield case.values[0].start
+                yield from _in_body(case.body)
+            yield from _in_body(default or ())
+        case tree.Run(starts=starts):
+            yield from starts
+        case tree.Data(storage=storage):
+            if storage == "VAR":
+                yield statement.start
+        case tree.Label() | tree.Broken():
+            pass
+        case (
+            tree.Assignment()
+            | tree.Call()
+            | tree.LateCall()
+            | tree.Goto()
+            | tree.Return()
+            | tree.Raise()
+            | tree.Exit()
+            | tree.Retry()
+            | tree.TryNext()
+            | tree.Connect()
+            | tree.Empty()
+            | tree.Placeholder()
+        ):
+            yield statement.start
+        case _:
+            assert_never(statement)

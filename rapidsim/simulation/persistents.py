@@ -1,0 +1,89 @@
+"""What a run leaves in the persistents, as it would stand in their declarations.
+
+A controller keeps the value of a PERS in the text of its module: whoever saves the module saves the
+value. A run changes no file by itself; it says which values would be saved.
+
+Source: RAPID Overview, "Declarations", persistent declarations.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from rapidsim.analysis.operators import has_value
+from rapidsim.analysis.program import DataSymbol
+from rapidsim.diagnostics import Span
+from rapidsim.interpreter.loader import Task
+from rapidsim.library.text import source_text
+from rapidsim.syntax import tree
+
+_LEAF = re.compile(
+    r'(?P<leaf>"(?:[^"]|"")*"|[+-]?\s*(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?|TRUE\b|FALSE\b)'
+    r"|(?P<between>[\[\](),\s]+|![^\r\n]*)",
+    re.IGNORECASE,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class PersistentChange:
+    """A PERS that ended with another value than its declaration gives it."""
+
+    name: str
+    module: str
+    old: str
+    """The value it was declared with, as RAPID text."""
+    new: str
+    """The value it has now, with every digit that tells it from its neighbours."""
+    declared: Span
+    """The initial value in the declaration; empty, before the semicolon, where there is none."""
+
+
+def changed_persistents(task: Task) -> tuple[PersistentChange, ...]:
+    """The persistents of a task whose values have changed, in order of writing."""
+    return tuple(
+        PersistentChange(
+            change.name,
+            change.module,
+            source_text(change.old, change.symbol.type),
+            source_text(change.new, change.symbol.type),
+            _declared_value(change.symbol),
+        )
+        for change in task.persistents()
+        if has_value(change.symbol.type)
+    )
+
+
+def parts_of(text: str) -> tuple[str, ...]:
+    """The numbers, strings and bools of which a value consists, one of a plain value."""
+    return tuple(text[start:end] for start, end in literal_places(text) or ())
+
+
+def literal_places(text: str) -> tuple[tuple[int, int], ...] | None:
+    """Where the numbers, strings and bools of a literal value stand in its text.
+
+    Returns:
+        Offsets of start and end; None if there is anything else in the text than literals, brackets
+        and comments.
+    """
+    found: list[tuple[int, int]] = []
+    at = 0
+    while at < len(text):
+        match = _LEAF.match(text, at)
+        if match is None:
+            return None
+        if match["leaf"] is not None:
+            found.append(match.span())
+        at = match.end()
+    return tuple(found)
+
+
+def _declared_value(symbol: DataSymbol) -> Span:
+    node, module = symbol.node, symbol.module
+    assert isinstance(node, tree.Data)
+    assert module is not None
+    if node.value is not None:
+        return module.span(node.value)
+    semicolon = module.source.text.rfind(";", node.start, node.end + 1)
+    at = semicolon if semicolon >= 0 else node.end
+    return Span(module.source, at, at)

@@ -1,0 +1,97 @@
+"""What a run adds to the findings when it is over: how it ended, and what it did not do."""
+
+from __future__ import annotations
+
+from rapidsim.analysis.program import Program
+from rapidsim.diagnostics import Diagnostic, Related, Span
+from rapidsim.interpreter.stack import FatalError, Frame, rapid_stack
+from rapidsim.language.controller import Place
+from rapidsim.language.errors import Stopped
+from rapidsim.simulation.journal import Journal
+from rapidsim.simulation.motion_findings import path_violation
+from rapidsim.simulation.path_queue import MotionError
+from rapidsim.simulation.resolve import MoveRefusedError
+from rapidsim.simulation.stops import WaitsForever
+from rapidsim.simulation.violations import (
+    BackwardNotExecuted,
+    EndlessWait,
+    ProgramStopped,
+    RoutineNotSimulated,
+    UncaughtError,
+)
+from rapidsim.syntax import tree
+
+_SHOWN_CALLS = 5
+"""Innermost and outermost calls that a finding shows; endless recursion has thousands."""
+
+
+def fatal_finding(fatal: FatalError, place: Place) -> Diagnostic:
+    """The error that nothing caught, with the call chain as related places, innermost first.
+
+    Args:
+        fatal: The error.
+        place: The last statement that reported to the controller.
+    """
+    routine, span, callers = _where(fatal.stack, place)
+    error = fatal.error
+    violation = error.violation if isinstance(error, MoveRefusedError) else None
+    if span.line == place.span.line and span.file == place.span.file:
+        span = place.span
+    return Diagnostic(violation or UncaughtError(error.message), span, callers, routine=routine)
+
+
+def stopped_finding(stopped: Stopped, place: Place) -> Diagnostic:
+    """Where the program stopped itself, with the call chain as related places."""
+    routine, span, callers = _where(rapid_stack(stopped), place)
+    return Diagnostic(ProgramStopped(stopped.reason), span, callers, routine=routine)
+
+
+def endless_wait_finding(stopped: WaitsForever, place: Place) -> Diagnostic:
+    """The wait that nothing can end."""
+    return Diagnostic(EndlessWait(stopped.reason), place.span, routine=place.routine)
+
+
+def motion_finding(error: MotionError) -> Diagnostic:
+    """The move that turned out not to be possible when its path was planned."""
+    place = error.queued.place
+    return Diagnostic(path_violation(error), place.span, routine=place.routine)
+
+
+def not_simulated_findings(journal: Journal) -> tuple[Diagnostic, ...]:
+    """One warning for each routine that was met and not simulated."""
+    return tuple(
+        Diagnostic(RoutineNotSimulated(entry.name, entry.treated_as), None)
+        for entry in journal.not_simulated()
+    )
+
+
+def backward_findings(program: Program) -> tuple[Diagnostic, ...]:
+    """One note for a program with BACKWARD clauses, on the first routine that has one."""
+    places = [
+        (item.name.text, module.span(item.name))
+        for module in program.modules
+        for item in module.items
+        if isinstance(item, tree.Proc) and item.backward is not None
+    ]
+    if not places:
+        return ()
+    (routine, span), *others = places
+    related = tuple(Related(other, f"nor is that of {name}") for name, other in others)
+    return (Diagnostic(BackwardNotExecuted(routine), span, related, routine=routine),)
+
+
+def _where(stack: tuple[Frame, ...], place: Place) -> tuple[str, Span, tuple[Related, ...]]:
+    """Routine and place that a stack ends in, and who called it; `place` where it is empty."""
+    if not stack:
+        return place.routine, place.span, ()
+    *outer, last = stack
+    callers = list(reversed(outer))
+    left_out = max(0, len(callers) - 2 * _SHOWN_CALLS)
+    shown = [*callers[:_SHOWN_CALLS], *callers[_SHOWN_CALLS + left_out :]]
+    related = []
+    for position, frame in enumerate(shown):
+        words = f"called from {frame.place}" if frame.routine else "initial value"
+        if left_out and position == _SHOWN_CALLS:
+            words += f", with {left_out} calls between left out"
+        related.append(Related(frame.span, words))
+    return last.routine, last.span, tuple(related)

@@ -1,0 +1,249 @@
+"""`rapidsim run --break`: the debugger at a pseudo-terminal, as a person uses it."""
+
+import os
+import sys
+from pathlib import Path
+
+import pytest
+from cli_helper import rapidsim
+
+if sys.platform == "win32":
+    pytest.skip("a pseudo-terminal is needed, which Windows has not", allow_module_level=True)
+
+import pty
+
+PROMPT = b"(rapid) "
+
+CELL = """MODULE cell
+  RECORD part
+    num width;
+    string label;
+  ENDRECORD
+  CONST num sizes{3} := [1, 2, 3];
+  PERS num count := 3;
+  LOCAL VAR part parts{2};
+  VAR intnum beat;
+  PROC main()
+    VAR num Own := 0.1;
+    CONST num local_most := 4;
+    CONNECT beat WITH at_beat;
+    ITimer 0.5, beat;
+    bump Own, parts{2}.width \\label := "b";
+    bump count, Own;
+    WaitTime 0.6;
+    risky;
+    %"risky"%;
+  ENDPROC
+
+  PROC bump(INOUT num v, INOUT num w \\string label)
+    v := v + 1;
+    w := v;
+  ENDPROC
+
+  TRAP at_beat
+    Incr count;
+    IDelete beat;
+  ENDTRAP
+
+  PROC risky()
+    VAR num d;
+    d := 1 / d;
+    TPWrite "behind";
+  ERROR
+    d := sizes{2};
+    TRYNEXT;
+  ENDPROC
+ENDMODULE
+"""
+LINE = {text.strip(): number for number, text in enumerate(CELL.splitlines(), 1)}
+
+
+def debug(
+    folder: Path, breaks: list[str], *commands: str, text: str = CELL
+) -> tuple[list[str], str, int]:
+    """Type commands at the prompts, then `q`.
+
+    Returns:
+        What was answered to each command, the first answer being to the start of the program; what
+        was shown behind the last prompt; the exit code.
+    """
+    (folder / "cell.mod").write_text(text)
+    options = [word for place in breaks for word in ("--break", place)]
+    arguments = [sys.executable, "-m", "rapidsim", "run", "cell.mod", "--no-record", *options]
+    process, terminal = pty.fork()
+    if process == 0:
+        os.chdir(folder)
+        os.environ.update(TERM="dumb", COLUMNS="80", PYTHONIOENCODING="utf-8")
+        os.execv(sys.executable, arguments)
+    waiting = [*commands]
+    shown = b""
+    asked = 0
+    while True:
+        try:
+            some = os.read(terminal, 65536)
+        except OSError:  # Linux says so when the program has ended; macOS reads nothing.
+            break
+        if not some:
+            break
+        shown += some
+        while shown.count(PROMPT) > asked:
+            asked += 1
+            os.write(terminal, (waiting.pop(0) if waiting else "q").encode() + b"\n")
+    os.close(terminal)
+    _, status = os.waitpid(process, 0)
+    parts = shown.decode().replace("\r\n", "\n").split(PROMPT.decode())
+    answers = [
+        part.partition("\n")[2].strip() if number else part for number, part in enumerate(parts)
+    ]
+    return answers[: len(commands) + 1], answers[-1], os.waitstatus_to_exitcode(status)
+
+
+def at(statement: str, routine: str) -> str:
+    return f"> cell.mod:{LINE[statement]} in {routine}\n-> {statement}"
+
+
+def test_it_stops_on_the_line_and_shows_rapid_values(tmp_path: Path) -> None:
+    line = LINE["v := v + 1;"]
+    answers, _, code = debug(
+        tmp_path,
+        [f"cell.mod:{line}"],
+        *("w", "p v", "p LABEL", "a", "p sizes", "p parts{2}", "p count", "p tool0.tframe.trans"),
+        *("p own", "u", "p own", "p local_most", "own", "p sizes{local_most}", "p 1 + 1", "p nope"),
+    )
+    assert answers[0].endswith(f"{at('v := v + 1;', 'bump')}\n")
+    assert "n: next statement" in answers[0]
+    call = 'bump Own, parts{2}.width \\label := "b";'
+    main = f"cell.mod:{LINE[call]} in main\n-> {call}"
+    assert answers[1:9] == [
+        f"{main}\n{at('v := v + 1;', 'bump')}",
+        "0.1",
+        '"b"',
+        'v = 0.1\nw = 0\nlabel = "b"',
+        "[1,2,3]",
+        '[0,""]',
+        "3",
+        "[0,0,0]",
+    ]
+    assert answers[9:] == [
+        "*** `own` is not the name of data here",
+        f"> {main}",
+        "0.1",
+        "4",
+        "0.1",
+        "*** index 4 is outside the array, which has 1 to 3",
+        "*** `1 + 1` is not the name of data, such as `n`, `p10.trans` or `a{i}`",
+        "*** `nope` is not the name of data here",
+    ]
+    assert code == 130
+
+
+def test_steps_go_from_statement_to_statement(tmp_path: Path) -> None:
+    start = LINE['bump Own, parts{2}.width \\label := "b";']
+    answers, end, code = debug(
+        tmp_path, [str(start)], *("s", "n", "n", "s", "p w", "r", "s", "n", "r", "c")
+    )
+    assert answers[1:-1] == [
+        at("v := v + 1;", "bump"),
+        at("w := v;", "bump"),
+        at("bump count, Own;", "main"),
+        at("v := v + 1;", "bump"),
+        "1.1",
+        at("WaitTime 0.6;", "main"),
+        at("Incr count;", "at_beat"),
+        at("IDelete beat;", "at_beat"),
+        at("risky;", "main"),
+    ]
+    assert "cell.mod on ABB IRB 1600-6/1.2 ended as programmed after 0.600 s" in end
+    assert code == 0
+
+
+def test_an_error_is_seen_and_its_clause_can_be_entered(tmp_path: Path) -> None:
+    answers, _, code = debug(
+        tmp_path,
+        [f"CELL.MOD:{LINE['d := 1 / d;']}"],
+        *("n", "n", "p d", "b 35", "c", "n", "w", "p d"),
+    )
+    assert answers[1:4] == [
+        f"error: division by zero\n{at('d := 1 / d;', 'risky')}",
+        at('TPWrite "behind";', "risky"),
+        "2",
+    ]
+    assert code == 130
+
+
+def test_breakpoints_are_set_by_routine_and_by_line(tmp_path: Path) -> None:
+    handler = LINE["d := sizes{2};"]
+    answers, _, _ = debug(
+        tmp_path,
+        [f"cell.mod:{LINE['PROC main()']}"],
+        *("b RISKY", "b nothing", f"b cell.mod:{handler - 1}", "b other.mod:1", "b 99"),
+        *("c", "c", "w", "p d", "ll"),
+    )
+    first = LINE["VAR num d;"]
+    assert f"cell.mod:{LINE['PROC main()']} holds no statement" in answers[0]
+    assert at("VAR num Own := 0.1;", "main") in answers[0]
+    assert answers[1:6] == [
+        f"Breakpoint 2 at cell.mod:{first}",
+        "*** there is no routine `nothing`",
+        f"Breakpoint 3 at cell.mod:{handler}",
+        "*** 'other.mod' not found in the program",
+        "*** there is no statement on this line or below",
+    ]
+    assert answers[6] == at("VAR num d;", "risky")
+    assert answers[7] == at("d := sizes{2};", "the ERROR clause of risky")
+    calls = ["risky;", "d := 1 / d;"]
+    places = [(calls[0], "main"), (calls[1], "risky")]
+    outer = "\n".join(f"  {at(*place)[2:]}" for place in places).strip()
+    assert answers[8] == f"{outer}\n{answers[7]}"
+    assert answers[9] == "0"
+    assert "PROC risky()" in answers[10]
+    assert answers[10].endswith("ENDPROC")
+
+
+HIDING = """MODULE cell
+  VAR num i := 5;
+  PROC main()
+    VAR num k := 9;
+    FOR k FROM 1 TO 1 DO
+      FOR k FROM 2 TO 2 DO
+        ;
+      ENDFOR
+      ;
+    ENDFOR
+    FOR i FROM 3 TO 3 DO
+      ;
+    ENDFOR
+    i := i + k;
+  ENDPROC
+ENDMODULE
+"""
+
+
+def test_a_counter_hides_what_has_its_name(tmp_path: Path) -> None:
+    breaks = ["7", "9", "12", "14"]
+    commands = ("p k", "c", "p k", "c", "p i", "c", "p i", "p k", "p tool0.mass", "c")
+    answers, _, code = debug(tmp_path, breaks, *commands, text=HIDING)
+    assert [answers[n] for n in (1, 3, 5, 7, 8)] == ["2", "1", "3", "5", "9"]
+    assert answers[9] == "*** data of type tooldata have no component `mass`"
+    assert code == 0
+
+
+def test_without_a_terminal_it_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "cell.mod").write_text(CELL)
+    ended = rapidsim("run", "cell.mod", "--no-record", "--break", "cell.mod:12", cwd=tmp_path)
+    assert ended.code == 2
+    assert "--break needs a terminal" in ended.err
+
+
+@pytest.mark.parametrize(
+    ("place", "message"),
+    [
+        ("cell.mod", "--break cell.mod: expected FILE:LINE"),
+        ("cel.mod:3", "--break: cel.mod is not in the program"),
+        ("cell.mod:990", "--break: cell.mod has no statement on line 990 or below"),
+    ],
+)
+def test_a_place_that_is_none_is_refused(place: str, message: str, tmp_path: Path) -> None:
+    answers, _, code = debug(tmp_path, [place])
+    assert code == 2
+    assert message in answers[0]
