@@ -1,4 +1,4 @@
-"""The loops of `loops.mod` as a hurried programmer writes them in Python.
+"""The loops of `loops.mod` as a hurried programmer writes them in Python, routine for routine.
 
 No index checks, no single precision, no ticks, indices from 0, integers where they do.
 """
@@ -67,6 +67,11 @@ def insertion_sort() -> None:
         values[hole] = value
 
 
+def exchange(values: list[int], a: int, b: int) -> None:
+    """Exchange two places."""
+    values[a], values[b] = values[b], values[a]
+
+
 def sort_by_parts(values: list[int], first: int, last: int) -> None:
     """Quicksort between two places, both included."""
     if first >= last:
@@ -80,7 +85,7 @@ def sort_by_parts(values: list[int], first: int, last: int) -> None:
         while values[high] > pivot:
             high -= 1
         if low <= high:
-            values[low], values[high] = values[high], values[low]
+            exchange(values, low, high)
             low += 1
             high -= 1
     sort_by_parts(values, first, high)

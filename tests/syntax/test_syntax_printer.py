@@ -11,12 +11,21 @@ from rapidsim.diagnostics import Source
 from rapidsim.syntax.parser import parse
 from rapidsim.syntax.printer import print_module
 
-PROGRAMS = sorted((Path(__file__).parent / "programs").iterdir())
+ROOT = Path(__file__).parents[2]
+FOLDERS = ("programs", "tests/syntax/programs", "tests/rapid")
+# Programs with planted syntax errors have no whole tree to print.
+PROGRAMS = [
+    path
+    for folder in FOLDERS
+    for path in sorted((ROOT / folder).rglob("*"))
+    if path.suffix in (".mod", ".sys")
+    and not parse(Source(path.name, path.read_text(encoding="utf-8"))).diagnostics
+]
 
 
 @pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.name)
 def test_printing_keeps_the_tree(program: Path) -> None:
-    modules = parse(Source(program.name, program.read_text())).file.modules
+    modules = parse(Source(program.name, program.read_text(encoding="utf-8"))).file.modules
     printed = "".join(print_module(module) for module in modules)
     again = parse(Source("printed", printed))
     assert not again.diagnostics, printed
@@ -25,7 +34,7 @@ def test_printing_keeps_the_tree(program: Path) -> None:
 
 @pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.name)
 def test_printing_what_was_printed_changes_nothing(program: Path) -> None:
-    modules = parse(Source(program.name, program.read_text())).file.modules
+    modules = parse(Source(program.name, program.read_text(encoding="utf-8"))).file.modules
     printed = "".join(print_module(module) for module in modules)
     again = parse(Source("printed", printed)).file.modules
     assert "".join(print_module(module) for module in again) == printed
