@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from rapidsim.diagnostics import Severity, Violation
+from rapidsim.diagnostics import Violation
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ class UnterminatedString(Violation):
 class TextOutsideModule(Violation):
     """Text stands before MODULE or after ENDMODULE.
 
-    It is not read. A controller reads modules only and refuses the file.
+    It is not read, and a controller refuses the file.
 
     ## Example
 
@@ -88,8 +88,12 @@ class TextOutsideModule(Violation):
 
     code: ClassVar[str] = "E110"
     name: ClassVar[str] = "text-outside-module"
-    template: ClassVar[str] = "text outside MODULE ... ENDMODULE is not read"
-    severity: ClassVar[Severity] = Severity.WARNING
+    template: ClassVar[str] = "text outside MODULE ... ENDMODULE"
+
+    @property
+    def help(self) -> str:
+        """How to keep the text."""
+        return "take it out, or make it a comment with `!`"
 
 
 @dataclass(frozen=True)

@@ -1,8 +1,8 @@
 ! Field practice, Broken shapes: prose after ENDMODULE.
 MODULE text_after_module
   PROC main()
-    TPWrite "still read";                 ! -> still read
+    TPWrite "read";
   ENDPROC
 ENDMODULE
 This program moves the robot home.
-! warning: E110
+! error: E110

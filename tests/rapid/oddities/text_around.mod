@@ -1,7 +1,7 @@
 This file was written by a tool.
-! Field practice, Files: text before MODULE is reported and not read. ! warning: E110
+! Field practice, Files: text before MODULE is reported and not read. ! error: E110
 MODULE text_around
   PROC main()
-    TPWrite "read";                       ! -> read
+    undeclared:=1;                        ! error: N201
   ENDPROC
 ENDMODULE
