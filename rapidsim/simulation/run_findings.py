@@ -11,9 +11,10 @@ from rapidsim.simulation.journal import Journal
 from rapidsim.simulation.motion_findings import path_violation
 from rapidsim.simulation.path_queue import MotionError
 from rapidsim.simulation.resolve import MoveRefusedError
-from rapidsim.simulation.stops import WaitsForever
+from rapidsim.simulation.stops import TimeLimitReached, WaitsForever
 from rapidsim.simulation.violations import (
     BackwardNotExecuted,
+    CutOff,
     EndlessWait,
     ProgramStopped,
     RoutineNotSimulated,
@@ -49,6 +50,12 @@ def stopped_finding(stopped: Stopped, place: Place) -> Diagnostic:
 def endless_wait_finding(stopped: WaitsForever, place: Place) -> Diagnostic:
     """The wait that nothing can end."""
     return Diagnostic(EndlessWait(stopped.reason), place.span, routine=place.routine)
+
+
+def time_limit_finding(stopped: TimeLimitReached, place: Place) -> Diagnostic:
+    """Where the program was when its time was up, with the call chain as related places."""
+    routine, span, callers = _where(rapid_stack(stopped), place)
+    return Diagnostic(CutOff(stopped.reason), span, callers, routine=routine)
 
 
 def motion_finding(error: MotionError) -> Diagnostic:

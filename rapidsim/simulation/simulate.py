@@ -42,6 +42,7 @@ from rapidsim.simulation.run_findings import (
     motion_finding,
     not_simulated_findings,
     stopped_finding,
+    time_limit_finding,
 )
 from rapidsim.simulation.stops import TimeLimitReached, WaitsForever
 
@@ -123,8 +124,8 @@ def _run(program: Program, controller: VirtualController, options: RunOptions) -
         end, findings = End.ERROR, (fatal_finding(fatal, controller.place),)
     except MotionError as error:
         end, findings = End.ERROR, (motion_finding(error),)
-    except TimeLimitReached:
-        end = End.TIME_LIMIT
+    except TimeLimitReached as stop:
+        end, findings = End.TIME_LIMIT, (time_limit_finding(stop, controller.place),)
     except WaitsForever as stop:
         end, findings = End.ERROR, (endless_wait_finding(stop, controller.place),)
     except Stopped as stop:

@@ -223,3 +223,39 @@ class BackwardNotExecuted(Violation):
     severity: ClassVar[Severity] = Severity.NOTE
 
     routine: str
+
+
+@dataclass(frozen=True)
+class CutOff(Violation):
+    """The run reached its time limit, and the program was here.
+
+    A cell that works until somebody stops it never ends by itself: `--cycles` or `--max-time` say
+    how much of it to see. A program that should have ended waits here, or goes round.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            WHILE TRUE DO
+              WaitTime 1;
+            ENDWHILE
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            FOR part FROM 1 TO 10 DO
+              WaitTime 1;
+            ENDFOR
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "R109"
+    name: ClassVar[str] = "time-limit"
+    template: ClassVar[str] = "{what}"
+    severity: ClassVar[Severity] = Severity.NOTE
+
+    what: str

@@ -5,7 +5,7 @@ MODULE while_for_ever
   PROC main()
     TPWrite "begin";                  ! -> begin
     WHILE TRUE DO                     ! ends: time_limit
-      WaitTime 1;
+      WaitTime 1;                     ! note: R109
     ENDWHILE
   ENDPROC
 ENDMODULE
