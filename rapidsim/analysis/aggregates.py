@@ -57,14 +57,6 @@ def type_of_aggregate(
     return wanted.type
 
 
-def check_literal(
-    value: tree.LiteralValue, node: tree.Node, wanted: Wanted, context: Context
-) -> None:
-    """Report a literal that does not fit its type."""
-    for violation, _ in _literal_mistakes(value, wanted.type, wanted.by, ()):
-        context.report(violation, node, *wanted.declared)
-
-
 def _report_untyped(
     node: tree.Aggregate | tree.LiteralAggregate, context: Context, wanted: Wanted | None
 ) -> None:

@@ -453,11 +453,11 @@ class VirtualController:
         programmed speeds, until the next interrupt falls due and the arm could stop after it.
         """
         due_s = self._next_due_s()
-        seen_s = self._queue.nominal_last_start() - self._queue.braking_s
-        early = due_s is None or seen_s < due_s
-        if early and self._queue.open_moves <= MAX_OPEN_MOVES:
+        queue = self._queue
+        early = due_s is None or queue.nominal_last_start() - queue.braking_s < due_s
+        if early and queue.open_moves <= MAX_OPEN_MOVES:
             return
-        fixed_s = self._queue.commit_ahead()
+        fixed_s = queue.commit_ahead()
         if fixed_s is None:
             return
         self._serve_due(min(fixed_s, self._max_time_s))

@@ -73,12 +73,16 @@ class Journal:
     def finding(self, violation: Violation, place: Place | None, *, once: object = None) -> None:
         """Note a finding; with `once`, only the first of those that share the key."""
         if once is not None:
-            if once in self._reported:
+            if self.has_found(once):
                 return
             self._reported.add(once)
         span = place.span if place else None
         routine = place.routine if place else None
         self._diagnostics.append(Diagnostic(violation, span, routine=routine))
+
+    def has_found(self, once: object) -> bool:
+        """Whether a finding with this key has been noted, so that its facts need no work."""
+        return once in self._reported
 
     def unsimulated(self, name: str, treated_as: str) -> None:
         """Count a routine that was not simulated."""

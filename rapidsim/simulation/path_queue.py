@@ -28,6 +28,7 @@ from rapidsim.motion.robot import Robot
 from rapidsim.motion.segments import Segment, Waypoint
 from rapidsim.motion.timing import Timing, plan
 from rapidsim.motion.trajectory import Piece, Trajectory
+from rapidsim.motion.turns import vector_from_rotation
 from rapidsim.simulation.journal import Instant
 from rapidsim.simulation.result import CornerKind, ExecutedMove
 
@@ -114,6 +115,8 @@ class PathQueue:
     _block: list[QueuedMove] = field(default_factory=list)
     _commit: _Commit | None = None
     _plan: _Plan | None = None
+    _reckoned: tuple[_Commit, int, float] | None = None
+    """From which commit, up to the start of which move, to what time `nominal_last_start` got."""
     _ready_s: float = 0.0
     """Earliest command time at which the next block may start."""
 
@@ -185,9 +188,16 @@ class PathQueue:
 
     def nominal_last_start(self) -> float:
         """About when the robot starts the last move [s]: at programmed speeds, without ramps."""
-        assert self._commit is not None
-        ahead = self._block[self._commit.move : -1]
-        return self._commit.time_s + sum(_nominal_s(queued.segment) for queued in ahead)
+        commit = self._commit
+        assert commit is not None
+        if self._reckoned is None or self._reckoned[0] is not commit:
+            self._reckoned = (commit, commit.move, commit.time_s)
+        _, begin, start_s = self._reckoned
+        last = len(self._block) - 1
+        # Each move is added once, however often somebody asks.
+        start_s += sum(_nominal_s(queued.segment) for queued in self._block[begin:last])
+        self._reckoned = (commit, last, start_s)
+        return start_s
 
     def commit_last_start(self) -> float:
         """Plan what is known and fix it up to the start of the last move.
@@ -379,8 +389,7 @@ def _nominal_s(segment: Segment) -> float:
         return segment.duration
     start, end = segment.start.base_from_tcp, segment.end.base_from_tcp
     way = float(np.linalg.norm(end.translation - start.translation))
-    cosine = 0.5 * (float(np.sum(start.rotation * end.rotation)) - 1.0)
-    turn = float(np.arccos(np.clip(cosine, -1.0, 1.0)))
+    turn = float(np.linalg.norm(vector_from_rotation(end.rotation @ start.rotation.T)))
     return max(way / segment.speed.tcp, turn / segment.speed.reorientation)
 
 

@@ -96,9 +96,11 @@ class Resolver:
             acceleration_share=settings.acceleration_percent / 100.0,
         )
         if isinstance(move.to, RobTarget):
-            joints = self._end_joints(move, move.to, name, place, segment, settings)
-            segment = replace(segment, end=Waypoint(joints, end.base_from_tcp))
-        conf = ConfData(*self._confdata(segment.end.joints))
+            arrival = self._arrival(move, move.to, name, place, segment, settings)
+            segment = replace(segment, end=Waypoint(arrival.joints, end.base_from_tcp))
+        else:
+            arrival = self._configuration(end.joints)
+        conf = ConfData(*map(float, arrival.confdata))
         corner = CornerKind.STOP if segment.zone is None else CornerKind.FLY_BY
         return QueuedMove(move, place, segment, conf, Instant(), corner)
 
@@ -111,7 +113,7 @@ class Resolver:
         base_from_tcp = self.robot.forward(joints) @ targets.transform(tool.tframe)
         base_from_object = targets.base_from_object(wobj, self.base_from_world)
         pose = targets.pose(base_from_object.inverse() @ base_from_tcp)
-        conf = ConfData(*self._confdata(joints))
+        conf = ConfData(*map(float, self._configuration(joints).confdata))
         return RobTarget(pose.trans, pose.rot, conf, NO_EXTERNAL_AXES)
 
     def reach(self, target: RobTarget, tool: ToolData, wobj: WobjData, near: Array) -> Array:
@@ -154,7 +156,7 @@ class Resolver:
             raise MoveRefusedError(ERR_ROBLIMIT, JointOutOfRange(name, self.robot.title, over))
         return joints
 
-    def _end_joints(
+    def _arrival(
         self,
         move: Move,
         to: RobTarget,
@@ -162,8 +164,8 @@ class Resolver:
         place: Place,
         segment: Segment,
         settings: MotionSettings,
-    ) -> Array:
-        """Joints at the end of a move to a pose, in the stored configuration where it works."""
+    ) -> Configuration:
+        """How the arm stands after a move to a pose: as stored, where that works."""
         fault = circle_fault(segment)
         if fault is not None:
             raise MoveRefusedError(ERR_OUTSIDE_REACH, CircleUncertain(name, fault))
@@ -178,7 +180,8 @@ class Resolver:
             monitored = settings.conf_l and told_apart(self.robot.kinematics)
             arrived = self._end_of_curve(segment)
             chosen = arrived or _nearest(self._working(base_from_flange, name), near)
-        if monitored and chosen.confdata != wanted:
+        key = ("configuration", name)
+        if monitored and chosen.confdata != wanted and not self.journal.has_found(key):
             working = self._working(base_from_flange, name)
             self.journal.finding(
                 ConfigurationNotReachable(
@@ -188,9 +191,9 @@ class Resolver:
                     tuple(_conf_text(c.confdata) for c in _by_distance(working, chosen.joints)),
                 ),
                 place,
-                once=("configuration", name),
+                once=key,
             )
-        return chosen.joints
+        return chosen
 
     def _end_of_curve(self, segment: Segment) -> Configuration | None:
         """Where a line or arc arrives: on the branch it starts on, with the turns made on the way.
@@ -211,13 +214,12 @@ class Resolver:
         joints = followed.joints[-1]
         if np.any(limit_excess(self.robot, joints) != 0.0):
             return None
-        cf1, cf4, cf6, cfx = (int(value) for value in self._confdata(joints))
-        return Configuration(joints, (cf1, cf4, cf6, cfx))
+        return self._configuration(joints)
 
-    def _confdata(self, joints: Array) -> list[float]:
-        """cf1, cf4, cf6 and cfx of a joint vector (n,) [rad]."""
-        found: list[float] = confdata_of(self.robot.kinematics, joints).astype(float).tolist()
-        return found
+    def _configuration(self, joints: Array) -> Configuration:
+        """A joint vector (n,) [rad] with its confdata."""
+        cf1, cf4, cf6, cfx = confdata_of(self.robot.kinematics, joints).tolist()
+        return Configuration(joints, (cf1, cf4, cf6, cfx))
 
     def _working(self, base_from_flange: Transform, name: str) -> tuple[Configuration, ...]:
         """Every configuration that reaches a pose.
