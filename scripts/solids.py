@@ -46,6 +46,7 @@ GRAPHITE = Paint("graphite", (0.035, 0.037, 0.042), 0.6)
 DARK = Paint("dark", (0.012, 0.012, 0.014), 0.5)
 KUKA_ORANGE = Paint("kuka-orange", (1.0, 0.13, 0.004), 0.5)
 IVORY = Paint("ivory", (0.62, 0.60, 0.54), 0.6)
+LIGHT = Paint("light", (0.78, 0.79, 0.80), 0.5)
 STEEL = Paint("steel", (0.42, 0.43, 0.45), 0.4, 0.3)
 
 

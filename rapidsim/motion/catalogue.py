@@ -10,7 +10,7 @@ from __future__ import annotations
 import difflib
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.axis_row import AxisRowGeometry, searched_arm
 from rapidsim.motion.five_axis import FiveAxis, FiveAxisGeometry
 from rapidsim.motion.kinematics import Kinematics
 from rapidsim.motion.opw import OrthoParallel
@@ -50,6 +51,8 @@ class CatalogueEntry:
     """Lower and upper limit of each joint [rad]."""
     max_speeds: tuple[float | None, ...]
     """[rad/s]; None where no source gives it."""
+    max_accelerations: tuple[float | None, ...]
+    """[rad/s2]; None unless they were measured."""
     payload_kg: float | None
     reach_m: float | None
     sources: tuple[str, ...]
@@ -121,15 +124,17 @@ def read_entry(folder: Path) -> CatalogueEntry:
         raise RobotError(f"{file}: {mistake}") from None
 
 
-def kinematics_of(geometry: Geometry) -> Kinematics:
-    """The closed-form solver for an arm."""
-    match geometry:
-        case OpwGeometry():
+def kinematics_of(entry: CatalogueEntry) -> Kinematics:
+    """The solver for an arm: its closed form, or a search where it has none."""
+    match entry.geometry:
+        case OpwGeometry() as geometry:
             return arm_from_geometry(geometry)
-        case FiveAxisGeometry():
+        case FiveAxisGeometry() as geometry:
             return FiveAxis(geometry)
-        case PalletizerGeometry():
+        case PalletizerGeometry() as geometry:
             return Palletizer(geometry)
+        case AxisRowGeometry() as geometry:
+            return searched_arm(geometry, entry.limits)
 
 
 def arm_from_geometry(geometry: OpwGeometry) -> OrthoParallel:
@@ -155,7 +160,6 @@ def _entry(table: Mapping[str, Any], folder: Path) -> CatalogueEntry:
         raise ValueError(f"name `{table['name']}` is not that of the folder")
     joints = table["joint"]
     geometry = geometry_from_table(table)
-    speeds = (joint.get("max_speed_deg_s") for joint in joints)
     return CatalogueEntry(
         name=table["name"],
         title=table["title"],
@@ -165,7 +169,8 @@ def _entry(table: Mapping[str, Any], folder: Path) -> CatalogueEntry:
         limits=tuple(
             (radians(lower), radians(upper)) for lower, upper in (j["limits_deg"] for j in joints)
         ),
-        max_speeds=tuple(None if speed is None else radians(speed) for speed in speeds),
+        max_speeds=_radians(joints, "max_speed_deg_s"),
+        max_accelerations=_radians(joints, "max_acceleration_deg_s2"),
         payload_kg=table.get("payload_kg"),
         reach_m=table.get("reach_m"),
         sources=tuple(table["sources"]),
@@ -174,6 +179,12 @@ def _entry(table: Mapping[str, Any], folder: Path) -> CatalogueEntry:
         not_modelled=tuple(table.get("not_modelled", ())),
         folder=folder,
     )
+
+
+def _radians(joints: Sequence[Mapping[str, Any]], key: str) -> tuple[float | None, ...]:
+    """A value of each joint that is given in degrees, or may not be given at all."""
+    degrees = (joint.get(key) for joint in joints)
+    return tuple(None if value is None else radians(value) for value in degrees)
 
 
 def _by_number(name: str) -> list[tuple[int, str]]:

@@ -89,7 +89,10 @@ def select(
     """
     wanted = np.rint(np.asarray(confdata)).astype(np.int64)
     joints = np.zeros((len(wanted), robot.kinematics.joint_count))
-    held = np.broadcast_to(np.asarray(near, dtype=np.float64), joints.shape)
+    held = np.broadcast_to(np.asarray(near, dtype=np.float64), joints.shape).copy()
+    # Where the pose leaves axis 1 undetermined, it can be in the quarter turn that is asked for.
+    lowest = QUARTER * wanted[:, 0]
+    held[:, 0] = np.clip(held[:, 0], lowest, lowest + QUARTER - 2.0 * SNAP)
     exists = np.zeros(len(wanted), dtype=np.bool_)
     for branch in range(robot.kinematics.branch_count):
         rows = np.flatnonzero(wanted[:, 3] == branch)

@@ -115,9 +115,15 @@ class FiveAxis:
         return Followed(in_turn_of(principal(angles[..., branch, :]), exists, near), exists)
 
     def branch_of(self, joints: Array) -> npt.NDArray[np.int64]:
-        """The branch of joint vectors (..., 5); on a border it is the front, the negative elbow."""
+        """The branch of joint vectors (..., 5); on a border it is the front, the negative elbow.
+
+        With the wrist above or below the waist, front is where the flange is.
+        """
         joints = np.asarray(joints, dtype=np.float64)
-        behind = self.wrist_forward(joints) < -ON_WAIST * self.geometry.reach
+        nothing = ON_WAIST * self.geometry.reach
+        wrist = self.wrist_forward(joints)
+        leads = np.where(np.abs(wrist) < nothing, self.flange_forward(joints), wrist)
+        behind = leads < -nothing
         positive = np.sin(joints[..., 2]) > ON_WAIST
         branch: npt.NDArray[np.int64] = 2 * behind + positive
         return branch

@@ -17,7 +17,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.chain import SerialChain
 from rapidsim.motion.descent import descend
 from rapidsim.motion.kinematics import Branches, Followed
-from rapidsim.motion.offset_wrist import NearArm
+from rapidsim.motion.offset_wrist import NearArm, point_nearest
 from rapidsim.motion.starts import spread_starts
 from rapidsim.motion.whole_turns import in_turn_of, principal
 
@@ -52,6 +52,23 @@ class Numerical:
     def starts(self) -> Array:
         """Joint vectors (STARTS, n) [rad] from which every pose is searched for."""
         return spread_starts(self.lower, self.upper, STARTS)
+
+    @cached_property
+    def stretched(self) -> tuple[Array, float]:
+        """A point (3,) [m] that no joint moves, and the longest way [m] of the flange from it.
+
+        The way leads from axis to axis by points that both their links carry, so no joint changes
+        the length of its parts; a shorter one may exist.
+        """
+        axes = self.chain.axes
+        stations = [
+            point_nearest(axes.points[k : k + 2], axes.directions[k : k + 2])
+            for k in range(len(axes.points) - 1)
+        ]
+        flange = axes.base_from_flange.translation
+        last, along = axes.points[-1], axes.directions[-1]
+        way = np.array([*stations, last + along * float((flange - last) @ along), flange])
+        return way[0], float(np.linalg.norm(np.diff(way, axis=0), axis=-1).sum())
 
     def forward(self, joints: Array) -> Transform:
         """base_from_flange of joint vectors (..., n) [rad]."""

@@ -8,6 +8,7 @@ from math import degrees
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.numerical import Numerical
 from rapidsim.motion.robot import Robot
 
 LIMIT_TOLERANCE = 1e-9
@@ -30,22 +31,27 @@ class Unreachable:
     """How far [rad] the orientation is from those that an arm with few axes can give."""
     searched: bool = False
     """Whether nothing was found by searching; shortfall and tilt are of the nearest found."""
+    beyond: float = 0.0
+    """How far [m] at least the flange is beyond the stretched arm, where that was searched."""
 
     @property
     def message(self) -> str:
         """The reason in the words of a shop floor: mm and degrees."""
         off_mm, off_deg = 1000.0 * self.shortfall, degrees(self.tilt)
         if self.searched and self.joint is None:
-            return f"the search came no nearer than {off_mm:.3g} mm and {off_deg:.3g} deg"
+            nearest = f"the search came no nearer than {off_mm:.3g} mm and {off_deg:.3g} deg"
+            if self.beyond == 0.0:
+                return nearest
+            return f"flange at least {_amount(1000.0 * self.beyond)} mm beyond reach; {nearest}"
         if self.joint is None and off_deg > 0.0 and off_mm > 0.0:
-            return f"wrist centre {off_mm:.1f} mm beyond reach, and {_turned(off_deg)}"
+            return f"wrist centre {_amount(off_mm)} mm beyond reach, and {_turned(off_deg)}"
         if self.joint is None and off_deg > 0.0:
             return _turned(off_deg)
         if self.joint is None:
-            return f"wrist centre {off_mm:.1f} mm beyond reach"
+            return f"wrist centre {_amount(off_mm)} mm beyond reach"
         limit = "upper" if self.excess > 0.0 else "lower"
         over = degrees(abs(self.excess))
-        return f"joint {self.joint} over by {over:.1f} deg at its {limit} limit"
+        return f"joint {self.joint} over by {_amount(over)} deg at its {limit} limit"
 
 
 def turns_within_limits(robot: Robot, joints: Array) -> Array:
@@ -86,6 +92,7 @@ def why_unreachable(
             shortfall=float(branches.shortfall),
             tilt=0.0 if branches.tilt is None else float(branches.tilt),
             searched=branches.searched,
+            beyond=_beyond(robot, base_from_flange),
         )
     excess = limit_excess(robot, turns_within_limits(robot, branches.joints))
     worst = np.where(wanted, np.max(np.abs(excess), axis=-1), np.inf)
@@ -94,6 +101,19 @@ def why_unreachable(
         return None
     joint = int(np.argmax(np.abs(excess[best])))
     return Unreachable(0.0, best, joint + 1, float(excess[best, joint]))
+
+
+def _beyond(robot: Robot, base_from_flange: Transform) -> float:
+    """How far [m] at least a flange is beyond the stretched arm; 0 where formulas tell better."""
+    if not isinstance(robot.kinematics, Numerical):
+        return 0.0
+    foot, longest = robot.kinematics.stretched
+    return max(float(np.linalg.norm(base_from_flange.translation - foot)) - longest, 0.0)
+
+
+def _amount(value: float) -> str:
+    """One decimal, and for what that would call 0.0 the first digit that is not 0."""
+    return f"{value:.1f}" if value >= 0.05 else f"{value:.1g}"
 
 
 def _turned(off_deg: float) -> str:

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.axis_row import AxisRowGeometry, search_notices
 from rapidsim.motion.catalogue import (
     CatalogueEntry,
     RobotError,
@@ -16,7 +17,9 @@ from rapidsim.motion.catalogue import (
     kinematics_of,
     robot_names,
 )
+from rapidsim.motion.external_axes import Axes, ExternalAxis
 from rapidsim.motion.kinematics import Branches, Kinematics
+from rapidsim.motion.numerical import Numerical
 from rapidsim.motion.opw import OrthoParallel
 
 __all__ = ["Joint", "Robot", "RobotError", "load_robot", "robot_names"]
@@ -36,6 +39,8 @@ class Joint:
     """[rad]"""
     max_speed: float | None
     """[rad/s]; None where no source gives it."""
+    max_acceleration: float | None = None
+    """[rad/s2]; None unless it was measured."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,6 +68,8 @@ class Robot:
     notes: tuple[str, ...] = ()
     not_modelled: tuple[str, ...] = ()
     """What the arm has and a run leaves out."""
+    external: tuple[ExternalAxis, ...] = ()
+    """Axes beside the arm, in the order of their letters; the station file names them."""
 
     @cached_property
     def lower(self) -> Array:
@@ -75,6 +82,15 @@ class Robot:
         return np.array([joint.upper for joint in self.joints])
 
     @cached_property
+    def axes(self) -> Axes:
+        """The arm's joints and the external axes with their limits."""
+        return Axes(
+            np.append(self.lower, [axis.lower for axis in self.external]),
+            np.append(self.upper, [axis.upper for axis in self.external]),
+            self.external,
+        )
+
+    @cached_property
     def start(self) -> Array:
         """Joints (n,) [rad] of the posture a run begins in if nothing says otherwise.
 
@@ -82,9 +98,12 @@ class Robot:
         0 the arm would be singular, and a program may begin with a line. Arms of other kinds start
         in the middle of their limits. Always within these.
         """
-        if isinstance(self.kinematics, OrthoParallel):
+        arm = self.kinematics
+        if isinstance(arm, Numerical) and arm.near is not None:
+            arm = arm.near.arm
+        if isinstance(arm, OrthoParallel):
             theta = np.array([0.0, 0.0, np.pi / 2.0, 0.0, BENT_WRIST, 0.0])
-            return np.clip(self.kinematics.joints_from_theta(theta), self.lower, self.upper)
+            return np.clip(arm.joints_from_theta(theta), self.lower, self.upper)
         endless = np.isinf(self.lower) | np.isinf(self.upper)
         return np.where(endless, 0.0, (self.lower + self.upper) / 2.0)
 
@@ -133,12 +152,17 @@ def _from_entry(entry: CatalogueEntry) -> Robot:
         name=entry.name,
         title=entry.title,
         joints=tuple(
-            Joint(name, lower, upper, speed)
-            for name, (lower, upper), speed in zip(
-                entry.joint_names, entry.limits, entry.max_speeds, strict=True
+            Joint(name, lower, upper, speed, acceleration)
+            for name, (lower, upper), speed, acceleration in zip(
+                entry.joint_names,
+                entry.limits,
+                entry.max_speeds,
+                entry.max_accelerations,
+                strict=True,
             )
         ),
-        kinematics=kinematics_of(entry.geometry),
+        kinematics=kinematics_of(entry),
+        notices=_notices(entry),
         urdf=entry.urdf,
         payload_kg=entry.payload_kg,
         reach_m=entry.reach_m,
@@ -148,3 +172,16 @@ def _from_entry(entry: CatalogueEntry) -> Robot:
         notes=entry.notes,
         not_modelled=entry.not_modelled,
     )
+
+
+def _notices(entry: CatalogueEntry) -> tuple[str, ...]:
+    """What the user should know of an arm that is solved by search."""
+    if not isinstance(entry.geometry, AxisRowGeometry):
+        return ()
+    count = len(entry.joint_names)
+    why = (
+        "its axis 6 passes beside the crossing of axes 4 and 5"
+        if count == 6
+        else f"it has {count} axes"
+    )
+    return search_notices(entry.name, why, count)

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from math import radians
 from types import MappingProxyType
 from typing import Any
 
 from rapidsim.motion import five_axis, opw_geometry, palletizer
+from rapidsim.motion.axis_row import AxisRowGeometry, Vector
 from rapidsim.motion.five_axis import FiveAxisGeometry
 from rapidsim.motion.opw_geometry import OpwGeometry
 from rapidsim.motion.palletizer import PalletizerGeometry
 
-Geometry = OpwGeometry | FiveAxisGeometry | PalletizerGeometry
+Geometry = OpwGeometry | FiveAxisGeometry | PalletizerGeometry | AxisRowGeometry
 
 
 def geometry_from_table(table: Mapping[str, Any]) -> Geometry:
@@ -28,38 +29,63 @@ def geometry_from_table(table: Mapping[str, Any]) -> Geometry:
         known = ", ".join(f"`{name}`" for name in _STRUCTURES)
         raise ValueError(f"structure `{structure}` is not known, only {known}")
     read, joint_count = _STRUCTURES[structure]
-    if len(table["joint"]) != joint_count:
+    if joint_count is not None and len(table["joint"]) != joint_count:
         raise ValueError(f"the arm needs {joint_count} joints")
-    lengths = {name: millimetres / 1000.0 for name, millimetres in table["geometry_mm"].items()}
-    return read(lengths, table)
+    return read(table)
 
 
-def _ortho_parallel(lengths: Mapping[str, float], table: Mapping[str, Any]) -> OpwGeometry:
+def _ortho_parallel(table: Mapping[str, Any]) -> OpwGeometry:
     zero = table["zero"]
     if not len(zero["offsets_deg"]) == len(zero["signs"]) == opw_geometry.JOINT_COUNT:
         raise ValueError(f"the arm needs {opw_geometry.JOINT_COUNT} offsets and signs")
     return OpwGeometry(
-        **lengths,
+        **_lengths(table),
         offsets=tuple(radians(degrees) for degrees in zero["offsets_deg"]),
         signs=tuple(zero["signs"]),
         coupling=zero["coupling_3_2"],
     )
 
 
-def _five_axis(lengths: Mapping[str, float], _: Mapping[str, Any]) -> FiveAxisGeometry:
-    return FiveAxisGeometry(**lengths)
+def _five_axis(table: Mapping[str, Any]) -> FiveAxisGeometry:
+    return FiveAxisGeometry(**_lengths(table))
 
 
-def _palletizer(lengths: Mapping[str, float], _: Mapping[str, Any]) -> PalletizerGeometry:
-    return PalletizerGeometry(**lengths)
+def _palletizer(table: Mapping[str, Any]) -> PalletizerGeometry:
+    return PalletizerGeometry(**_lengths(table))
 
 
-_Read = Callable[[Mapping[str, float], Mapping[str, Any]], Geometry]
-_STRUCTURES: Mapping[str, tuple[_Read, int]] = MappingProxyType(
+def _axis_row(table: Mapping[str, Any]) -> AxisRowGeometry:
+    joints, flange = table["joint"], table["flange"]
+    q1, q2, q3, q4 = flange["quaternion"]
+    return AxisRowGeometry(
+        points=tuple(_point(joint["point_mm"]) for joint in joints),
+        directions=tuple(_vector(joint["axis"]) for joint in joints),
+        flange_point=_point(flange["point_mm"]),
+        flange_quaternion=(q1, q2, q3, q4),
+    )
+
+
+def _lengths(table: Mapping[str, Any]) -> dict[str, float]:
+    return {name: millimetres / 1000.0 for name, millimetres in table["geometry_mm"].items()}
+
+
+def _point(millimetres: Sequence[float]) -> Vector:
+    x, y, z = millimetres
+    return x / 1000.0, y / 1000.0, z / 1000.0
+
+
+def _vector(components: Sequence[float]) -> Vector:
+    x, y, z = components
+    return x, y, z
+
+
+_Read = Callable[[Mapping[str, Any]], Geometry]
+_STRUCTURES: Mapping[str, tuple[_Read, int | None]] = MappingProxyType(
     {
         "ortho-parallel": (_ortho_parallel, opw_geometry.JOINT_COUNT),
         "five-axis": (_five_axis, five_axis.JOINT_COUNT),
         "palletizer": (_palletizer, palletizer.JOINT_COUNT),
+        "axis-row": (_axis_row, None),
     }
 )
-"""How each structure is read, and how many joints it has."""
+"""How each structure is read, and how many joints it has; None where any number will do."""

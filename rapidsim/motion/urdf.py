@@ -14,6 +14,7 @@ import numpy as np
 import yourdfpy
 
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.axis_row import search_notices
 from rapidsim.motion.catalogue import RobotError
 from rapidsim.motion.chain import AxesAtZero, SerialChain
 from rapidsim.motion.kinematics import Kinematics
@@ -72,15 +73,7 @@ def robot_parts_from_urdf(file: Path) -> RobotParts:
             "so poses the rod forbids are not refused",
         )
     if isinstance(arm, str):
-        notices = (
-            f"{robot.name}: {arm}, so its joints are searched for step by step; solutions beyond "
-            "those found may exist",
-        )
-        if len(joints) > JOINT_COUNT:
-            notices += (
-                f"{robot.name}: of the many ways to hold a pose the nearest of those found is "
-                "taken; the arm angle and the configuration of targets are not heeded",
-            )
+        notices = search_notices(robot.name, arm, len(joints))
         lower, upper = np.array(limits).T
         arm = Numerical(SerialChain.uncoupled(axes), lower, upper, near_arm(axes))
     return RobotParts(

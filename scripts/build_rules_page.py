@@ -1,0 +1,19 @@
+"""Write `docs/rules.md` from the pages of the rules: `python scripts/build_rules_page.py`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from rapidsim.report.rules import rules
+from rapidsim.report.rules_page import rules_page
+
+PAGE = Path(__file__).parents[1] / "docs" / "rules.md"
+
+
+def main() -> None:
+    """Write the page."""
+    PAGE.write_text(rules_page(rules()), encoding="utf-8", newline="\n")
+
+
+if __name__ == "__main__":
+    main()
