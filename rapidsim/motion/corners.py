@@ -13,13 +13,13 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import IntEnum
-from itertools import pairwise
 from typing import assert_never
 
 import numpy as np
 import numpy.typing as npt
 
 from rapidsim.frames.transform import Array
+from rapidsim.motion.arms import arms_of
 from rapidsim.motion.curves import Curves
 from rapidsim.motion.kinematics import Kinematics
 from rapidsim.motion.model import Corner as Shape
@@ -73,9 +73,10 @@ def shape(corner: Shape, t: Array) -> tuple[Array, Array, Array]:
     """Phi and its first two derivatives at t (k,) in 0..1."""
     match corner:
         case "c2":
-            return t**3 * (2.0 - t), t**2 * (6.0 - 4.0 * t), 12.0 * t * (1.0 - t)
+            square = t * t
+            return square * t * (2.0 - t), square * (6.0 - 4.0 * t), 12.0 * t * (1.0 - t)
         case "parabola":
-            return t**2, 2.0 * t, np.full_like(t, 2.0)
+            return t * t, 2.0 * t, np.full_like(t, 2.0)
         case _:
             assert_never(corner)
 
@@ -97,7 +98,6 @@ def corners_of(
     stop = np.array([zone is None for zone in zones], dtype=bool)
     position = np.array([zone.position if zone else 0.0 for zone in zones])
     orientation = np.array([zone.orientation if zone else 0.0 for zone in zones])
-    angle = np.array([zone.angle if zone else 0.0 for zone in zones])
     programmed = model.orientation_zone == "programmed"
     if not programmed:
         orientation = position
@@ -108,13 +108,11 @@ def corners_of(
     widest = np.full((2, count), np.inf)
     for side, rows in enumerate((into, out)):
         length = curves.length[rows]
-        turned = np.maximum(curves.angle[rows], 1e-12)
-        candidates[side, Limit.ZONE] = _zone_on_curve(
-            segments, curves, kinematics, position, angle, side
-        )
+        candidates[side, Limit.ZONE] = _zone_on_curve(segments, curves, kinematics, position, side)
         candidates[side, Limit.HALF] = 0.5 * length
         if programmed:
-            candidates[side, Limit.REORIENTATION] = length * angle / turned
+            share = _share_of_turns(segments, curves, curves.angle, side)
+            candidates[side, Limit.REORIENTATION] = length * share
         widest[side] = np.where(
             curves.turns_only[rows],
             candidates[side, Limit.ZONE],
@@ -129,7 +127,8 @@ def corners_of(
     shorter = np.minimum(curves.length[into], curves.length[out])
     none = stop | turn_only | (radius < np.minimum(_SMALLEST_RADIUS, _SMALLEST_SHARE * shorter))
     limit = np.where(stop, Limit.STOP_POINT, np.where(turn_only, Limit.TURN_ONLY, limit))
-    in_joints = curves.in_joints[into] | curves.in_joints[out] | _tool_changes(segments)
+    jointed = curves.in_joints | np.array([segment.wrist_in_joints for segment in segments])
+    in_joints = jointed[into] | jointed[out] | _tool_changes(segments)
     return Corners(
         radius=np.where(none, 0.0, radius),
         orientation_radius=np.where(none, 0.0, np.where(in_joints, radius, orientation_radius)),
@@ -178,7 +177,6 @@ def _zone_on_curve(
     curves: Curves,
     kinematics: Kinematics,
     position: Array,
-    angle: Array,
     side: int,
 ) -> Array:
     """Zones (m - 1,) in units of the path parameter on the curve before or after each corner."""
@@ -190,14 +188,34 @@ def _zone_on_curve(
     half_chord = np.minimum(position / np.maximum(2.0 * arc, 1e-12), 1.0)
     on_arc = 2.0 * arc * np.arcsin(half_chord)
     zone = np.where(arc > 0.0, on_arc, position * length / np.maximum(curves.travel[rows], 1e-12))
-    turned = curves.turned[rows]
-    zone = np.where(curves.turns_only[rows], length * angle / np.maximum(turned, 1e-12), zone)
+    share = _share_of_turns(segments, curves, curves.turned, side)
+    zone = np.where(curves.turns_only[rows], length * share, zone)
     moves = np.flatnonzero(curves.in_joints[rows] & ~curves.turns_only[rows] & (position > 0.0))
     if len(moves):
         zone[moves] = _zone_on_joint_moves(
             segments, curves, kinematics, moves + side, position[moves], at_end=side == 0
         )
     return zone
+
+
+def _share_of_turns(segments: Sequence[Segment], curves: Curves, turned: Array, side: int) -> Array:
+    """The share (m - 1,) of the curve before or after each corner that its angles allow.
+
+    It is the least that the zones for reorientation, for linear and for rotating external axes
+    leave of what moves; `turned` (m,) [rad] is the reorientation.
+    """
+    count = len(segments) - 1
+    rows = slice(side, count + side)
+    zones = [segment.zone for segment in segments[:count]]
+    angle = np.array([zone.angle if zone else 0.0 for zone in zones])
+    share: Array = angle / np.maximum(turned[rows], 1e-12)
+    if curves.external.shape[1]:
+        pairs = [[z.linear_axes, z.rotating_axes] if z else [0.0, 0.0] for z in zones]
+        widths = np.array(pairs).reshape(-1, 2)
+        linear = np.array(segments[0].external_linear)
+        of_axes = np.where(linear, widths[:, :1], widths[:, 1:])
+        share = np.minimum(share, (of_axes / np.maximum(curves.external[rows], 1e-12)).min(axis=1))
+    return share
 
 
 def _zone_on_joint_moves(
@@ -210,17 +228,18 @@ def _zone_on_joint_moves(
     at_end: bool,
 ) -> Array:
     """How far (k,) along joint moves the TCP stays within a distance (k,) [m] of their end."""
-    tcp_in_flange = np.array([segments[i].tcp_from_flange.inverse().translation for i in row])
+    moves = [segments[i] for i in row]
+    travel = curves.joint_travel[row]
+    arms = arms_of(moves, kinematics, travel, np.ones(len(row)))
+    corner = (curves.end if at_end else curves.start).translation[row]
 
     def distance(share: Array) -> Array:
         """TCP distance (k, j) from the corner at shares (k, j) of the move, counted from it."""
         along = 1.0 - share if at_end else share
-        joints = curves.start_joints[row, None] + along[..., None] * curves.joint_travel[row, None]
-        tcp = kinematics.forward(joints).apply(
-            np.broadcast_to(tcp_in_flange[:, None], (*joints.shape[:2], 3))
-        )
-        corner = (curves.end if at_end else curves.start).translation[row]
-        away: Array = np.linalg.norm(tcp - corner[:, None], axis=-1)
+        joints = curves.start_joints[row, None] + along[..., None] * travel[:, None]
+        number = np.repeat(np.arange(len(row)), share.shape[1])
+        tcp = arms.curve_from_tcp(joints.reshape(-1, travel.shape[1]), number).translation
+        away: Array = np.linalg.norm(tcp.reshape(*share.shape, 3) - corner[:, None], axis=-1)
         return away
 
     share = np.broadcast_to(np.linspace(0.0, 0.5, _ZONE_SAMPLES + 1), (len(row), _ZONE_SAMPLES + 1))
@@ -240,11 +259,10 @@ def _zone_on_joint_moves(
 
 def _tool_changes(segments: Sequence[Segment]) -> npt.NDArray[np.bool_]:
     """Whether the corner after each segment but the last joins different tools."""
-    changes = []
-    for before, after in pairwise(segments):
-        a, b = before.tcp_from_flange, after.tcp_from_flange
-        same = a is b or (
-            np.array_equal(a.rotation, b.rotation) and np.array_equal(a.translation, b.translation)
-        )
-        changes.append(before.joint_corner or not same)
-    return np.array(changes, dtype=bool)
+    rotation = np.array([segment.tcp_from_flange.rotation for segment in segments])
+    translation = np.array([segment.tcp_from_flange.translation for segment in segments])
+    other = (rotation[1:] != rotation[:-1]).any(axis=(1, 2))
+    other |= (translation[1:] != translation[:-1]).any(axis=1)
+    asked = np.array([segment.joint_corner for segment in segments[:-1]], dtype=bool)
+    changes: npt.NDArray[np.bool_] = other | asked
+    return changes

@@ -15,8 +15,10 @@ import numpy as np
 import numpy.typing as npt
 
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.arms import arms_of
 from rapidsim.motion.kinematics import Kinematics
-from rapidsim.motion.segments import Geometry, Segment
+from rapidsim.motion.moving_frames import Motion as Motion
+from rapidsim.motion.segments import CircleMode, Geometry, Segment, Waypoint
 from rapidsim.motion.turns import cross, rotate, rotation_from_vector, vector_from_rotation
 
 Index = npt.NDArray[np.int64]
@@ -25,32 +27,13 @@ STANDSTILL = 1e-9
 """Travel [m] and turn [rad] below which nothing has moved."""
 _TURN_ONLY_TRAVEL = 1e-5
 _TURN_ONLY_ANGLE = 1e-3
+_IDLE_TCP_SPEED = 0.001
+"""Speeds for axes alone, such as vrot10, have no TCP speed [m/s]."""
 _TRAVEL_SAMPLES = 32
 _SHORTEST_CIRCLE_SIDE = 1e-4
 _WIDEST_ARC = math.radians(240.0)
 _ONE_WAY_ONLY = math.radians(90.0)
 """Below this nobody means the long way round, which would be three quarters of a turn."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Motion:
-    """TCP poses on curves and how they change, all shapes (k, ...), in base.
-
-    `velocity` and `acceleration` are the first and second derivatives of the position, `turning`
-    is the angular velocity per unit of the parameter, `turning_change` its derivative.
-    """
-
-    position: Array
-    rotation: Array
-    velocity: Array
-    turning: Array
-    acceleration: Array
-    turning_change: Array
-
-    @property
-    def base_from_tcp(self) -> Transform:
-        """The poses."""
-        return Transform(self.rotation, self.position)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -68,7 +51,9 @@ class Curves:
     turned: Array
     """The same, or the largest joint travel of a joint move, which may turn and end as it began."""
     turns_only: npt.NDArray[np.bool_]
-    """Whether the arm turns and the TCP hardly moves: less than a robtarget's last digit."""
+    """Whether the TCP stays where it is while something moves: by less than a robtarget's digit."""
+    external: Array
+    """Way of each external axis (m, e), without sign [m or rad]."""
     start: Transform
     """base_from_tcp."""
     end: Transform
@@ -78,15 +63,21 @@ class Curves:
     """From the centre to the start of an arc; 0 for lines."""
     frame_turn: Array
     """Rotation vector of the spoke over the whole arc; 0 for lines."""
+    carried_turn: Array
+    """How far the path's own frame takes the tool along: `frame_turn`, or 0 where the tool turns
+    as on a line."""
     tool_turn: Array
     """Rotation vector of the tool relative to the path's own frame over the whole curve."""
+    detour: Array
+    """Rotation vector by which the tool leaves that turn, four times at the middle and not at the
+    ends, to come through the orientation of the circle point; 0 where it need not."""
     start_joints: Array
-    """Shape (m, n)."""
+    """Shape (m, n + e): the joints of the arm, then the external axes."""
     joint_travel: Array
-    """Shape (m, n): end joints less start joints."""
+    """Shape (m, n + e): those at the end less those at the start."""
 
     def joints_at(self, row: Index, x: Array) -> Array:
-        """Joints (k, n) at places x (k,) of curves that are straight in joint space."""
+        """Joints (k, n + e) at places x (k,) of curves that are straight in joint space."""
         share = x / np.maximum(self.length[row], STANDSTILL)
         joints: Array = self.start_joints[row] + share[:, None] * self.joint_travel[row]
         return joints
@@ -105,18 +96,39 @@ class Curves:
         if not frame_turn.any():
             still = np.zeros((2, *position.shape))
             return Motion(position, rotation, chord_rate, tool_rate, still[0], still[1])
-        frame = rotation_from_vector(frame_turn * share)
-        spoke = rotate(frame, self.spoke[row])
-        tool_rate = rotate(frame, tool_rate)
+        spoke = rotate(rotation_from_vector(frame_turn * share), self.spoke[row])
         around = cross(frame_rate, spoke)
+        orientation = self._orientation(row, share, scale[:, None])
         return Motion(
             position=position + spoke - self.spoke[row],
-            rotation=frame @ rotation,
+            rotation=orientation.rotation,
             velocity=chord_rate + around,
-            turning=frame_rate + tool_rate,
+            turning=orientation.turning,
             acceleration=cross(frame_rate, around),
-            turning_change=cross(frame_rate, tool_rate),
+            turning_change=orientation.turning_change,
         )
+
+    def _orientation(self, row: Index, share: Array, scale: Array) -> Motion:
+        """How the tool turns on arcs (k,): three turns one within the other."""
+        still = np.zeros((len(row), 3))
+        bulge, steepness = share * (1.0 - share), 1.0 - 2.0 * share
+        turned = None
+        for vector, way, rate, change in (
+            (self.carried_turn[row], share, scale, 0.0),
+            (self.tool_turn[row], share, scale, 0.0),
+            (self.detour[row], bulge, steepness * scale, -2.0 * scale**2),
+        ):
+            turn = Motion(
+                still,
+                rotation_from_vector(vector * way),
+                still,
+                vector * rate,
+                still,
+                vector * change,
+            )
+            turned = turn if turned is None else turned @ turn
+        assert turned is not None
+        return turned.before(Transform(self.start.rotation[row], still))
 
 
 def curves_of(segments: Sequence[Segment], kinematics: Kinematics) -> Curves:
@@ -125,8 +137,8 @@ def curves_of(segments: Sequence[Segment], kinematics: Kinematics) -> Curves:
     start = _stack([segment.start.base_from_tcp for segment in segments])
     end = _stack([segment.end.base_from_tcp for segment in segments])
     in_joints = np.array([segment.geometry is Geometry.JOINT for segment in segments])
-    start_joints = np.array([segment.start.joints for segment in segments])
-    joint_travel = np.array([segment.end.joints for segment in segments]) - start_joints
+    start_joints = _wide([segment.start for segment in segments])
+    joint_travel = _wide([segment.end for segment in segments]) - start_joints
 
     chord = np.where(in_joints[:, None], 0.0, end.translation - start.translation)
     spoke, frame_turn = np.zeros((m, 3)), np.zeros((m, 3))
@@ -135,40 +147,61 @@ def curves_of(segments: Sequence[Segment], kinematics: Kinematics) -> Curves:
             chord[row] = 0.0
             spoke[row], frame_turn[row] = _circle(segment)
     turn = vector_from_rotation(end.rotation @ np.swapaxes(start.rotation, -1, -2))
+    turns_with_path = np.array([s.circle_mode is not CircleMode.OBJECT_FRAME for s in segments])
+    carried_turn = np.where(turns_with_path[:, None], frame_turn, 0.0)
     tool_turn = vector_from_rotation(
-        rotation_from_vector(-frame_turn) @ end.rotation @ np.swapaxes(start.rotation, -1, -2)
+        rotation_from_vector(-carried_turn) @ end.rotation @ np.swapaxes(start.rotation, -1, -2)
     )
+    detour = np.zeros((m, 3))
     for row, segment in enumerate(segments):
-        if segment.geometry is Geometry.ARC:
-            tool_turn[row] = _turn_by_circle_point(
-                segment, spoke[row], frame_turn[row], tool_turn[row]
+        if segment.geometry is Geometry.ARC and segment.via is not None:
+            share = _share_of_circle_point(segment, spoke[row], frame_turn[row])
+            wanted = (
+                rotation_from_vector(-carried_turn[row] * share)
+                @ segment.via.rotation
+                @ segment.start.base_from_tcp.rotation.T
             )
+            if segment.circle_mode is not CircleMode.OBJECT_FRAME:
+                tool_turn[row] = _turn_by_circle_point(tool_turn[row], share, wanted)
+            if segment.circle_mode is CircleMode.CIRCLE_POINT:
+                away = vector_from_rotation(rotation_from_vector(-tool_turn[row] * share) @ wanted)
+                detour[row] = away / (share * (1.0 - share))
     angle = np.linalg.norm(turn, axis=-1)
 
     travel = np.linalg.norm(chord, axis=-1)
     travel += np.linalg.norm(spoke, axis=-1) * np.linalg.norm(frame_turn, axis=-1)
     if in_joints.any():
-        tcp_from_flange = _stack([segment.tcp_from_flange for segment in segments])[in_joints]
+        moves = [segment for segment in segments if segment.geometry is Geometry.JOINT]
         travel[in_joints] = _joint_move_travel(
-            kinematics, start_joints[in_joints], joint_travel[in_joints], tcp_from_flange
+            moves, kinematics, start_joints[in_joints], joint_travel[in_joints]
         )
-    ratio = np.array([segment.speed.tcp / segment.speed.reorientation for segment in segments])
-    turned = np.maximum(angle, np.abs(joint_travel).max(axis=-1, initial=0.0) * in_joints)
-    turns_only = (travel < _TURN_ONLY_TRAVEL) & (turned > _TURN_ONLY_ANGLE)
-    length = np.where(turns_only, turned * ratio, np.where(travel > STANDSTILL, travel, 0.0))
+    of_arm, external = np.split(np.abs(joint_travel), [kinematics.joint_count], axis=1)
+    turned = np.maximum(angle, of_arm.max(axis=-1, initial=0.0) * in_joints)
+    idle = (travel < _TURN_ONLY_TRAVEL) & (turned > _TURN_ONLY_ANGLE)
+    # What the TCP would travel at its programmed speed while the slowest of the others moves.
+    tcp_speed = np.maximum([segment.speed.tcp for segment in segments], _IDLE_TCP_SPEED)
+    meanwhile = turned * tcp_speed / [segment.speed.reorientation for segment in segments]
+    if external.shape[1]:
+        idle |= (travel < _TURN_ONLY_TRAVEL) & (external.max(axis=-1) > _TURN_ONLY_TRAVEL)
+        seconds = external / [segment.external_speeds for segment in segments]
+        meanwhile = np.maximum(meanwhile, seconds.max(axis=-1) * tcp_speed)
+    length = np.where(idle, meanwhile, np.where(travel > STANDSTILL, travel, 0.0))
     return Curves(
         in_joints=in_joints,
         length=length,
         travel=travel,
         angle=angle,
         turned=turned,
-        turns_only=turns_only,
+        turns_only=idle,
+        external=external,
         start=start,
         end=end,
         chord=chord,
         spoke=spoke,
         frame_turn=frame_turn,
+        carried_turn=carried_turn,
         tool_turn=tool_turn,
+        detour=detour,
         start_joints=start_joints,
         joint_travel=joint_travel,
     )
@@ -224,30 +257,30 @@ def _circle(segment: Segment) -> tuple[Array, Array]:
     return spoke, angle * axis
 
 
-def _turn_by_circle_point(
-    segment: Segment, spoke: Array, frame_turn: Array, short_turn: Array
-) -> Array:
+def _share_of_circle_point(segment: Segment, spoke: Array, frame_turn: Array) -> float:
+    """The share of the arc at which its circle point lies."""
+    start, via, _ = _circle_points(segment)
+    whole = float(np.linalg.norm(frame_turn))
+    axis, to_via = frame_turn / whole, via - start + spoke
+    turned = math.atan2(float(axis @ np.cross(spoke, to_via)), float(spoke @ to_via))
+    return (turned % (2.0 * math.pi)) / whole
+
+
+def _turn_by_circle_point(short_turn: Array, share: float, wanted: Array) -> Array:
     """The tool's turn (3,) relative to the path's frame: the short way, or the long way round.
 
     Half a circle with the same orientation at both ends turns the tool by half a turn against the
-    path's frame, and either way would do. The orientation of the circle point says which is meant;
-    it says nothing else.
+    path's frame, and either way would do. The orientation of the circle point says which is meant.
+
+    Args:
+        short_turn: The short way.
+        share: Where the circle point is on the arc.
+        wanted: Turn of the tool there, relative to the path's frame.
     """
     short = float(np.linalg.norm(short_turn))
-    if short < _ONE_WAY_ONLY or segment.via is None:
+    if short < _ONE_WAY_ONLY:
         return short_turn
     long_turn = short_turn * (1.0 - 2.0 * math.pi / short)
-    start, via, _ = _circle_points(segment)
-    whole = float(np.linalg.norm(frame_turn))
-    to_via = via - start + spoke
-    axis = frame_turn / whole
-    turned = math.atan2(float(axis @ np.cross(spoke, to_via)), float(spoke @ to_via))
-    share = (turned % (2.0 * math.pi)) / whole
-    wanted = (
-        rotation_from_vector(-frame_turn * share)
-        @ segment.via.rotation
-        @ segment.start.base_from_tcp.rotation.T
-    )
     away = [
         float(np.linalg.norm(vector_from_rotation(rotation_from_vector(-turn * share) @ wanted)))
         for turn in (short_turn, long_turn)
@@ -256,19 +289,30 @@ def _turn_by_circle_point(
 
 
 def _joint_move_travel(
-    kinematics: Kinematics, start_joints: Array, joint_travel: Array, tcp_from_flange: Transform
+    segments: Sequence[Segment], kinematics: Kinematics, start_joints: Array, joint_travel: Array
 ) -> Array:
-    """TCP travel (m,) [m] of moves that are straight in joint space."""
-    share = np.linspace(0.0, 1.0, _TRAVEL_SAMPLES + 1)[None, :, None]
-    joints = start_joints[:, None, :] + share * joint_travel[:, None, :]
-    base_from_flange = kinematics.forward(joints)
-    tcp_in_flange = tcp_from_flange.inverse().translation[:, None, :]
-    points = base_from_flange.apply(np.broadcast_to(tcp_in_flange, (*joints.shape[:2], 3)))
+    """TCP travel (m,) [m] of moves that are straight in joint space, against the work object."""
+    count = _TRAVEL_SAMPLES + 1
+    share = np.linspace(0.0, 1.0, count)[None, :, None]
+    joints = (start_joints[:, None, :] + share * joint_travel[:, None, :]).reshape(
+        -1, start_joints.shape[1]
+    )
+    arms = arms_of(segments, kinematics, joint_travel, np.ones(len(segments)))
+    row = np.repeat(np.arange(len(segments)), count)
+    points = arms.curve_from_tcp(joints, row).translation.reshape(-1, count, 3)
     fine = np.linalg.norm(np.diff(points, axis=1), axis=-1).sum(axis=1)
     coarse = np.linalg.norm(np.diff(points[:, ::2], axis=1), axis=-1).sum(axis=1)
     # Chords fall short of the arc by the square of their length.
     travel: Array = fine + (fine - coarse) / 3.0
     return travel
+
+
+def _wide(waypoints: Sequence[Waypoint]) -> Array:
+    """Joints and external axes (m, n + e)."""
+    joints = np.array([waypoint.joints for waypoint in waypoints])
+    if not len(waypoints[0].external):
+        return joints
+    return np.concatenate([joints, [waypoint.external for waypoint in waypoints]], axis=1)
 
 
 def _stack(transforms: Sequence[Transform]) -> Transform:

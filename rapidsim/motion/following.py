@@ -8,23 +8,43 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from enum import Enum
 
 import numpy as np
 
-from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.curves import Index, Motion
-from rapidsim.motion.kinematics import Kinematics, Mask
+from rapidsim.frames.transform import Array
+from rapidsim.motion.arms import Arms, Index
+from rapidsim.motion.external_axes import Axes
+from rapidsim.motion.kinematics import Mask
 from rapidsim.motion.layout import Layout
 from rapidsim.motion.segments import Segment
 
 _LONGEST_CELL = 0.05
+_SHORT_PIECE = 0.005
+"""Up to here [m] both ends of a piece of a path are looked at and not its middle."""
 _WIDEST_CELL = 0.2
 _LARGEST_STEP = 0.15
 _JUMP = 0.5
-_SHORTEST_CELL = 1e-6
+_SHORTEST_CELL = 2e-5
+_SHORTEST_SHARE = 1e-2
+"""An axis that turns by `_JUMP` within this way of the TCP [m], or share of a short curve, has to
+jump: with axis 5 nearer to 0 than 0.006 deg on most arms. The controller stops before."""
 _LIMIT_TOLERANCE = 1e-6
 _MATCH_TOLERANCE = 1e-3
+
+
+class FaultKind(Enum):
+    """What keeps an arm from following a path."""
+
+    REACH = "reach"
+    """The arm or one of its limits."""
+    SINGULARITY = "singularity"
+    """The path goes through it, or so near that a wrist axis would have to jump."""
+    CONFIGURATION = "configuration"
+    """The branch at the start leads elsewhere than to the end."""
+    SET_UP = "set-up"
+    """What the move asks for is not simulated, or no geometry at all."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,36 +61,7 @@ class PathFault:
     """TCP travel [m] on that segment before it fails."""
     reason: str
     """What is wrong, with numbers."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Arms:
-    """How the flange is found from TCP poses on curves, one row a curve."""
-
-    kinematics: Kinematics
-    branch: Index
-    """Shape (m,)."""
-    tcp_from_flange: Transform
-    """Shape (m,)."""
-
-    def joints(self, motion: Motion, row: Index, near: Array) -> tuple[Array, Mask]:
-        """Joints (k, n) of TCP poses (k,) on curves (k,), and whether the branch reaches them.
-
-        Where it does not, `near` stands instead.
-        """
-        base_from_flange = motion.base_from_tcp @ self.tcp_from_flange[row]
-        joints = near.copy()
-        exists = np.zeros(len(row), dtype=bool)
-        branches = self.branch[row]
-        for branch in np.unique(branches):
-            at = np.flatnonzero(branches == branch)
-            followed = self.kinematics.inverse_on_branch(
-                base_from_flange[at], int(branch), near[at]
-            )
-            reached = at[followed.exists]
-            joints[reached] = followed.joints[followed.exists]
-            exists[reached] = True
-        return joints, exists
+    kind: FaultKind = FaultKind.REACH
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -81,11 +72,11 @@ class Nodes:
     """Shape (k,)."""
     piece: Index
     joints: Array
-    """Shape (k, n) [rad]; continuous along each curve, whole turns included."""
+    """Shape (k, n + e) [rad]; continuous along each curve, whole turns included."""
 
 
 def follow(
-    layout: Layout, arms: Arms, segments: Sequence[Segment], lower: Array, upper: Array
+    layout: Layout, arms: Arms, segments: Sequence[Segment], axes: Axes
 ) -> Nodes | PathFault:
     """Follow every Cartesian curve of a path.
 
@@ -93,21 +84,21 @@ def follow(
         layout: The path.
         arms: Branch and tool of each curve.
         segments: The segment of each curve.
-        lower: Lower joint limits (n,) [rad].
-        upper: Upper joint limits (n,) [rad].
+        axes: Limits of the arm's joints and the external axes.
 
     Returns:
         The joints, or the first place where the branch ends, jumps, misses the joints of a
         segment's start or end, or leaves the limits. `PathFault.segment` counts curves.
     """
+    n = axes.joint_count
     s, piece = _first_nodes(layout)
     joints, exists = _raw_joints(layout, arms, s, piece)
     while True:
         row = layout.row[piece]
-        step = np.abs(_short_way(np.diff(joints, axis=0))).max(axis=-1, initial=0.0)
+        step = np.abs(_short_way(np.diff(joints[:, :n], axis=0))).max(axis=-1, initial=0.0)
         gap = np.diff(s)
         steep = (row[1:] == row[:-1]) & exists[1:] & exists[:-1] & (step > _LARGEST_STEP)
-        steep &= gap > np.minimum(_SHORTEST_CELL, 1e-4 * layout.curves.length[row[1:]])
+        steep &= gap > np.minimum(_SHORTEST_CELL, _SHORTEST_SHARE * layout.curves.length[row[1:]])
         at = np.flatnonzero(steep)
         if not len(at):
             break
@@ -117,24 +108,25 @@ def follow(
         piece = np.insert(piece, at + 1, piece[at])
         joints = np.insert(joints, at + 1, new_joints, axis=0)
         exists = np.insert(exists, at + 1, new_exists)
-    joints = _continuous(joints, layout.row[piece])
+    joints = np.concatenate([_continuous(joints[:, :n], layout.row[piece]), joints[:, n:]], axis=1)
     nodes = Nodes(s, piece, joints)
     # In corners made in joint space the arm is not on the curve.
     on_path = np.flatnonzero(layout.joint_corner[piece] < 0)
     candidates = (
         _unreached(layout, arms, nodes, exists),
-        _jump(layout, nodes, exists),
+        _jump(layout, nodes, exists, n),
         _missed_waypoint(layout, nodes, segments),
-        limit_fault(layout, s[on_path], layout.row[piece[on_path]], joints[on_path], lower, upper),
+        limit_fault(layout, s[on_path], layout.row[piece[on_path]], joints[on_path], axes),
     )
     faults = [fault for fault in candidates if fault is not None]
     return min(faults, key=lambda fault: fault.place) if faults else nodes
 
 
 def limit_fault(
-    layout: Layout, s: Array, row: Index, joints: Array, lower: Array, upper: Array
+    layout: Layout, s: Array, row: Index, joints: Array, axes: Axes
 ) -> PathFault | None:
-    """The first of some places (k,) whose joints (k, n) [rad] are outside the limits (n,)."""
+    """The first of some places (k,) whose joints (k, n + e) are outside the limits."""
+    lower, upper = axes.lower, axes.upper
     over = np.maximum(lower - joints, joints - upper)
     bad = np.flatnonzero((over > _LIMIT_TOLERANCE).any(axis=-1))
     if not len(bad):
@@ -146,8 +138,8 @@ def limit_fault(
     worst = int(same[over[same, axis].argmax()])
     limit = lower[axis] if joints[worst, axis] < lower[axis] else upper[axis]
     reason = (
-        f"axis {axis + 1} goes to {math.degrees(joints[worst, axis]):.1f} deg, "
-        f"{math.degrees(over[worst, axis]):.1f} deg past its limit of {math.degrees(limit):.1f} deg"
+        f"{axes.name(axis)} goes to {axes.text(axis, joints[worst, axis])}, "
+        f"{axes.text(axis, over[worst, axis])} past its limit of {axes.text(axis, limit)}"
     )
     place = float(s[first])
     if first and row[first - 1] == row[first] and over[first - 1, axis] <= 0.0:
@@ -165,7 +157,7 @@ def _first_nodes(layout: Layout) -> tuple[Array, Index]:
     turn = np.linalg.norm(layout.curves.tool_turn[row], axis=-1)
     turn += np.linalg.norm(layout.curves.frame_turn[row], axis=-1)
     cells = np.maximum(width / _LONGEST_CELL, turn * width / length / _WIDEST_CELL)
-    cells = np.ceil(np.maximum(cells, 2.0)).astype(np.int64)
+    cells = np.ceil(np.maximum(cells, np.where(width > _SHORT_PIECE, 2.0, 1.0))).astype(np.int64)
     last = np.append(row[1:] != row[:-1], True) if len(row) else np.zeros(0, dtype=bool)
     count = cells + last
     owner = np.repeat(np.arange(len(pieces)), count)
@@ -178,6 +170,7 @@ def _raw_joints(layout: Layout, arms: Arms, s: Array, piece: Index) -> tuple[Arr
     """Joints near the straight way in joint space; whole turns may be off in between."""
     row = layout.row[piece]
     near = layout.curves.joints_at(row, s - layout.places[row])
+    near[:, arms.kinematics.joint_count :] = layout.course(s, piece).value
     return arms.joints(layout.motion(s, piece), row, near)
 
 
@@ -216,8 +209,9 @@ def _unreached(layout: Layout, arms: Arms, nodes: Nodes, exists: Mask) -> PathFa
             else:
                 place = middle
     same = missing[row[missing] == row[first]]
-    motion = layout.motion(nodes.s[same], nodes.piece[same])
-    base_from_flange = motion.base_from_tcp @ arms.tcp_from_flange[row[same]]
+    base_from_flange = arms.base_from_flange(
+        layout.motion(nodes.s[same], nodes.piece[same]), row[same], nodes.joints[same]
+    )
     shortfall = float(arms.kinematics.inverse(base_from_flange).shortfall.max())
     if shortfall > 0.0:
         reason = f"the wrist centre is up to {shortfall * 1e3:.1f} mm beyond the arm's reach"
@@ -226,9 +220,9 @@ def _unreached(layout: Layout, arms: Arms, nodes: Nodes, exists: Mask) -> PathFa
     return _fault(layout, int(row[first]), place, reason)
 
 
-def _jump(layout: Layout, nodes: Nodes, exists: Mask) -> PathFault | None:
+def _jump(layout: Layout, nodes: Nodes, exists: Mask, joint_count: int) -> PathFault | None:
     row = layout.row[nodes.piece]
-    step = np.abs(np.diff(nodes.joints, axis=0))
+    step = np.abs(np.diff(nodes.joints[:, :joint_count], axis=0))
     jump = (row[1:] == row[:-1]) & exists[1:] & exists[:-1]
     jump &= (step > _JUMP).any(axis=-1)
     at = np.flatnonzero(jump)
@@ -240,7 +234,8 @@ def _jump(layout: Layout, nodes: Nodes, exists: Mask) -> PathFault | None:
         f"axis {axis + 1} would have to jump by {math.degrees(step[first, axis]):.0f} deg: "
         "the path goes through a singularity"
     )
-    return _fault(layout, int(row[first]), float(nodes.s[first]), reason)
+    fault = _fault(layout, int(row[first]), float(nodes.s[first]), reason)
+    return replace(fault, kind=FaultKind.SINGULARITY)
 
 
 def _missed_waypoint(layout: Layout, nodes: Nodes, segments: Sequence[Segment]) -> PathFault | None:
@@ -250,24 +245,26 @@ def _missed_waypoint(layout: Layout, nodes: Nodes, segments: Sequence[Segment]) 
     first = np.searchsorted(row, rows, side="left")
     last = np.searchsorted(row, rows, side="right") - 1
     cut = (layout.position_corner >= 0) | (layout.orientation_corner >= 0)
-    for i, at_first, at_last in zip(rows, first, last, strict=True):
-        ends = (
-            (at_first, segments[i].start.joints, "starts", "the arm stands"),
-            (at_last, segments[i].end.joints, "arrives", "its end has"),
-        )
-        for node, waypoint, verb, other in ends:
-            miss = np.abs(nodes.joints[node] - waypoint)
-            # Within a corner path the node is not the waypoint; only a whole turn can be told.
-            allowed = 1.5 * math.pi if cut[nodes.piece[node]] else _MATCH_TOLERANCE
-            axis = int(miss.argmax())
-            if miss[axis] > allowed:
-                reason = (
-                    f"the move {verb} with axis {axis + 1} at "
-                    f"{math.degrees(nodes.joints[node, axis]):.1f} deg where {other} "
-                    f"{math.degrees(waypoint[axis]):.1f} deg"
-                )
-                return _fault(layout, int(i), float(nodes.s[node]), reason)
-    return None
+    start = layout.curves.start_joints[rows]
+    end = start + layout.curves.joint_travel[rows]
+    arm = len(segments[0].start.joints)
+    ends = ((first, start, "starts", "the arm stands"), (last, end, "arrives", "its end has"))
+    faults = []
+    for node, waypoint, verb, other in ends:
+        miss = np.abs(nodes.joints[node] - waypoint)[:, :arm]
+        # Within a corner path the node is not the waypoint; only a whole turn can be told.
+        allowed = np.where(cut[nodes.piece[node]], 1.5 * math.pi, _MATCH_TOLERANCE)
+        missed = np.flatnonzero(miss.max(axis=-1) > allowed)
+        if len(missed):
+            i = int(missed[0])
+            axis = int(miss[i].argmax())
+            reason = (
+                f"the move {verb} with axis {axis + 1} at "
+                f"{math.degrees(nodes.joints[node[i], axis]):.1f} deg where {other} "
+                f"{math.degrees(waypoint[i, axis]):.1f} deg"
+            )
+            faults.append(_fault(layout, int(rows[i]), float(nodes.s[node[i]]), reason))
+    return min(faults, key=lambda fault: fault.place, default=None)
 
 
 def _fault(layout: Layout, row: int, place: float, reason: str) -> PathFault:

@@ -1,7 +1,7 @@
 """The places of a path at which timing looks: cells between nodes, denser where the path bends.
 
-Each cell holds derivatives at its start, middle and end, all taken from the piece it lies in, so
-that what jumps at zone edges does not smear.
+Each cell knows derivatives at its start, middle and end, all taken from the piece it lies in, so
+that what jumps at zone edges does not smear. Cells of one piece share the places where they meet.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.curves import Index
 from rapidsim.motion.kinematics import Mask
 from rapidsim.motion.limits import Limits
-from rapidsim.motion.path import Path
+from rapidsim.motion.path import Path, PathRates
 
 _LONGEST_CELL = 0.025
 _LINE_CELLS = 3
-_CORNER_CELLS = 6
+_CORNER_CELLS = 3
 _FIRST_DEVIATION = 0.02
 _SECOND_DEVIATION = 0.05
 _SHORTEST_SHARE = 1e-9
@@ -27,27 +27,50 @@ _ROUNDS = 24
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Cells:
-    """Cells (c,) in the order of s; the middle axis of derivatives is start, middle, end."""
+class Places:
+    """Places (k,) of a path with their derivatives, in no order."""
 
-    start: Array
-    end: Array
+    s: Array
     piece: Index
-    first: Array
-    """Joints, shape (c, 3, n) [rad/m]."""
-    second: Array
-    """Joints, shape (c, 3, n) [rad/m2]."""
-    tcp_rate: Array
-    """TCP travel, shape (c, 3) [m/m]."""
-    turn_rate: Array
-    """Reorientation, shape (c, 3) [rad/m]."""
+    rates: PathRates
+
+    def beyond(self, count: int) -> Places:
+        """Those after the first few."""
+        return Places(self.s[count:], self.piece[count:], self.rates.beyond(count))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Cells:
+    """Cells (c,) in the order of s."""
+
+    places: Places
+    at: Index
+    """Shape (c, 3): which of the places are the start, the middle and the end of each cell."""
     behind: Cells | None = None
     """Cells before the first, which are not driven: smoothing still sees their speed limits."""
 
     @property
+    def s(self) -> Array:
+        """Start, middle and end of each cell, shape (c, 3) [m]."""
+        ends: Array = self.places.s[self.at]
+        return ends
+
+    @property
+    def width(self) -> Array:
+        """Shape (c,) [m]."""
+        width: Array = self.places.s[self.at[:, 2]] - self.places.s[self.at[:, 0]]
+        return width
+
+    @property
     def nodes(self) -> Array:
         """S of all cell ends, shape (c + 1,)."""
-        return np.append(self.start, self.end[-1])
+        return np.append(self.places.s[self.at[:, 0]], self.places.s[self.at[-1, 2]])
+
+    @property
+    def piece(self) -> Index:
+        """The piece of each cell (c,)."""
+        piece: Index = self.places.piece[self.at[:, 0]]
+        return piece
 
 
 def cells_of(path: Path, limits: Limits, start: float) -> Cells:
@@ -55,41 +78,43 @@ def cells_of(path: Path, limits: Limits, start: float) -> Cells:
     cells = _evaluate(path, *_first_cells(path, start))
     if start > 0.0:
         cells = replace(cells, behind=_evaluate(path, *_first_cells_before(path, start)))
+    rough = np.arange(len(cells.at))
     for _ in range(_ROUNDS):
-        rough = np.flatnonzero(_rough(cells, limits, path.length))
+        rough = rough[_rough(cells, rough, limits, path.length)]
         if not len(rough):
             break
-        middle = 0.5 * (cells.start[rough] + cells.end[rough])
-        cells = split(path, cells, rough, middle)
+        s = cells.places.s[cells.at[rough]]
+        cells = split(path, cells, rough, 0.5 * (s[:, 0] + s[:, 2]))
+        # Only the halves can be rough still.
+        first = rough + np.arange(len(rough))
+        rough = np.stack([first, first + 1], axis=1).ravel()
     return cells
 
 
 def split(path: Path, cells: Cells, index: Index, at: Array) -> Cells:
     """Cut some cells (k,), in increasing order, each at a place (k,) inside it."""
-    halves = _evaluate(
-        path,
-        np.stack([cells.start[index], at], axis=1).ravel(),
-        np.stack([at, cells.end[index]], axis=1).ravel(),
-        np.repeat(cells.piece[index], 2),
-    )
-    source = np.repeat(np.arange(len(cells.start)), 1 + np.isin(np.arange(len(cells.start)), index))
-    split_rows = np.isin(source, index)
+    places, cut = cells.places, cells.at[index]
+    start, middle, end = (places.s[cut[:, i]] for i in range(3))
+    piece = places.piece[cut[:, 0]]
+    # A cut in the middle needs no new place but the middles of the two halves.
+    off = np.flatnonzero(at != middle)
+    s = np.concatenate([0.5 * (start + at), 0.5 * (at + end), at[off]])
+    pieces = np.concatenate([piece, piece, piece[off]])
+    count, k = len(places.s), len(index)
+    number = count + np.arange(k)
+    between = cut[:, 1].copy()
+    between[off] = count + 2 * k + np.arange(len(off))
 
-    def merged(old: Array, new: Array) -> Array:
-        result = old[source]
-        result[split_rows] = new
-        return result
-
-    return Cells(
-        start=merged(cells.start, halves.start),
-        end=merged(cells.end, halves.end),
-        piece=cells.piece[source],
-        first=merged(cells.first, halves.first),
-        second=merged(cells.second, halves.second),
-        tcp_rate=merged(cells.tcp_rate, halves.tcp_rate),
-        turn_rate=merged(cells.turn_rate, halves.turn_rate),
-        behind=cells.behind,
+    rows = np.repeat(cells.at, 1 + np.bincount(index, minlength=len(cells.at)), axis=0)
+    first = index + np.arange(k)
+    rows[first] = np.stack([cut[:, 0], number, between], axis=1)
+    rows[first + 1] = np.stack([between, number + k, cut[:, 2]], axis=1)
+    more = Places(
+        np.concatenate([places.s, s]),
+        np.concatenate([places.piece, pieces]),
+        places.rates.and_then(path.rates(s, pieces)),
     )
+    return Cells(more, rows, cells.behind)
 
 
 def _first_cells(path: Path, start: float) -> tuple[Array, Array, Index]:
@@ -118,36 +143,41 @@ def _first_cells_before(path: Path, start: float) -> tuple[Array, Array, Index]:
 
 
 def _evaluate(path: Path, start: Array, end: Array, piece: Index) -> Cells:
-    s = np.stack([start, 0.5 * (start + end), end], axis=1)
-    rates = path.rates(s.ravel(), np.repeat(piece, 3))
-    count, axes = len(start), rates.first.shape[1]
-    return Cells(
-        start=start,
-        end=end,
-        piece=piece,
-        first=rates.first.reshape(count, 3, axes),
-        second=rates.second.reshape(count, 3, axes),
-        tcp_rate=rates.tcp_rate.reshape(count, 3),
-        turn_rate=rates.turn_rate.reshape(count, 3),
-    )
+    count = len(start)
+    number = np.arange(count)
+    # Where the next cell is of another piece, the end is a place of its own.
+    last = np.flatnonzero(np.append(piece[1:] != piece[:-1], True))
+    after = number + 1
+    after[last] = 2 * count + np.arange(len(last))
+    s = np.concatenate([start, 0.5 * (start + end), end[last]])
+    pieces = np.concatenate([piece, piece, piece[last]])
+    at = np.stack([number, count + number, after], axis=1)
+    return Cells(Places(s, pieces, path.rates(s, pieces)), at)
 
 
-def _rough(cells: Cells, limits: Limits, length: float) -> Mask:
-    """Whether derivatives bend too much within each cell (c,)."""
-    first = cells.first / limits.max_speed
-    bend = np.abs(first[:, 1] - 0.5 * (first[:, 0] + first[:, 2])).max(axis=-1)
-    scale = np.abs(first).max(axis=(1, 2))
+def _rough(cells: Cells, index: Index, limits: Limits, length: float) -> Mask:
+    """Whether derivatives bend too much within some cells (k,)."""
+    at, rates = cells.at[index], cells.places.rates
+    start, middle, end = at.T
+    width = cells.places.s[end] - cells.places.s[start]
+    bend, scale, curl, curve = (np.zeros(len(at)) for _ in range(4))
+    # Axis by axis: rows of a few axes are slow to go along.
+    for axis in range(rates.first.shape[1]):
+        first = rates.first[:, axis] / limits.max_speed[axis]
+        a, b, c = first[start], first[middle], first[end]
+        np.maximum(bend, np.abs(b - 0.5 * (a + c)), out=bend)
+        np.maximum(scale, np.maximum(np.maximum(np.abs(a), np.abs(b)), np.abs(c)), out=scale)
+        second = rates.second[:, axis] / limits.max_acceleration[axis]
+        a, b, c = second[start], second[middle], second[end]
+        np.maximum(curl, np.abs(b - 0.5 * (a + c)), out=curl)
+        np.maximum(curve, np.maximum(np.maximum(np.abs(a), np.abs(b)), np.abs(c)), out=curve)
     # What the second derivative does counts as far as it can use up the acceleration.
-    second = np.abs(cells.second) / limits.max_acceleration
-    fastest = 1.0 / np.maximum(second.max(axis=(1, 2)), 1e-12)
-    fastest = np.minimum(fastest, 1.0 / np.maximum(scale, 1e-12) ** 2)
-    middle = cells.second[:, 1] - 0.5 * (cells.second[:, 0] + cells.second[:, 2])
-    curl = np.abs(middle / limits.max_acceleration).max(axis=-1) * fastest
-    wide = cells.end - cells.start > _SHORTEST_SHARE * length
+    fastest = np.minimum(1.0 / np.maximum(curve, 1e-12), 1.0 / np.maximum(scale, 1e-12) ** 2)
+    wide = width > _SHORTEST_SHARE * length
     # The TCP may come to a point and go back: then its rate is a V that a middle can miss.
-    dent = np.abs(cells.tcp_rate[:, 1] - 0.5 * (cells.tcp_rate[:, 0] + cells.tcp_rate[:, 2]))
-    dented = dent > _FIRST_DEVIATION * cells.tcp_rate.max(axis=1)
-    dented &= cells.end - cells.start > _SHORTEST_DENT * length
-    bent = (bend > _FIRST_DEVIATION * scale) | (curl > _SECOND_DEVIATION)
+    a, b, c = rates.tcp_rate[start], rates.tcp_rate[middle], rates.tcp_rate[end]
+    dented = np.abs(b - 0.5 * (a + c)) > _FIRST_DEVIATION * np.maximum(np.maximum(a, b), c)
+    dented &= width > _SHORTEST_DENT * length
+    bent = (bend > _FIRST_DEVIATION * scale) | (curl * fastest > _SECOND_DEVIATION)
     rough: Mask = (wide & bent) | dented
     return rough

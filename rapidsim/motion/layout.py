@@ -17,6 +17,7 @@ from rapidsim.motion.corners import Corners, shape
 from rapidsim.motion.curves import Curves, Index, Motion
 from rapidsim.motion.kinematics import Mask
 from rapidsim.motion.model import Corner
+from rapidsim.motion.moving_frames import Course
 from rapidsim.motion.turns import cross, rotate
 
 _SLIVER = 1e-12
@@ -83,6 +84,30 @@ class Layout:
         if len(cut):
             self._cut_orientation(motion, cut, corner[cut], s[cut])
         return motion
+
+    def course(self, s: Array, piece: Index) -> Course:
+        """External axes (k, e) at places (k,) of pieces (k,) that are made in Cartesian space."""
+        row, count = self.row[piece], self.curves.external.shape[1]
+        if not count:
+            nothing = np.zeros((len(s), 0))
+            return Course(nothing, nothing, nothing)
+        start = self.curves.start_joints[:, -count:]
+        rate = self.curves.joint_travel[:, -count:] / np.maximum(self.curves.length, 1e-9)[:, None]
+        x = np.clip(s - self.places[row], 0.0, self.curves.length[row])[:, None]
+        course = Course(start[row] + rate[row] * x, rate[row], np.zeros((len(s), count)))
+        corner = self.orientation_corner[piece]
+        cut = np.flatnonzero(corner >= 0)
+        if len(cut):
+            at = corner[cut]
+            before, after = self.sides(at, self.corners.orientation_radius[at], s[cut])
+            into, out = rate[at], rate[at + 1]
+            (x_in, x_in_1, x_in_2), (x_out, x_out_1, x_out_2) = (
+                [part[:, None] for part in side] for side in (before, after)
+            )
+            course.value[cut] = start[at] + into * x_in + out * x_out
+            course.first[cut] = into * x_in_1 + out * x_out_1
+            course.second[cut] = into * x_in_2 + out * x_out_2
+        return course
 
     def _cut_position(self, motion: Motion, cut: Index, corner: Index, s: Array) -> None:
         before, after = self.sides(corner, self.corners.radius[corner], s)

@@ -13,12 +13,12 @@ from rapidsim.motion.robot import Robot, RobotError
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Limits:
-    """Limits of each axis, the same in both directions."""
+    """Limits of each axis, the same in both directions: of the arm's, then of external ones."""
 
     max_speed: Array
-    """Shape (n,) [rad/s]."""
+    """Shape (n + e,) [rad/s, m/s]."""
     max_acceleration: Array
-    """Shape (n,) [rad/s2]."""
+    """Shape (n + e,) [rad/s2, m/s2]."""
 
 
 def limits_of(robot: Robot, model: MotionModel) -> Limits:
@@ -29,13 +29,26 @@ def limits_of(robot: Robot, model: MotionModel) -> Limits:
             not one per axis.
     """
     max_speed = _max_speed(robot, model)
-    if model.acceleration is None:
-        return Limits(max_speed, max_speed / model.acceleration_time)
-    if len(model.acceleration) != len(robot.joints):
-        raise RobotError(
-            f"{robot.name}: {len(robot.joints)} axes, but {len(model.acceleration)} accelerations"
+    acceleration = max_speed / model.acceleration_time
+    if model.acceleration is not None:
+        if len(model.acceleration) != len(robot.joints):
+            raise RobotError(
+                f"{robot.name}: {len(robot.joints)} axes, but {len(model.acceleration)} "
+                "accelerations"
+            )
+        acceleration = np.array(model.acceleration, dtype=np.float64)
+    elif model.own_accelerations:
+        own = (joint.max_acceleration for joint in robot.joints)
+        acceleration = np.array(
+            [
+                scaled if known is None else known
+                for scaled, known in zip(acceleration, own, strict=True)
+            ]
         )
-    return Limits(max_speed, np.array(model.acceleration, dtype=np.float64))
+    return Limits(
+        np.append(max_speed, [axis.max_speed for axis in robot.external]),
+        np.append(acceleration, [axis.max_acceleration for axis in robot.external]),
+    )
 
 
 def _max_speed(robot: Robot, model: MotionModel) -> Array:

@@ -11,6 +11,7 @@ from typing import Literal
 
 Corner = Literal["c2", "parabola"]
 OrientationZone = Literal["position", "programmed"]
+Keeper = Literal["command", "motion"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,10 +20,14 @@ class MotionModel:
 
     acceleration_time: float = 0.16
     """Axis acceleration is axis speed divided by this [s]."""
+    own_accelerations: bool = True
+    """Whether axis accelerations that were measured on an arm replace `acceleration_time` on it."""
     acceleration: tuple[float, ...] | None = None
-    """Axis accelerations [rad/s2], where they are known; they replace `acceleration_time`."""
+    """Axis accelerations [rad/s2], where they are known; they replace both of the above."""
     max_speed: tuple[float, ...] | None = None
     """Axis speeds [rad/s] that replace the robot's, for arms of which no source gives them."""
+    payload_acceleration: float = 1.0
+    """Share of the accelerations that is left with the rated payload, less of it in proportion."""
     filter_time: float = 0.080
     """Width [s] of the moving average over the path parameter; 0 switches it off."""
     fine_dwell: float = 0.105
@@ -35,3 +40,8 @@ class MotionModel:
     documented."""
     parabola_acceleration: float = 0.7
     """Share of the acceleration that is used inside zones when corners are parabolas."""
+    accelerations_kept_by: Keeper = "command"
+    """Who keeps the axis accelerations. `command`: the command before smoothing, as measured; the
+    smoothed motion exceeds them where it takes the speed of straight stretches into a tight corner,
+    which a controller would round. `motion`: the smoothed motion too, by slowing down around such
+    corners, at the price of times that no controller was seen to need."""

@@ -40,7 +40,7 @@ def near_arm(axes: AxesAtZero) -> NearArm | None:
     """The near arm of six axes; None if they lack more than the crossing of axis 6."""
     if len(axes.points) != 6:
         return None
-    crossing = _crossing(axes.points[3:5], axes.directions[3:5])
+    crossing = point_nearest(axes.points[3:5], axes.directions[3:5])
     direction = axes.directions[5]
     beside = axes.points[5] - crossing
     beside = beside - (beside @ direction) * direction
@@ -62,13 +62,20 @@ def near_arm(axes: AxesAtZero) -> NearArm | None:
     return NearArm(arm, turned @ (flange.rotation.T @ beside))
 
 
-def _crossing(points: Array, directions: Array) -> Array:
-    """The point nearest to two lines that are not parallel, or the second's point if they are."""
+def point_nearest(points: Array, directions: Array) -> Array:
+    """The point (3,) of a line that is nearest to another line.
+
+    Args:
+        points: A point of each line, shape (2, 3) [m].
+        directions: Unit vectors (2, 3) along them. Where the lines are parallel, the point is that
+            beside the second's point.
+    """
     normal = np.cross(directions[0], directions[1])
     length = float(normal @ normal)
-    if length < 1e-12:
-        return np.array(points[1])
     between = points[1] - points[0]
-    along = float(np.cross(between, directions[1]) @ normal) / length
-    crossing: Array = points[0] + along * directions[0]
-    return crossing
+    if length < 1e-12:
+        along = float(between @ directions[0])
+    else:
+        along = float(np.cross(between, directions[1]) @ normal) / length
+    nearest: Array = points[0] + along * directions[0]
+    return nearest

@@ -14,19 +14,20 @@ from functools import cached_property
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.arms import Arms, arms_of
 from rapidsim.motion.corners import Corner, Corners, Limit, corners_of, describe
-from rapidsim.motion.curves import Index, Motion, circle_fault, curves_of
-from rapidsim.motion.following import Arms, Nodes, follow, limit_fault
+from rapidsim.motion.curves import Index, circle_fault, curves_of
+from rapidsim.motion.external_axes import Axes
+from rapidsim.motion.following import FaultKind, Nodes, follow, limit_fault
 from rapidsim.motion.following import PathFault as PathFault
 from rapidsim.motion.kinematics import Kinematics
 from rapidsim.motion.layout import Layout, layout_of
+from rapidsim.motion.line_rates import Lines, lines_of
 from rapidsim.motion.model import MotionModel
+from rapidsim.motion.moving_frames import Course
 from rapidsim.motion.robot import Robot
 from rapidsim.motion.segments import Geometry, Segment
-from rapidsim.motion.turns import cross, rotate
 
-_SINGULAR_DETERMINANT = 1e-8
-_SINGULAR_VALUE = 1e-7
 _KINK = 1e-6
 _CORNER_CHECKS = 8
 _GAUSS_PLACES, _GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(8)
@@ -38,12 +39,14 @@ class PathPoints:
 
     joints: Array
     """Shape (k, n) [rad]."""
+    external: Array
+    """Shape (k, e) [m or rad]: the external axes."""
     base_from_tcp: Transform
     """Shape (k,); the tool is that of the segment."""
     segment: Index
     """Shape (k,): position in `Path.segments`."""
     tcp_rate: Array
-    """Shape (k,): TCP travel per unit of s; below 1 in corners."""
+    """Shape (k,): TCP travel against the work object per unit of s; below 1 in corners."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -51,13 +54,25 @@ class PathRates:
     """Derivatives with respect to s at places of a path."""
 
     first: Array
-    """Shape (k, n): joints [rad/m]."""
+    """Shape (k, n + e): joints [rad/m], then external axes."""
     second: Array
-    """Shape (k, n): joints [rad/m2]."""
+    """Shape (k, n + e): joints [rad/m2], then external axes."""
     tcp_rate: Array
     """Shape (k,): TCP travel [m/m]."""
     turn_rate: Array
     """Shape (k,): reorientation [rad/m]."""
+
+    def beyond(self, count: int) -> PathRates:
+        """Those after the first few."""
+        names = (field.name for field in dataclasses.fields(PathRates))
+        return PathRates(**{name: getattr(self, name)[count:] for name in names})
+
+    def and_then(self, more: PathRates) -> PathRates:
+        """These places and then some more."""
+        names = (field.name for field in dataclasses.fields(PathRates))
+        return PathRates(
+            **{name: np.concatenate([getattr(self, name), getattr(more, name)]) for name in names}
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,9 +90,19 @@ class Path:
     model: MotionModel
 
     @property
+    def axis_count(self) -> int:
+        """Joints of the arm and external axes."""
+        return int(self.layout.curves.start_joints.shape[1])
+
+    @property
     def length(self) -> float:
         """Range of s [m]."""
         return float(self.layout.places[-1])
+
+    @cached_property
+    def _lines(self) -> Lines | None:
+        """The lines, for which derivatives have closed forms."""
+        return lines_of(self.layout, self.arms)
 
     @cached_property
     def segment_starts(self) -> Array:
@@ -126,22 +151,27 @@ class Path:
         found = [idle if segment.zone else stop for segment in self.segments]
         found[-1] = stop
         curves, corners = self.layout.curves, self.layout.corners
-        stops = np.isin(self.layout.places[1:-1], self.stops)
-        for c, i in enumerate(self.active[:-1]):
+        angle, straight = curves.angle, curves.in_joints
+        rows = zip(
+            self.active[:-1].tolist(),
+            corners.radius.tolist(),
+            np.maximum(angle[:-1], angle[1:]).tolist(),
+            corners.limit.tolist(),
+            corners.in_joints.tolist(),
+            (corners.in_joints & ~(straight[:-1] & straight[1:])).tolist(),
+            np.isin(self.layout.places[1:-1], self.stops).tolist(),
+            strict=True,
+        )
+        for i, radius, turned, limit, in_joints, bridges, stops in rows:
             zone = self.segments[i].zone
-            if zone is None:
-                continue
-            radius = float(corners.radius[c])
-            turned = float(max(curves.angle[c], curves.angle[c + 1]))
-            limit = Limit(int(corners.limit[c]))
-            found[i] = Corner(
-                radius=radius,
-                in_joints=bool(corners.in_joints[c]),
-                stops=bool(stops[c]),
-                reason=describe(
-                    limit, zone.position, radius, zone.angle, turned, stops=bool(stops[c])
-                ),
-            )
+            if zone is not None:
+                reason = describe(
+                    Limit(limit), zone.position, radius, zone.angle, turned, stops=stops
+                )
+                if bridges and not stops:
+                    # A change of tool, work object or kind of move.
+                    reason = "; ".join(filter(None, (reason, "made in joint space")))
+                found[i] = Corner(radius, in_joints, stops, reason)
         return tuple(found)
 
     @cached_property
@@ -155,52 +185,88 @@ class Path:
             share = np.where(in_zone, share * self.model.parabola_acceleration, share)
         return share
 
+    def segment_of(self, piece: Index) -> Index:
+        """Position (k,) in `segments` of pieces (k,)."""
+        segment: Index = self.active[self.layout.row[piece]]
+        return segment
+
     def evaluate(self, s: Array) -> PathPoints:
         """The arm at places s (k,) [m] of the path, exactly on it."""
         s = np.clip(np.asarray(s, dtype=np.float64), 0.0, self.length)
         piece = self.layout.piece_at(s)
         row = self.layout.row[piece]
-        joints = np.empty((len(s), self.kinematics.joint_count))
+        joints = np.empty((len(s), self.axis_count))
         position = np.empty((len(s), 3))
         rotation = np.empty((len(s), 3, 3))
         tcp_rate = np.empty(len(s))
         on_curve, in_joints = self._spaces(piece)
         if len(on_curve):
-            motion = self.layout.motion(s[on_curve], piece[on_curve])
-            near = self._near(s[on_curve])
+            at = piece[on_curve]
+            motion = self.layout.motion(s[on_curve], at)
+            near = self._near(s[on_curve], self.layout.course(s[on_curve], at).value)
             joints[on_curve] = self.arms.joints(motion, row[on_curve], near)[0]
             position[on_curve], rotation[on_curve] = motion.position, motion.rotation
             tcp_rate[on_curve] = np.linalg.norm(motion.velocity, axis=-1)
         if len(in_joints):
-            at, first, _ = self._in_joint_space(s[in_joints], piece[in_joints])
-            joints[in_joints] = at
-            base_from_tcp = self._base_from_tcp(at, row[in_joints])
-            position[in_joints] = base_from_tcp.translation
-            rotation[in_joints] = base_from_tcp.rotation
-            velocity, _ = self._tcp_twist(at, first, row[in_joints])
+            at_joints, first, _ = self._in_joint_space(s[in_joints], piece[in_joints])
+            joints[in_joints] = at_joints
+            velocity, _ = self._tcp_twist(at_joints, first, row[in_joints])
             tcp_rate[in_joints] = np.linalg.norm(velocity, axis=-1)
-        return PathPoints(joints, Transform(rotation, position), self.active[row], tcp_rate)
+        elsewhere = np.union1d(in_joints, np.flatnonzero(self.arms.carried_rows[row]))
+        if len(elsewhere):
+            base_from_tcp = self.arms.base_from_tcp(joints[elsewhere], row[elsewhere])
+            position[elsewhere] = base_from_tcp.translation
+            rotation[elsewhere] = base_from_tcp.rotation
+        arm, external = np.split(joints, [self.kinematics.joint_count], axis=1)
+        pose = Transform(rotation, position)
+        return PathPoints(arm, external, pose, self.active[row], tcp_rate)
 
     def rates(self, s: Array, piece: Index) -> PathRates:
         """Derivatives at places s (k,) of pieces (k,); at breakpoints those of the piece's side."""
         row = self.layout.row[piece]
-        first = np.empty((len(s), self.kinematics.joint_count))
+        first = np.empty((len(s), self.axis_count))
         second = np.empty_like(first)
-        velocity = np.empty((len(s), 3))
-        turning = np.empty((len(s), 3))
         on_curve, in_joints = self._spaces(piece)
+        speeds = np.empty((len(s), 2))
+        if self._lines is not None:
+            in_line = self._lines.pieces[piece]
+            line = np.flatnonzero(in_line)
+            first[line], second[line], speeds[line], regular = self._lines.rates(
+                s[line], piece[line]
+            )
+            in_line[line] = regular
+            on_curve = on_curve[~in_line[on_curve]]
         if len(on_curve):
             motion = self.layout.motion(s[on_curve], piece[on_curve])
-            near = self._near(s[on_curve])
-            _, first[on_curve], second[on_curve] = self._inverse(motion, row[on_curve], near)
-            velocity[on_curve], turning[on_curve] = motion.velocity, motion.turning
+            course = self.layout.course(s[on_curve], piece[on_curve])
+            near = self._near(s[on_curve], course.value)
+            _, first[on_curve], second[on_curve] = self.arms.rates(
+                motion, row[on_curve], course, near
+            )
+            speeds[on_curve] = _norms(motion.velocity, motion.turning)
         if len(in_joints):
             at, d1, d2 = self._in_joint_space(s[in_joints], piece[in_joints])
             first[in_joints], second[in_joints] = d1, d2
-            velocity[in_joints], turning[in_joints] = self._tcp_twist(at, d1, row[in_joints])
-        return PathRates(
-            first, second, np.linalg.norm(velocity, axis=-1), np.linalg.norm(turning, axis=-1)
-        )
+            speeds[in_joints] = _norms(*self._tcp_twist(at, d1, row[in_joints]))
+        return PathRates(first, second, speeds[:, 0], speeds[:, 1])
+
+    def tcp_derivatives(self, s: Array, piece: Index) -> tuple[Array, Array]:
+        """Both derivatives (k, 3) of the TCP's position at places (k,) of pieces (k,)."""
+        velocity = np.empty((len(s), 3))
+        acceleration = np.empty((len(s), 3))
+        on_curve, in_joints = self._spaces(piece)
+        if len(on_curve):
+            motion = self.layout.motion(s[on_curve], piece[on_curve])
+            velocity[on_curve], acceleration[on_curve] = motion.velocity, motion.acceleration
+        if len(in_joints):
+            row = self.layout.row[piece[in_joints]]
+            at, d1, d2 = self._in_joint_space(s[in_joints], piece[in_joints])
+            now, _ = self._tcp_twist(at, d1, row)
+            # Over a step of 1e-6 rad, as the joints' own second derivative.
+            step = 1e-6 / np.maximum(np.abs(d1).max(axis=-1), 1e-9)[:, None]
+            ahead, _ = self._tcp_twist(at + step * d1, d1 + step * d2, row)
+            velocity[in_joints], acceleration[in_joints] = now, (ahead - now) / step
+        return velocity, acceleration
 
     def travelled(self, s: Array) -> Array:
         """TCP travel (k,) [m] from the start of the path to places s (k,), corners cut."""
@@ -235,18 +301,22 @@ class Path:
         return travel
 
     def _spaces(self, piece: Index) -> tuple[Index, Index]:
-        """Which of some pieces (k,) are made in Cartesian space and which in joint space."""
-        joint = self.layout.curves.in_joints[self.layout.row[piece]]
+        """Which of some pieces (k,) are made in Cartesian space and which in joint space.
+
+        A wrist that turns in joints counts as joint space: only then do the joints tell the pose.
+        """
+        row = self.layout.row[piece]
+        joint = self.layout.curves.in_joints[row] | self.arms.wrist_rows[row]
         joint = joint | (self.layout.joint_corner[piece] >= 0)
         return np.flatnonzero(~joint), np.flatnonzero(joint)
 
-    def _near(self, s: Array) -> Array:
-        """Joints (k, n) close to those at places (k,) of Cartesian curves."""
+    def _near(self, s: Array, external: Array) -> Array:
+        """Joints (k, n + e) close to those at places (k,) of Cartesian curves."""
         nodes = self.nodes
-        return np.stack(
-            [np.interp(s, nodes.s, nodes.joints[:, j]) for j in range(nodes.joints.shape[1])],
-            axis=-1,
-        )
+        joints = [np.interp(s, nodes.s, nodes.joints[:, j]) for j in range(nodes.joints.shape[1])]
+        near = np.stack(joints, axis=-1)
+        near[:, self.kinematics.joint_count :] = external
+        return near
 
     def _in_joint_space(self, s: Array, piece: Index) -> tuple[Array, Array, Array]:
         """Joints and derivatives (k, n) on joint moves and in corners made in joint space."""
@@ -279,48 +349,18 @@ class Path:
         line = np.flatnonzero(~curves.in_joints[row])
         if len(line):
             motion = curves.at(row[line], x[line])
-            near = self._near(self.layout.places[row[line]] + x[line])
-            joints[line], first[line], second[line] = self._inverse(motion, row[line], near)
+            n = self.kinematics.joint_count
+            course = Course(joints[line, n:], first[line, n:], second[line, n:])
+            near = self._near(self.layout.places[row[line]] + x[line], course.value)
+            joints[line], first[line], second[line] = self.arms.rates(
+                motion, row[line], course, near
+            )
         return joints, first, second
-
-    def _inverse(self, motion: Motion, row: Index, near: Array) -> tuple[Array, Array, Array]:
-        """Joints (k, n) of a TCP motion (k,) on curves (k,) and their derivatives."""
-        joints, _ = self.arms.joints(motion, row, near)
-        lever = rotate(
-            motion.rotation, self.arms.tcp_from_flange.translation[row]
-        )  # from the TCP to the flange, in base
-        swing = cross(motion.turning, lever)
-        twist = np.concatenate([motion.velocity + swing, motion.turning], axis=-1)
-        change = np.concatenate(
-            [
-                motion.acceleration
-                + cross(motion.turning_change, lever)
-                + cross(motion.turning, swing),
-                motion.turning_change,
-            ],
-            axis=-1,
-        )
-        jacobian = self.kinematics.jacobian(joints)
-        first = _solve(jacobian, twist)
-        # J' q' as the change of the Jacobian along the motion, over a step of 1e-6 rad: the error
-        # of both the difference and the rounding is far below what timing can see.
-        step = 1e-6 / np.maximum(np.abs(first).max(axis=-1), 1e-9)[:, None]
-        ahead = self.kinematics.jacobian(joints + step * first)
-        drift = np.einsum("kij,kj->ki", (ahead - jacobian) / step[..., None], first)
-        second = _solve(jacobian, change - drift)
-        return joints, first, second
-
-    def _base_from_tcp(self, joints: Array, row: Index) -> Transform:
-        flange_from_tcp = self.arms.tcp_from_flange[row].inverse()
-        return self.kinematics.forward(joints) @ flange_from_tcp
 
     def _tcp_twist(self, joints: Array, first: Array, row: Index) -> tuple[Array, Array]:
-        """Velocity and angular velocity (k, 3) of the TCP per unit of s."""
-        twist = np.einsum("kij,kj->ki", self.kinematics.jacobian(joints), first)
-        flange = self.kinematics.forward(joints)
-        tcp_in_flange = self.arms.tcp_from_flange[row].inverse().translation
-        lever = rotate(flange.rotation, tcp_in_flange)  # from the flange to the TCP, in base
-        return twist[:, :3] + cross(twist[:, 3:], lever), twist[:, 3:]
+        """Velocity and angular velocity (k, 3) of the TCP against its curve per unit of s."""
+        motion = self.arms.curve_motion(joints, first, row)
+        return motion.velocity, motion.turning
 
 
 def build_path(robot: Robot, segments: Sequence[Segment], model: MotionModel) -> Path | PathFault:
@@ -335,11 +375,11 @@ def build_path(robot: Robot, segments: Sequence[Segment], model: MotionModel) ->
     Returns:
         The path, or the first place where the arm cannot follow it.
     """
-    kinematics, lower, upper = robot.kinematics, robot.lower, robot.upper
+    kinematics, axes = robot.kinematics, robot.axes
     for i, segment in enumerate(segments):
         reason = circle_fault(segment) or _unsupported(kinematics, segment)
         if reason is not None:
-            return PathFault(i, 0.0, 0.0, 0.0, reason)
+            return PathFault(i, 0.0, 0.0, 0.0, reason, FaultKind.SET_UP)
     curves = curves_of(segments, kinematics)
     active = np.flatnonzero(curves.length > 0.0).astype(np.int64)
     if not len(active):
@@ -350,22 +390,20 @@ def build_path(robot: Robot, segments: Sequence[Segment], model: MotionModel) ->
     corners = corners_of(moving, curves, kinematics, model)
     corners = _without_skipped(corners, active)
     layout = layout_of(curves, corners, model.corner)
-    arms = Arms(
-        kinematics,
-        np.array([segment.branch for segment in moving]),
-        Transform(
-            np.array([segment.tcp_from_flange.rotation for segment in moving]),
-            np.array([segment.tcp_from_flange.translation for segment in moving]),
-        ),
-    )
-    nodes = follow(layout, arms, moving, lower, upper)
+    arms = arms_of(moving, kinematics, curves.joint_travel, curves.length)
+    nodes = follow(layout, arms, moving, axes)
     if isinstance(nodes, PathFault):
         return dataclasses.replace(nodes, segment=int(active[nodes.segment]))
     path = Path(tuple(segments), kinematics, layout, arms, active, nodes, model)
-    fault = _joint_space_fault(path, lower, upper)
+    fault = _joint_space_fault(path, axes)
     if fault is not None:
         return dataclasses.replace(fault, segment=int(active[fault.segment]))
     return path
+
+
+def _norms(velocity: Array, turning: Array) -> Array:
+    """Lengths (k, 2) of two rows of vectors (k, 3)."""
+    return np.stack([np.linalg.norm(velocity, axis=-1), np.linalg.norm(turning, axis=-1)], axis=-1)
 
 
 def describe_stop(limit: Limit) -> str:
@@ -392,7 +430,7 @@ def _without_skipped(corners: Corners, active: Index) -> Corners:
     )
 
 
-def _joint_space_fault(path: Path, lower: Array, upper: Array) -> PathFault | None:
+def _joint_space_fault(path: Path, axes: Axes) -> PathFault | None:
     """Where a joint move or a corner made in joint space leaves the limits."""
     layout = path.layout
     pieces = np.flatnonzero(
@@ -405,17 +443,4 @@ def _joint_space_fault(path: Path, lower: Array, upper: Array) -> PathFault | No
     s = (layout.bounds[pieces][:, None] + width[:, None] * share).ravel()
     piece = np.repeat(pieces, len(share))
     joints, _, _ = path._in_joint_space(s, piece)
-    return limit_fault(layout, s, layout.row[piece], joints, lower, upper)
-
-
-def _solve(jacobian: Array, twist: Array) -> Array:
-    """Joint rates (k, n) of twists (k, 6); the smallest ones where the arm is singular."""
-    rates = np.empty((len(twist), jacobian.shape[-1]))
-    regular = np.zeros(len(twist), dtype=bool)
-    if jacobian.shape[-1] == 6:
-        regular = np.abs(np.linalg.det(jacobian)) > _SINGULAR_DETERMINANT
-        rates[regular] = np.linalg.solve(jacobian[regular], twist[regular][..., None])[..., 0]
-    if not regular.all():
-        inverse = np.linalg.pinv(jacobian[~regular], rcond=_SINGULAR_VALUE)
-        rates[~regular] = np.einsum("kij,kj->ki", inverse, twist[~regular])
-    return rates
+    return limit_fault(layout, s, layout.row[piece], joints, axes)

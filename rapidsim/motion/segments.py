@@ -5,10 +5,14 @@ Segments are what geometry and timing are planned from. All units are SI.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, field
 from enum import Enum
 
+import numpy as np
+
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.moving_frames import Screw
 
 
 class Geometry(Enum):
@@ -22,6 +26,21 @@ class Geometry(Enum):
     """The TCP on a circle through a third point."""
 
 
+class CircleMode(Enum):
+    """How the tool turns along an arc: CirPathMode."""
+
+    PATH_FRAME = "path frame"
+    """Evenly against the path's own frame, which turns with the arc."""
+    OBJECT_FRAME = "object frame"
+    """Evenly in the work object, as on a line."""
+    CIRCLE_POINT = "circle point"
+    """As `PATH_FRAME`, through the orientation of the circle point."""
+
+
+def _no_axes() -> Array:
+    return np.zeros(0)
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Waypoint:
     """A joint vector and the pose of the TCP it gives."""
@@ -29,6 +48,26 @@ class Waypoint:
     joints: Array
     """Shape (n,) [rad]."""
     base_from_tcp: Transform
+    """With a `Segment.carrier`: the pose as that defines it."""
+    external: Array = field(default_factory=_no_axes)
+    """Shape (e,) [m or rad]: the external axes."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Carrier:
+    """What else than the arm moves or holds tool and work object.
+
+    Poses of curves are given with all external axes at zero. With a tool in the hand they are
+    base_from_tcp. With a stationary tool they are object_from_tcp, and `Segment.tcp_from_flange` is
+    object_from_flange of the work object in the hand.
+    """
+
+    base_from_tool: Transform | None = None
+    """Where a stationary tool stands; None where the robot holds the tool."""
+    object_screws: tuple[Screw, ...] = ()
+    """The axes that carry the work object."""
+    base_screws: tuple[Screw, ...] = ()
+    """The axes that carry the robot."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +80,10 @@ class Zone:
     """Radius [m] of TCP travel for the orientation; at least `position`."""
     angle: float
     """Radius [rad] for reorientation without TCP travel."""
+    linear_axes: float = math.inf
+    """Travel [m] of linear external axes, where only they move."""
+    rotating_axes: float = math.inf
+    """Turn [rad] of rotating external axes, where only they move."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,3 +120,19 @@ class Segment:
     """The corner at the end must run in joint space: tool or work object change there."""
     acceleration_share: float = 1.0
     """AccSet: the share of the axis accelerations that is used."""
+    carrier: Carrier | None = None
+    """None where the robot stands still and holds the tool, and the work object stands still."""
+    wrist_in_joints: bool = False
+    """SingArea \\Wrist: on a line or arc the wrist axes turn evenly instead of the tool."""
+    circle_mode: CircleMode = CircleMode.PATH_FRAME
+    """How the tool turns along an arc."""
+    tcp_acceleration: float = math.inf
+    """PathAccLim: the TCP's largest acceleration along its path [m/s2]."""
+    tcp_deceleration: float = math.inf
+    """PathAccLim: the TCP's largest deceleration along its path [m/s2]."""
+    world_acceleration: float = math.inf
+    """WorldAccLim: the TCP's largest acceleration in any direction [m/s2]."""
+    external_linear: tuple[bool, ...] = ()
+    """Whether each external axis is linear."""
+    external_speeds: tuple[float, ...] = ()
+    """Speed of each external axis [m/s or rad/s]: what is programmed, or what it can."""

@@ -10,13 +10,16 @@ import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.curves import Index
-from rapidsim.motion.grid import Cells, cells_of, split
-from rapidsim.motion.limiters import Limiter, Quantity, limiters_of
+from rapidsim.motion.grid import cells_of
+from rapidsim.motion.limiters import limiters_of
 from rapidsim.motion.limits import Limits
 from rapidsim.motion.path import Path
-from rapidsim.motion.solver import refinement, segment_of, solve
+from rapidsim.motion.problem import Problem, at_pace, cut, problem_of
+from rapidsim.motion.refinement import refinement
+from rapidsim.motion.rows import Limiter, Quantity
+from rapidsim.motion.solver import solve
 
-_ROUNDS = 5
+_ROUNDS = 7
 _TIMED_ROUNDS = 4
 _TIMED_HALVINGS = 16
 _TIME_TOLERANCE = 1e-3
@@ -35,6 +38,9 @@ class Timing:
     1 % of the speed comes from looking at other nodes than the plan that led there."""
     limited_by: tuple[Limiter, ...]
     """What holds each segment of the path back for most of its time."""
+    standing: Array | None = None
+    """Time [s] spent in each cell (k - 1,) beside driving through it: at stops in mid path, which
+    are cells without width. None where there are none."""
 
     @cached_property
     def acceleration(self) -> Array:
@@ -47,6 +53,8 @@ class Timing:
         """Time at the nodes, shape (k,) [s]."""
         pace = self.speed[1:] + self.speed[:-1]
         steps = 2.0 * np.diff(self.s) / np.maximum(pace, 1e-300)
+        if self.standing is not None:
+            steps = steps + self.standing
         return np.concatenate([[0.0], np.cumsum(steps)])
 
     @property
@@ -135,33 +143,48 @@ def plan(path: Path, limits: Limits, *, start: float = 0.0, start_speed: float =
             start_excess=start_speed,
             limited_by=(nothing,) * len(path.segments),
         )
-    cells = cells_of(path, limits, start)
     pace = np.full(len(path.segments), np.nan)
     timed = _timed(path, start)
     pace[list(timed)] = np.inf
-    cells = _refined(path, cells, limits, pace, start_speed)
+    problem = problem_of(path, cells_of(path, limits, start), limits, pace)
+    problem, x, fastest = refined(problem, pace, start_speed)
     if timed:
-        pace = _paced(path, cells, limits, pace, start_speed, timed)
-        cells = _refined(path, cells, limits, pace, start_speed)
-        pace = _paced(path, cells, limits, pace, start_speed, timed)
-    x, fastest = solve(path, cells, limits, pace, start_speed)
+        pace = _paced(problem, pace, start_speed, timed)
+        problem, _, _ = refined(at_pace(problem, pace), pace, start_speed)
+        pace = _paced(problem, pace, start_speed, timed)
+        problem = at_pace(problem, pace)
+        x, fastest = solve(problem, start_speed)
+    nodes, speed = problem.cells.nodes, np.sqrt(x)
+    stops = np.flatnonzero(np.isin(nodes[1:-1], path.stops)) + 1
+    standing = None
+    if len(stops) and path.model.filter_time:
+        # So long that the smoothed motion comes to rest, too: it could not turn a kink on the way.
+        nodes, speed = np.insert(nodes, stops, nodes[stops]), np.insert(speed, stops, 0.0)
+        standing = np.where(np.diff(nodes) == 0.0, path.model.filter_time, 0.0)
     return Timing(
-        s=cells.nodes,
-        speed=np.sqrt(x),
+        s=nodes,
+        speed=speed,
         start_excess=max(0.0, start_speed - float(np.sqrt(fastest))),
-        limited_by=limiters_of(path, cells, limits, pace, x),
+        limited_by=limiters_of(problem, x),
+        standing=standing,
     )
 
 
-def _refined(path: Path, cells: Cells, limits: Limits, pace: Array, start_speed: float) -> Cells:
+def refined(problem: Problem, pace: Array, start_speed: float) -> tuple[Problem, Array, float]:
     """Cut cells until the limits hold within them and no time is lost at switching points."""
+    among = np.arange(len(problem.widest))
+    x, fastest = solve(problem, start_speed)
     for _ in range(_ROUNDS):
-        x, _ = solve(path, cells, limits, pace, start_speed)
-        index, at = refinement(path, cells, limits, pace, x)
+        index, at = refinement(problem, x, among)
         if not len(index):
             break
-        cells = split(path, cells, index, at)
-    return cells
+        problem = cut(problem, pace, index, at)
+        # Nodes keep their order, with a new one in each cell that was cut; it counts as changed.
+        before = np.insert(x, index + 1, np.nan)
+        x, fastest = solve(problem, start_speed)
+        changed = x != before
+        among = np.flatnonzero(changed[:-1] | changed[1:])
+    return problem, x, fastest
 
 
 def _timed(path: Path, start: float) -> dict[int, float]:
@@ -177,9 +200,7 @@ def _timed(path: Path, start: float) -> dict[int, float]:
 
 
 def _paced(
-    path: Path,
-    cells: Cells,
-    limits: Limits,
+    problem: Problem,
     pace: Array,
     start_speed: float,
     timed: dict[int, float],
@@ -191,15 +212,15 @@ def _paced(
     """
     index = np.array(list(timed))
     wanted = np.array(list(timed.values()))
-    segment = segment_of(path, cells)
-    width = cells.end - cells.start
+    path, width = problem.path, problem.cells.width
+    segment = path.segment_of(problem.cells.piece)
     way = np.bincount(segment, width, minlength=len(path.segments))[index]
 
     def spent(trial: Array) -> Array:
         """Time of the timed segments at some paces."""
         attempt = pace.copy()
         attempt[index] = trial
-        speed = np.sqrt(solve(path, cells, limits, attempt, start_speed)[0])
+        speed = np.sqrt(solve(at_pace(problem, attempt), start_speed)[0])
         step = 2.0 * width / np.maximum(speed[1:] + speed[:-1], 1e-300)
         time: Array = np.bincount(segment, step, minlength=len(path.segments))[index]
         return time

@@ -11,7 +11,7 @@ a cubic, and joints come from the exact pose.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import overload
 
 import numpy as np
@@ -45,7 +45,9 @@ class Samples:
     base_from_tcp: Transform
     """Shape (k,); the tool is that of the move."""
     tcp_speed: Array
-    """Shape (k,) [m/s]."""
+    """Shape (k,) [m/s], against the work object."""
+    external: Array = field(default_factory=lambda: np.zeros((0, 0)))
+    """Shape (k, e) [m or rad]: the external axes."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -111,6 +113,28 @@ class Trajectory:
         self._rows += 1
         return place
 
+    def cut(self, time_s: float) -> None:
+        """Take back what is commanded after a time [s]."""
+        while self._pieces and self._table[self._rows - 1, _Column.START] >= time_s:
+            self._pieces.pop()
+            self._rows -= 1
+        if not self._pieces or self.command_end <= time_s:
+            return
+        row, piece = self._table[self._rows - 1], self._pieces[-1]
+        driven = time_s - float(row[_Column.START])
+        to_s = min(piece.timing.s_at(float(row[_Column.OFFSET]) + driven), piece.to_s)
+        self._pieces[-1] = replace(piece, to_s=to_s)
+        row[_Column.DURATION], row[_Column.WAY] = driven, to_s - piece.from_s
+
+    def extended(self, piece: Piece) -> Trajectory:
+        """A copy with one more piece; this one stays as it is."""
+        longer = Trajectory(self._start, self._filter_time)
+        longer._pieces = list(self._pieces)
+        longer._table = self._table[: self._rows + 1].copy()
+        longer._rows = self._rows
+        longer.append(piece)
+        return longer
+
     @property
     def command_end(self) -> float:
         """When the command comes to its end [s]; 0 without pieces."""
@@ -144,6 +168,7 @@ class Trajectory:
         times = np.atleast_1d(np.asarray(times, dtype=np.float64))
         row, way, speed = self._visible(times)
         joints = np.tile(self._start.joints, (len(times), 1))
+        external = np.tile(self._start.external, (len(times), 1))
         rotation = np.tile(self._start.base_from_tcp.rotation, (len(times), 1, 1))
         translation = np.tile(self._start.base_from_tcp.translation, (len(times), 1))
         move = np.zeros(len(times), dtype=np.int64)
@@ -154,13 +179,14 @@ class Trajectory:
             # Before the first piece the arm stands where it begins, with the tool it begins with.
             piece = self._pieces[number - 1]
             points = piece.path.evaluate(piece.from_s + way[at])
-            joints[at] = points.joints
+            joints[at], external[at] = points.joints, points.external
             rotation[at] = points.base_from_tcp.rotation
             translation[at] = points.base_from_tcp.translation
             indices = np.array([segment.index for segment in piece.path.segments])
             move[at] = indices[points.segment]
             tcp_speed[at] = points.tcp_rate * speed[at]
-        return Samples(times, move, joints, Transform(rotation, translation), tcp_speed)
+        pose = Transform(rotation, translation)
+        return Samples(times, move, joints, pose, tcp_speed, external)
 
     @property
     def times(self) -> Array:

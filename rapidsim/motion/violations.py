@@ -98,7 +98,7 @@ class ConfigurationNotReachable(Violation):
     code: ClassVar[str] = "K603"
     name: ClassVar[str] = "config-not-reachable"
     template: ClassVar[str] = (
-        "`{target}` cannot be reached in its stored configuration {stored}; {taken} was taken"
+        "`{target}` cannot be reached in its stored configuration {stored}; {taken} reaches it"
     )
     severity: ClassVar[Severity] = Severity.WARNING
     cf: ClassVar[str | None] = "ABB 50080"
@@ -120,12 +120,64 @@ class ConfigurationNotReachable(Violation):
 class PathNotReachable(Violation):
     """Both ends of a move are reachable and the way between them is not.
 
-    A line may pass through places the arm cannot hold the tool: too near the base, past a joint
-    limit, through a singularity. The message says where on the way.
+    A line may pass through places where the arm cannot hold the tool: too near the base, too far
+    away, past a joint limit. The message says where on the way.
     """
 
     code: ClassVar[str] = "K604"
     name: ClassVar[str] = "linear-path-not-reachable"
+    template: ClassVar[str] = (
+        "the way to `{target}` fails at {percent:.0f} % ({distance_mm:.1f} mm): {why}"
+    )
+    cf: ClassVar[str | None] = "ABB 50050"
+
+    target: str
+    percent: float
+    distance_mm: float
+    why: str
+
+    @property
+    def help(self) -> str:
+        """The usual ways out."""
+        return "add a point between, use MoveJ for this stretch, or start in another configuration"
+
+
+@dataclass(frozen=True)
+class PathThroughSingularity(Violation):
+    r"""A line or arc goes through a singularity, where a wrist axis would have to jump.
+
+    With axis 5 at 0, axes 4 and 6 turn about one line, and the smallest step of the tool may ask
+    for half a turn of both. `SingArea \Wrist` interpolates the wrist axes instead: the TCP stays on
+    its way and the tool deviates a little from its orientation.
+
+    ## Example
+
+        MODULE example
+          VAR robtarget below;
+          PROC main()
+            MoveAbsJ [[0,0,0,0,15,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tool0;
+            below:=CalcRobT([[0,10,0,0,-15,0],[9E9,9E9,9E9,9E9,9E9,9E9]],tool0);
+            ConfL \Off;
+            MoveL below,v200,fine,tool0;
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          VAR robtarget below;
+          PROC main()
+            MoveAbsJ [[0,0,0,0,15,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tool0;
+            below:=CalcRobT([[0,10,0,0,-15,0],[9E9,9E9,9E9,9E9,9E9,9E9]],tool0);
+            ConfL \Off;
+            SingArea \Wrist;
+            MoveL below,v200,fine,tool0;
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "K614"
+    name: ClassVar[str] = "path-through-singularity"
     template: ClassVar[str] = (
         "the way to `{target}` fails at {percent:.0f} % ({distance_mm:.1f} mm): {why}"
     )
@@ -139,7 +191,36 @@ class PathNotReachable(Violation):
     @property
     def help(self) -> str:
         """The usual ways out."""
-        return "add a point between, use MoveJ for this stretch, or start in another configuration"
+        return (
+            r"`SingArea \Wrist` before the move lets the tool turn a little instead; "
+            "or use MoveJ, or tilt the tool so that axis 5 stays off 0"
+        )
+
+
+@dataclass(frozen=True)
+class PathConfiguration(Violation):
+    """A line or arc does not lead from how the arm stands to how it would have to arrive.
+
+    On a line the arm keeps its configuration: it cannot change from one side of its wrist, elbow
+    or base axis to the other, and each axis arrives in the turn that it takes on the way.
+    """
+
+    code: ClassVar[str] = "K615"
+    name: ClassVar[str] = "path-configuration"
+    template: ClassVar[str] = (
+        "the way to `{target}` fails at {percent:.0f} % ({distance_mm:.1f} mm): {why}"
+    )
+    cf: ClassVar[str | None] = "ABB 50436"
+
+    target: str
+    percent: float
+    distance_mm: float
+    why: str
+
+    @property
+    def help(self) -> str:
+        """The usual ways out."""
+        return "change the configuration with a MoveJ or MoveAbsJ before, or choose it for the end"
 
 
 @dataclass(frozen=True)
@@ -168,37 +249,13 @@ class TooLittleTime(Violation):
         ENDMODULE
     """
 
-    code: ClassVar[str] = "K605"
+    code: ClassVar[str] = "K612"
     name: ClassVar[str] = "too-little-time"
     template: ClassVar[str] = "the move takes {needed_s:.3f} s; `\\T` gives it {programmed_s:g} s"
     severity: ClassVar[Severity] = Severity.WARNING
 
     programmed_s: float
     needed_s: float
-
-
-@dataclass(frozen=True)
-class QuaternionNotUnit(Violation):
-    """An orientation is not a unit quaternion.
-
-    Targets are written with six or seven digits, so the length of the four numbers is 1 but for
-    rounding. When it is not, the numbers were typed or computed wrongly, or the data was never
-    given a value.
-    """
-
-    code: ClassVar[str] = "M501"
-    name: ClassVar[str] = "quaternion-not-unit"
-    template: ClassVar[str] = "the orientation of `{target}` has length {length:.4f}, not 1"
-    severity: ClassVar[Severity] = Severity.WARNING
-    cf: ClassVar[str | None] = "ABB 50076"
-
-    target: str
-    length: float
-
-    @property
-    def help(self) -> str:
-        """The function that cures it."""
-        return "normalise it with NOrient, or write more digits"
 
 
 @dataclass(frozen=True)
@@ -236,3 +293,160 @@ class CircleUncertain(Violation):
 
     target: str
     why: str
+
+
+@dataclass(frozen=True)
+class ExternalAxisMissing(Violation):
+    """A target has no value for an external axis that is active.
+
+    9E9 says that an axis is not connected. Where the station declares the axis and its mechanical
+    unit is active, every target must say where it goes; the controller stops.
+    """
+
+    code: ClassVar[str] = "M520"
+    name: ClassVar[str] = "external-axis-missing"
+    template: ClassVar[str] = "`{target}` gives no value for {axis} of `{unit}`, which is active"
+    cf: ClassVar[str | None] = "ABB 40512"
+
+    target: str
+    axis: str
+    unit: str
+
+    @property
+    def help(self) -> str:
+        """Both ways out."""
+        return f"write the value in place of 9E9, or switch the unit off with DeactUnit {self.unit}"
+
+
+@dataclass(frozen=True)
+class ExternalAxisUnknown(Violation):
+    """A target gives values for external axes that the station does not declare.
+
+    The values are kept with the target and move nothing. Declare the axes in the station file, in
+    tables `[[external_axis]]`, to simulate a track, a positioner or an axis of its own.
+
+    ## Example
+
+        MODULE example
+          CONST jointtarget p:=[[0,0,0,0,30,0],[1500,9E9,9E9,9E9,9E9,9E9]];
+          PROC main()
+            MoveAbsJ p,v500,fine,tool0;
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          CONST jointtarget p:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+          PROC main()
+            MoveAbsJ p,v500,fine,tool0;
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "M521"
+    name: ClassVar[str] = "external-axis-unknown"
+    template: ClassVar[str] = "`{target}` gives {axes}, and no such external axis is declared"
+    severity: ClassVar[Severity] = Severity.NOTE
+
+    target: str
+    axes: str
+
+    @property
+    def help(self) -> str:
+        """What to do for a simulation of it."""
+        return "the value moves nothing; declare the axis as [[external_axis]] in the station file"
+
+
+@dataclass(frozen=True)
+class NothingMovesTool(Violation):
+    r"""Tool and work object are both in the robot's hand, or neither is.
+
+    One of them is held by the robot and the other stands in the cell: a tool in the hand works on
+    an object outside (`robhold` TRUE in the tool, FALSE in the work object), or an object in the
+    hand is brought to a stationary tool (FALSE in the tool, TRUE in the work object).
+
+    ## Example
+
+        MODULE example
+          PERS tooldata glue:=[FALSE,[[900,0,700],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];
+          CONST robtarget p:=[[0,0,0],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+          PROC main()
+            MoveJ p,v500,fine,glue;
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PERS tooldata glue:=[FALSE,[[900,0,700],[0,1,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];
+          PERS wobjdata part:=[TRUE,TRUE,"",[[0,0,50],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
+          CONST robtarget p:=[[0,0,0],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+          PROC main()
+            ConfJ \Off;
+            MoveJ p,v500,fine,glue\WObj:=part;
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "M522"
+    name: ClassVar[str] = "nothing-moves-tool"
+    template: ClassVar[str] = "the move to `{target}`: {why}"
+
+    target: str
+    why: str
+
+    @property
+    def help(self) -> str:
+        """What must be so."""
+        return "exactly one of tool and work object has robhold TRUE"
+
+
+@dataclass(frozen=True)
+class OrientationDeviates(Violation):
+    r"""SingArea lets the tool turn away from its programmed orientation.
+
+    With `\Wrist` the wrist axes are interpolated along a line or arc and the TCP stays on it; with
+    `\LockAxis4` axis 4 stays at 0 or half a turn in addition, so that the end of the move may be
+    turned, too.
+
+    ## Example
+
+        MODULE example
+          CONST jointtarget start:=[[0,0,0,20,40,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+          VAR robtarget p;
+          PROC main()
+            p:=CalcRobT([[0,10,0,20,40,0],[9E9,9E9,9E9,9E9,9E9,9E9]],tool0);
+            MoveAbsJ start,v500,fine,tool0;
+            SingArea \LockAxis4;
+            ConfL \Off;
+            MoveL p,v200,fine,tool0;
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          CONST jointtarget start:=[[0,0,0,20,40,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+          VAR robtarget p;
+          PROC main()
+            p:=CalcRobT([[0,10,0,20,40,0],[9E9,9E9,9E9,9E9,9E9,9E9]],tool0);
+            MoveAbsJ start,v500,fine,tool0;
+            SingArea \Off;
+            ConfL \Off;
+            MoveL p,v200,fine,tool0;
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "K613"
+    name: ClassVar[str] = "orientation-deviates"
+    template: ClassVar[str] = (
+        "`SingArea {switch}` turns the tool by up to {angle_deg:.1f} deg {where} `{target}`"
+    )
+    severity: ClassVar[Severity] = Severity.NOTE
+
+    target: str
+    switch: str
+    angle_deg: float
+    where: str

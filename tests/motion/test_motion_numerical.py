@@ -114,8 +114,17 @@ def test_out_of_reach_says_how_near_the_search_came(robot: Robot) -> None:
     why = why_unreachable(robot, pose)
     assert why is not None
     assert "the search came no nearer than" in why.message
-    assert why.shortfall > 1.0
+    assert 1.0 < why.beyond <= why.shortfall
+    assert f"flange at least {1000.0 * why.beyond:.1f} mm beyond reach" in why.message
     assert solve_pose(robot, pose, everything=True).solutions == ()
+
+
+def test_no_joints_bring_the_flange_further_than_the_stretched_arm(robot: Robot) -> None:
+    arm = robot.kinematics
+    assert isinstance(arm, Numerical)
+    foot, longest = arm.stretched
+    away = np.linalg.norm(poses(robot, 20_000)[1].translation - foot, axis=-1)
+    assert 0.8 * longest < away.max() <= longest + 1e-12
 
 
 def test_the_chain_agrees_with_yourdfpy(robot: Robot) -> None:

@@ -103,7 +103,7 @@ def test_the_catalogue_reads_one(tmp_path: Path) -> None:
     (folder / "robot.toml").write_text(TOML)
     entry = read_entry(folder)
     assert entry.geometry == G
-    assert isinstance(kinematics_of(entry.geometry), Palletizer)
+    assert isinstance(kinematics_of(entry), Palletizer)
     (folder / "robot.toml").write_text(TOML.replace('"palletizer"', '"spider"'))
     with pytest.raises(RobotError, match="structure `spider` is not known"):
         read_entry(folder)

@@ -145,6 +145,7 @@ def test_a_corner_between_a_joint_move_and_a_line_is_made_in_joints() -> None:
     path = path_of(program)
     corner = path.corners[0]
     assert corner.in_joints
+    assert corner.reason == "made in joint space"
     tcp = path.evaluate(places(path, 4001)).base_from_tcp.translation
     point = program.segments[0].end.base_from_tcp.translation
     edge = path.evaluate(path.segment_starts[1:] - corner.radius).base_from_tcp.translation[0]
@@ -317,3 +318,16 @@ def test_travel_is_the_sum_of_small_steps(program: Programmer) -> None:
     steps = np.diff(path.evaluate(s).base_from_tcp.translation, axis=0)
     summed = np.linalg.norm(steps, axis=1).sum()
     assert float(path.travelled(s[-1:])[0]) == pytest.approx(summed, rel=1e-3)
+
+
+def test_derivatives_of_the_tcp_are_those_of_its_positions() -> None:
+    program = Programmer().line((0.1, 0, 0), (0, 0.1, 0), zone(20)).line((0, 0.1, 0), z=zone(10))
+    path = path_of(program.move((0.2, 0.1, 0, 0.1, 0, 0)))
+    h = 1e-5
+    s = np.linspace(0.01, 0.99, 200) * path.length
+    away = np.abs(s[:, None] - path.breakpoints).min(axis=1) > 2.0 * h
+    s = s[away]
+    before, here, after = (path.evaluate(s + step).base_from_tcp.translation for step in (-h, 0, h))
+    velocity, acceleration = path.tcp_derivatives(s, path.layout.piece_at(s))
+    assert np.abs(velocity - (after - before) / (2.0 * h)).max() < 1e-6
+    assert np.abs(acceleration - (after - 2.0 * here + before) / h**2).max() < 1e-3

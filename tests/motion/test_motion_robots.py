@@ -8,7 +8,7 @@ import pytest
 from rapidsim.frames.transform import Transform
 from rapidsim.motion.catalogue import find_entry, read_entry
 from rapidsim.motion.opw_geometry import OpwGeometry
-from rapidsim.motion.reach import why_unreachable
+from rapidsim.motion.reach import Unreachable, why_unreachable
 from rapidsim.motion.robot import Robot, RobotError, load_robot, robot_names
 
 MEGABYTE = 1_000_000
@@ -90,6 +90,11 @@ def test_a_joint_limit_says_which_and_by_how_much() -> None:
     assert reason is not None
     assert (reason.joint, reason.branch) == (3, 0)
     assert reason.message == "joint 3 over by 4.1 deg at its upper limit"
+
+
+def test_what_is_over_by_little_is_never_over_by_nothing() -> None:
+    assert Unreachable(0.0, joint=5, excess=-2e-5).message.startswith("joint 5 over by 0.001 deg")
+    assert Unreachable(3e-6).message == "wrist centre 0.003 mm beyond reach"
 
 
 def test_within_limits_there_is_no_reason() -> None:

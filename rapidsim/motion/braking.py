@@ -1,0 +1,80 @@
+"""Stopping on the path: the hardest braking that keeps the axes' accelerations and the path."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.grid import cells_of
+from rapidsim.motion.limits import Limits
+from rapidsim.motion.path import Path
+from rapidsim.motion.problem import Problem, cut, problem_of
+from rapidsim.motion.refinement import ACCELERATION_EXCESS, loads
+from rapidsim.motion.rows import Limiter, Quantity
+from rapidsim.motion.solver import solve
+from rapidsim.motion.timing import Timing, refined
+
+_STANDSTILL = 1e-9
+"""Path speed [m/s] that counts as standing."""
+_ROUNDS = 6
+_SLIVER = 0.01
+"""Share of a cell that is not worth a cell of its own."""
+
+
+def stop_at(path: Path, limits: Limits, s: float, speed: float) -> Timing:
+    """Brake from a place on a path as fast as the axes can.
+
+    Args:
+        path: The geometry.
+        limits: Of the axes.
+        s: Where braking begins [m].
+        speed: Path speed there [m/s], one that the plan of the path has.
+
+    Returns:
+        The motion to rest; its last `s` is where the arm stands. Time 0 is at `s`.
+    """
+    nothing = (Limiter(Quantity.NOTHING),) * len(path.segments)
+    if speed <= _STANDSTILL or s >= path.length:
+        return Timing(np.full(2, s), np.zeros(2), 0.0, nothing)
+    pace = np.full(len(path.segments), np.nan)
+    problem = problem_of(path, cells_of(path, limits, s), limits, pace)
+    # The same places count as for the plan that had this speed here.
+    problem, _, _ = refined(problem, pace, speed)
+    stands, x = _braked(problem, speed)
+    for _ in range(_ROUNDS):
+        driven = np.arange(len(x) - 1)
+        start, end = problem.cells.s[driven, 0], problem.cells.s[driven, 2]
+        at = 0.5 * (start + end)
+        all_x = np.concatenate([x, np.zeros(len(problem.widest) + 1 - len(x))])
+        rough = loads(problem, all_x, driven)[1] > 1.0 + ACCELERATION_EXCESS
+        # The cell in which the arm comes to rest is not driven to its end.
+        rough[-1] = start[-1] < stands - _SLIVER * (end[-1] - start[-1])
+        rough[-1] &= stands < end[-1] - _SLIVER * (end[-1] - start[-1])
+        at[-1] = stands
+        if not rough.any():
+            break
+        problem = cut(problem, pace, driven[rough], at[rough])
+        stands, x = _braked(problem, speed)
+    nodes = problem.cells.nodes[: len(x)].copy()
+    nodes[-1] = stands
+    return Timing(nodes, np.sqrt(x), 0.0, nothing)
+
+
+def _braked(problem: Problem, speed: float) -> tuple[float, Array]:
+    """Where the arm comes to rest [m], and x at the nodes on the way, the last of them 0."""
+    # What the arm may have at most if it is to come to rest at all; less than that it has.
+    fastest, _ = solve(problem, speed)
+    x = [speed**2]
+    nodes = problem.cells.nodes.tolist()
+    rows = zip(problem.slack, problem.tilt, fastest[1:].tolist(), strict=True)
+    for k, (slack, tilt, most) in enumerate(rows):
+        # Every row asks u >= -slack - tilt x. In a corner that may mean to speed up for a moment:
+        # an axis that the corner brakes as hard as it can must not be braked more.
+        u = float(np.max(-slack - tilt * x[-1]))
+        after = min(x[-1] + 2.0 * u * (nodes[k + 1] - nodes[k]), most)
+        if after <= 0.0:
+            x.append(0.0)
+            return min(nodes[k] - x[-2] / min(2.0 * u, -1e-300), nodes[k + 1]), np.array(x)
+        x.append(after)
+    x[-1] = 0.0
+    return nodes[-1], np.array(x)

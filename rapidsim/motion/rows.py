@@ -1,0 +1,224 @@
+"""What limits the motion along a path, as rows of numbers: all that the solver knows of an arm.
+
+With v = ds/dt and u = d2s/dt2, a speed row asks |rate| v <= 1, an acceleration row asks
+|slope u + bend v2| <= 1. Each row is divided by its limit, so rows of axes, of the TCP and of
+whatever else moves are the same to the solver. A new kind of limit is a new entry in `_SPEEDS` or
+`_ACCELERATIONS`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.grid import Places
+from rapidsim.motion.limits import Limits
+from rapidsim.motion.path import Path
+
+
+class Quantity(Enum):
+    """What can be at its limit."""
+
+    AXIS_SPEED = "axis speed"
+    AXIS_ACCELERATION = "axis acceleration"
+    TCP_SPEED = "TCP speed"
+    REORIENTATION_SPEED = "reorientation speed"
+    EXTERNAL_AXIS_SPEED = "programmed speed of external axes"
+    TCP_ACCELERATION = "PathAccLim"
+    WORLD_ACCELERATION = "WorldAccLim"
+    DURATION = "programmed time"
+    NOTHING = "nothing"
+    """The segment has no length, or lies before the start of the timing."""
+
+
+@dataclass(frozen=True, slots=True)
+class Limiter:
+    """A limit that was reached."""
+
+    quantity: Quantity
+    axis: int | None = None
+    """Counted from 1; None where no single axis is meant."""
+
+    def __str__(self) -> str:
+        """Such as `acceleration of axis 2`."""
+        match self.quantity:
+            case Quantity.AXIS_SPEED:
+                return f"speed of axis {self.axis}"
+            case Quantity.AXIS_ACCELERATION:
+                return f"acceleration of axis {self.axis}"
+            case _:
+                return str(self.quantity.value)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SpeedRows:
+    """Some limits of the path speed."""
+
+    limiters: tuple[Limiter, ...]
+    """One a row."""
+    rate: Array
+    """Shape (k, rows) [s/m]: share of the limit that a path speed of 1 m/s uses, not negative; 0
+    where there is no such limit."""
+
+    @property
+    def largest(self) -> Array:
+        """The share (k,) of the tightest limit; column by column, for rows are short."""
+        largest = self.rate[:, 0].copy()
+        for column in range(1, self.rate.shape[1]):
+            np.maximum(largest, self.rate[:, column], out=largest)
+        return largest
+
+    def and_then(self, more: SpeedRows) -> SpeedRows:
+        """The same limits at some more places."""
+        return SpeedRows(self.limiters, np.concatenate([self.rate, more.rate]))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AccelerationRows:
+    """Some limits of the path acceleration."""
+
+    limiters: tuple[Limiter, ...]
+    """One a row."""
+    slope: Array
+    """Shape (k, rows) [s2/m]: signed share of the limit that a path acceleration of 1 m/s2 uses; 0
+    where there is no such limit."""
+    bend: Array
+    """Shape (k, rows) [s2/m2]: signed share that a path speed of 1 m/s uses; 0 likewise."""
+
+    @property
+    def largest_bend(self) -> Array:
+        """The largest bend (k,), without sign."""
+        largest = np.abs(self.bend[:, 0])
+        for column in range(1, self.bend.shape[1]):
+            np.maximum(largest, np.abs(self.bend[:, column]), out=largest)
+        return largest
+
+    def and_then(self, more: AccelerationRows) -> AccelerationRows:
+        """The same limits at some more places."""
+        slope = np.concatenate([self.slope, more.slope])
+        return AccelerationRows(self.limiters, slope, np.concatenate([self.bend, more.bend]))
+
+
+def speed_rows(path: Path, places: Places, limits: Limits, pace: Array) -> SpeedRows:
+    """Every limit of the path speed.
+
+    Args:
+        path: The geometry.
+        places: Where it is looked at.
+        limits: Of the axes.
+        pace: Largest path speed (segments,) [m/s] on segments with a programmed time; it replaces
+            the programmed speeds there. NaN elsewhere.
+    """
+    found = [_programmed_speeds(path, places, pace)]
+    found += [rows for kind in _SPEEDS if (rows := kind(path, places, limits)) is not None]
+    return SpeedRows(
+        tuple(limiter for rows in found for limiter in rows.limiters),
+        np.concatenate([rows.rate for rows in found], axis=-1),
+    )
+
+
+def acceleration_rows(path: Path, places: Places, limits: Limits) -> AccelerationRows:
+    """Every limit of the path acceleration."""
+    found = [rows for kind in _ACCELERATIONS if (rows := kind(path, places, limits)) is not None]
+    return AccelerationRows(
+        tuple(limiter for rows in found for limiter in rows.limiters),
+        np.concatenate([rows.slope for rows in found], axis=-1),
+        np.concatenate([rows.bend for rows in found], axis=-1),
+    )
+
+
+def _axis_speeds(path: Path, places: Places, limits: Limits) -> SpeedRows:
+    del path
+    rate = np.abs(places.rates.first) / limits.max_speed
+    return SpeedRows(_of_axes(Quantity.AXIS_SPEED, rate), rate)
+
+
+def _programmed_speeds(path: Path, places: Places, pace: Array) -> SpeedRows:
+    """The four programmed speeds, or the pace that gives a segment its programmed time."""
+    segment = path.segment_of(places.piece)
+    paced = ~np.isnan(pace)
+    tcp = np.where(paced, 0.0, [1.0 / move.speed.tcp for move in path.segments])
+    turn = np.where(paced, 0.0, [1.0 / move.speed.reorientation for move in path.segments])
+    timed = np.where(paced, 1.0 / pace, 0.0)
+    rate = np.stack(
+        [
+            places.rates.tcp_rate * tcp[segment],
+            places.rates.turn_rate * turn[segment],
+            timed[segment],
+        ],
+        axis=-1,
+    )
+    joint_count = path.kinematics.joint_count
+    if path.axis_count == joint_count:
+        return SpeedRows(_PROGRAMMED, rate)
+    programmed = np.array([move.external_speeds for move in path.segments])
+    share = np.where(paced[:, None], 0.0, 1.0 / programmed)[segment]
+    external = np.abs(places.rates.first[:, joint_count:]) * share
+    limiters = _PROGRAMMED + (Limiter(Quantity.EXTERNAL_AXIS_SPEED),) * external.shape[1]
+    return SpeedRows(limiters, np.concatenate([rate, external], axis=-1))
+
+
+def _axis_accelerations(path: Path, places: Places, limits: Limits) -> AccelerationRows:
+    allowed = limits.max_acceleration * path.acceleration_share[places.piece][:, None]
+    slope, bend = places.rates.first / allowed, places.rates.second / allowed
+    return AccelerationRows(_of_axes(Quantity.AXIS_ACCELERATION, slope), slope, bend)
+
+
+def _path_accelerations(path: Path, places: Places, limits: Limits) -> AccelerationRows | None:
+    """PathAccLim. The solver brakes as it accelerates, so the smaller of both limits counts."""
+    del limits
+    allowed = np.array([min(s.tcp_acceleration, s.tcp_deceleration) for s in path.segments])
+    if np.isinf(allowed).all():
+        return None
+    along, straight, _ = _tcp_bends(path, places)
+    share = 1.0 / allowed[path.segment_of(places.piece)]
+    limiters = (Limiter(Quantity.TCP_ACCELERATION),)
+    return AccelerationRows(limiters, (along * share)[:, None], (straight * share)[:, None])
+
+
+def _world_accelerations(path: Path, places: Places, limits: Limits) -> AccelerationRows | None:
+    """WorldAccLim: an octagon within the circle of all accelerations along and across the path."""
+    del limits
+    allowed = np.array([segment.world_acceleration for segment in path.segments])
+    if np.isinf(allowed).all():
+        return None
+    along, straight, across = _tcp_bends(path, places)
+    share = 1.0 / (np.cos(np.pi / 8.0) * allowed[path.segment_of(places.piece)])
+    along, straight, across = along * share, straight * share, across * share
+    diagonal = np.sqrt(0.5)
+    slope = [along, 0.0 * along, diagonal * along, diagonal * along]
+    bend = [straight, across, diagonal * (straight + across), diagonal * (straight - across)]
+    limiters = (Limiter(Quantity.WORLD_ACCELERATION),) * 4
+    return AccelerationRows(limiters, np.stack(slope, axis=-1), np.stack(bend, axis=-1))
+
+
+def _tcp_bends(path: Path, places: Places) -> tuple[Array, Array, Array]:
+    """|p'|, and p'' along and across the path, (k,) each."""
+    first, second = path.tcp_derivatives(places.s, places.piece)
+    along = np.linalg.norm(first, axis=-1)
+    straight = np.einsum("ki,ki->k", first, second) / np.maximum(along, 1e-12)
+    across = np.sqrt(np.maximum(np.einsum("ki,ki->k", second, second) - straight**2, 0.0))
+    return along, straight, across
+
+
+def _of_axes(quantity: Quantity, values: Array) -> tuple[Limiter, ...]:
+    return tuple(Limiter(quantity, axis + 1) for axis in range(values.shape[-1]))
+
+
+_PROGRAMMED = (
+    Limiter(Quantity.TCP_SPEED),
+    Limiter(Quantity.REORIENTATION_SPEED),
+    Limiter(Quantity.DURATION),
+)
+_SPEEDS: tuple[Callable[[Path, Places, Limits], SpeedRows | None], ...] = (_axis_speeds,)
+"""What limits speed beside what is programmed; None where a path has no such limit at all."""
+_ACCELERATIONS: tuple[Callable[[Path, Places, Limits], AccelerationRows | None], ...] = (
+    _axis_accelerations,
+    _path_accelerations,
+    _world_accelerations,
+)
+"""What limits acceleration; None where a path has no such limit at all."""

@@ -1,0 +1,1 @@
+"""Trajectories through a row of points, as they are taught: lines, splines, joint polynomials."""

@@ -1,0 +1,113 @@
+"""Polynomials joined end to end: splines, joint quintics and time laws alike.
+
+Enters a place or a time, leaves values and derivatives; extremes are exact, not sampled.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import factorial
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+
+_NEGLIGIBLE = 1e-12
+"""Share of a polynomial's largest coefficient below which one is rounding."""
+_REAL = 1e-6
+"""Imaginary part of a root that rounding leaves of a double one."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Piecewise:
+    """A function of one number with d components, a polynomial between breaks."""
+
+    breaks: Array
+    """Shape (m + 1,), not falling."""
+    coefficients: Array
+    """Shape (m, p, d): of each piece, lowest power first, in the distance from its first break."""
+
+    @property
+    def end(self) -> float:
+        """The last break."""
+        return float(self.breaks[-1])
+
+    def piece(self, x: Array) -> np.ndarray[tuple[int, ...], np.dtype[np.int64]]:
+        """The piece (k,) in which places (k,) lie; the outer ones go on beyond the ends."""
+        found = np.searchsorted(self.breaks, x, side="right") - 1
+        return np.clip(found, 0, len(self.coefficients) - 1).astype(np.int64)
+
+    def at(self, x: Array, derivative: int = 0) -> Array:
+        """Values, or a derivative, (k, d) at places (k,)."""
+        piece = self.piece(x)
+        local = (x - self.breaks[piece])[:, None]
+        rows = self.coefficients[piece]
+        powers = rows.shape[1]
+        value: Array = np.zeros((len(x), rows.shape[2]))
+        for power in range(powers - 1, derivative - 1, -1):
+            factor = factorial(power) / factorial(power - derivative)
+            value = value * local + factor * rows[:, power]
+        return value
+
+    def extremes(self, derivative: int = 0) -> tuple[Array, Array]:
+        """The lowest and the highest value, or derivative, of each piece: two arrays (m, d)."""
+        count, powers, components = self.coefficients.shape
+        rows = self.coefficients.transpose(0, 2, 1).reshape(-1, powers)
+        for _ in range(derivative):
+            rows = rows[:, 1:] * np.arange(1, rows.shape[1])
+        width = np.repeat(np.diff(self.breaks), components)[:, None]
+        places = width * _turning_points(rows * width ** np.arange(rows.shape[1]))
+        values = np.zeros_like(places)
+        for column in rows.T[::-1]:
+            values = values * places + column[:, None]
+        shape = (count, components)
+        return values.min(axis=1).reshape(shape), values.max(axis=1).reshape(shape)
+
+    def peak(self, derivative: int) -> Array:
+        """The largest size (d,) of a derivative."""
+        low, high = self.extremes(derivative)
+        largest: Array = np.maximum(np.abs(low), np.abs(high)).max(axis=0)
+        return largest
+
+
+def _turning_points(rows: Array) -> Array:
+    """Places (k, c) in 0..1 where polynomials (k, p) turn, their ends always among them."""
+    slopes = rows[:, 1:] * np.arange(1, rows.shape[1])
+    places = np.zeros((len(rows), max(rows.shape[1], 2)))
+    places[:, 1] = 1.0
+    size = np.abs(slopes).max(axis=1, initial=0.0)
+    counts = np.abs(slopes) > _NEGLIGIBLE * size[:, None]
+    degree = (counts * np.arange(slopes.shape[1])).max(axis=1, initial=0)
+    for order in range(1, slopes.shape[1]):
+        at = np.flatnonzero(degree == order)
+        # Roots are the eigenvalues of the companion matrix.
+        companion = np.zeros((len(at), order, order))
+        companion[:, np.arange(1, order), np.arange(order - 1)] = 1.0
+        companion[:, :, -1] = -slopes[at, :order] / slopes[at, order, None]
+        roots = np.linalg.eigvals(companion)
+        inside = (np.abs(roots.imag) < _REAL) & (roots.real > 0.0) & (roots.real < 1.0)
+        places[at, 2 : 2 + order] = np.where(inside, roots.real, 0.0)
+    return places
+
+
+def integrated(widths: Array, accelerations: Array) -> Piecewise:
+    """The place from rest at 0 whose second derivative is given piece by piece.
+
+    Args:
+        widths: Shape (m,): how long each piece is; those of no length are left out.
+        accelerations: Shape (m, p): a polynomial of each piece, lowest power first.
+
+    Returns:
+        A function with one component.
+    """
+    lasting = widths > 0.0
+    widths, accelerations = widths[lasting], accelerations[lasting]
+    power = np.arange(accelerations.shape[1])
+    pieces = np.zeros((len(widths), accelerations.shape[1] + 2, 1))
+    place = speed = 0.0
+    for row, (width, acceleration) in enumerate(zip(widths, accelerations, strict=True)):
+        pieces[row, 0, 0], pieces[row, 1, 0] = place, speed
+        pieces[row, 2:, 0] = acceleration / ((power + 1) * (power + 2))
+        polynomial = np.polynomial.Polynomial(pieces[row, :, 0])
+        place, speed = float(polynomial(width)), float(polynomial.deriv()(width))
+    return Piecewise(np.concatenate([[0.0], np.cumsum(widths)]), pieces)

@@ -1,0 +1,113 @@
+"""Measures, on samples 1 ms apart, how far a trajectory is from what its arm and program allow."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.curves import Index
+from rapidsim.motion.limits import Limits
+from rapidsim.motion.path import Path
+from rapidsim.motion.trajectory import Piece, Samples, Trajectory
+
+STEP = 1e-3
+MOST_SAMPLES = 30_000
+"""So much of a long run is looked at."""
+
+
+@dataclass(frozen=True, slots=True)
+class Excess:
+    """The largest share of each limit that was used; 1 is the limit."""
+
+    axis_speed: float
+    axis_acceleration: float
+    tcp_speed: float
+
+
+def command_of(trajectory: Trajectory) -> Trajectory:
+    """The same motion before smoothing."""
+    command = Trajectory(trajectory._start, 0.0)
+    for piece in trajectory.pieces:
+        command.append(piece)
+    return command
+
+
+def excess_of(trajectory: Trajectory, limits: Limits) -> Excess:
+    """How much of the limits a motion uses; AccSet and programmed speeds are those of its moves."""
+    share, speed = _of_moves(trajectory.pieces)
+    count = min(int(trajectory.duration / STEP) + 5, MOST_SAMPLES)
+    samples = trajectory.at(np.linspace(-2.0 * STEP, STEP * (count - 3), count))
+    joints = np.concatenate([samples.joints, samples.external], axis=1)
+    rates = np.diff(joints, axis=0) / STEP
+    changes = np.diff(rates, axis=0) / STEP
+    allowed = _largest_of_neighbours(share[samples.move])
+    return Excess(
+        axis_speed=float((np.abs(rates) / limits.max_speed).max(initial=0.0)),
+        axis_acceleration=float(
+            (np.abs(changes) / limits.max_acceleration / allowed[:, None]).max(initial=0.0)
+        ),
+        tcp_speed=float((samples.tcp_speed / speed[samples.move]).max(initial=0.0)),
+    )
+
+
+def _of_moves(pieces: tuple[Piece, ...]) -> tuple[Array, Array]:
+    """Share of the axis accelerations and programmed TCP speed [m/s] of each move of a run.
+
+    Moves with a time of their own have no speed; in the middle of a corner speeds change.
+    """
+    count = 1 + max(segment.index for piece in pieces for segment in piece.path.segments)
+    share, speed = np.ones(count), np.full(count, np.inf)
+    for piece in pieces:
+        for segment in piece.path.segments:
+            share[segment.index] = segment.acceleration_share
+            speed[segment.index] = segment.speed.tcp if segment.duration is None else np.inf
+    return share, speed
+
+
+def _largest_of_neighbours(values: Array) -> Array:
+    return np.maximum(np.maximum(values[:-2], values[1:-1]), values[2:])
+
+
+def off_curve(trajectory: Trajectory) -> float:
+    """Largest distance [m] of the TCP from programmed lines and arcs, where no corner cuts them.
+
+    The TCP is found from the joints that were sampled, so this measures the arm, not its plan.
+    """
+    count = min(int(trajectory.duration / STEP) + 1, MOST_SAMPLES)
+    samples = trajectory.at(np.linspace(0.0, STEP * (count - 1), count))
+    places = trajectory.place_at(samples.times)
+    worst = 0.0
+    begin = 0.0
+    for piece in trajectory.pieces:
+        end = begin + piece.to_s - piece.from_s
+        at = np.flatnonzero((places > begin) & (places < end)).astype(np.int64)
+        worst = max(worst, _off_path(piece.path, places[at] - begin + piece.from_s, samples, at))
+        begin = end
+    return worst
+
+
+def _off_path(path: Path, s: Array, samples: Samples, at: Index) -> float:
+    layout, curves = path.layout, path.layout.curves
+    piece = layout.piece_at(s)
+    row = layout.row[piece]
+    cut = np.maximum(layout.position_corner[piece], layout.joint_corner[piece]) >= 0
+    on_curve = np.flatnonzero(~cut & ~curves.in_joints[row])
+    if not len(on_curve):
+        return 0.0
+    row = row[on_curve]
+    joints = np.concatenate([samples.joints, samples.external], axis=1)[at[on_curve]]
+    tcp = path.arms.curve_from_tcp(joints, row).translation
+    start, spoke = curves.start.translation[row], curves.spoke[row]
+    to_tcp = tcp - start
+    chord = curves.chord[row]
+    along = chord / np.maximum(np.linalg.norm(chord, axis=-1), 1e-12)[:, None]
+    off_line = np.linalg.norm(np.cross(along, to_tcp), axis=-1)
+    radius = np.linalg.norm(spoke, axis=-1)
+    axis = curves.frame_turn[row]
+    axis = axis / np.maximum(np.linalg.norm(axis, axis=-1), 1e-12)[:, None]
+    from_centre = to_tcp + spoke
+    off_plane = np.einsum("ki,ki->k", from_centre, axis)
+    off_arc = np.hypot(np.linalg.norm(from_centre, axis=-1) - radius, off_plane)
+    return float(np.where(radius > 0.0, off_arc, off_line).max())

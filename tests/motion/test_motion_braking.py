@@ -1,0 +1,58 @@
+"""Stopping on the path: as hard as the axes can, on the path, from wherever the arm is."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from motion_law import excess_of
+from motion_programs import LIMITS, Programmer, path_of, path_or_fault, programs, zone
+
+from rapidsim.motion.braking import stop_at
+from rapidsim.motion.following import PathFault
+from rapidsim.motion.segments import Speed
+from rapidsim.motion.timing import plan
+from rapidsim.motion.trajectory import Piece, Trajectory
+
+
+def test_a_joint_move_stops_within_its_braking_distance() -> None:
+    path = path_of(Programmer(speed=Speed(7.0, 10.0)).move((1.5, 0, 0, 0, 0, 0)))
+    timing = plan(path, LIMITS)
+    time = 0.5 * timing.duration
+    s, speed = timing.s_at(time), timing.speed_at(time)
+    braking = stop_at(path, LIMITS, s, speed)
+    per_metre = 1.5 / path.length
+    axis_speed, axis_acceleration = speed * per_metre, LIMITS.max_acceleration[0]
+    way = (float(braking.s[-1]) - s) * per_metre
+    assert way == pytest.approx(axis_speed**2 / (2.0 * axis_acceleration), rel=1e-6)
+    assert braking.duration == pytest.approx(axis_speed / axis_acceleration, rel=1e-6)
+
+
+@settings(max_examples=40)
+@given(program=programs(), share=st.floats(0.02, 0.98), speed=st.sampled_from([0.1, 0.5, 2.0]))
+def test_braking_keeps_the_accelerations_and_ends_before_the_plan(
+    program: Programmer, share: float, speed: float
+) -> None:
+    segments = [
+        replace(segment, speed=Speed(speed, np.radians(500.0)), zone=segment.zone or zone(3.0))
+        for segment in program.segments
+    ]
+    path = path_or_fault(segments)
+    if isinstance(path, PathFault):
+        return
+    timing = plan(path, LIMITS)
+    time = share * timing.duration
+    s = timing.s_at(time)
+    braking = stop_at(path, LIMITS, s, timing.speed_at(time))
+    stands = float(braking.s[-1])
+    assert s <= stands <= path.length
+    assert braking.speed[-1] == 0.0
+    assert braking.duration <= timing.duration - time + 1e-3
+    trajectory = Trajectory(segments[0].start, 0.0)
+    trajectory.append(Piece(0.0, path, timing, 0.0, s))
+    trajectory.append(Piece(trajectory.command_end, path, braking, s, stands))
+    # Where the plan is at a limit, its speed may be a per cent too fast for other nodes.
+    assert excess_of(trajectory, LIMITS).axis_acceleration < 1.05

@@ -1,0 +1,127 @@
+"""The law of motion: on its curves exactly, within its limits, in every program there is."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path as File
+
+import numpy as np
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from motion_law import Excess, command_of, excess_of, off_curve
+from motion_programs import LIMITS, ROBOT, Programmer, path_or_fault, programs, zone
+
+from rapidsim.files import SourceFile, decode
+from rapidsim.motion.following import PathFault
+from rapidsim.motion.limits import limits_of
+from rapidsim.motion.model import Keeper, MotionModel
+from rapidsim.motion.segments import Speed
+from rapidsim.motion.timing import plan
+from rapidsim.motion.trajectory import Piece, Trajectory
+from rapidsim.simulation.load import load
+from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.simulate import simulate
+
+ROOT = File(__file__).parents[2]
+
+
+def programs_with_moves() -> list[File]:
+    """Every program of the repository that moves a robot, but those that wait for a partner."""
+    files = sorted([*ROOT.glob("programs/**/*.mod"), *ROOT.glob("tests/**/*.mod")])
+    moves = (b"MoveL", b"MoveJ", b"MoveC", b"MoveAbsJ")
+    texts = [(file, file.read_bytes()) for file in files]
+    return [
+        file
+        for file, text in texts
+        if any(move in text for move in moves) and b"Socket" not in text
+    ]
+
+
+def trajectory_of(file: File) -> Trajectory | None:
+    """What a program does in its first minute; None where it does not move."""
+    loaded = load([SourceFile(file.name, decode(file.read_bytes())[0], "utf-8")])
+    if loaded.program is None or "main" not in loaded.program.routines:
+        return None
+    options = RunOptions(max_time_s=60.0, answers=lambda prompt: None)
+    trajectory = simulate(loaded.program, ROBOT, options=options).trajectory
+    return trajectory if trajectory.pieces else None
+
+
+def test_programs_of_the_repository_keep_curves_and_limits() -> None:
+    """The TCP off a line or circle by less than 1 um; speeds over by less than 0.1 %; axis
+    accelerations of the command over by less than 1 %."""
+    limits = limits_of(ROBOT, MotionModel())
+    looked_at = 0
+    broken = []
+    for file in programs_with_moves():
+        trajectory = trajectory_of(file)
+        if trajectory is None:
+            continue
+        looked_at += 1
+        seen, command = excess_of(trajectory, limits), excess_of(command_of(trajectory), limits)
+        off = off_curve(trajectory)
+        kept = max(seen.axis_speed, seen.tcp_speed, command.axis_speed, command.tcp_speed) < 1.001
+        if not (kept and command.axis_acceleration < 1.01 and off < 1e-6):
+            broken.append((file.name, seen, command, off))
+    assert not broken
+    assert looked_at >= 50
+
+
+def driven(program: Programmer, speed: float, model: MotionModel) -> Trajectory | None:
+    """A program without stops in between, at one speed."""
+    segments = [
+        replace(segment, speed=Speed(speed, np.radians(500.0)), zone=segment.zone or zone(2.0))
+        for segment in program.segments
+    ]
+    path = path_or_fault(segments, model)
+    if isinstance(path, PathFault):
+        return None
+    trajectory = Trajectory(segments[0].start, model.filter_time)
+    trajectory.append(Piece(0.0, path, plan(path, LIMITS), 0.0, path.length))
+    return trajectory
+
+
+@settings(max_examples=60)
+@given(
+    program=programs(),
+    speed=st.sampled_from([0.1, 0.5, 2.0, 7.0]),
+    keeper=st.sampled_from(["command", "motion"]),
+)
+def test_random_programs_keep_curves_and_limits(
+    program: Programmer, speed: float, keeper: Keeper
+) -> None:
+    """With `motion` the smoothed motion keeps the accelerations, too."""
+    trajectory = driven(program, speed, MotionModel(accelerations_kept_by=keeper))
+    if trajectory is None:
+        return
+    command, seen = excess_of(command_of(trajectory), LIMITS), excess_of(trajectory, LIMITS)
+    keeps = seen if keeper == "motion" else Excess(0.0, 0.0, 0.0)
+    assert max(command.axis_speed, command.tcp_speed, seen.axis_speed, seen.tcp_speed) < 1.001
+    assert max(command.axis_acceleration, keeps.axis_acceleration) < 1.01
+    assert off_curve(trajectory) < 1e-6
+
+
+def test_smoothing_takes_speed_into_a_tight_corner_unless_it_must_not() -> None:
+    """What the default does not keep, and what keeping it costs: a right angle with z1 at v500."""
+    program = Programmer().line((0.15, 0, 0), z=zone(1)).line((0, 0.15, 0))
+    fast = driven(program, 0.5, MotionModel())
+    kept = driven(program, 0.5, MotionModel(accelerations_kept_by="motion"))
+    assert fast is not None
+    assert kept is not None
+    assert excess_of(fast, LIMITS).axis_acceleration > 2.0
+    assert excess_of(kept, LIMITS).axis_acceleration < 1.01
+    assert 1.2 * fast.duration < kept.duration < 2.5 * fast.duration
+
+
+def test_a_kink_without_a_corner_is_a_standstill_also_when_smoothed() -> None:
+    program = Programmer().line((0.1, 0, 0), z=zone(10)).line((0, 0, 0), (0, 0, 0.3), z=zone(10))
+    trajectory = driven(program.line((0, 0.1, 0)), 0.5, MotionModel())
+    assert trajectory is not None
+    (piece,) = trajectory.pieces
+    stops = piece.path.stops
+    assert len(stops) == 2
+    times = trajectory.time_at_place(stops)
+    speeds = trajectory.at(np.concatenate([times - 1e-3, times, times + 1e-3])).joints
+    moved = np.abs(np.diff(speeds.reshape(3, 2, -1), axis=0)).max()
+    assert moved < 1e-4
+    assert excess_of(trajectory, LIMITS).axis_acceleration < 1.01

@@ -1,0 +1,117 @@
+"""Paths that are travelled together: one parameter, each robot exactly on its own path."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from motion_programs import MODEL, ROBOT, Programmer, path_of, programs, zone
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.limits import Limits, limits_of
+from rapidsim.motion.path import Path
+from rapidsim.motion.team_path import TeamPath, team_path
+from rapidsim.motion.timing import Timing, plan
+
+LIMITS = limits_of(ROBOT, MODEL)
+
+
+def limits(count: int) -> Limits:
+    return Limits(np.tile(LIMITS.max_speed, count), np.tile(LIMITS.max_acceleration, count))
+
+
+def lines(*lengths: float, millimetres: float = 20.0) -> Path:
+    """Lines of some lengths [m], by turns along y and z."""
+    program = Programmer()
+    for k, length in enumerate(lengths):
+        way = (0.0, length, 0.0) if k % 2 == 0 else (0.0, 0.0, length)
+        program.line(way, z=zone(millimetres) if k < len(lengths) - 1 else None)
+    return path_of(program)
+
+
+def timing_of(team: TeamPath) -> Timing:
+    return plan(team, limits(len(team.courses)))
+
+
+def test_a_team_of_one_takes_as_long_as_the_robot_alone() -> None:
+    alone = lines(0.2, 0.1, 0.15)
+    assert timing_of(team_path([alone])).duration == pytest.approx(
+        plan(alone, LIMITS).duration, rel=1e-3
+    )
+
+
+def test_a_team_of_two_equal_robots_takes_as_long_as_one() -> None:
+    alone = lines(0.2, 0.1, 0.15)
+    team = team_path([alone, alone])
+    assert timing_of(team).duration == pytest.approx(plan(alone, LIMITS).duration, rel=1e-3)
+    s = np.linspace(0.0, team.length, 50)
+    assert np.array_equal(team.part(0).evaluate(s).joints, team.part(1).evaluate(s).joints)
+
+
+def test_each_robot_begins_and_ends_its_segments_with_the_others() -> None:
+    long, short = lines(0.2, 0.1, 0.15, millimetres=1.0), lines(0.1, 0.2, 0.05, millimetres=1.0)
+    team = team_path([long, short])
+    assert team.lengths == pytest.approx([0.2, 0.2, 0.15], abs=1e-3)
+    for number, own in enumerate((long, short)):
+        course = team.courses[number]
+        at = course.place(team.segment_starts, team.layout.piece_at(team.segment_starts))
+        assert at == pytest.approx(own.segment_starts, abs=1e-3)
+        assert team.part(number).travelled(np.array([team.length])) == pytest.approx(
+            own.travelled(np.array([own.length])), abs=1e-12
+        )
+
+
+def test_a_robot_that_stands_takes_part() -> None:
+    standing = path_of(Programmer().line((0.0, 0.0, 0.0), z=zone(10.0)).line((0.0, 0.0, 0.0)))
+    moving = lines(0.2, 0.1)
+    team = team_path([standing, moving])
+    assert team.stops == pytest.approx(moving.segment_starts[1:])
+    points = team.part(0).evaluate(np.linspace(0.0, team.length, 9))
+    assert np.ptp(points.joints, axis=0).max() == 0.0
+    nobody = team_path([standing, standing])
+    assert (nobody.length, timing_of(nobody).duration) == (0.0, 0.0)
+
+
+def _same_count(a: Programmer, b: Programmer) -> list[Path]:
+    count = min(len(a.segments), len(b.segments))
+    cut = [
+        [*one.segments[: count - 1], replace(one.segments[count - 1], zone=None)] for one in (a, b)
+    ]
+    return [path_of(one) for one in cut]
+
+
+@settings(max_examples=25)
+@given(programs(), programs())
+def test_derivatives_are_those_of_the_places(a: Programmer, b: Programmer) -> None:
+    team = team_path(_same_count(a, b))
+    if team.length == 0.0:
+        return
+    bounds = team.layout.bounds
+    middle, step = 0.5 * (bounds[1:] + bounds[:-1]), 1e-3 * np.diff(bounds)
+    piece = np.arange(len(middle))
+    rates = team.rates(middle, piece)
+    width = LIMITS.max_speed.size
+    for number in range(2):
+        part = team.part(number)
+        own = rates.first[:, number * width : (number + 1) * width]
+        places = [part.evaluate(middle + sign * step).joints for sign in (-1.0, 1.0)]
+        slope = (places[1] - places[0]) / (2.0 * step)[:, None]
+        # Where steps are too short, joints have too few digits.
+        wide = step > 1e-6
+        assert own[wide] == pytest.approx(slope[wide], abs=1e-3 * max(1.0, np.abs(slope).max()))
+
+
+@settings(max_examples=25)
+@given(programs(), programs(), st.integers(2, 50))
+def test_places_never_go_back_and_reach_both_ends(a: Programmer, b: Programmer, n: int) -> None:
+    paths = _same_count(a, b)
+    team = team_path(paths)
+    s: Array = np.linspace(0.0, team.length, 10 * n)
+    for course, own in zip(team.courses, paths, strict=True):
+        place = course.place(s, team.layout.piece_at(s))
+        assert (np.diff(place) >= -1e-12).all()
+        assert (place[0], place[-1]) == (0.0, pytest.approx(own.length, abs=1e-12))
+        rate = course.rate(s, team.layout.piece_at(s))
+        assert (rate >= -1e-9).all()
+        assert (rate <= 1.0 + 1e-9).all()
