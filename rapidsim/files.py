@@ -10,7 +10,7 @@ import difflib
 import re
 import sys
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path, PurePosixPath
 from typing import NoReturn
 from xml.parsers import expat
@@ -78,9 +78,9 @@ def read_tasks(paths: Sequence[str]) -> tuple[TaskFiles, ...]:
             modules.append(path)
             continue
         found = Path(path)
-        task_folders = _task_folders(found) if found.is_dir() else ()
-        if task_folders:
-            tasks += [TaskFiles(folder.name, _read(_in_folder(folder))) for folder in task_folders]
+        folders = task_folders(found) if found.is_dir() else ()
+        if folders:
+            tasks += [TaskFiles(folder.name, _read(_in_folder(folder))) for folder in folders]
         elif found.is_dir():
             modules += _in_folder(found)
         elif found.suffix.lower() == ".pgf":
@@ -92,6 +92,26 @@ def read_tasks(paths: Sequence[str]) -> tuple[TaskFiles, ...]:
     if not tasks:
         raise InputError("no RAPID file was named", "name a module, a .pgf file or a folder")
     return tuple(tasks)
+
+
+def named_tasks(tasks: Sequence[TaskFiles], first: str) -> tuple[TaskFiles, ...]:
+    """Tasks with the names they have on a controller: one is `first`, several are numbered."""
+    if len(tasks) == 1:
+        return (replace(tasks[0], name=first),)
+    return tuple(replace(task, name=f"T_ROB{number}") for number, task in enumerate(tasks, 1))
+
+
+def task_folders(folder: Path) -> tuple[Path, ...]:
+    """TASK1, TASK2 ... of a backup's RAPID folder, named itself or by the folder above.
+
+    TASK0 holds what the system installs in every task, and is none.
+    """
+    for entry in (folder, *(e for e in _entries(folder) if e.name.upper() == "RAPID")):
+        if entry.is_dir():
+            tasks = [e for e in _entries(entry) if re.fullmatch(r"TASK[1-9]\d*", e.name.upper())]
+            if tasks:
+                return tuple(sorted(tasks, key=lambda e: int(e.name[4:])))
+    return ()
 
 
 def neighbours(path: str) -> tuple[str, ...]:
@@ -195,16 +215,6 @@ def _in_folder(folder: Path) -> list[Path]:
         f"{folder} holds no RAPID file ({', '.join(MODULE_SUFFIXES)})",
         f"there are some in {', '.join(below[:5])}: name one of these folders" if below else None,
     )
-
-
-def _task_folders(folder: Path) -> tuple[Path, ...]:
-    """TASK1, TASK2 ... of a backup's RAPID folder, named itself or by the folder above."""
-    for entry in (folder, *(e for e in _entries(folder) if e.name.upper() == "RAPID")):
-        if entry.is_dir():
-            tasks = [e for e in _entries(entry) if re.fullmatch(r"TASK\d+", e.name.upper())]
-            if tasks:
-                return tuple(sorted(tasks, key=lambda e: int(e.name[4:])))
-    return ()
 
 
 def _in_program_file(path: Path) -> list[Path]:

@@ -8,12 +8,20 @@ are devices: a program is untrusted input.
 from __future__ import annotations
 
 import os
+import shutil
 import stat
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import BinaryIO
 
-from rapidsim.language.controller import FileMode, OpenFile
-from rapidsim.language.error_numbers import ERR_FILEACC, ERR_FILEOPEN
+from rapidsim.language.controller import DISK_BYTES, FileMode, OpenFile
+from rapidsim.language.error_numbers import (
+    ERR_FILEACC,
+    ERR_FILEEXIST,
+    ERR_FILEOPEN,
+    rapid_error,
+)
 from rapidsim.language.errors import RapidError
 
 # Never wait for a pipe, never follow a link that appeared after the check; Windows has neither.
@@ -21,17 +29,44 @@ _CAUTION = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOFOLLOW", 0) | getattr
 _MODES = {FileMode.READ: "rb", FileMode.WRITE: "wb", FileMode.APPEND: "ab"}
 
 
+class _Disk:
+    """What a run may write in all: a loop must not fill the disk of whoever started it."""
+
+    def __init__(self) -> None:
+        """Begin with an empty disk."""
+        self._used = 0
+
+    def use(self, count: int) -> None:
+        """Take so many bytes more.
+
+        Raises:
+            RapidError: ERR_FILEACC, if they are not there.
+        """
+        if self._used + count > DISK_BYTES:
+            raise rapid_error(
+                ERR_FILEACC, f"the disk is full: a run may write {DISK_BYTES:g} bytes"
+            )
+        self._used += count
+
+
 class HomeFile:
     """One open file of the home folder."""
 
-    def __init__(self, stream: BinaryIO, name: str) -> None:
+    def __init__(self, stream: BinaryIO, name: str, disk: _Disk) -> None:
         """Take over an open stream; `name` is for messages."""
         self._stream = stream
+        self._disk = disk
         self._name = name
 
     def write(self, data: bytes) -> None:
-        """Append bytes."""
-        self._open().write(data)
+        """Append bytes.
+
+        Raises:
+            RapidError: ERR_FILEACC once the run has filled its disk.
+        """
+        stream = self._open()
+        self._disk.use(len(data))
+        stream.write(data)
 
     def read_line(self) -> bytes | None:
         """The next line without its end; None at the end of the file."""
@@ -45,6 +80,11 @@ class HomeFile:
     def rewind(self) -> None:
         """Go back to the first byte."""
         self._open().seek(0)
+
+    def flush(self) -> None:
+        """Bring to the disk what was written."""
+        if not self._stream.closed:
+            self._stream.flush()
 
     def close(self) -> None:
         """Flush and close; closing twice does nothing."""
@@ -64,6 +104,7 @@ class HomeFolder:
         self._folder = folder
         self._files: list[HomeFile] = []
         self._written: dict[Path, None] = {}
+        self._disk = _Disk()
 
     def open_file(self, path: str, mode: FileMode) -> OpenFile:
         """Open a file named as RAPID names it.
@@ -85,9 +126,75 @@ class HomeFolder:
             raise RapidError(ERR_FILEOPEN, f"{path}: {reason}") from None
         if mode is not FileMode.READ:
             self._written[place] = None
-        file = HomeFile(stream, path)  # type: ignore[arg-type]
+        file = HomeFile(stream, path, self._disk)  # type: ignore[arg-type]
         self._files.append(file)
         return file
+
+    def copy(self, old: str, new: str) -> None:
+        """Copy a file.
+
+        Raises:
+            RapidError: ERR_FILEACC, ERR_FILEEXIST, or ERR_FILEOPEN outside the home folder.
+        """
+        source, target = self._regular(old), self._free(new)
+        with _refusals(new):
+            target.parent.mkdir(parents=True, exist_ok=True)
+            self._disk.use(source.stat().st_size)
+            shutil.copyfile(source, target, follow_symlinks=False)
+        self._written[target] = None
+
+    def rename(self, old: str, new: str) -> None:
+        """Give a file another name or place; raises as `copy` does."""
+        source, target = self._regular(old), self._free(new)
+        with _refusals(new):
+            target.parent.mkdir(parents=True, exist_ok=True)
+            source.rename(target)
+        self._written.pop(source, None)
+        self._written[target] = None
+
+    def remove(self, path: str) -> None:
+        """Delete a file."""
+        place = self._regular(path)
+        with _refusals(path):
+            place.unlink()
+        self._written.pop(place, None)
+
+    def make_folder(self, path: str) -> None:
+        """Make a folder that is not there yet."""
+        place = self._place(path)
+        with _refusals(path):
+            place.parent.mkdir(parents=True, exist_ok=True)
+            place.mkdir()
+
+    def remove_folder(self, path: str) -> None:
+        """Delete an empty folder."""
+        with _refusals(path):
+            self._place(path).rmdir()
+
+    def names_in(self, path: str) -> tuple[str, ...]:
+        """The names in a folder, sorted."""
+        place = self._place(path, or_root=True)
+        if not place.exists() and place == self._root():
+            return ()
+        with _refusals(path):
+            return tuple(sorted(one.name for one in place.iterdir()))
+
+    def is_folder(self, path: str) -> bool:
+        """Whether a folder is there; the home folder itself always is."""
+        place = self._place(path, or_root=True)
+        return place == self._root() or place.is_dir()
+
+    def size(self, path: str) -> int | None:
+        """Size of a file [bytes]; None if there is no such file."""
+        place = self._place(path, or_root=True)
+        for file in self._files:
+            file.flush()
+        return place.stat().st_size if place.is_file() else None
+
+    def bytes_in(self, path: str) -> int:
+        """Bytes of all files below a folder."""
+        place = self._place(path, or_root=True)
+        return sum(one.lstat().st_size for one in place.rglob("*") if one.is_file())
 
     def close_all(self) -> None:
         """Close what the program left open."""
@@ -98,20 +205,49 @@ class HomeFolder:
         """Path and size [bytes] of each file the program wrote, in order of opening."""
         return tuple((str(path), path.stat().st_size) for path in self._written if path.exists())
 
-    def _place(self, path: str) -> Path:
-        """The place of a RAPID path on our disk."""
-        if self._folder is None:
+    def _regular(self, path: str) -> Path:
+        """The place of a file that is there."""
+        for file in self._files:
+            file.flush()
+        place = self._place(path)
+        if not place.is_file():
+            raise rapid_error(ERR_FILEACC, f"there is no file {path}")
+        return place
+
+    def _free(self, path: str) -> Path:
+        """The place of a file that is not there yet."""
+        place = self._place(path)
+        if place.exists():
+            raise rapid_error(ERR_FILEEXIST, f"{path} is there already")
+        return place
+
+    def _root(self) -> Path | None:
+        return None if self._folder is None else self._folder.resolve()
+
+    def _place(self, path: str, *, or_root: bool = False) -> Path:
+        """The place of a RAPID path on our disk; the home folder itself only where it may be."""
+        root = self._root()
+        if root is None:
             raise RapidError(ERR_FILEOPEN, f"{path}: the run has no home folder (use --home)")
-        root = self._folder.resolve()
         device, colon, rest = path.replace("\\", "/").rpartition(":")
         if colon and device.lstrip("/").lower() != "home":
             raise RapidError(ERR_FILEOPEN, f"{path}: only HOME: is simulated")
         if "\0" in rest:
             raise RapidError(ERR_FILEOPEN, f"{path!r} is not a file name")
         place = (root / rest.lstrip("/")).resolve()
-        if not place.is_relative_to(root) or place == root:
+        if not place.is_relative_to(root) or (place == root and not or_root):
             raise RapidError(ERR_FILEOPEN, f"{path} lies outside the home folder")
         return place
+
+
+@contextmanager
+def _refusals(path: str) -> Iterator[None]:
+    """Turn what the disk refuses into the error that a program can catch."""
+    try:
+        yield
+    except OSError as error:
+        reason = (error.strerror or "cannot be done").lower()
+        raise rapid_error(ERR_FILEACC, f"{path}: {reason}") from None
 
 
 def _flags(mode: FileMode) -> int:

@@ -12,7 +12,12 @@ from dataclasses import dataclass, field
 
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.language.controller import Place
+from rapidsim.simulation.failed_moves import FailedMove
 from rapidsim.simulation.result import Event, EventKind, ExecutedLine, Unsimulated
+from rapidsim.simulation.stops import EventLimitReached
+
+MOST_EVENTS = 1_000_000
+"""A loop that writes texts or sets outputs for ever would otherwise use up the memory."""
 
 
 class Instant:
@@ -41,6 +46,7 @@ class Moment:
 
 @dataclass(frozen=True, slots=True)
 class _Entry:
+    task: str
     moment: Moment
     kind: EventKind
     place: Place | None
@@ -56,14 +62,26 @@ class Journal:
     _events: list[_Entry] = field(default_factory=list)
     _lines: list[tuple[Moment, Place]] = field(default_factory=list)
     _diagnostics: list[Diagnostic] = field(default_factory=list)
+    _failed_moves: list[FailedMove] = field(default_factory=list)
     _reported: set[object] = field(default_factory=set)
     _unsimulated: dict[tuple[str, str], int] = field(default_factory=dict)
+
+    def beside(self, task: str) -> Journal:
+        """The journal of another task of the cell, whose events go into the same list.
+
+        So what happens at one instant keeps the order in which it happened.
+        """
+        return Journal(task, _events=self._events)
 
     def event(
         self, moment: Moment, kind: EventKind, place: Place | None, message: str, **details: object
     ) -> None:
         """Note an event."""
-        self._events.append(_Entry(moment, kind, place, message, details))
+        if len(self._events) >= MOST_EVENTS:
+            raise EventLimitReached(
+                f"the run was cut off: {MOST_EVENTS} events are as many as it may note"
+            )
+        self._events.append(_Entry(self.task, moment, kind, place, message, details))
 
     def line(self, moment: Moment, place: Place) -> None:
         """Note that the program pointer reached a statement."""
@@ -80,6 +98,13 @@ class Journal:
         routine = place.routine if place else None
         self._diagnostics.append(Diagnostic(violation, span, routine=routine))
 
+    def failed_move(self, failed: FailedMove) -> None:
+        """Note a move that could not be made; a loop that tries it again notes it once."""
+        key = (failed.place.span, failed.violation)
+        if key not in self._reported:
+            self._reported.add(key)
+            self._failed_moves.append(failed)
+
     def has_found(self, once: object) -> bool:
         """Whether a finding with this key has been noted, so that its facts need no work."""
         return once in self._reported
@@ -90,9 +115,9 @@ class Journal:
         self._unsimulated[key] = self._unsimulated.get(key, 0) + 1
 
     def events(self) -> tuple[Event, ...]:
-        """All events in order of time; those at one time in the order they were noted."""
+        """All events of the cell in order of time; those at one time in the order of noting."""
         dated = [
-            Event(e.moment.time_s, self.task, e.kind, e.place, e.message, e.details)
+            Event(e.moment.time_s, e.task, e.kind, e.place, e.message, e.details)
             for e in self._events
             if e.moment.instant.time is not None
         ]
@@ -110,6 +135,10 @@ class Journal:
     def diagnostics(self) -> tuple[Diagnostic, ...]:
         """All findings, in the order they were made."""
         return tuple(self._diagnostics)
+
+    def failed_moves(self) -> tuple[FailedMove, ...]:
+        """The moves that could not be made, in the order they were tried."""
+        return tuple(self._failed_moves)
 
     def not_simulated(self) -> tuple[Unsimulated, ...]:
         """All routines that were not simulated, in the order they were met."""

@@ -5,8 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from rapidsim.diagnostics import Diagnostic, Violation
-from rapidsim.motion.violations import PathNotReachable, TooLittleTime
-from rapidsim.simulation.path_queue import MotionError, QueuedMove
+from rapidsim.motion.following import FaultKind, PathFault
+from rapidsim.motion.violations import (
+    PathConfiguration,
+    PathNotReachable,
+    PathThroughSingularity,
+    TooLittleTime,
+)
+from rapidsim.simulation.path_queue import MotionError
+from rapidsim.simulation.queued_move import QueuedMove
 
 _EXCESS = 1.01
 """A timed move is planned to a tenth of a per cent; beyond this it could not be kept."""
@@ -14,9 +21,19 @@ _EXCESS = 1.01
 
 def path_violation(error: MotionError) -> Violation:
     """What is wrong with a move that cannot be made."""
-    queued, fault = error.queued, error.fault
-    return PathNotReachable(
-        target=queued.place.arguments.get("topoint", queued.move.instruction),
+    queued = error.queued
+    target = queued.place.arguments.get("topoint", queued.move.instruction)
+    return fault_violation(error.fault, target)
+
+
+def fault_violation(fault: PathFault, target: str) -> Violation:
+    """What is wrong with the way to a target."""
+    of_kind = {
+        FaultKind.SINGULARITY: PathThroughSingularity,
+        FaultKind.CONFIGURATION: PathConfiguration,
+    }
+    return of_kind.get(fault.kind, PathNotReachable)(
+        target=target,
         percent=100.0 * fault.fraction,
         distance_mm=1000.0 * fault.distance,
         why=fault.reason,

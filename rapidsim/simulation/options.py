@@ -4,12 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from datetime import datetime
 from pathlib import Path
 
+from rapidsim.frames.transform import Transform
+from rapidsim.motion.external_axes import ExternalAxis
 from rapidsim.motion.model import MotionModel
+from rapidsim.simulation.cell_io import CellIo
+from rapidsim.simulation.network import Network
 
 Answers = Callable[[str], str | None]
 """Answers an operator's question by its prompt; None where nobody answers."""
+
+
+START_OF_TIME = datetime(2000, 1, 1)
+"""A fixed day, so that two runs are the same."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,12 +30,24 @@ class RunOptions:
     model: MotionModel = field(default_factory=MotionModel)
     start_joints_deg: tuple[float, ...] | None = None
     """Where the arm stands at the start; None takes all zero with axis 5 at 30 degrees."""
+    world_from_base: Transform = field(default_factory=Transform.identity)
+    """Where the robot stands, with all external axes at zero."""
+    external_axes: tuple[ExternalAxis, ...] = ()
+    """Tracks, positioners and other axes beside the arm, in the order of their letters."""
     answers: Answers | None = None
     """None answers every question with its default and a warning."""
+    io: CellIo = field(default_factory=CellIo)
+    """Signals, how they are wired, and what happens to inputs."""
     home: Path | None = None
     """The folder HOME: stands for; None makes file instructions fail with a clear error."""
+    network: Network | None = None
+    """What sockets may use of the network; None lets them reach the station's scripts only."""
+    starts_at: datetime = START_OF_TIME
+    """Date and time of day that the controller's clock shows when the run begins."""
     max_time_s: float = 3600.0
     """Virtual time at which the run ends."""
+    max_wall_s: float | None = None
+    """How long the run may take on our clock; the only thing in a run that looks at it."""
     max_cycles: int = 1
     """How often main runs."""
     entry: str = "main"

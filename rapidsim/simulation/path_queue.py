@@ -11,14 +11,12 @@ corner has become a stop (corner path failure).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
 
-from rapidsim.frames.transform import Array
-from rapidsim.language.controller import Move, Place
-from rapidsim.language.data import ConfData, ToolData, WobjData
 from rapidsim.motion.corners import Corner
 from rapidsim.motion.following import PathFault
 from rapidsim.motion.limits import Limits, limits_of
@@ -27,9 +25,13 @@ from rapidsim.motion.path import Path, build_path
 from rapidsim.motion.robot import Robot
 from rapidsim.motion.segments import Segment, Waypoint
 from rapidsim.motion.timing import Timing, plan
-from rapidsim.motion.trajectory import Piece, Trajectory
-from rapidsim.motion.turns import vector_from_rotation
-from rapidsim.simulation.journal import Instant
+from rapidsim.motion.trajectory import Piece, Samples, Trajectory
+from rapidsim.simulation.queued_move import (
+    QueuedMove,
+    executed_move,
+    frames_of,
+    nominal_s,
+)
 from rapidsim.simulation.result import CornerKind, ExecutedMove
 
 MAX_OPEN_MOVES = 2000
@@ -50,30 +52,8 @@ class MotionError(Exception):
         self.fault = fault
 
 
-@dataclass(slots=True, eq=False)
-class QueuedMove:
-    """A move on the path and what becomes of it."""
-
-    move: Move
-    place: Place
-    segment: Segment
-    conf: ConfData
-    started: Instant
-    """When the robot starts the move, in command time."""
-    corner: CornerKind
-    zone_m: float = 0.0
-    start_place_m: float = 0.0
-    end_place_m: float = 0.0
-    """Where the move begins and ends on the path of the whole run."""
-    length_m: float = 0.0
-    command_start_s: float | None = None
-    """Command time of the start, for the first move of a block only."""
-    ended_s: float | None = None
-    """Command time of the end, as far as it is planned."""
-
-
 @dataclass(frozen=True, slots=True)
-class _Commit:
+class Commit:
     """Up to here the path is fixed: a distance past the start of one of the block's moves."""
 
     time_s: float
@@ -83,7 +63,7 @@ class _Commit:
 
 
 @dataclass(frozen=True, slots=True)
-class _Plan:
+class Plan:
     """A tentative plan of the open part of the block."""
 
     path: Path
@@ -94,11 +74,15 @@ class _Plan:
     """Where on the path the plan starts."""
     start_s: float
     """Command time at that place."""
+    lost_corner: int | None = None
+    """Index in the block of a move that ends with a stop instead of the corner it was to have."""
 
     def time_at(self, s: float) -> float:
+        """Command time [s] at a place of the path."""
         return self.start_s + self.timing.time_at(s)
 
     def start_of(self, index: int) -> float:
+        """Where on the path a move of the block starts [m]."""
         return float(self.path.segment_starts[index - self.first])
 
 
@@ -112,10 +96,19 @@ class PathQueue:
     end: Waypoint
     """Where the last queued move ends."""
     moves: list[QueuedMove] = field(default_factory=list)
+    version: int = 0
+    """Changes whenever what the robot will do may change."""
     _block: list[QueuedMove] = field(default_factory=list)
-    _commit: _Commit | None = None
-    _plan: _Plan | None = None
-    _reckoned: tuple[_Commit, int, float] | None = None
+    _commit: Commit | None = None
+    _plan: Plan | None = None
+    _closed: bool = False
+    """The block has its end; it stays until the next begins, for it may be stopped on its way."""
+    _halted: bool = False
+    """StopMove: nothing moves until StartMove."""
+    _driven: list[Plan] = field(default_factory=list)
+    """The plans whose stretches the block has travelled, in order of time."""
+    _preview: tuple[int, Trajectory] | None = None
+    _reckoned: tuple[Commit, int, float] | None = None
     """From which commit, up to the start of which move, to what time `nominal_last_start` got."""
     _ready_s: float = 0.0
     """Earliest command time at which the next block may start."""
@@ -123,12 +116,17 @@ class PathQueue:
     @property
     def is_open(self) -> bool:
         """Whether a block of moves waits for its end."""
-        return bool(self._block)
+        return bool(self._block) and not self._closed
+
+    @property
+    def is_halted(self) -> bool:
+        """Whether a stop keeps the robot where it is."""
+        return self._halted
 
     @property
     def open_moves(self) -> int:
         """How many moves of the open block have not been travelled."""
-        return len(self._block) - self._commit.move if self._commit else 0
+        return len(self._block) - self._commit.move if self.is_open and self._commit else 0
 
     @cached_property
     def limits(self) -> Limits:
@@ -152,17 +150,20 @@ class PathQueue:
             MotionError: When what is already on the path turns out not to be passable.
         """
         self._advance(now_s)
-        if not self._block:
+        self.version += 1
+        if not self.is_open:
+            self._block, self._driven, self._closed = [], [], False
             start_s = max(now_s, self._ready_s)
-            self._commit = _Commit(start_s, 0, 0.0, 0.0)
+            self._commit = Commit(start_s, 0, 0.0, 0.0)
             queued.started.time = start_s
             queued.command_start_s = start_s
-        elif _frames(self._block[-1]) != _frames(queued):
+        elif frames_of(self._block[-1]) != frames_of(queued):
             # Source: RAPID Overview, "Motion and I/O principles": a change of tool or work object
             # within a zone makes the corner path joint interpolated.
             last = self._block[-1]
             last.segment = replace(last.segment, joint_corner=True)
-        queued.segment = replace(queued.segment, index=len(self.moves))
+        if queued.segment.index != len(self.moves):
+            queued.segment = replace(queued.segment, index=len(self.moves))
         self._block.append(queued)
         self.moves.append(queued)
         self.end = queued.segment.end
@@ -177,14 +178,46 @@ class PathQueue:
         Raises:
             MotionError: See `append`.
         """
-        self._block[-1].corner = corner
-        tentative = self._planned()
+        if self._block[-1].corner is CornerKind.FLY_BY:
+            self._block[-1].corner = corner
+        tentative = self._to_travel()
         end_s = self._travel(tentative, len(self._block), tentative.path.length)
-        self._ready_s = end_s + self.model.fine_dwell
-        self._block = []
-        self._commit = None
+        stop = self._block[-1].move.stop
+        pause_s = self.model.filter_time + stop.seconds if stop else 0.0
+        self._ready_s = end_s + max(self.model.fine_dwell, pause_s)
+        self._closed = True
         self._plan = None
         return end_s
+
+    def at_past(self, time_s: float) -> Samples:
+        """The arm at a time [s] that is past, one sample."""
+        return self.trajectory.at(np.array([time_s]))
+
+    def preview(self) -> Trajectory:
+        """What the robot will do if nothing more is said.
+
+        Raises:
+            MotionError: See `append`.
+        """
+        if not self.is_open or self._halted:
+            return self.trajectory
+        if self._preview is None or self._preview[0] != self.version:
+            plan = self._planned()
+            rest = Piece(plan.start_s, plan.path, plan.timing, plan.from_m, plan.path.length)
+            self._preview = (self.version, self.trajectory.extended(rest))
+        return self._preview[1]
+
+    def places_of(self, queued: QueuedMove) -> tuple[float, float] | None:
+        """Where a move of the current block starts and ends [m] on the preview; None for others."""
+        index = queued.segment.index - self._block[0].segment.index if self._block else -1
+        if not 0 <= index < len(self._block) or self._block[index] is not queued:
+            return None
+        plan = self._planned() if self.is_open and not self._halted else None
+        if plan is None or index < plan.first:
+            return queued.start_place_m, queued.end_place_m
+        offset = self.trajectory.length - plan.from_m
+        ends = [*plan.path.segment_starts[1:], plan.path.length]
+        return offset + plan.start_of(index), offset + float(ends[index - plan.first])
 
     def nominal_last_start(self) -> float:
         """About when the robot starts the last move [s]: at programmed speeds, without ramps."""
@@ -195,7 +228,7 @@ class PathQueue:
         _, begin, start_s = self._reckoned
         last = len(self._block) - 1
         # Each move is added once, however often somebody asks.
-        start_s += sum(_nominal_s(queued.segment) for queued in self._block[begin:last])
+        start_s += sum(nominal_s(queued.segment) for queued in self._block[begin:last])
         self._reckoned = (commit, last, start_s)
         return start_s
 
@@ -220,7 +253,7 @@ class PathQueue:
             MotionError: See `append`.
         """
         assert self._commit is not None
-        tentative = self._planned()
+        tentative = self._to_travel()
         index = len(self._block) - 1
         ahead_m = 0.0
         while index > self._commit.move:
@@ -232,54 +265,84 @@ class PathQueue:
             return None
         return self._commit_start(index)
 
-    def joints_at(self, now_s: float) -> Array:
-        """Joints (n,) [rad] of the arm now, which fixes the path up to now.
+    def samples_at(self, now_s: float) -> Samples:
+        """The arm now, one sample, which fixes the path up to now.
 
         Raises:
             MotionError: See `append`.
         """
         self._advance(now_s)
-        joints: Array = self.trajectory.at(np.array([now_s])).joints[0]
-        return joints
+        return self.at_past(now_s)
 
     def executed(self, task: str) -> tuple[ExecutedMove, ...]:
         """All moves that were planned, with the times at which the arm is seen to make them."""
         done = [
             (index, queued)
             for index, queued in enumerate(self.moves)
-            if queued.end_place_m >= queued.start_place_m and queued.started.time is not None
+            if queued.ended_s is not None and queued.started.time is not None
         ]
         places = [[queued.start_place_m, queued.end_place_m] for _, queued in done]
         seen_s = self.trajectory.time_at_place(np.array(places).reshape(-1)).reshape(-1, 2)
         return tuple(
-            _executed(index, task, queued, float(start_s), float(end_s))
+            executed_move(index, task, queued, float(start_s), float(end_s))
             for (index, queued), (start_s, end_s) in zip(done, seen_s, strict=True)
         )
 
-    def _planned(self) -> _Plan:
-        """The open part of the block, planned to a stop at its last move."""
+    def _planned(self) -> Plan:
+        """The open part of the block, planned to a stop at its last move; nothing else changes.
+
+        Raises:
+            MotionError: If some of it cannot be travelled.
+        """
         if self._plan is not None:
             return self._plan
         assert self._commit is not None
         commit = self._commit
-        # The corner into the first open move is half travelled: its geometry needs the move before.
-        first = max(commit.move - 1, 0)
-        segments = [queued.segment for queued in self._block[first:]]
-        path = build_path(self.robot, segments, self.model)
+        self._plan = self._plan_from(commit)
+        too_fast = self._plan.timing.start_excess > TOLERATED_EXCESS * commit.speed_m_s
+        if too_fast and self._block[commit.move].segment.zone:
+            # The corner that the next move has added is too tight for the speed the arm has: it
+            # was learnt too late, as if it had come after the zone was reached. Where to stop there
+            # would not help, it is not to blame: plans that look at other nodes differ a little.
+            stopped = self._plan_from(commit, lost_corner=commit.move)
+            if stopped.timing.start_excess < 0.5 * self._plan.timing.start_excess:
+                self._plan = stopped
+        return self._plan
+
+    def _plan_from(self, commit: Commit, *, lost_corner: int | None = None) -> Plan:
+        first = self._first_open
+        lost = None if lost_corner is None else lost_corner - first
+        path = self._build(self._block[first:], lost)
         if isinstance(path, PathFault):
-            self._stop_before(first + path.segment)
             raise MotionError(self._block[first + path.segment], path)
         from_m = float(path.segment_starts[commit.move - first]) + commit.distance_m
         timing = plan(path, self.limits, start=from_m, start_speed=commit.speed_m_s)
-        under_way = self._block[commit.move]
-        if timing.start_excess > TOLERATED_EXCESS * commit.speed_m_s and under_way.segment.zone:
-            # The corner that the next move has added is too tight for the speed the arm has: it
-            # was learnt too late, as if it had come after the zone was reached.
-            under_way.segment = replace(under_way.segment, zone=None)
-            under_way.corner = CornerKind.STOP_CORNER_PATH_FAILURE
+        return Plan(path, timing, first, from_m, commit.time_s, lost_corner)
+
+    @property
+    def _first_open(self) -> int:
+        """The first move whose geometry a plan needs: the corner after it is half travelled."""
+        assert self._commit is not None
+        return max(self._commit.move - 1, 0)
+
+    def _to_travel(self) -> Plan:
+        """The plan of the open part; the robot makes the moves before one that it cannot make.
+
+        Raises:
+            MotionError: See `append`.
+        """
+        try:
             return self._planned()
-        self._plan = _Plan(path, timing, first, from_m, commit.time_s)
-        return self._plan
+        except MotionError as error:
+            self._stop_before(self._first_open + error.fault.segment)
+            raise
+
+    def _build(self, moves: Sequence[QueuedMove], lost_corner: int | None) -> Path | PathFault:
+        """The geometry of some moves of the block, one of which may stop where it has a zone."""
+        segments = [queued.segment for queued in moves]
+        if lost_corner is not None:
+            segments[lost_corner] = replace(segments[lost_corner], zone=None)
+        return build_path(self.robot, segments, self.model)
 
     def _stop_before(self, index: int) -> None:
         """Let the robot make the moves before one that it cannot make."""
@@ -295,19 +358,22 @@ class PathQueue:
         assert self._commit is not None
         if index <= self._commit.move:
             return self._commit.time_s
-        tentative = self._planned()
+        tentative = self._to_travel()
         s = tentative.start_of(index)
         time_s = self._travel(tentative, index, s)
         speed = tentative.timing.speed_at(time_s - tentative.start_s)
-        self._commit = _Commit(time_s, index, 0.0, speed)
+        self._commit = Commit(time_s, index, 0.0, speed)
         self._plan = None
         return time_s
 
     def _advance(self, now_s: float) -> None:
         """Fix what has been travelled by now; too late for the corner, and it becomes a stop."""
-        if self._commit is None or now_s <= self._commit.time_s + LOOK_AHEAD_SLACK_S:
+        if not self.is_open or self._halted:
             return
-        tentative = self._planned()
+        assert self._commit is not None
+        if now_s <= self._commit.time_s + LOOK_AHEAD_SLACK_S:
+            return
+        tentative = self._to_travel()
         last = self._block[-1].segment
         radius = last.zone.position if last.zone else 0.0
         length = tentative.path.length - tentative.start_of(len(self._block) - 1)
@@ -321,77 +387,43 @@ class PathQueue:
         index = max(index, self._commit.move)
         self._travel(tentative, index + 1, s)
         speed = tentative.timing.speed_at(now_s - tentative.start_s)
-        self._commit = _Commit(now_s, index, s - tentative.start_of(index), speed)
+        self._commit = Commit(now_s, index, s - tentative.start_of(index), speed)
         self._plan = None
 
-    def _travel(self, tentative: _Plan, moves_begun: int, to_m: float) -> float:
+    def _travel(self, tentative: Plan, moves_begun: int, to_m: float) -> float:
         """Append a stretch of a plan to the trajectory and date the moves that begin on it."""
-        piece = Piece(
-            start_time=tentative.start_s,
-            path=tentative.path,
-            timing=tentative.timing,
-            from_s=tentative.from_m,
-            to_s=to_m,
-        )
+        path, timing = tentative.path, tentative.timing
+        if tentative.lost_corner is not None:
+            late = self._block[tentative.lost_corner]
+            late.segment = replace(late.segment, zone=None)
+            late.corner = CornerKind.STOP_CORNER_PATH_FAILURE
+        piece = Piece(tentative.start_s, path, timing, tentative.from_m, to_m)
         offset_m = self.trajectory.append(piece) - tentative.from_m
-        starts = [float(s) for s in tentative.path.segment_starts]
-        ends = [*starts[1:], tentative.path.length]
-        for index in range(tentative.first, moves_begun):
-            queued = self._block[index]
-            k = index - tentative.first
+        self._driven.append(tentative)
+        self.version += 1
+        count = moves_begun - tentative.first
+        bounds = np.append(tentative.path.segment_starts, tentative.path.length)[: count + 1]
+        times = (tentative.start_s + tentative.timing.time_at(bounds)).tolist()
+        places, lengths = bounds.tolist(), tentative.path.lengths.tolist()
+        for k, queued in enumerate(self._block[tentative.first : moves_begun]):
             if queued.started.time is None:
-                queued.started.time = tentative.time_at(starts[k])
-            if starts[k] >= tentative.from_m - 1e-12:
-                queued.start_place_m = offset_m + starts[k]
-            queued.end_place_m = offset_m + ends[k]
-            queued.length_m = float(tentative.path.lengths[k])
-            queued.ended_s = tentative.time_at(ends[k])
+                queued.started.time = times[k]
+            if places[k] >= tentative.from_m - 1e-12:
+                queued.start_place_m = offset_m + places[k]
+            queued.end_place_m = offset_m + places[k + 1]
+            queued.length_m = lengths[k]
+            # A move that ended before this plan begins keeps its time.
+            if queued.ended_s is None or places[k + 1] >= tentative.from_m - 1e-12:
+                queued.ended_s = times[k + 1]
             self._note_corner(queued, tentative.path.corners[k])
         return tentative.time_at(to_m)
 
     def _note_corner(self, queued: QueuedMove, corner: Corner) -> None:
         """What became of the end of a move; the last of the open block is still undecided."""
-        queued.zone_m = corner.radius
+        queued.zone_m, queued.corner_reason = corner.radius, corner.reason
         if corner.stops and queued.corner is CornerKind.FLY_BY and queued is not self._block[-1]:
             queued.corner = CornerKind.STOP
 
     def _braking_distance_m(self, segment: Segment) -> float:
         """More than the TCP needs to stop from the programmed speed."""
         return segment.speed.tcp * self.braking_s / segment.acceleration_share
-
-
-def _executed(
-    index: int, task: str, queued: QueuedMove, start_s: float, end_s: float
-) -> ExecutedMove:
-    if queued.command_start_s is not None:
-        # The arm may have stood at this place for a while.
-        start_s = queued.command_start_s
-    return ExecutedMove(
-        index=index,
-        task=task,
-        move=queued.move,
-        place=queued.place,
-        corner=queued.corner,
-        zone_m=queued.zone_m,
-        start_s=start_s,
-        end_s=max(start_s, end_s),
-        length_m=queued.length_m,
-        base_from_tcp=queued.segment.end.base_from_tcp,
-        tcp_from_flange=queued.segment.tcp_from_flange,
-        joints=queued.segment.end.joints,
-        conf=queued.conf,
-    )
-
-
-def _nominal_s(segment: Segment) -> float:
-    """Time [s] of a move at its programmed speeds, straight from start to end."""
-    if segment.duration is not None:
-        return segment.duration
-    start, end = segment.start.base_from_tcp, segment.end.base_from_tcp
-    way = float(np.linalg.norm(end.translation - start.translation))
-    turn = float(np.linalg.norm(vector_from_rotation(end.rotation @ start.rotation.T)))
-    return max(way / segment.speed.tcp, turn / segment.speed.reorientation)
-
-
-def _frames(queued: QueuedMove) -> tuple[ToolData, WobjData]:
-    return queued.move.tool, queued.move.wobj

@@ -12,6 +12,8 @@ from rapidsim.simulation.journal import Instant, Moment
 
 TICK_S = 1e-5
 """Virtual time of one turn of a loop that neither moves nor waits."""
+BACKGROUND_TICK_S = 1e-3
+"""The same in a task of the background, which gets what normal tasks leave of the processor."""
 LONGEST_SLICE = 100_000
 """Ticks after which the controller looks around even when nothing is due."""
 
@@ -19,10 +21,11 @@ LONGEST_SLICE = 100_000
 class PointerTime:
     """When the statement that runs happens."""
 
-    __slots__ = ("_granted", "instant", "offset_s")
+    __slots__ = ("_granted", "instant", "offset_s", "tick_s")
 
-    def __init__(self) -> None:
-        """Start at time zero, with no ticks granted."""
+    def __init__(self, tick_s: float = TICK_S) -> None:
+        """Start at time zero, with no ticks granted; a tick takes so long [s]."""
+        self.tick_s = tick_s
         self.instant = Instant(0.0)
         self.offset_s = 0.0
         self._granted = 0
@@ -44,13 +47,13 @@ class PointerTime:
 
     def settle(self, left: int) -> None:
         """Turn the ticks that were used into time, given those that are left."""
-        self.offset_s += max(0, self._granted - left) * TICK_S
+        self.offset_s += max(0, self._granted - left) * self.tick_s
         self._granted = left
 
     def grant(self, until_s: float, slack_s: float) -> int:
         """Ticks that the program may use until a time [s], or for a slack [s] if none is known."""
         wait_s = until_s - self.known_s if self.is_known else slack_s
-        self._granted = math.ceil(min(max(wait_s, 0.0), LONGEST_SLICE * TICK_S) / TICK_S)
+        self._granted = math.ceil(min(max(wait_s, 0.0), LONGEST_SLICE * self.tick_s) / self.tick_s)
         return self._granted
 
     def set(self, time_s: float) -> None:

@@ -1,68 +1,66 @@
-"""From a move instruction to a segment: targets to joints, in the configuration that is meant.
-
-The controller wants the stored configuration exactly when ConfJ or ConfL is on, and stops when it
-does not work. We take the nearest that works and say so once for each target: programs are often
-run against another work object than they were taught with, and the rest of them is worth seeing.
-"""
+"""From a move instruction to a segment: where its frames are, where it starts and ends."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
-from rapidsim.diagnostics import Violation
-from rapidsim.frames.quaternion import norm
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.language.controller import Interpolation, MotionSettings, Move, Place
+from rapidsim.language.controller import (
+    CirclePathMode,
+    Interpolation,
+    MotionSettings,
+    Move,
+    Place,
+    SingularArea,
+)
 from rapidsim.language.data import (
-    NO_EXTERNAL_AXES,
     ConfData,
+    ExtJoint,
     JointTarget,
     RobTarget,
     ToolData,
     WobjData,
 )
-from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH, ERR_ROBLIMIT
-from rapidsim.language.errors import RapidError
+from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH
 from rapidsim.motion import targets
-from rapidsim.motion.confdata import Configuration, confdata_of, configurations, told_apart
-from rapidsim.motion.curves import circle_fault, curves_of
-from rapidsim.motion.reach import limit_excess, why_unreachable
 from rapidsim.motion.robot import Robot
-from rapidsim.motion.segments import Geometry, Segment, Speed, Waypoint, Zone
-from rapidsim.motion.violations import (
-    CircleUncertain,
-    ConfigurationNotReachable,
-    JointOutOfRange,
-    QuaternionNotUnit,
-    UnreachableTarget,
-)
+from rapidsim.motion.segments import CircleMode, Geometry, Segment, Waypoint
+from rapidsim.motion.violations import NothingMovesTool
+from rapidsim.simulation.arrival import Arrivals
+from rapidsim.simulation.asked_move import AskedMove, MoveRefusedError, target_name
+from rapidsim.simulation.configuration_choice import stored_or_nearest
 from rapidsim.simulation.journal import Instant, Journal
-from rapidsim.simulation.path_queue import QueuedMove
+from rapidsim.simulation.move_data import (
+    CIRCLE_MODES,
+    GEOMETRY,
+    acceleration_share_of,
+    external_speeds_of,
+    speed_of,
+    unbounded,
+    zone_of,
+)
+from rapidsim.simulation.queued_move import QueuedMove
 from rapidsim.simulation.result import CornerKind
-
-CURVE_SAMPLES = 33
-"""Poses along a line or arc by which the whole turns of the joints are followed to its end."""
+from rapidsim.simulation.target_checks import check_orientation, external_end, require_limits
 
 
-class MoveRefusedError(RapidError):
-    """A move whose end cannot be reached, with the finding that says why."""
-
-    def __init__(self, errno: float, violation: Violation) -> None:
-        """Carry the finding along."""
-        super().__init__(errno, violation.message, cf=violation.cf)
-        self.violation = violation
-
-
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Resolver:
     """Resolves the moves of one robot."""
 
     robot: Robot
     journal: Journal
     base_from_world: Transform
+    """With all external axes at zero."""
+    payload_acceleration: float = 1.0
+    """See `MotionModel`."""
+    _placements: dict[tuple[ToolData, WobjData], targets.Placement | targets.NotSimulatedFrame] = (
+        field(default_factory=dict)
+    )
+    """What was worked out before: programs use few tools and work objects."""
 
     def resolve(
         self, move: Move, place: Place, start: Waypoint, settings: MotionSettings
@@ -72,226 +70,158 @@ class Resolver:
         Raises:
             RapidError: When the end cannot be reached, or the set-up is not simulated.
         """
-        name = place.arguments.get("topoint", place.arguments.get("tojointpos", move.instruction))
-        tcp_from_flange = targets.tcp_from_flange(move.tool)
-        start = Waypoint(start.joints, self.robot.forward(start.joints) @ tcp_from_flange.inverse())
-        if isinstance(move.to, JointTarget):
-            joints = self._axes(move.to, name)
-            end = Waypoint(joints, self.robot.forward(joints) @ tcp_from_flange.inverse())
+        to, kinematics = move.to, self.robot.kinematics
+        asked = AskedMove(move, settings, place, self._placement_of(move, place))
+        external = external_end(asked, to.extax, start.external, self.robot, self.journal)
+        segment = self._segment(asked, start, external)
+        if isinstance(to, RobTarget):
+            segment, arrival = self._arrivals.of(asked, to.robconf, segment)
         else:
-            # Until the way there is known, its end stands in the joints of its start.
-            base_from_tcp = self._pose(move.to, move.tool, move.wobj, name, place)
-            end = Waypoint(start.joints, base_from_tcp)
-        segment = Segment(
-            index=0,
-            geometry=_GEOMETRY[move.interpolation],
-            start=start,
-            end=end,
-            tcp_from_flange=tcp_from_flange,
-            branch=int(self.robot.kinematics.branch_of(start.joints)),
-            speed=_speed(move, settings),
-            zone=_zone(move),
-            via=self._via(move, name, place),
-            duration=move.duration_s,
-            acceleration_share=settings.acceleration_percent / 100.0,
+            arrival = self._arrivals.configuration(segment.end.joints)
+        base_from_tcp, tcp_from_flange = segment.end.base_from_tcp, segment.tcp_from_flange
+        if segment.carrier is not None:
+            base_from_tcp = asked.placed.base_from_tcp(kinematics, arrival.joints, external)
+            tcp_from_flange = base_from_tcp.inverse() @ self.robot.forward(arrival.joints)
+        return QueuedMove(
+            move,
+            place,
+            segment,
+            ConfData(*map(float, arrival.confdata)),
+            Instant(),
+            CornerKind.STOP if segment.zone is None else CornerKind.FLY_BY,
+            base_from_tcp,
+            tcp_from_flange,
         )
-        if isinstance(move.to, RobTarget):
-            arrival = self._arrival(move, move.to, name, place, segment, settings)
-            segment = replace(segment, end=Waypoint(arrival.joints, end.base_from_tcp))
-        else:
-            arrival = self._configuration(end.joints)
-        conf = ConfData(*map(float, arrival.confdata))
-        corner = CornerKind.STOP if segment.zone is None else CornerKind.FLY_BY
-        return QueuedMove(move, place, segment, conf, Instant(), corner)
 
     def joints(self, target: JointTarget) -> Array:
         """Axis positions [deg] as joints (n,) [rad]."""
         return targets.joints(target, len(self.robot.joints))
 
-    def target(self, joints: Array, tool: ToolData, wobj: WobjData) -> RobTarget:
-        """The target that a joint vector (n,) [rad] stands at."""
-        base_from_tcp = self.robot.forward(joints) @ targets.transform(tool.tframe)
-        base_from_object = targets.base_from_object(wobj, self.base_from_world)
-        pose = targets.pose(base_from_object.inverse() @ base_from_tcp)
-        conf = ConfData(*map(float, self._configuration(joints).confdata))
-        return RobTarget(pose.trans, pose.rot, conf, NO_EXTERNAL_AXES)
+    def external(self, extax: ExtJoint) -> Array:
+        """External axes (e,) [m or rad]; those that are not given are 0."""
+        nothing = np.zeros(len(self.robot.external))
+        return targets.external_values(extax, self.robot.external, nothing)[0]
 
-    def reach(self, target: RobTarget, tool: ToolData, wobj: WobjData, near: Array) -> Array:
+    def ext_joint(self, external: Array) -> ExtJoint:
+        """External axes (e,) [m or rad] in RAPID's units."""
+        return targets.ext_joint(external, self.robot.external)
+
+    def target(self, joints: Array, external: Array, tool: ToolData, wobj: WobjData) -> RobTarget:
+        """The target that joints (n,) [rad] and external axes (e,) [m or rad] stand at."""
+        placed = self._placement(tool, wobj, "the position", anywhere=True)
+        curve_from_tcp = placed.standing_at(self.robot.kinematics, joints, external)
+        pose = targets.pose(placed.curve_from_object.inverse() @ curve_from_tcp)
+        conf = ConfData(*map(float, self._arrivals.configuration(joints).confdata))
+        return RobTarget(pose.trans, pose.rot, conf, self.ext_joint(external))
+
+    def reach(self, target: RobTarget, tool: ToolData, wobj: WobjData, near: Waypoint) -> Array:
         """Joints (n,) [rad] of a target in its configuration, or the nearest that works.
 
         Raises:
             RapidError: ERR_OUTSIDE_REACH or ERR_ROBLIMIT.
         """
-        base_from_tcp = targets.base_from_tcp(target, wobj, self.base_from_world)
-        base_from_flange = base_from_tcp @ targets.tcp_from_flange(tool)
-        working = self._working(base_from_flange, "the target")
-        return _choice(working, target.robconf, near).joints
-
-    def _pose(
-        self, target: RobTarget, tool: ToolData, wobj: WobjData, name: str, place: Place
-    ) -> Transform:
-        """Where a target puts the TCP, after checks of frames and orientation."""
-        refused = targets.unsupported(tool, wobj)
-        if refused is not None:
-            raise RapidError(ERR_OUTSIDE_REACH, refused.reason)
-        length = norm(target.rot)
-        error = abs(length - 1.0)
-        if error > targets.TOLERATED_NORM_ERROR:
-            violation = QuaternionNotUnit(name, length)
-            if error > targets.REFUSED_NORM_ERROR:
-                raise MoveRefusedError(ERR_OUTSIDE_REACH, violation)
-            self.journal.finding(violation, place, once=("norm", name))
-        return targets.base_from_tcp(target, wobj, self.base_from_world)
-
-    def _axes(self, target: JointTarget, name: str) -> Array:
-        """The joints of an axis target, within their limits."""
-        joints = self.joints(target)
-        excess = limit_excess(self.robot, joints)
-        if np.any(excess != 0.0):
-            over = ", ".join(
-                f"axis {i + 1} at {np.degrees(joints[i]):.1f} deg, "
-                f"{np.degrees(abs(excess[i])):.1f} deg past its limit"
-                for i in np.flatnonzero(excess)
-            )
-            raise MoveRefusedError(ERR_ROBLIMIT, JointOutOfRange(name, self.robot.title, over))
-        return joints
-
-    def _arrival(
-        self,
-        move: Move,
-        to: RobTarget,
-        name: str,
-        place: Place,
-        segment: Segment,
-        settings: MotionSettings,
-    ) -> Configuration:
-        """How the arm stands after a move to a pose: as stored, where that works."""
-        fault = circle_fault(segment)
-        if fault is not None:
-            raise MoveRefusedError(ERR_OUTSIDE_REACH, CircleUncertain(name, fault))
-        base_from_flange = segment.end.base_from_tcp @ segment.tcp_from_flange
-        near, stored = segment.start.joints, to.robconf
-        wanted = _rounded(stored)
-        if move.interpolation is Interpolation.JOINT:
-            monitored = settings.conf_j and told_apart(self.robot.kinematics)
-            working = self._working(base_from_flange, name)
-            chosen = _choice(working, stored, near) if monitored else _nearest(working, near)
-        else:
-            monitored = settings.conf_l and told_apart(self.robot.kinematics)
-            arrived = self._end_of_curve(segment)
-            chosen = arrived or _nearest(self._working(base_from_flange, name), near)
-        key = ("configuration", name)
-        if monitored and chosen.confdata != wanted and not self.journal.has_found(key):
-            working = self._working(base_from_flange, name)
-            self.journal.finding(
-                ConfigurationNotReachable(
-                    name,
-                    _conf_text(wanted),
-                    _conf_text(chosen.confdata),
-                    tuple(_conf_text(c.confdata) for c in _by_distance(working, chosen.joints)),
-                ),
-                place,
-                once=key,
-            )
-        return chosen
-
-    def _end_of_curve(self, segment: Segment) -> Configuration | None:
-        """Where a line or arc arrives: on the branch it starts on, with the turns made on the way.
-
-        None where that branch does not get there, or only past a joint limit; the planner then says
-        where the path fails.
-        """
-        kinematics = self.robot.kinematics
-        curves = curves_of((segment,), kinematics)
-        rows = np.zeros(CURVE_SAMPLES, dtype=np.int64)
-        motion = curves.at(rows, np.linspace(0.0, float(curves.length[0]), CURVE_SAMPLES))
-        base_from_flange = Transform(motion.rotation, motion.position) @ segment.tcp_from_flange
-        followed = kinematics.inverse_on_branch(
-            base_from_flange, segment.branch, segment.start.joints
+        placed = self._placement(tool, wobj, "the target", anywhere=False)
+        external, _ = targets.external_values(target.extax, self.robot.external, near.external)
+        base_from_flange = placed.base_from_flange(
+            self.robot.kinematics, placed.curve_from_tcp(target), external
         )
-        if not followed.exists[-1]:
-            return None
-        joints = followed.joints[-1]
-        if np.any(limit_excess(self.robot, joints) != 0.0):
-            return None
-        return self._configuration(joints)
+        working = self._arrivals.working(base_from_flange, "the target")
+        return stored_or_nearest(working, target.robconf, near.joints).joints
 
-    def _configuration(self, joints: Array) -> Configuration:
-        """A joint vector (n,) [rad] with its confdata."""
-        cf1, cf4, cf6, cfx = confdata_of(self.robot.kinematics, joints).tolist()
-        return Configuration(joints, (cf1, cf4, cf6, cfx))
+    @cached_property
+    def _arrivals(self) -> Arrivals:
+        return Arrivals(self.robot, self.journal)
 
-    def _working(self, base_from_flange: Transform, name: str) -> tuple[Configuration, ...]:
-        """Every configuration that reaches a pose.
+    def _segment(self, asked: AskedMove, start: Waypoint, external: Array) -> Segment:
+        """The segment of a move; to a pose, its end stands in the joints of its start."""
+        move, settings, placed = asked.move, asked.settings, asked.placed
+        kinematics, axes = self.robot.kinematics, self.robot.external
+        begin = placed.standing_at(kinematics, start.joints, start.external)
+        return Segment(
+            index=0,
+            geometry=GEOMETRY[move.interpolation],
+            start=Waypoint(start.joints, begin, start.external),
+            end=self._end(asked, start, external),
+            tcp_from_flange=placed.tcp_from_flange,
+            branch=int(kinematics.branch_of(start.joints)),
+            speed=speed_of(move, settings),
+            zone=zone_of(move),
+            via=None if move.circle_point is None else self._pose(asked, move.circle_point),
+            duration=move.duration_s,
+            acceleration_share=acceleration_share_of(
+                move, settings, self.robot.payload_kg, self.payload_acceleration
+            ),
+            carrier=placed.carrier,
+            wrist_in_joints=self._wrist_in_joints(move, settings),
+            circle_mode=self._circle_mode(move, settings),
+            tcp_acceleration=unbounded(settings.tcp_acceleration_m_s2),
+            tcp_deceleration=unbounded(settings.tcp_deceleration_m_s2),
+            world_acceleration=unbounded(settings.world_acceleration_m_s2),
+            external_linear=tuple(axis.linear for axis in axes),
+            external_speeds=external_speeds_of(move, settings, axes),
+        )
 
-        Raises:
-            MoveRefusedError: When there is none.
-        """
-        working = configurations(self.robot, base_from_flange)
-        if working:
-            return working
-        why = why_unreachable(self.robot, base_from_flange)
-        assert why is not None
-        errno = ERR_OUTSIDE_REACH if why.joint is None else ERR_ROBLIMIT
-        raise MoveRefusedError(errno, UnreachableTarget(name, self.robot.title, why.message))
+    def _end(self, asked: AskedMove, start: Waypoint, external: Array) -> Waypoint:
+        to, placed = asked.move.to, asked.placed
+        if isinstance(to, RobTarget):
+            return Waypoint(start.joints, self._pose(asked, to), external)
+        of_arm = asked.move.interpolation is Interpolation.AXES
+        joints = self.joints(to) if of_arm else start.joints
+        require_limits(asked, joints, external, self.robot, self.journal)
+        pose = placed.standing_at(self.robot.kinematics, joints, external)
+        return Waypoint(joints, pose, external)
 
-    def _via(self, move: Move, name: str, place: Place) -> Transform | None:
-        if move.circle_point is None:
-            return None
-        return self._pose(move.circle_point, move.tool, move.wobj, name, place)
+    def _pose(self, asked: AskedMove, target: RobTarget) -> Transform:
+        """Where a target puts the TCP on its curve, after a check of its orientation."""
+        check_orientation(asked, target.rot, self.journal)
+        return asked.placed.curve_from_tcp(target)
 
+    def _placement_of(self, move: Move, place: Place) -> targets.Placement:
+        """Where tool and work object of a move are."""
+        if move.interpolation is Interpolation.EXTERNAL_AXES:
+            # Nothing that the arm does: its TCP stays where it is on the robot.
+            tcp_from_flange = targets.tcp_from_flange(move.tool)
+            return targets.Placement(self.base_from_world, tcp_from_flange)
+        anywhere = isinstance(move.to, JointTarget)
+        return self._placement(move.tool, move.wobj, target_name(place, move), anywhere=anywhere)
 
-_GEOMETRY = {
-    Interpolation.JOINT: Geometry.JOINT,
-    Interpolation.AXES: Geometry.JOINT,
-    Interpolation.LINE: Geometry.LINE,
-    Interpolation.CIRCLE: Geometry.ARC,
-}
+    def _placement(
+        self, tool: ToolData, wobj: WobjData, name: str, *, anywhere: bool
+    ) -> targets.Placement:
+        """Where a tool and a work object are; `anywhere`: also where neither moves the other."""
+        placed = self._placements.get((tool, wobj))
+        if placed is None:
+            placed = targets.placement(tool, wobj, self.base_from_world, self.robot.external)
+            self._placements[tool, wobj] = placed
+        if isinstance(placed, targets.NotSimulatedFrame):
+            if not anywhere:
+                raise MoveRefusedError(ERR_OUTSIDE_REACH, NothingMovesTool(name, placed.reason))
+            return targets.Placement(self.base_from_world, Transform.identity())
+        moved = not wobj.ufprog and not wobj.robhold
+        if moved and not targets.unit_of(wobj, self.robot.external):
+            self.journal.unsimulated(
+                f"a work object moved by the mechanical unit `{wobj.ufmec}`",
+                "its user frame stands where `uframe` says; no [[external_axis]] carries it",
+            )
+        return placed
 
+    def _wrist_in_joints(self, move: Move, settings: MotionSettings) -> bool:
+        asked = settings.singular_area is not SingularArea.OFF
+        if not asked or GEOMETRY[move.interpolation] is Geometry.JOINT:
+            return False
+        possible = move.tool.robhold and len(self.robot.joints) <= 6
+        if not possible:
+            with_what = "a seven-axis arm" if move.tool.robhold else "a stationary tool"
+            self.journal.unsimulated(f"SingArea with {with_what}", r"SingArea \Off")
+        return possible
 
-def _speed(move: Move, settings: MotionSettings) -> Speed:
-    """Programmed speeds with VelSet applied, in SI."""
-    share = settings.speed_override_percent / 100.0
-    tcp_mm_s = move.speed.v_tcp * share
-    if settings.max_speed_mm_s is not None:
-        tcp_mm_s = min(tcp_mm_s, settings.max_speed_mm_s)
-    return Speed(tcp_mm_s * targets.MM, float(np.radians(move.speed.v_ori * share)))
-
-
-def _zone(move: Move) -> Zone | None:
-    """The zone of a fly-by point in SI; None at a stop point."""
-    zone = move.zone
-    if zone.finep:
-        return None
-    return Zone(
-        position=zone.pzone_tcp * targets.MM,
-        orientation=max(zone.pzone_ori, zone.pzone_tcp) * targets.MM,
-        angle=float(np.radians(zone.zone_ori)),
-    )
-
-
-def _choice(working: Sequence[Configuration], stored: ConfData, near: Array) -> Configuration:
-    """The stored configuration if it works, else the nearest on its branch, else the nearest."""
-    wanted = _rounded(stored)
-    for candidate in working:
-        if candidate.confdata == wanted:
-            return candidate
-    same_branch = [candidate for candidate in working if candidate.confdata[3] == wanted[3]]
-    return _nearest(same_branch or working, near)
-
-
-def _nearest(working: Sequence[Configuration], near: Array) -> Configuration:
-    """The configuration whose furthest-moving joint moves least."""
-    return _by_distance(working, near)[0]
-
-
-def _by_distance(working: Sequence[Configuration], near: Array) -> list[Configuration]:
-    return sorted(working, key=lambda candidate: float(np.max(np.abs(candidate.joints - near))))
-
-
-def _rounded(conf: ConfData) -> tuple[int, int, int, int]:
-    return round(conf.cf1), round(conf.cf4), round(conf.cf6), round(conf.cfx)
-
-
-def _conf_text(conf: tuple[int, int, int, int]) -> str:
-    return f"[{','.join(map(str, conf))}]"
+    def _circle_mode(self, move: Move, settings: MotionSettings) -> CircleMode:
+        if move.interpolation is not Interpolation.CIRCLE:
+            return CircleMode.PATH_FRAME
+        mode = CIRCLE_MODES.get(settings.circle_path)
+        if mode is None:
+            name = f"CirPathMode {settings.circle_path.value}"
+            default = CirclePathMode.PATH_FRAME.value
+            self.journal.unsimulated(name, f"the tool turns as with CirPathMode {default}")
+            return CircleMode.PATH_FRAME
+        return mode

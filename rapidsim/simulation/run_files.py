@@ -5,15 +5,22 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 from os import PathLike, fspath
+from pathlib import Path
 
 from rapidsim.diagnostics import Diagnostic, Severity
-from rapidsim.files import InputError, read_tasks
+from rapidsim.files import named_tasks, read_tasks
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.motion.robot import Robot, load_robot
-from rapidsim.simulation.load import load
+from rapidsim.simulation.cell_io import without_declared
+from rapidsim.simulation.cell_tasks import task_setups
+from rapidsim.simulation.load_tasks import load_tasks
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.result import Simulation
 from rapidsim.simulation.simulate import simulate as simulate_program
+from rapidsim.simulation.simulate import simulate_tasks
+from rapidsim.simulation.station.backup import backup_tasks
+from rapidsim.simulation.station.read import read_io
+from rapidsim.simulation.station.station import Station
 
 
 class ProgramRejectedError(Exception):
@@ -31,14 +38,17 @@ def simulate(
     paths: Iterable[str | PathLike[str]],
     *,
     robot: Robot | str,
+    io: str | PathLike[str] | None = None,
     max_time: float | None = None,
     options: RunOptions | None = None,
 ) -> Simulation:
     """Run the modules, program files or folders named, as `rapidsim run` does.
 
     Args:
-        paths: What is run, as one task.
+        paths: What is run, as one task, but for the tasks of a backup: each of them that has moves
+            gets an arm of its own.
         robot: An arm, or its name in the catalogue.
+        io: A file of signals and what happens to inputs; adds to that of the options.
         max_time: Virtual time [s] at which the run ends; replaces that of the options.
         options: Inputs and limits of the run.
 
@@ -50,19 +60,31 @@ def simulate(
         InputError: If something is missing, unreadable, or no RAPID.
         ProgramRejectedError: If checking finds an error.
     """
-    tasks = read_tasks([fspath(path) for path in paths])
-    if len(tasks) > 1:
-        raise InputError("several tasks are not simulated together yet")
-    loaded = load(tasks[0].files)
-    if loaded.program is None:
+    options = options or RunOptions()
+    names = [fspath(path) for path in paths]
+    station = Station(tasks=backup_tasks(names))
+    tasks = named_tasks(read_tasks(names), options.task)
+    if len(tasks) == len(station.tasks):
+        pairs = zip(tasks, station.tasks, strict=True)
+        tasks = tuple(replace(task, name=said.name) for task, said in pairs)
+    loaded = load_tasks(tasks)
+    if not loaded.tasks:
         raise ProgramRejectedError(loaded.diagnostics)
     arm = load_robot(robot) if isinstance(robot, str) else robot
-    options = options or RunOptions()
-    options = replace(options, program_files=tuple(file.name for file in tasks[0].files))
+    files = tuple(file.name for task in tasks for file in task.files)
+    options = replace(options, program_files=files)
+    if io is not None:
+        options = replace(options, io=options.io.and_also(read_io(Path(io))))
     if max_time is not None:
         options = replace(options, max_time_s=max_time)
     try:
-        run = simulate_program(loaded.program, arm, options=options)
+        if len(loaded.tasks) == 1:
+            run = simulate_program(loaded.tasks[0].program, arm, options=options)
+        else:
+            setups = task_setups(loaded.tasks, station, arm, load_robot)
+            run = simulate_tasks(setups, options)
     except NotExecutableError as error:
         raise ProgramRejectedError((*loaded.diagnostics, error.diagnostic)) from None
-    return replace(run, diagnostics=(*loaded.diagnostics, *run.diagnostics))
+    units = [axis.unit for axis in options.external_axes]
+    found = without_declared(loaded.diagnostics, options.io, units)
+    return replace(run, diagnostics=(*found, *run.diagnostics))

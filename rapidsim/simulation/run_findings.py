@@ -2,23 +2,33 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Related, Span
 from rapidsim.interpreter.stack import FatalError, Frame, rapid_stack
 from rapidsim.language.controller import Place
 from rapidsim.language.errors import Stopped
+from rapidsim.simulation.asked_move import MoveRefusedError
 from rapidsim.simulation.journal import Journal
 from rapidsim.simulation.motion_findings import path_violation
 from rapidsim.simulation.path_queue import MotionError
-from rapidsim.simulation.resolve import MoveRefusedError
-from rapidsim.simulation.stops import TimeLimitReached, WaitsForever
+from rapidsim.simulation.stops import (
+    MoveImpossible,
+    TimeLimitReached,
+    TrapStorm,
+    WaitsForever,
+    ZoneReached,
+)
 from rapidsim.simulation.violations import (
     BackwardNotExecuted,
     CutOff,
     EndlessWait,
     ProgramStopped,
     RoutineNotSimulated,
+    TrapStorms,
     UncaughtError,
+    WorldZoneReached,
 )
 from rapidsim.syntax import tree
 
@@ -47,9 +57,45 @@ def stopped_finding(stopped: Stopped, place: Place) -> Diagnostic:
     return Diagnostic(ProgramStopped(stopped.reason), span, callers, routine=routine)
 
 
-def endless_wait_finding(stopped: WaitsForever, place: Place) -> Diagnostic:
-    """The wait that nothing can end."""
-    return Diagnostic(EndlessWait(stopped.reason), place.span, routine=place.routine)
+def impossible_move_finding(stopped: MoveImpossible, place: Place) -> Diagnostic:
+    """The move that nothing can make possible, with the call chain as related places."""
+    routine, span, callers = _where(rapid_stack(stopped), place)
+    return Diagnostic(stopped.violation, span, callers, routine=routine)
+
+
+def endless_wait_finding(
+    stopped: WaitsForever,
+    waiting: tuple[str, Place],
+    others: Sequence[tuple[str, Place]] = (),
+) -> Diagnostic:
+    """The wait that nothing can end.
+
+    Args:
+        stopped: Why.
+        waiting: The task and the statement that waits.
+        others: Further tasks that wait, which could have ended it.
+    """
+    _, place = waiting
+    if not others:
+        return Diagnostic(EndlessWait(stopped.reason), place.span, routine=place.routine)
+    each = [
+        f"{name} at {at.span.file}:{at.span.line} in `{_first_line(at)}`"
+        for name, at in (waiting, *others)
+    ]
+    violation = EndlessWait(f"the tasks wait for each other: {', '.join(each)}")
+    related = tuple(Related(at.span, f"{name} waits here") for name, at in others)
+    return Diagnostic(violation, place.span, related, routine=place.routine)
+
+
+def trap_storm_finding(stopped: TrapStorm, place: Place) -> Diagnostic:
+    """Where the program was when interrupts came too fast, with the call chain."""
+    routine, span, callers = _where(rapid_stack(stopped), place)
+    return Diagnostic(TrapStorms(stopped.reason), span, callers, routine=routine)
+
+
+def zone_finding(stopped: ZoneReached, place: Place) -> Diagnostic:
+    """The statement during which the robot came to a zone that stops it."""
+    return Diagnostic(WorldZoneReached(stopped.reason), place.span, routine=place.routine)
 
 
 def time_limit_finding(stopped: TimeLimitReached, place: Place) -> Diagnostic:
@@ -85,6 +131,10 @@ def backward_findings(program: Program) -> tuple[Diagnostic, ...]:
     (routine, span), *others = places
     related = tuple(Related(other, f"nor is that of {name}") for name, other in others)
     return (Diagnostic(BackwardNotExecuted(routine), span, related, routine=routine),)
+
+
+def _first_line(place: Place) -> str:
+    return place.span.text.splitlines()[0].rstrip(" ;") if place.span.text else place.routine
 
 
 def _where(stack: tuple[Frame, ...], place: Place) -> tuple[str, Span, tuple[Related, ...]]:

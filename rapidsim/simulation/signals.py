@@ -1,27 +1,22 @@
-"""The signals of the cell, by name without case, and changes that are still to come."""
+"""The signals of the cell, by name without case: what they are, and what the program may write."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Iterable
 
-from rapidsim.simulation.journal import Moment
+from rapidsim.language.error_numbers import ERR_AO_LIM, ERR_GO_LIM, ERR_SIG_NAME, rapid_error
+from rapidsim.simulation.cell_io import SignalDeclaration, SignalKind
 
-
-@dataclass(frozen=True, slots=True)
-class Change:
-    """A signal takes a value at a moment."""
-
-    moment: Moment
-    name: str
-    value: float
+_INPUTS = (SignalKind.DI, SignalKind.GI, SignalKind.AI)
 
 
-@dataclass(slots=True)
 class SignalTable:
-    """Values of all signals a program has touched; they start at 0."""
+    """Values of all signals; those nobody declares come to be, at 0, when they are first used."""
 
-    _values: dict[str, float] = field(default_factory=dict)
-    _coming: list[Change] = field(default_factory=list)
+    def __init__(self, declared: Iterable[SignalDeclaration]) -> None:
+        """Start with the declared signals at their start values."""
+        self._declared = {signal.name.lower(): signal for signal in declared}
+        self._values = {name: signal.value for name, signal in self._declared.items()}
 
     def read(self, name: str) -> float:
         """The value of a signal."""
@@ -33,18 +28,24 @@ class SignalTable:
         self._values[name.lower()] = value
         return changed
 
-    def schedule(self, change: Change) -> None:
-        """Set a signal later."""
-        self._coming.append(change)
+    def require_output(self, name: str, value: float) -> None:
+        """Refuse what the I/O configuration does not let a program write.
 
-    def next_change_s(self) -> float | None:
-        """Time [s] of the next change whose time is known; None if there is none."""
-        times = [c.moment.time_s for c in self._coming if c.moment.instant.time is not None]
-        return min(times, default=None)
-
-    def take_change(self) -> Change:
-        """The earliest change whose time is known, taken off."""
-        known = [c for c in self._coming if c.moment.instant.time is not None]
-        change = min(known, key=lambda c: c.moment.time_s)
-        self._coming.remove(change)
-        return change
+        Raises:
+            RapidError: ERR_SIG_NAME for an input, ERR_GO_LIM or ERR_AO_LIM outside the limits.
+        """
+        signal = self._declared.get(name.lower())
+        if signal is None:
+            return
+        if signal.kind in _INPUTS:
+            raise rapid_error(
+                ERR_SIG_NAME, f"`{signal.name}` is an input ({signal.kind}), and is written"
+            )
+        low, high = signal.lowest, signal.highest
+        if (low is not None and value < low) or (high is not None and value > high):
+            number = ERR_AO_LIM if signal.kind is SignalKind.AO else ERR_GO_LIM
+            least = "" if low is None else f"{low:g}"
+            most = "" if high is None else f"{high:.10g}"
+            raise rapid_error(
+                number, f"`{signal.name}` cannot be {value:.10g}: its limits are {least} .. {most}"
+            )

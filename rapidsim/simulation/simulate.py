@@ -1,57 +1,36 @@
-"""Run a program on a robot: set the virtual controller up, run main, collect what happened."""
+"""Run programs on robots: set the virtual controller up, run main, collect what happened."""
 
 from __future__ import annotations
 
-from contextlib import suppress
-from dataclasses import dataclass
-
-import numpy as np
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
 
 from rapidsim.analysis.program import Program
-from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError
-from rapidsim.frames.transform import Array, Transform
-from rapidsim.interpreter.loader import Task, load
-from rapidsim.interpreter.stack import FatalError
-from rapidsim.language.controller import Place
-from rapidsim.language.errors import CycleEnded, Stopped
+from rapidsim.interpreter.loader import load
 from rapidsim.motion.limits import limits_of
 from rapidsim.motion.robot import Robot, RobotError
-from rapidsim.motion.segments import Waypoint
-from rapidsim.motion.trajectory import Trajectory
-from rapidsim.simulation.controller import VirtualController
+from rapidsim.simulation.cell import Cell
 from rapidsim.simulation.journal import Journal
 from rapidsim.simulation.motion_findings import hasty_move_findings
+from rapidsim.simulation.multitasking import run_together
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.path_queue import MotionError, PathQueue
-from rapidsim.simulation.persistents import PersistentChange, changed_persistents
-from rapidsim.simulation.resolve import Resolver
 from rapidsim.simulation.result import (
     CornerKind,
     End,
     Event,
     EventKind,
     ExecutedMove,
+    RobotRun,
     Simulation,
+    Unsimulated,
     WrittenFile,
 )
-from rapidsim.simulation.run_findings import (
-    backward_findings,
-    endless_wait_finding,
-    fatal_finding,
-    motion_finding,
-    not_simulated_findings,
-    stopped_finding,
-    time_limit_finding,
-)
-from rapidsim.simulation.stops import TimeLimitReached, WaitsForever
+from rapidsim.simulation.run_findings import backward_findings, not_simulated_findings
+from rapidsim.simulation.task_run import Outcome, TaskRun, TaskSetup, prepare, run_to_end
 
-
-@dataclass(frozen=True, slots=True)
-class _Outcome:
-    end: End
-    findings: tuple[Diagnostic, ...]
-    persistents: tuple[PersistentChange, ...]
+_WORST_FIRST = (End.ERROR, End.TIME_LIMIT, End.STOPPED, End.CYCLE_LIMIT, End.ENDED)
 
 
 def simulate(program: Program, robot: Robot, *, options: RunOptions) -> Simulation:
@@ -68,78 +47,122 @@ def simulate(program: Program, robot: Robot, *, options: RunOptions) -> Simulati
     Raises:
         InputError: If how fast the arm's axes turn is not known.
     """
-    _require_limits(robot, options)
-    journal = Journal(options.task)
-    start = _start_waypoint(robot, options)
-    trajectory = Trajectory(start, options.model.filter_time)
-    queue = PathQueue(robot, options.model, trajectory, start)
-    resolver = Resolver(robot, journal, Transform.identity())
-    controller = VirtualController(
-        queue, resolver, journal, options, _entry_place(program, options)
-    )
+    if options.external_axes:
+        robot = replace(robot, external=options.external_axes)
+    start, place = options.start_joints_deg, options.world_from_base
+    return simulate_tasks((TaskSetup(options.task, program, robot, start, place),), options)
+
+
+def simulate_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> Simulation:
+    """Run the programs of several tasks on one clock.
+
+    Args:
+        setups: The tasks; those at one time run in this order.
+        options: Inputs and limits; what they say of a robot or a task does not count here.
+
+    Raises:
+        InputError: If how fast the axes of an arm turn is not known, or no task moves one.
+    """
+    arms = [setup.robot for setup in setups if setup.robot is not None]
+    if not arms:
+        raise InputError("no task moves a robot", "give one of them `motion = true`")
+    for arm in arms:
+        _require_limits(arm, options)
+    journal = Journal(setups[0].name)
+    journals = (journal, *(journal.beside(setup.name) for setup in setups[1:]))
+    cell = Cell(options, journal)
+    runs = [
+        prepare(setup, arms[0], cell, own, options)
+        for setup, own in zip(setups, journals, strict=True)
+    ]
     try:
-        outcome = _run(program, controller, options)
-        time_s = controller.end_time_s()
+        if len(runs) == 1:
+            only = runs[0]
+            loading = partial(load, only.setup.program, only.controller)
+            outcomes = [run_to_end(only, loading, options)]
+        else:
+            outcomes = run_together(runs, cell, options)
+        time_s = max(run.controller.end_time_s() for run in runs if run.setup.counts)
     finally:
-        controller.home.close_all()
-    moves = queue.executed(options.task)
-    findings = (
-        *journal.diagnostics(),
-        *not_simulated_findings(journal),
-        *backward_findings(program),
-        *hasty_move_findings(queue.moves),
-        *outcome.findings,
+        cell.close()
+    return _simulation(runs, outcomes, cell, time_s, options)
+
+
+def _simulation(
+    runs: Sequence[TaskRun],
+    outcomes: Sequence[Outcome],
+    cell: Cell,
+    time_s: float,
+    options: RunOptions,
+) -> Simulation:
+    """Collect what the tasks leave behind."""
+    robots = [
+        _robot_run(run, outcome)
+        for run, outcome in zip(runs, outcomes, strict=True)
+        if run.setup.robot is not None
+    ]
+    first, *others = robots
+    moves = tuple(move for robot in robots for move in robot.moves)
+    findings = tuple(
+        finding
+        for run, outcome in zip(runs, outcomes, strict=True)
+        for finding in (
+            *run.journal.diagnostics(),
+            *not_simulated_findings(run.journal),
+            *backward_findings(run.setup.program),
+            *hasty_move_findings(run.queue.moves),
+            *outcome.findings,
+        )
     )
     motion_s = _motion_s(moves)
+    ends = [outcome.end for outcome in outcomes]
     return Simulation(
         program=options.program_files,
-        robot=robot,
+        robot=first.robot,
+        world_from_base=first.world_from_base,
         model=options.model,
-        end=outcome.end,
+        end=next(end for end in _WORST_FIRST if end in ends),
         time_s=time_s,
         motion_s=motion_s,
         wait_s=max(0.0, time_s - motion_s),
-        path_m=trajectory.travelled_m,
-        moves=moves,
-        events=_sorted_events(journal, moves),
-        lines=journal.lines(),
-        trajectory=trajectory,
+        path_m=first.path_m,
+        moves=first.moves,
+        events=_sorted_events(runs[0].journal, moves),
+        lines=first.lines,
+        trajectory=first.trajectory,
         diagnostics=findings,
-        unsimulated=journal.not_simulated(),
-        home_files=tuple(WrittenFile(path, size) for path, size in controller.home.written()),
-        persistents=outcome.persistents,
+        unsimulated=_not_simulated(runs),
+        home_files=tuple(WrittenFile(path, size) for path, size in cell.home.written()),
+        persistents=tuple(one for outcome in outcomes for one in outcome.persistents),
+        failed_moves=first.failed_moves,
+        signal_starts={signal.name: signal.value for signal in options.io.signals},
+        task=first.task,
+        other_robots=tuple(others),
     )
 
 
-def _run(program: Program, controller: VirtualController, options: RunOptions) -> _Outcome:
-    """Run main as often as asked and let the robot come to rest."""
-    task: Task | None = None
-    findings: tuple[Diagnostic, ...] = ()
-    try:
-        task = load(program, controller)
-        end = _run_cycles(task, options)
-        controller.finish()
-    except FatalError as fatal:
-        controller.abandon()
-        end, findings = End.ERROR, (fatal_finding(fatal, controller.place),)
-    except MotionError as error:
-        end, findings = End.ERROR, (motion_finding(error),)
-    except TimeLimitReached as stop:
-        end, findings = End.TIME_LIMIT, (time_limit_finding(stop, controller.place),)
-    except WaitsForever as stop:
-        end, findings = End.ERROR, (endless_wait_finding(stop, controller.place),)
-    except Stopped as stop:
-        controller.abandon()
-        end, findings = End.STOPPED, (stopped_finding(stop, controller.place),)
-    return _Outcome(end, findings, changed_persistents(task) if task else ())
+def _robot_run(run: TaskRun, outcome: Outcome) -> RobotRun:
+    name, trajectory = run.setup.name, run.queue.trajectory
+    return RobotRun(
+        task=name,
+        robot=run.queue.robot,
+        world_from_base=run.setup.place,
+        moves=run.queue.executed(name),
+        lines=run.journal.lines(),
+        trajectory=trajectory,
+        path_m=trajectory.travelled_m,
+        failed_moves=(*run.journal.failed_moves(), *outcome.failed_moves),
+    )
 
 
-def _run_cycles(task: Task, options: RunOptions) -> End:
-    """Run main again and again; module data keep their values from one cycle to the next."""
-    for _ in range(options.max_cycles):
-        with suppress(CycleEnded):
-            task.run(options.entry)
-    return End.CYCLE_LIMIT if options.max_cycles > 1 else End.ENDED
+def _not_simulated(runs: Sequence[TaskRun]) -> tuple[Unsimulated, ...]:
+    """What all tasks met that was not simulated, each routine once."""
+    counts: dict[tuple[str, str], int] = {}
+    for run in runs:
+        for one in run.journal.not_simulated():
+            key = (one.name, one.treated_as)
+            counts[key] = counts.get(key, 0) + one.count
+    return tuple(Unsimulated(name, count, how) for (name, how), count in counts.items())
 
 
 def _require_limits(robot: Robot, options: RunOptions) -> None:
@@ -153,28 +176,11 @@ def _require_limits(robot: Robot, options: RunOptions) -> None:
         ) from None
 
 
-def _start_waypoint(robot: Robot, options: RunOptions) -> Waypoint:
-    """Where the arm stands before the first move, as the flange with no tool."""
-    degrees = options.start_joints_deg
-    wanted = robot.start if degrees is None else np.radians(np.array(degrees))
-    joints: Array = np.clip(wanted, robot.lower, robot.upper)
-    return Waypoint(joints, robot.kinematics.forward(joints))
-
-
-def _entry_place(program: Program, options: RunOptions) -> Place:
-    """Where the program pointer stands before the first statement."""
-    routine = program.routines.get(options.entry.lower())
-    if routine is not None:
-        return Place(routine.module.span(routine.node.name), routine.name)
-    module = program.modules[0]
-    return Place(module.span(module.name), options.entry)
-
-
-def _motion_s(moves: tuple[ExecutedMove, ...]) -> float:
-    """Time under way: moves that touch or overlap count once."""
+def _motion_s(moves: Sequence[ExecutedMove]) -> float:
+    """Time under way: moves that touch or overlap count once, those of several robots too."""
     total_s = 0.0
     reached_s = 0.0
-    for move in moves:
+    for move in sorted(moves, key=lambda move: move.start_s):
         start_s = max(move.start_s, reached_s)
         total_s += max(0.0, move.end_s - start_s)
         reached_s = max(reached_s, move.end_s)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rapidsim.diagnostics import Violation
 from rapidsim.language.errors import Stopped
 
 
@@ -9,5 +10,30 @@ class TimeLimitReached(Stopped):
     """Virtual time reached `--max-time`."""
 
 
+class EventLimitReached(TimeLimitReached):
+    """The run has noted more events than it may keep."""
+
+
+class WallLimitReached(TimeLimitReached):
+    """The run has taken as long on our clock as `--max-wall` allows."""
+
+
 class WaitsForever(Stopped):
     """The program waits for something that cannot happen."""
+
+
+class TrapStorm(Stopped):
+    """Interrupts come faster than their traps are done with."""
+
+
+class ZoneReached(Stopped):
+    """The robot came to a world zone that stops it."""
+
+
+class MoveImpossible(Stopped):
+    """A move that the controller stops at, without asking any ERROR clause."""
+
+    def __init__(self, violation: Violation) -> None:
+        """Carry the finding along."""
+        super().__init__(violation.message)
+        self.violation = violation

@@ -129,7 +129,27 @@ class AnswerNotAChoice(Violation):
 class EndlessWait(Violation):
     """The program waits for something that nothing can make happen.
 
-    On the cell the program would hang here until somebody acts. In a run nobody does.
+    On the cell the program would hang here until somebody acts. In a run nobody does, unless the
+    station file, or the file that `--io` names, says when inputs change: at a time, every so many
+    seconds, or so long after an output has been set.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            Set doGrip;
+            WaitDI diGripped,1;
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            Set doGrip;
+            WaitTime 0.4;
+          ENDPROC
+        ENDMODULE
     """
 
     code: ClassVar[str] = "R106"
@@ -137,6 +157,11 @@ class EndlessWait(Violation):
     template: ClassVar[str] = "{what}"
 
     what: str
+
+    @property
+    def help(self) -> str:
+        """Where inputs get their values."""
+        return "say when inputs change: [[stimulus]] in rapidsim.toml, or in a file for `--io`"
 
 
 @dataclass(frozen=True)
@@ -257,5 +282,87 @@ class CutOff(Violation):
     name: ClassVar[str] = "time-limit"
     template: ClassVar[str] = "{what}"
     severity: ClassVar[Severity] = Severity.NOTE
+
+    what: str
+
+
+@dataclass(frozen=True)
+class TrapStorms(Violation):
+    """Interrupts come faster than their traps are done with, and the program never goes on.
+
+    A controller stops when its queue of interrupts is full. Mostly a trap changes what raises it:
+    the same signal, the same persistent.
+
+    ## Example
+
+        MODULE example
+          VAR intnum changed;
+          PROC main()
+            CONNECT changed WITH again;
+            ISignalDO doLamp,edge,changed;
+            Set doLamp;
+          ENDPROC
+          TRAP again
+            InvertDO doLamp;
+          ENDTRAP
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          VAR intnum changed;
+          PROC main()
+            CONNECT changed WITH again;
+            ISignalDO doLamp,edge,changed;
+            Set doLamp;
+          ENDPROC
+          TRAP again
+            InvertDO doOther;
+          ENDTRAP
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "R110"
+    name: ClassVar[str] = "trap-storm"
+    template: ClassVar[str] = "{what}"
+
+    what: str
+
+
+@dataclass(frozen=True)
+class WorldZoneReached(Violation):
+    r"""The robot came to a world zone that stops it (WZLimSup).
+
+    The motion stops and the program cannot go on: on the cell somebody has to jog the robot out of
+    the zone.
+
+    ## Example
+
+        MODULE example
+          VAR shapedata table;
+          VAR wztemporary guard;
+          PROC main()
+            WZBoxDef \Inside,table,[600,-500,0],[1500,500,800];
+            WZLimSup \Temp,guard,table;
+            MoveAbsJ [[0,40,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v1000,fine,tool0;
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          VAR shapedata table;
+          VAR wztemporary guard;
+          PROC main()
+            WZBoxDef \Inside,table,[600,-500,0],[1500,500,800];
+            WZLimSup \Temp,guard,table;
+            MoveAbsJ [[0,-20,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v1000,fine,tool0;
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "R111"
+    name: ClassVar[str] = "world-zone-reached"
+    template: ClassVar[str] = "{what}"
 
     what: str

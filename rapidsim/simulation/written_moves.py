@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import fields
 
 from rapidsim.analysis.program import DataSymbol, LibrarySymbol, Program
+from rapidsim.analysis.walk import descendants
 from rapidsim.diagnostics import Span
 from rapidsim.syntax import tree
 
@@ -19,7 +19,7 @@ def written_moves(files: Iterable[tree.File]) -> tuple[Span, ...]:
         module.span(node)
         for file in files
         for module in file.modules
-        for node in _nodes(module)
+        for node in descendants(module)
         if isinstance(node, tree.Call) and node.name.key in _MOVES
     )
 
@@ -28,7 +28,7 @@ def targets_by_wobj(program: Program) -> dict[str, tuple[str, ...]]:
     """Declared names of the targets that installed instructions go to, by folded work object."""
     found: dict[str, dict[str, None]] = {}
     for module in program.modules:
-        for node in _nodes(module):
+        for node in descendants(module):
             if isinstance(node, tree.Call) and _is_installed(program, node):
                 found.setdefault(_wobj(node), {}).update(dict.fromkeys(_targets(program, node)))
     return {wobj: tuple(names) for wobj, names in found.items()}
@@ -54,13 +54,3 @@ def _targets(program: Program, call: tree.Call) -> Iterator[str]:
             symbol = program.symbol_of.get(argument.value)
             if isinstance(symbol, DataSymbol) and symbol.type.name == "robtarget":
                 yield symbol.name
-
-
-def _nodes(node: tree.Node) -> Iterator[tree.Node]:
-    """A node and all below it, in order of writing."""
-    yield node
-    for field in fields(node):
-        value = getattr(node, field.name)
-        for child in value if isinstance(value, tuple) else (value,):
-            if isinstance(child, tree.Node):
-                yield from _nodes(child)

@@ -23,12 +23,13 @@ from rapidsim.language.data import (
 from rapidsim.motion.robot import load_robot
 from rapidsim.motion.segments import Waypoint
 from rapidsim.motion.trajectory import Trajectory
+from rapidsim.simulation import cell as shared
 from rapidsim.simulation.controller import VirtualController
 from rapidsim.simulation.journal import Journal
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.path_queue import PathQueue
 from rapidsim.simulation.resolve import Resolver
 from rapidsim.simulation.result import ExecutedMove
+from rapidsim.simulation.robot_path import RobotPath
 
 Z10 = ZoneData(False, 10.0, 15.0, 15.0, 1.5, 15.0, 1.5)
 DOWN = Orient(0.0, 0.0, 1.0, 0.0)
@@ -51,10 +52,10 @@ class Cell:
         self.journal = Journal("T_ROB1")
         start = Waypoint(_START, self.robot.forward(_START))
         self.trajectory = Trajectory(start, self.options.model.filter_time)
-        self.queue = PathQueue(self.robot, self.options.model, self.trajectory, start)
+        self.queue = RobotPath(self.robot, self.options.model, self.trajectory, start)
         resolver = Resolver(self.robot, self.journal, Transform.identity())
         self.controller = VirtualController(
-            self.queue, resolver, self.journal, self.options, place()
+            shared.Cell(self.options, self.journal), self.queue, resolver, self.journal, place()
         )
 
     def move(

@@ -110,12 +110,15 @@ def test_orientations_that_are_none_are_refused_and_sloppy_ones_reported() -> No
         cell.controller.move(unset)
 
 
-def test_stationary_tools_are_refused_in_words() -> None:
+def test_a_tool_that_nothing_moves_is_refused_in_words() -> None:
     cell = Cell()
     fixed = ToolData(False, TOOL0.tframe, TOOL0.tload)
     move = Move("MoveJ", Interpolation.JOINT, target(800.0, 0.0, 600.0), V200, FINE, fixed, WOBJ0)
-    with pytest.raises(RapidError, match="stationary tool"):
+    with pytest.raises(RapidError, match="neither of them in the robot's hand"):
         cell.controller.move(move)
+    in_hand = replace(move, tool=TOOL0, wobj=WOBJ0._replace(robhold=True))
+    with pytest.raises(RapidError, match="both in the robot's hand"):
+        cell.controller.move(in_hand)
 
 
 def test_a_pure_turn_takes_the_time_of_its_reorientation_speed() -> None:

@@ -22,8 +22,8 @@ def line(x: float, time_s: float, zone: str = "fine") -> str:
 
 def test_a_move_with_too_little_time_says_what_it_needs() -> None:
     it = ran(HEAD + turn(90, 0.2) + TAIL)
-    assert it.findings == [("K605", 4)]
-    found = it.only("K605")
+    assert it.findings == [("K612", 4)]
+    found = it.only("K612")
     assert found.severity == "warning"
     needed = it.run.moves[1].end_s - it.run.moves[1].start_s - it.run.model.filter_time
     assert found.violation.message == f"the move takes {needed:.3f} s; `\\T` gives it 0.2 s"
@@ -48,4 +48,4 @@ def test_a_time_that_can_be_kept_is_no_finding(moves: str) -> None:
 
 def test_each_move_without_enough_time_is_reported() -> None:
     it = ran(HEAD + turn(45, 0.05, "z50") + turn(90, 3, "z50") + turn(0, 0.1) + TAIL)
-    assert it.findings == [("K605", 4), ("K605", 6)]
+    assert it.findings == [("K612", 4), ("K612", 6)]

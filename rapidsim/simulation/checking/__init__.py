@@ -1,0 +1,1 @@
+"""Can the robot make the moves that stand in the text? Answered before anything runs."""

@@ -1,0 +1,89 @@
+"""Conditions on signals, as a station file writes them: `doGrip = 1 and not diFault`.
+
+Terms are joined by `and` or by `or`, never both in one condition, so that nobody has to know which
+binds tighter. A signal alone means that it is not 0.
+"""
+
+from __future__ import annotations
+
+import operator
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+_RELATIONS: Mapping[str, Callable[[float, float], bool]] = MappingProxyType(
+    {
+        "=": operator.eq,
+        "<>": operator.ne,
+        "<": operator.lt,
+        "<=": operator.le,
+        ">": operator.gt,
+        ">=": operator.ge,
+    }
+)
+_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+_TERM = re.compile(
+    rf"(?P<not>not\s+)?(?P<signal>[A-Za-z]\w*)(?:\s*(?P<relation><>|<=|>=|=|<|>)\s*(?P<value>{_NUMBER}))?",
+    re.IGNORECASE,
+)
+_JOINT = re.compile(r"\s+(and|or)\s+", re.IGNORECASE)
+
+
+class ConditionError(ValueError):
+    """A condition that cannot be read; the text says why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Term:
+    """One signal compared with a number."""
+
+    signal: str
+    relation: str
+    value: float
+    negated: bool = False
+
+    def holds(self, read: Callable[[str], float]) -> bool:
+        """Whether it is true for the values that `read` gives."""
+        return _RELATIONS[self.relation](read(self.signal), self.value) != self.negated
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """Terms, of which all must hold, or any."""
+
+    text: str
+    terms: tuple[Term, ...]
+    any_of: bool = False
+
+    def holds(self, read: Callable[[str], float]) -> bool:
+        """Whether it is true for the values that `read` gives."""
+        truths = (term.holds(read) for term in self.terms)
+        return any(truths) if self.any_of else all(truths)
+
+    def signals(self) -> tuple[str, ...]:
+        """Names of the signals it looks at, as written."""
+        return tuple(dict.fromkeys(term.signal for term in self.terms))
+
+
+def read_condition(text: str) -> Condition:
+    """Read a condition.
+
+    Raises:
+        ConditionError: If it is none.
+    """
+    parts = _JOINT.split(text.strip())
+    joints = {word.lower() for word in parts[1::2]}
+    if len(joints) > 1:
+        raise ConditionError(f"`{text}` joins with `and` and with `or`; use one of them")
+    return Condition(text, tuple(_term(part, text) for part in parts[::2]), joints == {"or"})
+
+
+def _term(part: str, text: str) -> Term:
+    match = _TERM.fullmatch(part.strip())
+    if match is None or match["signal"].lower() in ("not", "and", "or"):
+        raise ConditionError(
+            f"`{text}` is no condition; write it as in `doGrip = 1 and diOpen = 0`"
+        )
+    relation, value = match["relation"] or "<>", float(match["value"] or 0.0)
+    return Term(match["signal"], relation, value, negated=match["not"] is not None)

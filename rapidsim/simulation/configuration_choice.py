@@ -1,0 +1,46 @@
+"""Which of the configurations that reach a target is taken."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.language.data import ConfData
+from rapidsim.motion.confdata import Configuration
+
+Quarters = tuple[int, int, int, int]
+"""cf1, cf4, cf6, cfx."""
+
+
+def stored_or_nearest(
+    working: Sequence[Configuration], stored: ConfData, near: Array
+) -> Configuration:
+    """The stored configuration if it works, else the nearest on its branch, else the nearest."""
+    wanted = rounded(stored)
+    for candidate in working:
+        if candidate.confdata == wanted:
+            return candidate
+    same_branch = [candidate for candidate in working if candidate.confdata[3] == wanted[3]]
+    return nearest(same_branch or working, near)
+
+
+def nearest(working: Sequence[Configuration], near: Array) -> Configuration:
+    """The configuration whose furthest-moving joint moves least."""
+    return by_distance(working, near)[0]
+
+
+def by_distance(working: Sequence[Configuration], near: Array) -> list[Configuration]:
+    """Configurations, the nearest to joints (n,) [rad] first."""
+    return sorted(working, key=lambda candidate: float(np.max(np.abs(candidate.joints - near))))
+
+
+def rounded(conf: ConfData) -> Quarters:
+    """The whole numbers of confdata."""
+    return round(conf.cf1), round(conf.cf4), round(conf.cf6), round(conf.cfx)
+
+
+def conf_text(conf: Quarters) -> str:
+    """Confdata as RAPID writes it."""
+    return f"[{','.join(map(str, conf))}]"

@@ -1,0 +1,52 @@
+"""How many of a program's moves were checked, in which way, and why others were not."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from rapidsim.diagnostics import Diagnostic, Span
+
+
+@dataclass(frozen=True, slots=True)
+class UncheckedMove:
+    """A move instruction that nothing is known about."""
+
+    span: Span
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Coverage:
+    """Move instructions of a text by how they were checked."""
+
+    by_value: int = 0
+    """Their targets, tools and work objects are known before the program runs."""
+    by_run: int = 0
+    """A run of main met them."""
+    unchecked: tuple[UncheckedMove, ...] = ()
+
+    @property
+    def checked(self) -> int:
+        """Checked in one way or the other."""
+        return self.by_value + self.by_run
+
+    @property
+    def moves(self) -> int:
+        """All of them."""
+        return self.checked + len(self.unchecked)
+
+    def __add__(self, other: Coverage) -> Coverage:
+        """Of two tasks."""
+        return Coverage(
+            self.by_value + other.by_value,
+            self.by_run + other.by_run,
+            (*self.unchecked, *other.unchecked),
+        )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ReachReport:
+    """What was found about the moves of one program."""
+
+    diagnostics: tuple[Diagnostic, ...] = ()
+    coverage: Coverage = field(default_factory=Coverage)

@@ -1,0 +1,107 @@
+"""Read the joint angles that a controller logged while it ran a program."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from rapidsim.files import InputError
+from rapidsim.frames.transform import Array
+
+_TIME = re.compile(r"(time|t|timestamp)(_?(s|sec|ms))?", re.IGNORECASE)
+_SEPARATORS = re.compile(r"[;,\t]")
+_FEWEST_ROWS = 10
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class JointLog:
+    """What was logged; times ascend."""
+
+    name: str
+    times: Array
+    """Shape (k,) [s], from any zero."""
+    joints: Array
+    """Shape (k, n) [rad]."""
+
+
+def read_joint_log(file: Path, axes: int) -> JointLog:
+    """Read a CSV file of times and joint angles.
+
+    With a header, the columns named `time` (or `time_s`, `time_ms`, `t`) and `j1` to `jn` are taken
+    wherever they stand; without one, the first columns are the time in seconds and the angles.
+    Angles are in degrees. Comma, semicolon and tab separate.
+
+    Args:
+        file: The file.
+        axes: How many axes the arm has.
+
+    Raises:
+        InputError: If it cannot be read, a column is missing, a value is no finite number, times do
+            not ascend, or there are fewer than 10 rows. Lines are named.
+    """
+    try:
+        text = file.read_text(encoding="utf-8-sig")
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(f"{file} cannot be read: {error}") from error
+    lines = [(number, line) for number, line in enumerate(text.splitlines(), 1) if line.strip()]
+    if not lines:
+        raise InputError(f"{file} is empty")
+    first = _cells(lines[0][1])
+    titled = any(_number(cell) is None for cell in first)
+    columns, unit_s = _columns(file, first, axes) if titled else (list(range(axes + 1)), 1.0)
+    rows = [_row(file, number, line, columns) for number, line in lines[titled:]]
+    if len(rows) < _FEWEST_ROWS:
+        raise InputError(f"{file} has {len(rows)} rows; at least {_FEWEST_ROWS} are needed")
+    table = np.array(rows)
+    back = np.flatnonzero(np.diff(table[:, 0]) <= 0.0)
+    if len(back):
+        number = lines[titled:][int(back[0]) + 1][0]
+        raise InputError(f"{file}:{number}: the time does not ascend")
+    return JointLog(file.name, table[:, 0] * unit_s, np.radians(table[:, 1:]))
+
+
+def _columns(file: Path, titles: Sequence[str], axes: int) -> tuple[list[int], float]:
+    """Where time and joints stand, and the unit of time [s]."""
+    names = [title.lower() for title in titles]
+    times = [i for i, name in enumerate(names) if _TIME.fullmatch(name)]
+    wanted = [f"j{axis}" for axis in range(1, axes + 1)]
+    missing = [name for name in wanted if name not in names]
+    if not times or missing:
+        lacks = "time" if not times else ", ".join(missing)
+        raise InputError(
+            f"{file}:1: no column is called {lacks}",
+            f"the header must name time and {wanted[0]} to {wanted[-1]}, angles in degrees",
+        )
+    unit_s = 1e-3 if names[times[0]].endswith("ms") else 1.0
+    return [times[0], *(names.index(name) for name in wanted)], unit_s
+
+
+def _row(file: Path, number: int, line: str, columns: Sequence[int]) -> list[float]:
+    cells = _cells(line)
+    if len(cells) <= max(columns):
+        raise InputError(
+            f"{file}:{number}: {len(cells)} columns, at least {max(columns) + 1} are needed"
+        )
+    row = []
+    for column in columns:
+        value = _number(cells[column])
+        if value is None or not math.isfinite(value):
+            raise InputError(f"{file}:{number}: `{cells[column]}` is not a finite number")
+        row.append(value)
+    return row
+
+
+def _cells(line: str) -> list[str]:
+    return [cell.strip().strip('"') for cell in _SEPARATORS.split(line)]
+
+
+def _number(text: str) -> float | None:
+    try:
+        return float(text)
+    except ValueError:
+        return None

@@ -1,0 +1,70 @@
+"""Where tasks wait for each other: WaitSyncTask, SyncMoveOn and SyncMoveOff."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
+
+
+@dataclass(slots=True, eq=False)
+class Meeting:
+    """Some tasks that wait at one synchronization point."""
+
+    name: str
+    """As the program writes it."""
+    tasks: frozenset[str]
+    """Folded names of those that must come."""
+    arrived: list[str] = field(default_factory=list)
+    """Folded names of those that are there, in the order of coming."""
+    outcome: object = None
+    """What they agreed on."""
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether all have come."""
+        return len(self.arrived) == len(self.tasks)
+
+
+@dataclass(slots=True)
+class Meetings:
+    """The synchronization points at which tasks wait, by kind and name."""
+
+    _open: dict[tuple[str, str], Meeting] = field(default_factory=dict)
+
+    def arrive(self, instruction: str, name: str, task: str, tasks: Iterable[str]) -> Meeting:
+        """Let a task come to a synchronization point.
+
+        Args:
+            instruction: Such as `WaitSyncTask`; points of different instructions never meet.
+            name: Of the point, as the program writes it.
+            task: Who comes.
+            tasks: Who must come.
+
+        Raises:
+            RapidError: ERR_ARGVALERR, if others wait there for other tasks.
+        """
+        key = (instruction, name.lower())
+        wanted = frozenset(one.lower() for one in tasks)
+        meeting = self._open.setdefault(key, Meeting(name, wanted))
+        if meeting.tasks != wanted:
+            raise rapid_error(
+                ERR_ARGVALERR,
+                f"{instruction} {name}: {meeting.arrived[0].upper()} waits there for "
+                f"{_listed(meeting.tasks)}, {task} for {_listed(wanted)}; the lists must be equal",
+            )
+        meeting.arrived.append(task.lower())
+        if meeting.is_complete:
+            del self._open[key]
+        return meeting
+
+    def leave(self, instruction: str, meeting: Meeting, task: str) -> None:
+        """Let a task give up waiting."""
+        meeting.arrived.remove(task.lower())
+        if not meeting.arrived:
+            del self._open[instruction, meeting.name.lower()]
+
+
+def _listed(tasks: Iterable[str]) -> str:
+    return ", ".join(sorted(task.upper() for task in tasks))

@@ -1,0 +1,99 @@
+"""Several tasks on one clock: loading them with the data they share, running them to their end."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
+from rapidsim.interpreter.loader import FatalError, Task, load
+from rapidsim.interpreter.shared import SharedPersistents, shared_persistents
+from rapidsim.language.controller import Place
+from rapidsim.simulation.cell import Cell
+from rapidsim.simulation.controller import VirtualController
+from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.result import End
+from rapidsim.simulation.scheduler import Scheduler
+from rapidsim.simulation.task_run import Outcome, TaskRun, run_to_end
+
+
+def run_together(runs: Sequence[TaskRun], cell: Cell, options: RunOptions) -> list[Outcome]:
+    """Let all tasks run on one clock, until those that count have ended or one of them fails.
+
+    Args:
+        runs: The tasks; those at one time run in this order.
+        cell: What they share.
+        options: Limits of the run.
+
+    Returns:
+        How each ended; a task of the background ends with the run.
+    """
+    scheduler = Scheduler()
+    cell.share(scheduler)
+    programs = [run.setup.program for run in runs]
+    written = [run.setup.written for run in runs]
+    shared = shared_persistents(programs, _Board(scheduler), written)
+    # Every task has its data before the first one runs: they may be shared.
+    loaded = [_loaded(run, shared) for run in runs]
+    outcomes: dict[str, Outcome] = {}
+    neighbours = {run.setup.name.lower(): run.controller for run in runs}
+    for run in runs:
+        run.controller.neighbours = neighbours
+
+    def execute(run: TaskRun, task: Callable[[], Task]) -> None:
+        outcome = run_to_end(run, task, options, partial(_resting, run, runs, scheduler))
+        outcomes[run.setup.name] = outcome
+        if outcome.end in (End.ERROR, End.TIME_LIMIT):
+            scheduler.stop()
+        if outcome.end is End.ERROR:
+            stopped_s = run.controller.pointer_s()
+            for other in runs:
+                if other is not run:
+                    other.controller.stop_robot(stopped_s)
+
+    for run, task in zip(runs, loaded, strict=True):
+        scheduler.add(run.controller, partial(execute, run, task), counts=run.setup.counts)
+    with recursion_limit(RUNNING_DEPTH):
+        scheduler.run()
+    return [outcomes.get(run.setup.name, Outcome(End.ENDED)) for run in runs]
+
+
+@dataclass(frozen=True, slots=True)
+class _Board:
+    """Sees to it that shared data are read and written in the order of time."""
+
+    scheduler: Scheduler
+
+    def look(self) -> None:
+        task = self.scheduler.current
+        if isinstance(task, VirtualController):
+            task.come_up()
+
+    def tell(self) -> None:
+        task = self.scheduler.current
+        if isinstance(task, VirtualController):
+            task.tell()
+
+
+def _loaded(run: TaskRun, shared: SharedPersistents) -> Callable[[], Task]:
+    """Load a task now; an error in its initial values is raised when the task begins."""
+    try:
+        task = load(run.setup.program, run.controller, shared)
+    except FatalError as error:
+        failure = error
+    else:
+        return lambda: task
+
+    def fail() -> Task:
+        raise failure
+
+    return fail
+
+
+def _resting(
+    run: TaskRun, runs: Sequence[TaskRun], scheduler: Scheduler
+) -> list[tuple[str, Place]]:
+    """The other tasks that wait for something that only a task can do, and where they wait."""
+    resting = scheduler.resting(run.controller)
+    return [(one.setup.name, one.controller.place) for one in runs if one.controller in resting]

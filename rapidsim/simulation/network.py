@@ -1,0 +1,151 @@
+"""Real sockets, for runs that may use the network; this computer only unless other hosts are named.
+
+What the network answers takes no virtual time; a wait in vain takes as long as it says, in both
+times. A run that uses the network is as repeatable as what answers it.
+"""
+
+from __future__ import annotations
+
+import socket
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import TypeVar
+
+from rapidsim.language.error_numbers import (
+    ERR_SOCK_ADDR_INUSE,
+    ERR_SOCK_CLOSED,
+    ERR_SOCK_NET_UNREACH,
+    rapid_error,
+)
+
+T = TypeVar("T")
+
+_LOOPBACK = "127.0.0.1"
+_LOCAL = ("", "localhost", _LOOPBACK)
+_AT_ONCE = 65536
+_LOOK_S = 0.5
+"""So long a wait without end stays away from the keyboard's Ctrl-C."""
+
+
+@dataclass(eq=False, slots=True)
+class NetworkConnection:
+    """A connection over the network; implements `language.sockets.Connection`."""
+
+    stream: socket.socket
+    peer: str
+    received: bytearray = field(default_factory=bytearray)
+    has_ended: bool = False
+
+    def send(self, data: bytes) -> None:
+        """Send bytes.
+
+        Raises:
+            RapidError: ERR_SOCK_CLOSED.
+        """
+        try:
+            self.stream.settimeout(None)
+            self.stream.sendall(data)
+        except OSError as error:
+            raise rapid_error(ERR_SOCK_CLOSED, f"{self.peer}: {_reason(error)}") from None
+
+    def wait(self, count: int, seconds: float | None) -> None:
+        """Wait, `seconds` or for ever, until so many bytes are there or no more will come."""
+        while len(self.received) < count and not self.has_ended:
+            data = _tried(lambda: self.stream.recv(_AT_ONCE), self.stream, seconds)
+            if data is None:
+                return
+            self.received += data
+            self.has_ended = not data
+
+    def close(self) -> None:
+        """End the connection."""
+        self.stream.close()
+
+
+@dataclass(eq=False, slots=True)
+class NetworkPort:
+    """A port of this computer on which the program listens."""
+
+    server: socket.socket
+    port: int
+
+    def accept(self, seconds: float | None) -> NetworkConnection | None:
+        """Wait for a client, `seconds` or for ever; None if none came."""
+        found = _tried(self.server.accept, self.server, seconds)
+        if found is None:
+            return None
+        stream, (host, port, *_) = found
+        return NetworkConnection(stream, f"{host}:{port}")
+
+    def close(self) -> None:
+        """Listen no more."""
+        self.server.close()
+
+
+@dataclass(slots=True)
+class Network:
+    """What of the network a run may use."""
+
+    hosts: frozenset[str] = frozenset()
+    """Addresses beside this computer that sockets may be bound to or connect to."""
+    _opened: list[NetworkConnection | NetworkPort] = field(default_factory=list)
+
+    def listen(self, address: str, port: int) -> NetworkPort:
+        """Listen on a port: at the address if it was named, else only for this computer.
+
+        Raises:
+            RapidError: ERR_SOCK_ADDR_INUSE.
+        """
+        host = address if address in self.hosts else _LOOPBACK
+        server = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+        try:
+            server.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            server.bind((host, port))
+            server.listen()
+        except OSError as error:
+            server.close()
+            raise rapid_error(ERR_SOCK_ADDR_INUSE, f"{host}:{port}: {_reason(error)}") from None
+        opened = NetworkPort(server, port)
+        self._opened.append(opened)
+        return opened
+
+    def connect(self, address: str, port: int, seconds: float | None) -> NetworkConnection | None:
+        """Connect to a server; None if it does not answer.
+
+        Raises:
+            RapidError: ERR_SOCK_NET_UNREACH for a host that the run may not talk to.
+        """
+        if address not in self.hosts and address not in _LOCAL:
+            raise rapid_error(
+                ERR_SOCK_NET_UNREACH,
+                f"{address} is another computer; `--network-host {address}` lets the run use it",
+            )
+        try:
+            stream = socket.create_connection((address or _LOOPBACK, port), timeout=seconds)
+        except OSError:
+            return None
+        connection = NetworkConnection(stream, f"{address}:{port}")
+        self._opened.append(connection)
+        return connection
+
+    def close(self) -> None:
+        """Close whatever the program left open."""
+        for one in self._opened:
+            one.close()
+
+
+def _tried(act: Callable[[], T], of: socket.socket, seconds: float | None) -> T | None:
+    """Try something that waits; None if the time ran out. A broken connection counts as ended."""
+    while True:
+        of.settimeout(_LOOK_S if seconds is None else max(seconds, 1e-3))
+        try:
+            return act()
+        except TimeoutError:
+            if seconds is not None:
+                return None
+        except ConnectionError as error:
+            raise rapid_error(ERR_SOCK_CLOSED, _reason(error)) from None
+
+
+def _reason(error: OSError) -> str:
+    return (error.strerror or str(error)).lower()

@@ -1,0 +1,1 @@
+"""The station file: which robot, how it moves, what is around it."""

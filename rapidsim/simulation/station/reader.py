@@ -1,0 +1,143 @@
+"""Takes values out of the tables of a TOML file and collects what is wrong with them, by key."""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TypeGuard
+
+from rapidsim.files import InputError, did_you_mean
+
+Table = Mapping[str, object]
+
+
+@dataclass(frozen=True, slots=True)
+class Reader:
+    """One file; a value that is wrong is noted and read as if it were missing."""
+
+    file: Path
+    _mistakes: list[tuple[str, str | None]] = field(default_factory=list)
+
+    def wrong(self, key: str, message: str, help: str | None = None) -> None:
+        """Note a mistake."""
+        self._mistakes.append((f"{self.file}: {key}: {message}", help))
+
+    def finish(self) -> None:
+        """End reading.
+
+        Raises:
+            InputError: With all mistakes, if there were any.
+        """
+        if not self._mistakes:
+            return
+        if len(self._mistakes) == 1:
+            raise InputError(*self._mistakes[0])
+        lines = (f"{message} ({help})" if help else message for message, help in self._mistakes)
+        raise InputError("\n".join(lines))
+
+    def known(self, path: str, table: Table, keys: Iterable[str]) -> None:
+        """Note the keys of a table that are not known."""
+        keys = tuple(keys)
+        for key in table:
+            if key not in keys:
+                help = did_you_mean(key, keys) or f"known here: {', '.join(keys)}"
+                self.wrong(f"{path}.{key}" if path else key, "no such key", help)
+
+    def table(self, values: Table, key: str, path: str | None = None) -> Table:
+        """A table; empty where it is missing."""
+        table = values.get(key, {})
+        if not isinstance(table, dict):
+            self.wrong(path or key, f"a table is needed, as in [{path or key}]")
+            return {}
+        return table
+
+    def tables(self, values: Table, key: str) -> Iterator[tuple[str, Table]]:
+        """The tables of a list, each with its path for messages: `stimulus 2`."""
+        tables = values.get(key, [])
+        if not isinstance(tables, list) or not all(isinstance(one, dict) for one in tables):
+            self.wrong(key, f"they are written as [[{key}]]")
+            return
+        for number, table in enumerate(tables, start=1):
+            yield (f"{key} {number}" if len(tables) > 1 else key), table
+
+    def text(self, values: Table, path: str, key: str) -> str | None:
+        """A string; None where it is missing."""
+        value = values.get(key)
+        if value is not None and not isinstance(value, str):
+            self.wrong(f"{path}.{key}", "text in quotes is needed")
+            return None
+        return value
+
+    def texts(self, values: Table, path: str, key: str) -> tuple[str, ...]:
+        """A list of strings; empty where it is missing."""
+        value = values.get(key, [])
+        if not isinstance(value, list) or not all(isinstance(one, str) for one in value):
+            self.wrong(f"{path}.{key}", "a list of texts is needed")
+            return ()
+        return tuple(value)
+
+    def number(self, values: Table, path: str, key: str) -> float | None:
+        """A number; None where it is missing."""
+        value = values.get(key)
+        if value is None:
+            return None
+        if not is_number(value):
+            self.wrong(f"{path}.{key}", "a number is needed")
+            return None
+        return float(value)
+
+    def not_negative(self, values: Table, path: str, key: str) -> float | None:
+        """A number that is 0 or above; None where it is missing."""
+        value = values.get(key)
+        if value is None:
+            return None
+        if not is_number(value) or value < 0.0:
+            self.wrong(f"{path}.{key}", "a number that is not negative is needed")
+            return None
+        return float(value)
+
+    def positive(self, values: Table, path: str, key: str) -> float | None:
+        """A number above 0; None where it is missing."""
+        value = self.not_negative(values, path, key)
+        if value == 0.0:
+            self.wrong(f"{path}.{key}", "a number above 0 is needed")
+            return None
+        return value
+
+    def numbers(
+        self, values: Table, path: str, key: str, count: int | None
+    ) -> tuple[float, ...] | None:
+        """A list of numbers, `count` of them unless it is None; None where it is missing."""
+        value = values.get(key)
+        if value is None:
+            return None
+        numbers = [one for one in value if is_number(one)] if isinstance(value, list) else []
+        if not numbers or numbers != value:
+            self.wrong(f"{path}.{key}", "a list of numbers is needed")
+            return None
+        if count is not None and len(numbers) != count:
+            self.wrong(f"{path}.{key}", f"{count} numbers are needed, not {len(numbers)}")
+            return None
+        return tuple(float(one) for one in numbers)
+
+
+def read_toml(file: Path) -> Table:
+    """The top table of a TOML file.
+
+    Raises:
+        InputError: If it is missing or not TOML.
+    """
+    try:
+        return tomllib.loads(file.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(f"{file} cannot be read: {error.strerror or error}") from error
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise InputError(f"{file} is not TOML: {error}") from error
+
+
+def is_number(value: object) -> TypeGuard[float]:
+    """Whether a TOML value is a finite number."""
+    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)

@@ -1,0 +1,97 @@
+"""What is wrong with a target by itself: orientation, external axes, axes past their limits."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rapidsim.frames.quaternion import norm
+from rapidsim.frames.transform import Array
+from rapidsim.language.data import UNUSED_AXIS, ExtJoint, Orient
+from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH, ERR_ROBLIMIT
+from rapidsim.language.target_violations import QuaternionNotUnit
+from rapidsim.motion.reach import limit_excess
+from rapidsim.motion.robot import Robot
+from rapidsim.motion.targets import (
+    REFUSED_NORM_ERROR,
+    TOLERATED_NORM_ERROR,
+    external_values,
+)
+from rapidsim.motion.violations import ExternalAxisMissing, ExternalAxisUnknown, JointOutOfRange
+from rapidsim.simulation.asked_move import AskedMove, MoveRefusedError
+from rapidsim.simulation.failed_moves import refused_axes
+from rapidsim.simulation.journal import Journal
+from rapidsim.simulation.stops import MoveImpossible
+
+_NOTHING_MEANT = (0.0, 9999.0)
+"""What old and generated programs write for axes that are not there."""
+
+
+def check_orientation(asked: AskedMove, rotation: Orient, journal: Journal) -> None:
+    """Report a quaternion that is not quite a unit; refuse one that is no orientation.
+
+    Raises:
+        MoveRefusedError: When it is far off.
+    """
+    length = norm(rotation)
+    error = abs(length - 1.0)
+    if error > TOLERATED_NORM_ERROR:
+        violation = QuaternionNotUnit(asked.name, length)
+        if error > REFUSED_NORM_ERROR:
+            raise MoveRefusedError(ERR_OUTSIDE_REACH, violation)
+        journal.finding(violation, asked.place, once=("norm", asked.name))
+
+
+def external_end(
+    asked: AskedMove, extax: ExtJoint, near: Array, robot: Robot, journal: Journal
+) -> Array:
+    """External axes (e,) [m or rad] that a move goes to; those of units that are off stay.
+
+    Raises:
+        MoveImpossible: When an active axis has no value.
+    """
+    axes = robot.external
+    values, missing = external_values(extax, axes, near)
+    inactive = asked.settings.inactive_units
+    for axis in missing:
+        if axis.unit.lower() not in inactive:
+            raise MoveImpossible(ExternalAxisMissing(asked.name, axis.component, axis.unit))
+    # The additional joint of a seven-axis arm stands in `eax_a`, too.
+    known = {axis.component for axis in axes} | ({"eax_a"} if len(robot.joints) > 6 else set())
+    unknown = [
+        f"{field} = {value:g}"
+        for field, value in zip(extax._fields, extax, strict=True)
+        if value < UNUSED_AXIS and value not in _NOTHING_MEANT and field not in known
+    ]
+    if unknown:
+        told = ExternalAxisUnknown(asked.name, ", ".join(unknown))
+        journal.finding(told, asked.place, once=("external", asked.name))
+    passive = [axis.unit.lower() in inactive for axis in axes]
+    return np.where(passive, near, values)
+
+
+def require_limits(
+    asked: AskedMove, joints: Array, external: Array, robot: Robot, journal: Journal
+) -> None:
+    """Refuse joints (n,) [rad] and external axes (e,) [m or rad] past their limits.
+
+    Raises:
+        MoveRefusedError: When one is.
+    """
+    over = excess_text(robot, np.concatenate([joints, external]))
+    if over:
+        violation = JointOutOfRange(asked.name, robot.title, over)
+        base_from_tcp = asked.placed.base_from_tcp(robot.kinematics, joints, external)
+        journal.failed_move(refused_axes(asked.place, violation, base_from_tcp))
+        raise MoveRefusedError(ERR_ROBLIMIT, violation)
+
+
+def excess_text(robot: Robot, wide: Array) -> str:
+    """What is past the limits of joints and external axes (n + e,); empty if nothing is."""
+    axes, n = robot.axes, robot.axes.joint_count
+    excess = np.maximum(wide - axes.upper, axes.lower - wide)
+    # With its tolerance for rounding.
+    excess[:n] = np.abs(limit_excess(robot, wide[:n]))
+    return ", ".join(
+        f"{axes.name(i)} at {axes.text(i, wide[i])}, {axes.text(i, excess[i])} past its limit"
+        for i in map(int, np.flatnonzero(excess > 0.0))
+    )

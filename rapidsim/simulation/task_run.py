@@ -1,0 +1,206 @@
+"""One task of a run: what it is given, its controller, running it to its end."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+
+import numpy as np
+
+from rapidsim.analysis.program import Program
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.interpreter.loader import Task
+from rapidsim.interpreter.stack import FatalError
+from rapidsim.language.controller import Place
+from rapidsim.language.errors import CycleEnded, Stopped
+from rapidsim.motion.external_axes import ExternalAxis
+from rapidsim.motion.robot import Robot
+from rapidsim.motion.segments import Waypoint
+from rapidsim.motion.trajectory import Trajectory
+from rapidsim.simulation.cell import Cell
+from rapidsim.simulation.controller import VirtualController
+from rapidsim.simulation.failed_moves import FailedMove, failed_on_the_way
+from rapidsim.simulation.journal import Journal
+from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.path_queue import MotionError
+from rapidsim.simulation.persistents import PersistentChange, changed_persistents
+from rapidsim.simulation.resolve import Resolver
+from rapidsim.simulation.result import End
+from rapidsim.simulation.robot_path import RobotPath
+from rapidsim.simulation.run_findings import (
+    endless_wait_finding,
+    fatal_finding,
+    impossible_move_finding,
+    motion_finding,
+    stopped_finding,
+    time_limit_finding,
+    trap_storm_finding,
+    zone_finding,
+)
+from rapidsim.simulation.stops import (
+    MoveImpossible,
+    TimeLimitReached,
+    TrapStorm,
+    WaitsForever,
+    ZoneReached,
+)
+from rapidsim.simulation.task_kind import TaskKind
+
+
+@dataclass(frozen=True, slots=True)
+class TaskSetup:
+    """What a task is given."""
+
+    name: str
+    program: Program
+    robot: Robot | None = None
+    """None where the task moves nothing."""
+    start_joints_deg: tuple[float, ...] | None = None
+    """Where the arm stands at the start; None takes all zero with axis 5 at 30 degrees."""
+    world_from_base: Transform | None = None
+    """Where the robot stands; None for the world's origin."""
+    kind: TaskKind = TaskKind.NORMAL
+    written: frozenset[str] | None = None
+    """Folded names of the persistents that the program may write; None where nobody has looked."""
+
+    @property
+    def counts(self) -> bool:
+        """Whether the run lasts until this task has ended."""
+        return self.kind is TaskKind.NORMAL
+
+    @property
+    def place(self) -> Transform:
+        """Where the robot stands."""
+        return self.world_from_base or Transform.identity()
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """How a task ended."""
+
+    end: End
+    findings: tuple[Diagnostic, ...] = ()
+    failed_moves: tuple[FailedMove, ...] = ()
+    persistents: tuple[PersistentChange, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class TaskRun:
+    """A task with its controller and its robot's motion."""
+
+    setup: TaskSetup
+    journal: Journal
+    queue: RobotPath
+    controller: VirtualController
+
+
+def prepare(
+    setup: TaskSetup, stand_in: Robot, cell: Cell, journal: Journal, options: RunOptions
+) -> TaskRun:
+    """Set a task's controller up at time zero.
+
+    Args:
+        setup: The task.
+        stand_in: An arm that never moves, for a task that has none.
+        cell: What it shares with other tasks.
+        journal: Where it reports.
+        options: Limits and the motion model.
+    """
+    robot = setup.robot or stand_in
+    start = _start_waypoint(robot, setup.start_joints_deg)
+    trajectory = Trajectory(start, options.model.filter_time)
+    queue = RobotPath(robot, options.model, trajectory, start)
+    resolver = Resolver(robot, journal, setup.place.inverse(), options.model.payload_acceleration)
+    place = _entry_place(setup.program, options.entry)
+    controller = VirtualController(cell, queue, resolver, journal, place)
+    controller.has_robot = setup.robot is not None
+    if not setup.counts:
+        controller.run_in_background()
+    return TaskRun(setup, journal, queue, controller)
+
+
+def run_to_end(
+    run: TaskRun,
+    load: Callable[[], Task],
+    options: RunOptions,
+    others: Callable[[], Sequence[tuple[str, Place]]] = tuple,
+) -> Outcome:
+    """Load a task, run its main as often as asked and let its robot come to rest.
+
+    Args:
+        run: The task.
+        load: Makes its program ready to run.
+        options: Limits of the run.
+        others: The tasks that wait where this one waits forever, and where.
+    """
+    task: Task | None = None
+    controller, robot = run.controller, run.queue.robot
+    findings: tuple[Diagnostic, ...] = ()
+    failed: tuple[FailedMove, ...] = ()
+    try:
+        task = load()
+        end = _run_cycles(task, run, options)
+        controller.finish()
+    except FatalError as fatal:
+        controller.abandon()
+        end, findings = End.ERROR, (fatal_finding(fatal, controller.place),)
+    except MotionError as error:
+        finding = motion_finding(error)
+        end, findings = End.ERROR, (finding,)
+        segment, fraction = error.queued.segment, error.fault.fraction
+        failed = (
+            failed_on_the_way(error.queued.place, finding.violation, segment, fraction, robot),
+        )
+    except TimeLimitReached as stop:
+        end, findings = End.TIME_LIMIT, (time_limit_finding(stop, controller.place),)
+    except WaitsForever as stop:
+        found = endless_wait_finding(stop, (run.setup.name, controller.place), others())
+        end, findings = End.ERROR, (found,)
+    except TrapStorm as stop:
+        end, findings = End.ERROR, (trap_storm_finding(stop, controller.place),)
+    except ZoneReached as stop:
+        end, findings = End.ERROR, (zone_finding(stop, controller.place),)
+    except MoveImpossible as stop:
+        controller.abandon()
+        end, findings = End.ERROR, (impossible_move_finding(stop, controller.place),)
+    except Stopped as stop:
+        controller.abandon()
+        end, findings = End.STOPPED, (stopped_finding(stop, controller.place),)
+    return Outcome(end, findings, failed, changed_persistents(task) if task else ())
+
+
+def _run_cycles(task: Task, run: TaskRun, options: RunOptions) -> End:
+    """Run main again and again; module data keep their values from one cycle to the next."""
+    if run.setup.kind is not TaskKind.NORMAL:
+        while True:
+            with suppress(CycleEnded):
+                task.run(options.entry)
+            run.controller.begin_again()
+    for _ in range(options.max_cycles):
+        with suppress(CycleEnded):
+            task.run(options.entry)
+    return End.CYCLE_LIMIT if options.max_cycles > 1 else End.ENDED
+
+
+def _start_waypoint(robot: Robot, degrees: tuple[float, ...] | None) -> Waypoint:
+    """Where arm and external axes stand before the first move, as the flange with no tool."""
+    wanted = robot.start if degrees is None else np.radians(np.array(degrees))
+    joints: Array = np.clip(wanted, robot.lower, robot.upper)
+    external = np.array([_start_of(axis) for axis in robot.external])
+    return Waypoint(joints, robot.kinematics.forward(joints), external)
+
+
+def _start_of(axis: ExternalAxis) -> float:
+    """Where an external axis stands before the first move [m or rad]: 0, or as near as it can."""
+    return min(max(axis.start, axis.lower), axis.upper)
+
+
+def _entry_place(program: Program, entry: str) -> Place:
+    """Where the program pointer stands before the first statement."""
+    routine = program.routines.get(entry.lower())
+    if routine is not None:
+        return Place(routine.module.span(routine.node.name), routine.name)
+    module = program.modules[0]
+    return Place(module.span(module.name), entry)

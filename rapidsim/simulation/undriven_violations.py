@@ -1,0 +1,81 @@
+"""Rule I803: waits for inputs that nothing in the station file ever sets."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import ClassVar
+
+from rapidsim.analysis.walk import clauses, statements
+from rapidsim.diagnostics import Diagnostic, Severity, Violation
+from rapidsim.simulation.cell_io import CellIo, SignalKind
+from rapidsim.syntax import tree
+
+_WAITS = MappingProxyType(
+    {"waitdi": SignalKind.DI, "waitgi": SignalKind.GI, "waitai": SignalKind.AI}
+)
+
+
+@dataclass(frozen=True)
+class NeverDrivenInput(Violation):
+    """The program waits for an input that nothing in the station file sets.
+
+    The station declares its signals and what happens to them; this input is in no stimulus and
+    follows no other signal, and it does not begin with the value waited for. A run ends there.
+    A station file that says nothing of inputs is not held against a program.
+
+    With `signals.diPart = { type = "di" }` in `rapidsim.toml`, `WaitDI diPart,1;` breaks the rule;
+    with a stimulus `at = 2.0`, `set = { diPart = 1 }` besides it does not.
+    """
+
+    code: ClassVar[str] = "I803"
+    name: ClassVar[str] = "never-driven-input"
+    template: ClassVar[str] = "nothing in the station file sets `{signal}` to {value}"
+    severity: ClassVar[Severity] = Severity.WARNING
+
+    signal: str
+    value: str
+
+    @property
+    def help(self) -> str:
+        """The cure."""
+        return f"add a [[stimulus]] with `set = {{ {self.signal} = {self.value} }}`"
+
+
+def find_never_driven(files: Iterable[tree.File], io: CellIo) -> Iterator[Diagnostic]:
+    """Waits for digital, group and analog inputs by their value.
+
+    Args:
+        files: The program.
+        io: Signals of the station and what drives them.
+    """
+    begins_with = {
+        signal.name.lower(): signal.value for signal in io.signals if signal.kind in _WAITS.values()
+    }
+    driven = {name.lower() for stimulus in io.stimuli for name in stimulus.values}
+    driven |= {cross.result.lower() for cross in io.crosses}
+    for file in files:
+        for module in file.modules:
+            for routine in module.routines:
+                for call in statements(*clauses(routine)):
+                    wait = _wait(call)
+                    if wait is None or wait[0].key not in begins_with or wait[0].key in driven:
+                        continue
+                    name, value = wait
+                    if begins_with[name.key] != value.value:
+                        violation = NeverDrivenInput(name.text, value.text)
+                        span = module.span(name)
+                        yield Diagnostic(violation, span, routine=routine.name.text)
+
+
+def _wait(statement: tree.Statement) -> tuple[tree.Name, tree.Number] | None:
+    """The signal and the value that a statement waits for."""
+    if not isinstance(statement, tree.Call) or statement.name.key not in _WAITS:
+        return None
+    required = [one.value for one in statement.arguments if isinstance(one, tree.Required)]
+    match required[:1] + required[-1:]:
+        case [tree.Reference(name=name), tree.Number() as value]:
+            return name, value
+        case _:
+            return None

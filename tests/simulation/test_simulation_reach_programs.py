@@ -1,0 +1,71 @@
+"""All programs of the repository: what checking by value calls an error, a run cannot do either."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from simulation_program import arm
+
+from rapidsim.diagnostics import Diagnostic, Severity
+from rapidsim.files import InputError, read_tasks
+from rapidsim.frames.transform import Transform
+from rapidsim.motion.reach import why_unreachable
+from rapidsim.simulation.checking.poses import posed
+from rapidsim.simulation.checking.reach import check_reach
+from rapidsim.simulation.checking.walk import walk_program
+from rapidsim.simulation.coverage import ReachReport
+from rapidsim.simulation.load import Loaded, load
+
+ROOT = Path(__file__).parents[2]
+PROGRAMS = sorted(
+    path for folder in ("programs", "tests") for path in (ROOT / folder).rglob("*.mod")
+)
+
+
+def read(path: Path) -> Loaded | None:
+    """A module on its own; None where it is no text of RAPID."""
+    try:
+        return load(read_tasks([str(path)])[0].files)
+    except InputError:
+        return None
+
+
+def errors(report: ReachReport) -> list[Diagnostic]:
+    """The findings that keep a robot from a move."""
+    return [one for one in report.diagnostics if one.severity is Severity.ERROR]
+
+
+def test_no_error_is_a_false_one() -> None:
+    """By value: the arm's own solver says so of a target, and of no other one."""
+    checked = 0
+    for path in PROGRAMS:
+        loaded = read(path)
+        if loaded is None or loaded.program is None:
+            continue
+        walked = walk_program(loaded.program)
+        placed = posed(walked.known, arm(), Transform.identity())
+        report = check_reach(loaded.program, arm(), run=False)
+        told = {
+            one.span.line for one in errors(report) if one.violation.code == "K601" and one.span
+        }
+        out = {
+            known.span.line
+            for row, known in enumerate(walked.known)
+            if row not in placed.left_out
+            and not placed.to_axes[row]
+            and why_unreachable(arm(), placed.base_from_flange[row]) is not None
+        }
+        assert told == out, path
+        checked += report.coverage.by_value
+    assert checked > 150
+
+
+@pytest.mark.parametrize("name", ["pentagon", "algorithms"])
+def test_the_programs_for_readers_have_no_errors(name: str) -> None:
+    loaded = read(ROOT / "programs" / f"{name}.mod")
+    assert loaded is not None
+    assert loaded.program is not None
+    report = check_reach(loaded.program, arm())
+    assert errors(report) == []
+    assert report.coverage.unchecked == ()

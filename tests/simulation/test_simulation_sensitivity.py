@@ -1,0 +1,43 @@
+"""Timing a run again with other accelerations gives what another run would take."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from simulation_program import ran
+
+from rapidsim.motion.limits import limits_of
+from rapidsim.motion.model import MotionModel
+from rapidsim.simulation import sensitivity
+from rapidsim.simulation.sensitivity import extra_time_s
+
+PROGRAM = """MODULE cell
+  CONST robtarget a:=[[600,-100,600],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    ConfJ\\Off;
+    ConfL\\Off;
+    MoveJ a, v1000, fine, tool0;
+    MoveL Offs(a, 0, 200, 0), v1000, z20, tool0;
+    SetDO doGlue, 1;
+    MoveL Offs(a, 0, 200, 100), v500, z5, tool0;
+    WaitTime 0.3;
+    MoveJ a, vmax, fine, tool0;
+  ENDPROC
+ENDMODULE
+"""
+
+
+@pytest.mark.parametrize("factor", [0.5, 1.0, 2.0])
+def test_another_run_with_other_accelerations_takes_that_long(factor: float) -> None:
+    run = ran(PROGRAM).run
+    other = ran(PROGRAM, model=replace(MotionModel(), acceleration_time=0.16 / factor)).run
+    extra_s = extra_time_s(run.trajectory, limits_of(run.robot, run.model), factor)
+    assert extra_s is not None
+    assert run.time_s + extra_s == pytest.approx(other.time_s, abs=1e-3)
+
+
+def test_a_long_run_is_not_timed_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    run = ran(PROGRAM).run
+    monkeypatch.setattr(sensitivity, "MOST_SEGMENTS", 2)
+    assert extra_time_s(run.trajectory, limits_of(run.robot, run.model), 2.0) is None

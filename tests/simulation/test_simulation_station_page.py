@@ -1,0 +1,62 @@
+"""Every station file that the documentation shows can be read, and the gripper it shows works."""
+
+import re
+from pathlib import Path
+
+import pytest
+from simulation_program import ran
+
+from rapidsim.simulation.station.read import read_io, read_station
+
+ROOT = Path(__file__).parents[2]
+PAGES = (
+    "README.md",
+    "docs/station.md",
+    "docs/tasks.md",
+    "docs/motion.md",
+    "docs/timing.md",
+    "docs/sockets.md",
+)
+BLOCKS = [
+    pytest.param(block, id=f"{page}-{number}")
+    for page in PAGES
+    for number, block in enumerate(
+        re.findall(r"^```toml\n(.*?)^```", (ROOT / page).read_text(encoding="utf-8"), re.M | re.S)
+    )
+]
+
+
+@pytest.mark.parametrize("block", BLOCKS)
+def test_a_station_file_that_is_shown_can_be_read(block: str, tmp_path: Path) -> None:
+    file = tmp_path / "rapidsim.toml"
+    file.write_text(block, encoding="utf-8")
+    read_station(file)
+
+
+def test_the_gripper_of_the_page_answers_and_is_five_lines(tmp_path: Path) -> None:
+    page = (ROOT / "docs" / "station.md").read_text(encoding="utf-8")
+    (gripper,) = (
+        part for part in re.split(r"\n\n|```", page) if "diGripped" in part and "[[" in part
+    )
+    assert len(gripper.strip().splitlines()) <= 5
+    file = tmp_path / "io.toml"
+    file.write_text(gripper, encoding="utf-8")
+    done = ran(
+        """MODULE cell
+  PROC main()
+    FOR i FROM 1 TO 2 DO
+      Set doGrip;
+      WaitDI diGripped,1;
+      Reset doGrip;
+      WaitDI diGripped,0;
+    ENDFOR
+  ENDPROC
+ENDMODULE
+""",
+        io=read_io(file),
+    )
+    closed = [event.time_s for event in done.run.events if event.message == "diGripped = 1"]
+    opened = [event.time_s for event in done.run.events if event.message == "diGripped = 0"]
+    assert done.end == "ended"
+    assert closed == pytest.approx([0.4, 1.2], abs=1e-4)
+    assert opened == pytest.approx([0.8, 1.6], abs=1e-4)
