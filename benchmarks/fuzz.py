@@ -1,33 +1,49 @@
-"""Throw bad texts at the parser and the checker: `python benchmarks/fuzz.py [EXAMPLES [SEED]]`.
+"""Throw bad texts at `rapidsim check`: `python benchmarks/fuzz.py [EXAMPLES [SEED]]`.
 
 Random bytes, soups of tokens, and the repository's programs with pieces cut, doubled, moved and
-changed. Nothing may raise; what checks without an error must also load. Printed are the number of
+changed. Parsing, every rule, comments that suppress, fixes, all ways to print findings: nothing
+may raise; what checks without an error must also load. Printed are the number of
 inputs of each kind and the longest time one took, with the seed to see it again; inputs that raise
 are kept in `fuzz-failures`.
 """
 
 from __future__ import annotations
 
+import json
 import random
 import sys
 import time
 import traceback
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 from typing import cast
 
 from rapidsim.analysis.checker import check
+from rapidsim.analysis.rules.table import detectors_of
+from rapidsim.analysis.suppressions import without_suppressed
+from rapidsim.cli.fixes import choose_fixes
 from rapidsim.diagnostics import Severity, Source
+from rapidsim.export.text_edits import edited_text
 from rapidsim.files import decode
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.loader import FatalError, load
 from rapidsim.language.controller import Controller
+from rapidsim.report.diagnostics import diagnostic_json, full
+from rapidsim.report.github import github
+from rapidsim.report.junit import junit
+from rapidsim.report.merging import merged
+from rapidsim.report.palette import PLAIN
+from rapidsim.report.sarif import sarif
 from rapidsim.syntax.lexer import lex
 from rapidsim.syntax.parser import parse
 
 ROOT = Path(__file__).parents[1]
 FAILURES = Path("fuzz-failures")
 EXAMPLES = 20_000
+EVERY_RULE = detectors_of(lambda rule: True)
+LARGEST = 12_000
+"""Programs with more characters are left out, so that many mutants can be tried."""
 WORDS_AND_MARKS = """
     MODULE ENDMODULE PROC ENDPROC FUNC ENDFUNC TRAP ENDTRAP RECORD ENDRECORD ALIAS LOCAL TASK VAR
     PERS CONST IF THEN ELSEIF ELSE ENDIF FOR FROM TO STEP DO ENDFOR WHILE ENDWHILE TEST CASE
@@ -79,17 +95,25 @@ def main() -> None:
 
 def _programs() -> list[Path]:
     found = [path for folder in ("programs", "tests") for path in (ROOT / folder).rglob("*.mod")]
-    return sorted(path for path in found if path.stat().st_size < 60_000)
+    return sorted(path for path in found if path.stat().st_size < LARGEST)
 
 
 def _try(text: str) -> bool:
     """Whether a text is a program that can be loaded."""
     parsed = parse(Source("fuzz.mod", text))
-    checked = check([parsed.file])
+    checked = check([parsed.file], EVERY_RULE)
+    found = without_suppressed((*parsed.diagnostics, *checked.diagnostics), [parsed.file])
+    findings = merged(found)
+    full(findings, PLAIN, width=80)
+    github(findings)
+    junit(findings, ["fuzz.mod"])
+    json.dumps((sarif(findings, "0"), [diagnostic_json(one) for one in findings]), allow_nan=False)
+    fixed = edited_text(text, choose_fixes(found, unsafe=True).edits.get("fuzz.mod", ()))
+    assert fixed != text or not any(one.fix for one in found), "a fix changes nothing"
     if checked.program is None or any(d.severity is Severity.ERROR for d in parsed.diagnostics):
         return False
     try:
-        load(checked.program, cast(Controller, None))
+        load(checked.program, cast(Controller, SimpleNamespace()))
     except (FatalError, NotExecutableError):
         return False
     return True

@@ -104,6 +104,8 @@ class Violation:
     template: ClassVar[str]
     """The message as a format string over the fields: one line, no full stop, no blame."""
     severity: ClassVar[Severity] = Severity.ERROR
+    on_by_default: ClassVar[bool] = True
+    """Whether `rapidsim check` looks for it unasked; house style is for those who select it."""
     cf: ClassVar[str | None] = None
     """The controller's own event number for the same thing, such as `ABB 50050`."""
 
@@ -116,6 +118,11 @@ class Violation:
     def help(self) -> str | None:
         """The cure, when it is known."""
         return None
+
+    @classmethod
+    def matches(cls, selector: str) -> bool:
+        """Whether a code, the beginning of a code such as `K6`, or a name means this rule."""
+        return cls.code.startswith(selector.upper()) or cls.name == selector.lower()
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,6 +160,8 @@ class Diagnostic:
     fix: Fix | None = None
     routine: str | None = None
     """The routine the place stands in, when it stands in one."""
+    assumed: bool = False
+    """Whether it holds under an assumption only, such as an arm that nobody named."""
     order: tuple[str, int] = field(init=False, compare=False)
     """Sort key: file, then offset."""
 
@@ -163,5 +172,6 @@ class Diagnostic:
 
     @property
     def severity(self) -> Severity:
-        """The severity of the violation."""
-        return self.violation.severity
+        """The severity of the violation; what is only assumed is no more than a warning."""
+        severity = self.violation.severity
+        return Severity.WARNING if self.assumed and severity is Severity.ERROR else severity

@@ -13,7 +13,7 @@ from rapidsim.language.annotations import Mode
 def callee_of(symbol: Symbol | None, context: Context) -> Callee | None:
     """What a symbol is when called; None for what is not known."""
     if isinstance(symbol, LibrarySymbol):
-        return _of_library(symbol)
+        return callee_of_installed(symbol)
     if not isinstance(symbol, RoutineSymbol):
         return None
     callee = context.analysis.callees.get(symbol)
@@ -47,7 +47,8 @@ def _of_user(symbol: RoutineSymbol, context: Context) -> Callee:
 
 
 @cache
-def _of_library(symbol: LibrarySymbol) -> Callee:
+def callee_of_installed(symbol: LibrarySymbol) -> Callee:
+    """What an installed routine is to a call."""
     signature = symbol.routine.signature
     formals = tuple(
         Formal(

@@ -7,10 +7,11 @@ then what only the whole task can tell. No pass changes the tree; all write to o
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from types import MappingProxyType
+from typing import TypeAlias
 
 from rapidsim.analysis.context import Analysis, Context
 from rapidsim.analysis.declarations import declare_locals, declare_task
@@ -19,12 +20,16 @@ from rapidsim.analysis.initial_values import check_circles, check_initial_value
 from rapidsim.analysis.lenient import check_lenient_marks
 from rapidsim.analysis.names import decide_undeclared
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Scope
+from rapidsim.analysis.rules.facts import Facts
 from rapidsim.analysis.statements import check_routine_body
 from rapidsim.analysis.user_types import UserTypes
 from rapidsim.analysis.walk import clauses, statements
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.syntax import tree
 from rapidsim.syntax.collection import uncollected
+
+Find: TypeAlias = Callable[[Facts], Iterable[Diagnostic]]
+"""A function that looks for mistakes in what analysis has found out."""
 
 _DEEPEST = 20_000
 """Python calls within each other while checking; the parser bounds how deep programs nest."""
@@ -41,11 +46,15 @@ class Checked:
 
 
 @uncollected()
-def check(files: Sequence[tree.File]) -> Checked:
+def check(
+    files: Sequence[tree.File],
+    rules: Sequence[Find] = (),
+) -> Checked:
     """Check the modules of one task together.
 
     Args:
         files: The task's files; their order decides which of two equal names is the second.
+        rules: What to look for beyond what keeps a program from running: see `rules/table.py`.
 
     Returns:
         The program with its symbols and types, and all findings. Never raises on what users write.
@@ -69,6 +78,9 @@ def check(files: Sequence[tree.File]) -> Checked:
                     data += _check_routine(routine, home, user_types)
         check_circles(data)
         decide_undeclared(analysis)
+        facts = Facts(tuple(files), analysis)
+        for rule in rules:
+            analysis.diagnostics += rule(facts)
     diagnostics = _in_order(analysis.diagnostics, files)
     is_broken = any(found.severity is Severity.ERROR for found in diagnostics)
     if is_broken or analysis.unread_text:

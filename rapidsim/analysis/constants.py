@@ -26,7 +26,7 @@ def constant_number(
         case tree.Binary(left=left, operator=operator, right=right):
             a = constant_number(left, context, seen)
             b = constant_number(right, context, seen)
-            return None if a is None or b is None else _computed(operator, a, b)
+            return None if a is None or b is None else computed(operator, a, b)
         case tree.Reference(name=name):
             symbol = context.scope.find(name.key) or installed_symbol(name.key)
             if not isinstance(symbol, DataSymbol) or symbol.storage is not Storage.CONST:
@@ -48,7 +48,8 @@ def _constant(symbol: DataSymbol, context: Context, seen: frozenset[DataSymbol])
     return constant_number(symbol.node.value, home, seen | {symbol})
 
 
-def _computed(operator: str, left: float, right: float) -> float | None:
+def computed(operator: str, left: float, right: float) -> float | None:
+    """What an operator makes of two numbers; None where it makes none."""
     if operator in ("/", "DIV", "MOD") and right == 0.0:
         return None
     try:

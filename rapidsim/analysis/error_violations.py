@@ -1,4 +1,4 @@
-"""Rules T about error numbers in programs."""
+"""Rules F about error numbers in programs."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class RawErrorNumber(Violation):
         ENDMODULE
     """
 
-    code: ClassVar[str] = "T325"
+    code: ClassVar[str] = "F414"
     name: ClassVar[str] = "raw-error-number"
     template: ClassVar[str] = "ERRNO is compared with {number}: no error of a run has that number"
     severity: ClassVar[Severity] = Severity.WARNING

@@ -14,13 +14,14 @@ from rapidsim.analysis.flow_violations import (
     UnreachableCode,
 )
 from rapidsim.analysis.name_violations import DuplicateName
+from rapidsim.analysis.program import LibrarySymbol
 from rapidsim.analysis.suggestions import closest
 from rapidsim.analysis.syntax_violations import LateDataDeclaration
 from rapidsim.analysis.walk import blocks, clauses, statements
 from rapidsim.diagnostics import Related
 from rapidsim.syntax import tree
 
-_ENDING_INSTRUCTIONS = frozenset({"exitcycle", "raisetouser", "systemstopaction"})
+_ENDING_INSTRUCTIONS = frozenset({"exitcycle", "raisetouser", "startmoveretry", "systemstopaction"})
 """Instructions after which execution does not go on to the next statement."""
 
 
@@ -61,6 +62,9 @@ def _check_answers(routine: tree.Routine, context: Context) -> None:
                 context.report(RaiseRetryPlacement("RETRY"), node)
             case tree.TryNext():
                 context.report(RaiseRetryPlacement("TRYNEXT"), node)
+            case tree.Call(name=name) if name.key == "startmoveretry":
+                if isinstance(context.analysis.symbol_of.get(node), LibrarySymbol):
+                    context.report(RaiseRetryPlacement("StartMoveRetry"), node)
             case tree.Raise(number=None):
                 context.report(RaiseRetryPlacement("RAISE without a number"), node)
             case _:

@@ -124,7 +124,7 @@ class GotoTarget(Violation):
 
 @dataclass(frozen=True)
 class RaiseRetryPlacement(Violation):
-    """RETRY, TRYNEXT, or RAISE without a number stands outside an ERROR clause.
+    """RETRY, TRYNEXT, StartMoveRetry or RAISE without a number stands outside an ERROR clause.
 
     They answer an error, and only an ERROR clause has one to answer.
 

@@ -207,7 +207,7 @@ class Builder:
         return tree.Parameter(start, end, _word(mode) or "IN", type, name, len(stars or ()))
 
     def optional_group(
-        self, start: int, end: int, *alternatives: tree.Parameter
+        self, start: int, end: int, *alternatives: tree.Parameter | tree.Placeholder
     ) -> tree.OptionalGroup:
         """Optional parameters that exclude each other."""
         return tree.OptionalGroup(start, end, alternatives)

@@ -96,7 +96,9 @@ def _respelt(at: Situation, window: list[str]) -> Patch | None:
 def respelling(row: Row, start: int, stop: int, word: str) -> Patch:
     """Read what stands there as a reserved word."""
     span = row.span(start, stop)
-    fix = Fix(f"Write {word}", (Edit(span, word),))
+    # What a word was meant to be is a guess; behind a backslash it may be spelt right already.
+    is_spelt = span.text.upper() == word
+    fix = None if is_spelt else Fix(f"Write {word}", (Edit(span, word),), safe=False)
     violation = MisspeltWord(" ".join(span.text.split()), word)
     return replacement(row, start, stop, rapid_table().words[word], violation, fix)
 

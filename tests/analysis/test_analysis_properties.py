@@ -6,6 +6,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from rapidsim.analysis.checker import Checked, check
+from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suggestions import closest, is_slip, reserved_words
 from rapidsim.analysis.walk import descendants
 from rapidsim.diagnostics import Severity, Source
@@ -24,9 +25,11 @@ TOKENS = st.sampled_from(
 )
 LAW = settings(derandomize=True, suppress_health_check=[HealthCheck.too_slow], max_examples=150)
 
+EVERY_RULE = detectors_of(lambda rule: True)
+
 
 def checked(text: str) -> Checked:
-    return check([parse(Source("any.mod", text)).file])
+    return check([parse(Source("any.mod", text)).file], EVERY_RULE)
 
 
 def is_without_error(found: Checked) -> bool:

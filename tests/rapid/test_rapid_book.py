@@ -17,6 +17,8 @@ CHAPTERS = (
     "parameters",
     "errors",
     "interrupts",
+    "waiting",
+    "motion",
     "modules",
     "oddities",
     "broken",

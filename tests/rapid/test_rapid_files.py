@@ -68,7 +68,9 @@ def test_lines_are_counted_the_same_with_every_line_end(
     tmp_path: Path, end: str, last: str
 ) -> None:
     text = end.join(LINES) + (end if last else "")
-    (found,) = check([written(tmp_path, text.encode())]).diagnostics
+    everything = check([written(tmp_path, text.encode())]).diagnostics
+    # That a line ends in CR CR LF is a finding of its own.
+    (found,) = (one for one in everything if one.violation.code != "E106")
     assert found.violation.code == "N201"
     assert found.span is not None
     assert (found.span.line, found.span.column) == (5, 13)

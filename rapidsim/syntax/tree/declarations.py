@@ -62,7 +62,7 @@ class Parameter(Node):
 class OptionalGroup(Node):
     r"""`\a | b`: optional parameters of which at most one is given."""
 
-    alternatives: tuple[Parameter, ...]
+    alternatives: tuple[Parameter | Placeholder, ...]
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -5,8 +5,8 @@ MODULE names
   VAR num COUNT;                        ! error: N202
   CONST robtarget pPick:=[[600,0,500],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
   VAR nmu wrong;                        ! error: N201
-  PERS seamdata seam1:=[1,2,[0,0]];     ! warning: N210
-  PERS seamdata seam2:=[3,4,[5,6]];     ! warning: N210
+  PERS beaddata seam1:=[1,2,[0,0]];     ! warning: N210
+  PERS beaddata seam2:=[3,4,[5,6]];     ! warning: N210
 
   PROC main()
     VAR num here;

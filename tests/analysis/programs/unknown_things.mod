@@ -1,7 +1,7 @@
 MODULE unknown_things
   ! Add-ins, signals and units that the program does not declare: a run goes on without them.
-  PERS seamdata seam1:=[1,2,[0,0]];         ! warning: N210
-  PERS seamdata seam2:=[3,4,[5,6]];         ! warning: N210
+  PERS beaddata seam1:=[1,2,[0,0]];         ! warning: N210
+  PERS beaddata seam2:=[3,4,[5,6]];         ! warning: N210
   PERS weldlist list{2}:=[[1,"a"],[2,"b"]]; ! warning: N210
   VAR num n;
   VAR bool b;

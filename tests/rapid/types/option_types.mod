@@ -1,7 +1,7 @@
 ! RAPID Overview, Options: a type that no module declares belongs to an option and loads.
 MODULE option_types
-  PERS seamdata seam1:=[1,2,[0,0]];   ! warning: N210
-  PERS seamdata seam2:=[3,4,[5,6]];   ! warning: N210
+  PERS beaddata seam1:=[1,2,[0,0]];   ! warning: N210
+  PERS beaddata seam2:=[3,4,[5,6]];   ! warning: N210
 
   PROC main()
     seam1:=seam2;

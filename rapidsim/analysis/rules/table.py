@@ -1,0 +1,96 @@
+"""The table of rules: each detector with the rules it looks for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+from rapidsim.analysis.rules import (
+    conditions,
+    first_move,
+    handlers,
+    late_names,
+    mode_leak,
+    never_set,
+    numbers,
+    optional_parameters,
+    orientations,
+    recursion,
+    shadowing,
+    style,
+    style_layout,
+    target_data,
+    text_rules,
+    tools,
+    traps,
+    unsimulated,
+    unused,
+    waits,
+    zones,
+)
+from rapidsim.analysis.rules.facts import Facts
+from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.language.target_violations import QuaternionNotUnit
+
+
+@dataclass(frozen=True, slots=True)
+class Detector:
+    """A function that looks for some rules."""
+
+    find: Callable[[Facts], Iterable[Diagnostic]]
+    rules: tuple[type[Violation], ...]
+
+
+DETECTORS = (
+    Detector(unsimulated.find_unsupported, (unsimulated.UnsupportedConstruct,)),
+    Detector(text_rules.find_bad_line_endings, (text_rules.BadLineEndings,)),
+    Detector(text_rules.find_bad_encoding, (text_rules.BadEncoding,)),
+    Detector(shadowing.find_shadowed, (shadowing.ShadowedName,)),
+    Detector(shadowing.find_redefined, (shadowing.RedefinedBuiltin,)),
+    Detector(unused.find_unused_data, (unused.UnusedData,)),
+    Detector(unused.find_unused_routines, (unused.UnusedRoutine,)),
+    Detector(late_names.find_late_names, (late_names.AmbiguousLateBinding,)),
+    Detector(numbers.find_float_equality, (numbers.FloatEquality,)),
+    Detector(numbers.find_long_integers, (numbers.NumIntegerPrecision,)),
+    Detector(numbers.find_zero_divisors, (numbers.DivisionByConstantZero,)),
+    Detector(optional_parameters.find_absent_optionals, (optional_parameters.AbsentOptionalUsed,)),
+    Detector(conditions.find_constant_conditions, (conditions.ConstantCondition,)),
+    Detector(conditions.find_endless_loops, (conditions.EndlessLoop,)),
+    Detector(conditions.find_tests_without_default, (conditions.TestWithoutDefault,)),
+    Detector(
+        handlers.find_careless_handlers, (handlers.RetryWithoutChange, handlers.SwallowedError)
+    ),
+    Detector(recursion.find_recursion, (recursion.Recursion,)),
+    Detector(mode_leak.find_mode_leaks, (mode_leak.ModeLeak,)),
+    Detector(never_set.find_never_set, (never_set.ReadBeforeSet,)),
+    Detector(traps.find_trap_hazards, (traps.TrapHazard,)),
+    Detector(orientations.find_bad_orientations, (QuaternionNotUnit,)),
+    Detector(zones.find_behind_zones, (zones.ZoneBeforeWait, zones.OutputInZone)),
+    Detector(tools.find_mixed_frames, (tools.ToolOrWobjMissing,)),
+    Detector(tools.find_bad_loads, (tools.BadLoadData,)),
+    Detector(tools.find_holding_mismatch, (tools.StationaryToolMismatch,)),
+    Detector(target_data.find_external_axes, (target_data.ExternalAxisValue,)),
+    Detector(target_data.find_bad_confdata, (target_data.BadConfdata,)),
+    Detector(target_data.find_duplicates, (target_data.DuplicateTargets,)),
+    Detector(first_move.find_first_move, (first_move.FirstMoveLinear,)),
+    Detector(first_move.find_moves_without_speed, (first_move.MoveWithoutSpeed,)),
+    Detector(waits.find_waits_without_timeout, (waits.WaitWithoutTimeout,)),
+    Detector(style.find_keyword_case, (style.KeywordCase,)),
+    Detector(style_layout.find_indentation, (style_layout.Indentation,)),
+    Detector(style_layout.find_trailing_space, (style_layout.TrailingSpace,)),
+    Detector(style_layout.find_blank_lines, (style_layout.BlankLines,)),
+    Detector(style_layout.find_final_newline, (style_layout.FinalNewline,)),
+    Detector(style_layout.find_long_lines, (style_layout.LineTooLong,)),
+    Detector(style.find_long_routines, (style.LongRoutine,)),
+    Detector(style.find_commented_out, (style.CommentedOutCode,)),
+    Detector(style.find_inline_targets, (style.InlineTarget,)),
+)
+
+
+def detectors_of(
+    is_wanted: Callable[[type[Violation]], bool] = lambda rule: rule.on_by_default,
+) -> tuple[Callable[[Facts], Iterable[Diagnostic]], ...]:
+    """The detectors that look for some rules, by default for those that are on by default."""
+    return tuple(
+        detector.find for detector in DETECTORS if any(is_wanted(rule) for rule in detector.rules)
+    )

@@ -1,0 +1,154 @@
+"""Rules N204 and N205: data and routines that nothing uses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import ClassVar
+
+from rapidsim.analysis.rules.facts import ENTRY, Facts, Part
+from rapidsim.analysis.rules.late_names import late_patterns
+from rapidsim.diagnostics import Diagnostic, Severity, Violation
+from rapidsim.syntax import tree
+
+_PREDEFINED_HOMES = ("user", "base")
+"""Modules that come with the controller; a program need not use what is in them."""
+# Instructions that reach data by a name which the program puts together.
+_BY_NAME = frozenset({"getdataval", "setdataval", "setdatasearch", "setalldataval", "getnextsym"})
+
+
+@dataclass(frozen=True)
+class UnusedData(Violation):
+    """Data are declared and never used.
+
+    Dead targets confuse whoever touches up the program. Global data are only reported where the
+    whole task was read; global PERS never are, as another task or the operator may use them.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            VAR num parts;
+            VAR num part;
+            parts:=3;
+            WaitTime parts;
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            VAR num parts;
+            parts:=3;
+            WaitTime parts;
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "N204"
+    name: ClassVar[str] = "unused-data"
+    template: ClassVar[str] = "{type} `{data}` is never used"
+    severity: ClassVar[Severity] = Severity.NOTE
+
+    data: str
+    type: str
+
+
+@dataclass(frozen=True)
+class UnusedRoutine(Violation):
+    """A routine is never called, and nobody can start it by hand.
+
+    Procedures without parameters are not reported unless they are LOCAL: the operator may start
+    them as service routines and the controller as event routines.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            WaitTime 1;
+          ENDPROC
+          FUNC num doubled(num x)
+            RETURN 2*x;
+          ENDFUNC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            WaitTime doubled(1);
+          ENDPROC
+          FUNC num doubled(num x)
+            RETURN 2*x;
+          ENDFUNC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "N205"
+    name: ClassVar[str] = "unused-routine"
+    template: ClassVar[str] = "{kind} `{routine}` is never {used}"
+    severity: ClassVar[Severity] = Severity.NOTE
+
+    routine: str
+    kind: str
+    used: str
+
+
+def find_unused_data(facts: Facts) -> Iterator[Diagnostic]:
+    """Data whose name nothing uses in the text that can see it."""
+    by_name = not _BY_NAME.isdisjoint(facts.names)
+    module_names: dict[tree.Module, frozenset[str]] = {}
+    for part in facts.parts:
+        known = module_names.get(part.module, frozenset())
+        module_names[part.module] = known | part.names
+    for part in facts.parts:
+        for node in part.all(tree.Data):
+            if part.routine is not None:
+                used = part.names
+            elif by_name or part.module.name.key in _PREDEFINED_HOMES:
+                continue
+            elif node.scope == "LOCAL":
+                used = module_names[part.module]
+            elif facts.is_whole and (node.storage != "PERS" or node.scope == "TASK"):
+                used = facts.names
+            else:
+                continue
+            key = node.name.key
+            if key in used or key in facts.strings or facts.analysis.may_be_unread(key):
+                continue
+            yield part.finding(UnusedData(node.name.text, node.type.text), node.name)
+
+
+def find_unused_routines(facts: Facts) -> Iterator[Diagnostic]:
+    """Routines that nothing calls, connects, or could name in a string."""
+    patterns = late_patterns(facts)
+    used_elsewhere: dict[str, int] = {}
+    for part in facts.parts:
+        for name in part.names:
+            used_elsewhere[name] = used_elsewhere.get(name, 0) + 1
+    for part in facts.routine_parts:
+        routine = part.routine
+        assert routine is not None
+        key = routine.name.key
+        if key == ENTRY or key in facts.strings or facts.analysis.may_be_unread(key):
+            continue
+        own_call = key in part.names
+        if used_elsewhere.get(key, 0) > own_call or any(p.fullmatch(key) for p in patterns):
+            continue
+        if routine.scope == "LOCAL" or (facts.is_whole and _needs_a_caller(part)):
+            yield part.finding(_unused(routine), routine.name)
+
+
+def _needs_a_caller(part: Part) -> bool:
+    return not isinstance(part.routine, tree.Proc) or bool(part.routine.parameters)
+
+
+def _unused(routine: tree.Routine) -> UnusedRoutine:
+    match routine:
+        case tree.Trap():
+            return UnusedRoutine(routine.name.text, "trap", "connected")
+        case tree.Func():
+            return UnusedRoutine(routine.name.text, "function", "called")
+        case _:
+            return UnusedRoutine(routine.name.text, "procedure", "called")

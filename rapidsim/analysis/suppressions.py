@@ -1,0 +1,139 @@
+r"""Comments that take findings back: `! rapidsim: ignore[K601] reason`, and those that do nothing.
+
+A comment behind a statement is for its line; one on a line of its own is for the next line that is
+no comment. `ignore-file[...]` is for the whole file, and without brackets all rules are meant.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from typing import ClassVar
+
+from rapidsim.diagnostics import Diagnostic, Edit, Fix, Severity, Source, Span, Violation
+from rapidsim.syntax import tree
+
+_COMMENT = re.compile(
+    r"!+\s*rapidsim:\s*(?P<what>ignore-file|ignore)\b\s*(?:\[(?P<codes>[^\]]*)\])?", re.IGNORECASE
+)
+
+
+@dataclass(frozen=True)
+class UnusedSuppression(Violation):
+    """A comment that takes findings back takes none back.
+
+    What it was written for has been cured, or its code or its line is wrong. `--fix` removes it.
+
+    ## Example
+
+        MODULE example
+          PROC main()
+            WaitTime 1; ! rapidsim: ignore[T309] checked by hand
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          PROC main()
+            WaitTime 1/0; ! rapidsim: ignore[T309] shows what ERR_DIVZERO looks like
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "E160"
+    name: ClassVar[str] = "unused-suppression"
+    template: ClassVar[str] = "nothing to ignore here{codes}"
+    severity: ClassVar[Severity] = Severity.WARNING
+
+    codes: str
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Suppression:
+    """One such comment."""
+
+    span: Span
+    codes: tuple[str, ...]
+    """Codes, beginnings of codes or names of rules; none means every rule."""
+    line: int | None
+    """The line it is for; None for the whole file."""
+
+    def covers(self, diagnostic: Diagnostic) -> bool:
+        """Whether it takes a finding back."""
+        span = diagnostic.span
+        if span is None or span.source is not self.span.source:
+            return False
+        # A finding may be of several lines; the comment stands at its first or its last.
+        if self.line is not None and self.line not in (span.line, span.end_line):
+            return False
+        return not self.codes or any(diagnostic.violation.matches(code) for code in self.codes)
+
+
+def suppressions(files: Iterable[tree.File]) -> Iterator[Suppression]:
+    """The comments of some files that take findings back."""
+    for file in files:
+        for comment in file.comments:
+            match = _COMMENT.match(comment.text)
+            if match is None:
+                continue
+            codes = tuple(code for code in re.split(r"[,\s]+", match["codes"] or "") if code)
+            line = None
+            if match["what"].lower() == "ignore":
+                line = _line_meant(file.source, comment.start)
+            end = comment.start + len(comment.text.rstrip())
+            yield Suppression(Span(file.source, comment.start, end), codes, line)
+
+
+def without_suppressed(
+    diagnostics: Iterable[Diagnostic],
+    files: Iterable[tree.File],
+    *,
+    is_looked_for: Callable[[str], bool] = lambda code: True,
+) -> tuple[Diagnostic, ...]:
+    """The findings that no comment takes back, and one for each comment that took none back.
+
+    Args:
+        diagnostics: What was found.
+        files: The files with their comments.
+        is_looked_for: Whether rules were looked for that a code in a comment means. A comment for
+            what nobody looked for is not useless.
+    """
+    all_comments = tuple(suppressions(files))
+    if not all_comments:
+        return tuple(diagnostics)
+    used: set[Suppression] = set()
+    kept: list[Diagnostic] = []
+    for diagnostic in diagnostics:
+        covering = [one for one in all_comments if one.covers(diagnostic)]
+        used.update(covering)
+        if not covering:
+            kept.append(diagnostic)
+    for one in all_comments:
+        if one not in used and all(is_looked_for(code) for code in one.codes):
+            shown = f": {', '.join(one.codes)}" if one.codes else ""
+            fix = Fix("remove the comment", (Edit(_with_blanks(one.span), ""),))
+            kept.append(Diagnostic(UnusedSuppression(shown), one.span, fix=fix))
+    return tuple(sorted(kept, key=lambda diagnostic: diagnostic.order))
+
+
+def _line_meant(source: Source, start: int) -> int:
+    """The line a comment is for."""
+    line, column = source.position(start)
+    if source.line(line)[: column - 1].strip():
+        return line
+    for number in range(line + 1, len(source.line_starts) + 1):
+        text = source.line(number).strip()
+        if text and not text.startswith("!"):
+            return number
+    return line
+
+
+def _with_blanks(span: Span) -> Span:
+    """A comment with the blanks before it."""
+    text = span.source.text
+    start = span.start
+    while start > 0 and text[start - 1] in " \t":
+        start -= 1
+    return Span(span.source, start, span.end)

@@ -1,0 +1,21 @@
+! RAPID Instructions, MoveAbsJ: an axis past its limit stops the program, unless it is caught.
+MODULE axis_past_its_limit
+  CONST jointtarget start:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST jointtarget over:=[[0,0,0,0,30,420],[9E9,9E9,9E9,9E9,9E9,9E9]];
+
+  PROC main()
+    MoveAbsJ start,v500,fine,tool0;
+    careful;
+    MoveAbsJ over,v500,fine,tool0;
+      ! stops: `over` asks ABB IRB 1600-6/1.2 for axis 6 at 420.0 deg, 20.0 deg past its limit
+  ENDPROC
+
+  PROC careful()
+    MoveAbsJ over,v500,fine,tool0;
+  ERROR
+    IF ERRNO=ERR_ROBLIMIT THEN
+      TPWrite "caught";       ! -> caught
+      TRYNEXT;
+    ENDIF
+  ENDPROC
+ENDMODULE
