@@ -12,9 +12,12 @@ from rapidsim.export.table import Block
 
 
 def write_parquet(path: Path, names: tuple[str, ...], rows: Iterator[Block]) -> None:
-    """Write rows; `move` is a 64-bit integer, everything else a double."""
-    schema = pa.schema([(name, pa.int64() if name == "move" else pa.float64()) for name in names])
+    """Write rows; `move` is a 64-bit integer, `task` a text, everything else a double."""
+    kinds = {"move": pa.int64(), "task": pa.string()}
+    schema = pa.schema([(name, kinds.get(name, pa.float64())) for name in names])
     with pq.ParquetWriter(path, schema) as writer:
         for block in rows:
             time_s, *rest = block.numbers.T
-            writer.write_table(pa.table([time_s, pa.array(block.move), *rest], schema=schema))
+            tasks = [] if block.task is None else [pa.array([block.task] * len(block.move))]
+            values = [time_s, pa.array(block.move), *rest, *tasks]
+            writer.write_table(pa.table(values, schema=schema))

@@ -6,19 +6,15 @@ array only the parts that are different. Encoding, line ends and every other byt
 
 from __future__ import annotations
 
-import os
 import re
-import shutil
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from rapidsim.files import STANDARD_INPUT, InputError, SourceFile, decode
-from rapidsim.output_files import whole_file
+from rapidsim.export.text_edits import TextEdit, write_edits
+from rapidsim.files import SourceFile
 from rapidsim.simulation.persistents import PersistentChange, literal_places, parts_of
 
 _NOT_ASCII = re.compile("[\x80-\xff]")
-_Edit = tuple[int, int, str]
-"""Start and end of what is replaced, and by what."""
 
 
 def write_persistents(
@@ -37,20 +33,22 @@ def write_persistents(
         InputError: If a file is standard input, has changed since it was read, or cannot be
             written.
     """
-    written = [
-        (Path(file.name), _edited(file, edits))
+    files = tuple(files)
+    edits = {
+        file.name: [_in_encoding(edit, file) for edit in found]
         for file in files
-        if (edits := [e for one in changes if one.declared.file == file.name for e in _edits(one)])
-    ]
-    for path, data in written:
-        target = path.resolve()
-        with whole_file(target) as temporary:
-            temporary.write_bytes(data)
-            shutil.copymode(target, temporary)
-    return tuple(path for path, _ in written)
+        if (found := [e for one in changes if one.declared.file == file.name for e in _edits(one)])
+    }
+    return write_edits(edits, files, what="values of persistents")
 
 
-def _edits(change: PersistentChange) -> list[_Edit]:
+def _in_encoding(edit: TextEdit, file: SourceFile) -> TextEdit:
+    """A file of plain ASCII stays one, so that nobody has to guess its encoding afterwards."""
+    start, end, new = edit
+    return start, end, _NOT_ASCII.sub(_code, new) if file.text.isascii() else new
+
+
+def _edits(change: PersistentChange) -> list[TextEdit]:
     """What a change replaces in the text of its file."""
     start, end = change.declared.start, change.declared.end
     if start == end:
@@ -64,37 +62,6 @@ def _edits(change: PersistentChange) -> list[_Edit]:
         for (first, last), before, after in zip(places, old, new, strict=True)
         if before != after
     ]
-
-
-def _edited(file: SourceFile, edits: Iterable[_Edit]) -> bytes:
-    """The bytes of a file with new values in them."""
-    if file.name == STANDARD_INPUT:
-        raise InputError("values of persistents cannot be written to standard input")
-    try:
-        data = Path(file.name).read_bytes()
-    except OSError as error:
-        raise InputError(f"{file.name} cannot be read again: {error.strerror or error}") from error
-    if decode(data) != (file.text, file.encoding):
-        raise InputError(
-            f"{file.name} has changed since it was read; values of persistents were not written"
-        )
-    if not os.access(file.name, os.W_OK):
-        raise InputError(f"{file.name} cannot be written: it is read-only")
-    body = file.text.encode(file.encoding, errors="replace")
-    mark, was = data[: len(data) - len(body)], data[len(data) - len(body) :]
-    if was != body:
-        raise InputError(f"{file.name} holds bytes that are no text; it was not written")
-    text = file.text
-    for start, end, new in sorted(edits, reverse=True):
-        # A file of plain ASCII stays one, so that nobody has to guess its encoding afterwards.
-        value = _NOT_ASCII.sub(_code, new) if file.text.isascii() else new
-        text = text[:start] + value + text[end:]
-    try:
-        return mark + text.encode(file.encoding)
-    except UnicodeEncodeError as error:
-        raise InputError(
-            f"{file.name} is {file.encoding}, which has no character {text[error.start]!r}"
-        ) from error
 
 
 def _code(character: re.Match[str]) -> str:

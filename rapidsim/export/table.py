@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Array
+from rapidsim.motion.external_axes import ExternalAxis
 from rapidsim.motion.trajectory import Samples
-from rapidsim.simulation.result import Simulation
+from rapidsim.simulation.result import RobotRun, Simulation
 
 DEFAULT_DT = 0.012
 """[s]"""
 MOST_ROWS = 20_000_000
-_BLOCK = 20_000
+BLOCK = 20_000
 """Rows evaluated at once, so that a long run needs no more memory than a short one."""
 _SAME_INSTANT_S = 1e-9
 _MM_PER_M = 1000.0
@@ -28,14 +29,17 @@ class Block:
     move: list[int]
     """The column `move`: index of the move under way."""
     numbers: Array
-    """All other columns, in order, shape (k, columns)."""
+    """All other columns of numbers, in order, shape (k, columns); NaN where a robot has none."""
+    task: str | None = None
+    """The column `task`, the last one; None where there is one robot."""
 
 
-def columns(simulation: Simulation) -> tuple[str, ...]:
+def columns(joint_count: int, external_count: int = 0) -> tuple[str, ...]:
     """Names of the columns; `move` is the second and the only one of whole numbers."""
-    joints = tuple(f"j{k}" for k in range(1, len(simulation.robot.joints) + 1))
+    joints = tuple(f"j{k}" for k in range(1, joint_count + 1))
+    external = tuple(f"e{k}" for k in range(1, external_count + 1))
     pose = ("x_mm", "y_mm", "z_mm", "q1", "q2", "q3", "q4")
-    return ("time_s", "move", *joints, *pose, "tcp_speed_mm_s")
+    return ("time_s", "move", *joints, *external, *pose, "tcp_speed_mm_s")
 
 
 def blocks(simulation: Simulation, dt: float) -> Iterator[Block]:
@@ -44,7 +48,51 @@ def blocks(simulation: Simulation, dt: float) -> Iterator[Block]:
     Raises:
         InputError: When `dt` is not positive or gives too many rows.
     """
-    end_s = max(simulation.time_s, simulation.trajectory.duration)
+    times = sample_times(simulation, dt)
+    if not simulation.other_robots:
+        return (
+            block(simulation.trajectory.at(times[begin : begin + BLOCK]), simulation.robot.external)
+            for begin in range(0, len(times), BLOCK)
+        )
+    return (
+        _block_of(robot, offset, times[begin : begin + BLOCK], table_widths(simulation))
+        for robot, offset in zip(simulation.robots, simulation.move_offsets, strict=True)
+        for begin in range(0, len(times), BLOCK)
+    )
+
+
+def table_widths(simulation: Simulation) -> tuple[int, int]:
+    """How many joints and external axes the columns have room for."""
+    return (
+        max(len(one.robot.joints) for one in simulation.robots),
+        max(len(one.robot.external) for one in simulation.robots),
+    )
+
+
+def _block_of(robot: RobotRun, offset: int, times: Array, widths: tuple[int, int]) -> Block:
+    """Rows of one of several robots, in the columns of the widest."""
+    own = block(robot.trajectory.at(times), robot.robot.external)
+    joints, external = len(robot.robot.joints), len(robot.robot.external)
+    time, arm, axes, rest = np.split(own.numbers, [1, 1 + joints, 1 + joints + external], axis=1)
+    numbers = np.hstack(
+        [time, _widened(arm, widths[0]), _widened(axes, widths[1]), rest],
+    )
+    return Block([offset + move for move in own.move], numbers, robot.task)
+
+
+def _widened(values: Array, width: int) -> Array:
+    missing = np.full((len(values), width - values.shape[1]), np.nan)
+    return np.hstack([values, missing])
+
+
+def sample_times(simulation: Simulation, dt: float) -> Array:
+    """The instants (k,) [s] of the rows.
+
+    Raises:
+        InputError: When `dt` is not positive or gives too many rows.
+    """
+    ends = [robot.trajectory.duration for robot in simulation.robots]
+    end_s = max(simulation.time_s, *ends)
     if not dt > 0.0:
         raise InputError(f"the time between trace rows must be greater than 0, not {dt:g} s")
     if end_s / dt > MOST_ROWS:
@@ -56,13 +104,11 @@ def blocks(simulation: Simulation, dt: float) -> Iterator[Block]:
     times = np.append(np.arange(int(np.ceil(end_s / dt))) * dt, end_s)
     if len(times) > 1 and times[-2] > end_s - _SAME_INSTANT_S:
         times = np.delete(times, -2)
-    return (
-        _block(simulation.trajectory.at(times[begin : begin + _BLOCK]))
-        for begin in range(0, len(times), _BLOCK)
-    )
+    return times
 
 
-def _block(samples: Samples) -> Block:
+def block(samples: Samples, external: Sequence[ExternalAxis] = ()) -> Block:
+    """The rows of some instants; `external` are the axes beside the arm."""
     pose = samples.base_from_tcp
     return Block(
         samples.move.tolist(),
@@ -70,6 +116,7 @@ def _block(samples: Samples) -> Block:
             [
                 samples.times,
                 np.degrees(samples.joints),
+                *(samples.external[:, i] * axis.scale for i, axis in enumerate(external)),
                 pose.translation * _MM_PER_M,
                 pose.quaternion,
                 samples.tcp_speed * _MM_PER_M,

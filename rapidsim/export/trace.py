@@ -1,18 +1,24 @@
 """Write the motion of a run as a table: CSV, JSON or Parquet, by the file's suffix.
 
+`.ros.json` gives a joint trajectory as ROS has it instead (`joint_trajectory.py`).
+
 Numbers are written with the digits that give the same double back. Angles are degrees, lengths mm;
 the TCP is in the robot's base frame, quaternions have the scalar first.
 """
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from types import MappingProxyType
 
+from rapidsim.export.joint_trajectory import SUFFIX as JOINT_TRAJECTORY
+from rapidsim.export.joint_trajectory import write_joint_trajectory
 from rapidsim.export.parquet import write_parquet
-from rapidsim.export.table import DEFAULT_DT, Block, blocks, columns
+from rapidsim.export.table import DEFAULT_DT, Block, block, blocks, columns, table_widths
 from rapidsim.files import InputError
+from rapidsim.motion.trajectory import Samples
 from rapidsim.output_files import whole_file
 from rapidsim.simulation.result import Simulation
 
@@ -34,16 +40,28 @@ def write_trace(simulation: Simulation, path: str | Path, dt: float = DEFAULT_DT
         InputError: For a suffix that is not known, a `dt` that makes no sense, or a path that
             cannot be written.
     """
-    path = Path(path)
+    if Path(path).name.lower().endswith(JOINT_TRAJECTORY):
+        return write_joint_trajectory(simulation, Path(path), dt)
+    names = columns(*table_widths(simulation))
+    if simulation.other_robots:
+        names = (*names, "task")
+    return _write(Path(path), names, blocks(simulation, dt))
+
+
+def write_samples(samples: Samples, path: str | Path) -> Path:
+    """Write instants of a motion in the same form; see `write_trace`."""
+    return _write(Path(path), columns(samples.joints.shape[1]), iter([block(samples)]))
+
+
+def _write(path: Path, names: tuple[str, ...], rows: Iterator[Block]) -> Path:
     writer = WRITERS.get(path.suffix.lower())
     if writer is None:
         known = ", ".join(WRITERS)
         raise InputError(
             f"cannot tell the format of the trace `{path}` by its suffix", f"use one of {known}"
         )
-    rows = blocks(simulation, dt)
     with whole_file(path) as temporary:
-        writer(temporary, columns(simulation), rows)
+        writer(temporary, names, rows)
     return path
 
 
@@ -61,7 +79,8 @@ def _write_json(path: Path, names: tuple[str, ...], rows: Iterator[Block]) -> No
         separator = "[\n"
         for block in rows:
             for row in _texts(block):
-                fields = ",".join(key + text for key, text in zip(keys, row, strict=True))
+                values = zip(keys, map(_json_value, keys, row), strict=True)
+                fields = ",".join(key + text for key, text in values)
                 file.write(f"{separator}{{{fields}}}")
                 separator = ",\n"
         file.write("\n]\n")
@@ -71,7 +90,15 @@ def _texts(block: Block) -> Iterator[list[str]]:
     """The fields of each row; `repr` of a float is the shortest text that reads back equal."""
     for move, numbers in zip(block.move, block.numbers.tolist(), strict=True):
         time_s, *rest = map(repr, numbers)
-        yield [time_s, str(move), *rest]
+        if block.task is None:
+            yield [time_s, str(move), *rest]
+        else:
+            texts = ("" if text == "nan" else text for text in rest)
+            yield [time_s, str(move), *texts, block.task]
+
+
+def _json_value(key: str, text: str) -> str:
+    return json.dumps(text) if key == '"task":' else text or "null"
 
 
 WRITERS: Mapping[str, Writer] = MappingProxyType(

@@ -1,10 +1,26 @@
-"""How the viewer lays a run out when it is opened."""
+"""How the viewer lays a run out when it is opened.
+
+With several robots they share one cell; each has its tab of program, joints and speed.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from itertools import zip_longest
+
 import rerun.blueprint as rrb
 
-from rapidsim.recording import lanes, listing, log, palette, plots, targets
+from rapidsim.recording import (
+    failed,
+    lanes,
+    listing,
+    log,
+    palette,
+    paths,
+    plots,
+    speed_path,
+    targets,
+)
 from rapidsim.recording.camera import Camera, cell_camera, near_camera
 from rapidsim.recording.legend import emptiest_corner
 from rapidsim.recording.sampled import SampledRun
@@ -12,17 +28,30 @@ from rapidsim.recording.targets import Target
 from rapidsim.recording.timelines import SIM_TIME
 from rapidsim.recording.transforms import WORLD
 
+_WIDE = 1.7
+"""Width of a picture through its height where the cell has all the room."""
+_OPEN_AXIS = 130.0
+"""[%]; an axis of shares ends here unless something goes beyond, so that the limits are in sight
+with air for the legend."""
 
-def blueprint(run: SampledRun, shown: tuple[Target, ...]) -> rrb.Blueprint:
-    """The layout: cell and program above, plots and lanes below."""
+
+def blueprint(runs: Sequence[SampledRun], shown: Sequence[Target]) -> rrb.Blueprint:
+    """The layout: cell and program above, plots and lanes below.
+
+    Args:
+        runs: What each robot did.
+        shown: The targets of the first robot.
+    """
     return rrb.Blueprint(
         rrb.Vertical(
             rrb.Horizontal(
-                _spaces(run, shown),
-                rrb.Vertical(_listing(), _log(), row_shares=[3, 2]),
+                _spaces(runs, shown),
+                rrb.Vertical(_each(runs, _listing), _log(), row_shares=[3, 2]),
                 column_shares=[64, 36],
             ),
-            rrb.Horizontal(_joints(run), _speed(run), _lanes(), column_shares=[1, 1, 1]),
+            rrb.Horizontal(
+                _each(runs, _joints), _each(runs, _speed), _lanes(runs), column_shares=[1, 1, 1]
+            ),
             row_shares=[8, 5],
         ),
         rrb.BlueprintPanel(state="collapsed"),
@@ -39,15 +68,41 @@ def blueprint(run: SampledRun, shown: tuple[Target, ...]) -> rrb.Blueprint:
     )
 
 
-def _spaces(run: SampledRun, shown: tuple[Target, ...]) -> rrb.Container:
-    """The whole cell, and the targets from near."""
+def _each(
+    runs: Sequence[SampledRun], views: Callable[[SampledRun], list[rrb.View]]
+) -> rrb.View | rrb.Container:
+    """The views of all robots, one of them in sight; the first of each robot come first."""
+    found = [view for alike in zip_longest(*map(views, runs)) for view in alike if view]
+    return found[0] if len(found) == 1 else rrb.Tabs(*found, active_tab=0)
+
+
+def _titled(run: SampledRun, title: str) -> str:
+    return f"{run.name}: {title}" if run.name else title
+
+
+def _spaces(runs: Sequence[SampledRun], shown: Sequence[Target]) -> rrb.Container:
+    """The whole cell; and, from near, the targets of a robot that works alone."""
+    by_speed = [f"- /{run.entity(speed_path.ENTITY)}/**" for run in runs]
     near = targets.near_targets(shown)
-    if targets.extent(near) == 0.0:
-        return rrb.Horizontal(_space("Cell", cell_camera(run), 0.1, []))
+    if len(runs) > 1 or targets.extent(near) == 0.0:
+        return rrb.Horizontal(_space("Cell", cell_camera(runs, wide=_WIDE), 0.1, by_speed))
+    (run,) = runs
     # From afar the names of neighbours cover each other.
-    cell = _space("Cell", cell_camera(run), 0.1, [f"- /{targets.NAMES_NEAR}"])
-    path = _space("Path", near_camera(run, near), 0.01, [])
-    return rrb.Horizontal(cell, path, column_shares=[5, 4])
+    names = f"- /{run.entity(targets.NAMES_NEAR)}"
+    codes = f"- /{run.entity(failed.CODES)}"
+    pins = [f"- /{run.entity(entity)}" for entity in (failed.REASONS, failed.PINS)]
+    by_move = f"- /{run.entity(paths.TRAVELLED)}/**"
+    camera = near_camera(run, near)
+    fastest = f"{1000.0 * speed_path.top_speed(run):.0f}"
+    return rrb.Horizontal(
+        _space("Cell", cell_camera(runs), 0.1, [names, codes, *by_speed]),
+        rrb.Tabs(
+            _space("Path", camera, 0.01, [*pins, *by_speed]),
+            _space(f"Speed: blue 0, red {fastest} mm/s", camera, 0.01, [*pins, by_move]),
+            active_tab=0,
+        ),
+        column_shares=[5, 4],
+    )
 
 
 def _space(name: str, camera: Camera, grid_m: float, hidden: list[str]) -> rrb.Spatial3DView:
@@ -69,17 +124,16 @@ def _space(name: str, camera: Camera, grid_m: float, hidden: list[str]) -> rrb.S
     )
 
 
-def _listing() -> rrb.View:
-    return rrb.TextDocumentView(
-        origin=f"/{listing.ENTITY}",
-        name=f"Program  ({listing.PROGRAM_POINTER} program  {listing.MOTION_POINTER} robot)",
-    )
+def _listing(run: SampledRun) -> list[rrb.View]:
+    title = f"Program  ({listing.PROGRAM_POINTER} program  {listing.MOTION_POINTER} robot)"
+    origin = f"/{run.entity(listing.ENTITY)}"
+    return [rrb.TextDocumentView(origin=origin, name=_titled(run, title))]
 
 
 def _log() -> rrb.View:
     return rrb.TextLogView(
         origin=f"/{log.ENTITY}",
-        name="FlexPendant and events",
+        name="FlexPendant, events, findings",
         columns=rrb.TextLogColumns(
             timeline_columns=[SIM_TIME], text_log_columns=["LogLevel", "Body"]
         ),
@@ -87,39 +141,49 @@ def _log() -> rrb.View:
     )
 
 
-def _joints(run: SampledRun) -> rrb.Container:
+def _joints(run: SampledRun) -> list[rrb.View]:
     time = rrb.TimeAxis(link="LinkToGlobal")
-    share = plots.share_of_range(run)
+    angles = rrb.TimeSeriesView(
+        origin=f"/{run.entity(plots.ANGLES)}",
+        name=_titled(run, "Joint angle [deg]"),
+        axis_x=time,
+        plot_legend=emptiest_corner(run.samples.times, run.samples.joints, 0.14, 0.5),
+    )
+    external = rrb.TimeSeriesView(
+        origin=f"/{run.entity(plots.EXTERNAL)}", name=_titled(run, "external axes"), axis_x=time
+    )
+    shares = [_shares(run, entity, time) for entity in plots.SHARES]
+    return [angles, *([external] if run.robot.external else []), *shares]
+
+
+def _shares(run: SampledRun, entity: str, time: rrb.TimeAxis) -> rrb.View:
+    share = plots.shares(run, entity)
     # The limits are in sight, and what goes beyond them too.
-    ends = 1.1 * max(100.0, float(abs(share).max()))
-    return rrb.Tabs(
-        rrb.TimeSeriesView(
-            origin=f"/{plots.ANGLES}",
-            name="Joint angles [deg]",
-            axis_x=time,
-            plot_legend=emptiest_corner(run.samples.times, run.samples.joints, 0.14, 0.5),
-        ),
-        rrb.TimeSeriesView(
-            origin="/joints",
-            contents=[f"+ /{plots.RANGE}", f"+ /{plots.RANGE_LIMITS}"],
-            name="Joint range [%]",
-            axis_x=time,
-            axis_y=rrb.ScalarAxis(range=(-ends, ends)),
-            plot_legend=emptiest_corner(run.samples.times, share, 0.17, 0.5),
-        ),
-        active_tab=0,
-    )
-
-
-def _speed(run: SampledRun) -> rrb.View:
+    end = max(_OPEN_AXIS, 1.1 * float(abs(share).max()))
     return rrb.TimeSeriesView(
-        origin="/tcp",
-        contents=[f"+ /{plots.PROGRAMMED_SPEED}", f"+ /{plots.SPEED}"],
-        name="TCP speed [mm/s]",
-        axis_x=rrb.TimeAxis(link="LinkToGlobal"),
-        axis_y=rrb.ScalarAxis(range=(0.0, _speed_axis_end(run))),
-        plot_legend=rrb.Corner2D.RightTop,
+        origin=f"/{run.entity('joints')}",
+        contents=[f"+ /{run.entity(entity)}", f"+ /{run.entity(plots.LIMITS)}"],
+        name=_titled(run, plots.SHARES[entity]),
+        axis_x=time,
+        axis_y=rrb.ScalarAxis(range=(-end, end)),
+        plot_legend=emptiest_corner(run.samples.times, share, 0.17, 0.5),
     )
+
+
+def _speed(run: SampledRun) -> list[rrb.View]:
+    return [
+        rrb.TimeSeriesView(
+            origin=f"/{run.entity('tcp')}",
+            contents=[
+                f"+ /{run.entity(plots.PROGRAMMED_SPEED)}",
+                f"+ /{run.entity(plots.SPEED)}",
+            ],
+            name=_titled(run, "TCP speed [mm/s]"),
+            axis_x=rrb.TimeAxis(link="LinkToGlobal"),
+            axis_y=rrb.ScalarAxis(range=(0.0, _speed_axis_end(run))),
+            plot_legend=rrb.Corner2D.RightTop,
+        )
+    ]
 
 
 def _speed_axis_end(run: SampledRun) -> float:
@@ -128,14 +192,17 @@ def _speed_axis_end(run: SampledRun) -> float:
     A speed that is programmed far beyond what the arm reaches, as with `vmax`, would squash what it
     does; it is left to run out of the plot.
     """
-    reached = 1000.0 * float(run.samples.tcp_speed.max())
-    programmed = max((move.move.speed.v_tcp for move in run.simulation.moves), default=0.0)
+    reached = 1000.0 * speed_path.top_speed(run)
+    programmed = max((move.move.speed.v_tcp for move in run.moves), default=0.0)
     return 1.3 * max(reached, min(programmed, 2.0 * reached), 1.0)
 
 
-def _lanes() -> rrb.View:
+def _lanes(runs: Sequence[SampledRun]) -> rrb.View:
     return rrb.StateTimelineView(
         origin="/",
         name="Moves and signals",
-        contents=[f"+ /{lanes.MOVE_LANE}", f"+ /{lanes.SIGNALS}/**"],
+        contents=[
+            *(f"+ /{run.entity(lanes.MOVE_LANE)}" for run in runs),
+            f"+ /{lanes.SIGNALS}/**",
+        ],
     )

@@ -19,21 +19,25 @@ class Change:
 
     time_s: float
     frame: Transform
+    parent: str = ""
+    """The frame it is in, where that may change too."""
 
 
 def changes(
-    moves: Iterable[ExecutedMove], frame_of: Callable[[ExecutedMove], Pose]
+    moves: Iterable[ExecutedMove],
+    frame_of: Callable[[ExecutedMove], Pose],
+    parent_of: Callable[[ExecutedMove], str] = lambda _: "",
 ) -> tuple[Change, ...]:
     """The values of a frame over some moves, each with its first instant [s]; none for no moves.
 
     The first one holds from 0 s: the arm has the tool in its hand before it moves.
     """
     found: list[Change] = []
-    last: Pose | None = None
+    last: tuple[Pose, str] | None = None
     for move in moves:
-        frame = frame_of(move)
+        frame = frame_of(move), parent_of(move)
         if frame != last:
-            found.append(Change(move.start_s if found else 0.0, transform(frame)))
+            found.append(Change(move.start_s if found else 0.0, transform(frame[0]), frame[1]))
             last = frame
     return tuple(found)
 

@@ -10,8 +10,9 @@ import rerun as rr
 from rapidsim.recording import palette
 from rapidsim.recording.sampled import SampledRun
 from rapidsim.recording.targets import target_name
-from rapidsim.recording.timelines import indexes_at
-from rapidsim.simulation.result import Event, EventKind, ExecutedMove
+from rapidsim.recording.timelines import Clock
+from rapidsim.simulation.result import ExecutedMove
+from rapidsim.simulation.signal_history import signal_changes
 
 MOVE_LANE = "moves"
 SIGNALS = "signals"
@@ -24,15 +25,18 @@ _SHORTEST_STANDSTILL_S = 1e-6
 _States = list[tuple[float, str]]
 
 
-def log_lanes(stream: rr.RecordingStream, run: SampledRun) -> None:
-    """Log the states of the run."""
-    moves = run.simulation.moves
-    if moves:
-        states, colours = _move_states(moves)
-        _log_lane(stream, MOVE_LANE, states, colours, moves)
-    for name, events in _signal_events(run.simulation.events).items():
-        states, colours = _signal_states(events)
-        _log_lane(stream, rr.new_entity_path([SIGNALS, name]), states, colours, moves)
+def log_moves(stream: rr.RecordingStream, run: SampledRun) -> None:
+    """Log what a robot does."""
+    if run.moves:
+        states, colours = _move_states(run.moves)
+        _log_lane(stream, run.entity(MOVE_LANE), states, colours, run.clock)
+
+
+def log_signals(stream: rr.RecordingStream, run: SampledRun) -> None:
+    """Log the signals of the whole cell."""
+    for name, changes in signal_changes(run.simulation).items():
+        states, colours = _signal_states(changes)
+        _log_lane(stream, rr.new_entity_path([SIGNALS, name]), states, colours, run.clock)
 
 
 def _log_lane(
@@ -40,7 +44,7 @@ def _log_lane(
     entity: str,
     states: _States,
     colours: Mapping[str, palette.Colour],
-    moves: Sequence[ExecutedMove],
+    clock: Clock,
 ) -> None:
     stream.log(
         entity,
@@ -53,7 +57,7 @@ def _log_lane(
     )
     stream.send_columns(
         entity,
-        indexes=indexes_at([time_s for time_s, _ in states], moves),
+        indexes=clock.columns([time_s for time_s, _ in states]),
         columns=rr.StateChange.columns(state=[state for _, state in states]),
     )
 
@@ -80,16 +84,6 @@ def _move_states(
             now_s = move.end_s
     states.append((now_s, _STANDSTILL))
     return states, colours
-
-
-def _signal_events(events: Sequence[Event]) -> dict[str, list[tuple[float, float]]]:
-    """Instant [s] and value of the changes of each signal, by name."""
-    found: dict[str, list[tuple[float, float]]] = {}
-    for event in events:
-        name, value = event.details.get("signal"), event.details.get("value")
-        if event.kind is EventKind.SIGNAL and isinstance(name, str) and isinstance(value, float):
-            found.setdefault(name, []).append((event.time_s, value))
-    return dict(sorted(found.items(), key=lambda item: item[0].lower()))
 
 
 def _signal_states(

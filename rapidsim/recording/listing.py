@@ -14,7 +14,6 @@ import rerun as rr
 
 from rapidsim.diagnostics import Source
 from rapidsim.recording.sampled import SampledRun
-from rapidsim.recording.timelines import indexes_at
 from rapidsim.simulation.result import ExecutedLine, ExecutedMove
 
 ENTITY = "program/text"
@@ -48,7 +47,7 @@ def log_listing(stream: rr.RecordingStream, run: SampledRun) -> tuple[str, ...]:
     Returns:
         What the viewer will not show as it should, a line each.
     """
-    states = list(_pointers(run.simulation.lines, run.simulation.moves))
+    states = list(_pointers(run.lines, run.moves))
     remarks: tuple[str, ...] = ()
     if len(states) > MOST_TEXTS:
         apart_s = run.end_s / MOST_TEXTS
@@ -57,8 +56,8 @@ def log_listing(stream: rr.RecordingStream, run: SampledRun) -> tuple[str, ...]:
     rows = list(_texts(states))
     if rows:
         stream.send_columns(
-            ENTITY,
-            indexes=indexes_at([time_s for time_s, _ in rows], run.simulation.moves),
+            run.entity(ENTITY),
+            indexes=run.clock.columns([time_s for time_s, _ in rows]),
             columns=rr.TextDocument.columns(
                 text=[text for _, text in rows],
                 media_type=[rr.MediaType.MARKDOWN] * len(rows),

@@ -10,8 +10,7 @@ import rerun as rr
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.language.controller import Place
 from rapidsim.recording.sampled import SampledRun
-from rapidsim.recording.timelines import indexes_at
-from rapidsim.simulation.result import Event, EventKind, Simulation
+from rapidsim.simulation.result import Event, EventKind, ExecutedLine, Simulation
 
 ENTITY = "log"
 
@@ -22,6 +21,7 @@ _EVENT_LEVELS = {
     EventKind.SIGNAL: "DEBUG",
     EventKind.INTERRUPT: "TRACE",
     EventKind.FILE: "DEBUG",
+    EventKind.SOCKET: "DEBUG",
     EventKind.CORNER: "WARN",
     EventKind.LIMIT: "WARN",
     EventKind.ERROR: "ERROR",
@@ -39,9 +39,11 @@ class _Row:
 def log_messages(stream: rr.RecordingStream, run: SampledRun, remarks: Sequence[str]) -> None:
     """Log everything there is to read; `remarks` are about the recording itself."""
     simulation = run.simulation
+    # Whose it is, where there is a choice.
+    several = len({event.task for event in simulation.events if event.place}) > 1
     sources = {
         "recording": [_Row(0.0, "WARN", remark) for remark in remarks],
-        "events": [_event_row(event) for event in simulation.events],
+        "events": [_event_row(event, several) for event in simulation.events],
         "findings": list(_finding_rows(run)),
     }
     for name, rows in sources.items():
@@ -50,15 +52,16 @@ def log_messages(stream: rr.RecordingStream, run: SampledRun, remarks: Sequence[
         # Milliseconds, which is what the log's column shows; the event file has every digit.
         stream.send_columns(
             f"{ENTITY}/{name}",
-            indexes=indexes_at([round(row.time_s, 3) for row in rows], simulation.moves),
+            indexes=run.clock.columns([round(row.time_s, 3) for row in rows]),
             columns=rr.TextLog.columns(
                 text=[row.text for row in rows], level=[row.level for row in rows]
             ),
         )
 
 
-def _event_row(event: Event) -> _Row:
-    where = _where(event.place) if event.place else ""
+def _event_row(event: Event, several: bool) -> _Row:
+    where = f"{event.task}  " if several and event.place else ""
+    where += _where(event.place) if event.place else ""
     what = "" if event.kind is EventKind.TEXT else f"{event.kind.value}: "
     text = event.message if event.message or event.kind is not EventKind.TEXT else "(cleared)"
     return _Row(event.time_s, _EVENT_LEVELS[event.kind], f"{where}{what}{text}")
@@ -72,7 +75,7 @@ def _where(place: Place) -> str:
 def _finding_rows(run: SampledRun) -> Iterator[_Row]:
     """A finding is logged when the program first got to its line; else at the end."""
     first: dict[tuple[str, int], float] = {}
-    for line in run.simulation.lines:
+    for line in sorted(_lines(run.simulation), key=lambda line: line.time_s):
         span = line.place.span
         first.setdefault((span.file, span.line), line.time_s)
     for finding in run.simulation.diagnostics:
@@ -81,6 +84,11 @@ def _finding_rows(run: SampledRun) -> Iterator[_Row]:
             _FINDING_LEVELS[finding.severity],
             _finding_text(finding),
         )
+
+
+def _lines(simulation: Simulation) -> Iterator[ExecutedLine]:
+    for robot in simulation.robots:
+        yield from robot.lines
 
 
 def _finding_time_s(

@@ -32,6 +32,7 @@ MOVES: Mapping[Interpolation, Colour] = MappingProxyType(
     {
         Interpolation.JOINT: (74, 144, 255),
         Interpolation.AXES: (120, 110, 255),
+        Interpolation.EXTERNAL_AXES: (120, 110, 255),
         Interpolation.LINE: (52, 211, 120),
         Interpolation.CIRCLE: (226, 92, 228),
     }
@@ -47,6 +48,24 @@ TARGET: Colour = (240, 240, 245)
 TARGET_NAME: Colour = (250, 230, 140)
 FRAME_NAME: Colour = (160, 200, 235)
 STOPPED: Colour = (255, 64, 64)
+FAILED: Colour = (255, 64, 64)
+"""What the arm cannot do: targets, ways, and the place on a way where it fails."""
+WARNED: Colour = (255, 167, 38)
+"""A target with a finding on it."""
+
+SPEEDS: tuple[Colour, ...] = (
+    (62, 38, 168),
+    (64, 78, 230),
+    (44, 123, 245),
+    (18, 163, 220),
+    (24, 190, 180),
+    (80, 205, 110),
+    (180, 205, 50),
+    (250, 205, 50),
+    (255, 140, 40),
+    (255, 70, 70),
+)
+"""Slow to fast, a tenth of the range each."""
 
 SIGNAL_ON: Colour = (46, 180, 90)
 SIGNAL_OFF: Colour = (70, 76, 88)

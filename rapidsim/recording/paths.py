@@ -18,8 +18,8 @@ from rapidsim.motion.targets import base_from_tcp
 from rapidsim.recording import palette
 from rapidsim.recording.circle import arc_through
 from rapidsim.recording.sampled import SampledRun
-from rapidsim.recording.transforms import BASE, BASE_FROM_WORLD
-from rapidsim.simulation.result import CornerKind, ExecutedMove
+from rapidsim.simulation.result import ExecutedMove
+from rapidsim.simulation.sampling import in_corner
 
 PROGRAMMED = "path/programmed"
 TRAVELLED = "path/travelled"
@@ -35,52 +35,67 @@ _CORNER = "corner"
 
 def log_paths(stream: rr.RecordingStream, run: SampledRun) -> None:
     """Log both paths of a run."""
-    if not run.simulation.moves:
+    if not run.moves:
         return
-    stream.log(
-        PROGRAMMED,
-        rr.CoordinateFrame(BASE),
-        rr.LineStrips3D(
-            _joined(programmed(run)),
-            radii=rr.Radius.ui_points(0.8),
-            colors=palette.rgba(palette.PROGRAMMED, 150),
-        ),
-        static=True,
-    )
+    strips = _joined(programmed(run))
+    if strips:
+        stream.log(
+            run.entity(PROGRAMMED),
+            rr.CoordinateFrame(run.still_frame),
+            rr.LineStrips3D(
+                strips,
+                radii=rr.Radius.ui_points(0.8),
+                colors=palette.rgba(palette.PROGRAMMED, 150),
+            ),
+            static=True,
+        )
     for name, (colour, pieces) in _travelled(run).items():
         stream.log(
-            f"{TRAVELLED}/{name}",
-            rr.CoordinateFrame(BASE),
+            run.entity(f"{TRAVELLED}/{name}"),
+            rr.CoordinateFrame(run.still_frame),
             rr.LineStrips3D(pieces, radii=rr.Radius.ui_points(2.2), colors=palette.rgba(colour)),
             static=True,
         )
 
 
 def programmed(run: SampledRun) -> Iterator[Array]:
-    """The curve (k, 3) [m] of each move in the base, corners not cut."""
-    kinematics = run.simulation.robot.kinematics
+    """The curve (k, 3) [m] of each move in the base, corners not cut.
+
+    Moves in frames that move have no such curve.
+    """
+    kinematics = run.robot.kinematics
     joints = run.samples.joints[0]
     flange = kinematics.forward(joints)
-    for move in run.simulation.moves:
+    for move in run.moves:
+        if not _stands_still(run, move):
+            joints, flange = move.joints, move.base_from_tcp @ move.tcp_from_flange
+            continue
         flange_from_tcp = move.tcp_from_flange.inverse()
         start = flange.apply(flange_from_tcp.translation)
         end = move.base_from_tcp.translation
         match move.move.interpolation:
-            case Interpolation.JOINT | Interpolation.AXES:
+            case Interpolation.JOINT | Interpolation.AXES | Interpolation.EXTERNAL_AXES:
                 share = np.linspace(0.0, 1.0, _CURVE_POINTS)[:, None]
                 between = joints + share * (move.joints - joints)
                 yield (kinematics.forward(between) @ flange_from_tcp).translation
             case Interpolation.LINE:
                 yield np.stack([start, end])
             case Interpolation.CIRCLE:
-                yield arc_through(start, _circle_point(move), end, _CURVE_POINTS)
+                yield arc_through(start, _circle_point(run, move), end, _CURVE_POINTS)
         joints = move.joints
         flange = move.base_from_tcp @ move.tcp_from_flange
 
 
-def _circle_point(move: ExecutedMove) -> Array:
+def _stands_still(run: SampledRun, move: ExecutedMove) -> bool:
+    """Whether a move is in a frame that stands still: tool in hand, work and robot in place."""
+    tool, wobj = move.move.tool, move.move.wobj
+    return tool.robhold and not wobj.robhold and wobj.ufprog and not run.on_track
+
+
+def _circle_point(run: SampledRun, move: ExecutedMove) -> Array:
     assert move.move.circle_point is not None
-    via = base_from_tcp(move.move.circle_point, move.move.wobj, BASE_FROM_WORLD)
+    base_from_world = run.world_from_base.inverse()
+    via = base_from_tcp(move.move.circle_point, move.move.wobj, base_from_world)
     return via.translation
 
 
@@ -97,22 +112,24 @@ def _joined(curves: Iterator[Array]) -> list[Array]:
 
 def _travelled(run: SampledRun) -> dict[str, tuple[palette.Colour, list[Array]]]:
     """Pieces of the travelled path by what they are, in the order they first occur."""
-    moves = run.simulation.moves
+    moves = run.moves
     kinds = dict.fromkeys(move.move.instruction for move in moves)
     number_of = {name: number for number, name in enumerate((_CORNER, *kinds))}
     colour_of = {move.move.instruction: palette.of_move(move) for move in moves}
     colour_of[_CORNER] = palette.CORNER
 
     of_move = np.array([number_of[move.move.instruction] for move in moves])
-    of_sample = np.where(_in_corner(run), number_of[_CORNER], of_move[_move_index(run)])
+    of_sample = np.where(
+        in_corner(run.samples, run.moves), number_of[_CORNER], of_move[_move_index(run)]
+    )
     names = tuple(number_of)
-    points = run.samples.base_from_tcp.translation
+    points = run.places
     pieces: dict[str, tuple[palette.Colour, list[Array]]] = {}
-    jumps = _jumps(run)
-    bounds = np.flatnonzero((of_sample[1:] != of_sample[:-1]) | jumps) + 1
+    jumped = jumps(run)
+    bounds = np.flatnonzero((of_sample[1:] != of_sample[:-1]) | jumped) + 1
     for begin, end in pairwise([0, *bounds.tolist(), len(of_sample)]):
         # A piece ends where the next one begins, so that the path has no gaps but real ones.
-        goes_on = end < len(of_sample) and not jumps[end - 1]
+        goes_on = end < len(of_sample) and not jumped[end - 1]
         piece = points[begin : end + 1] if goes_on else points[begin:end]
         if np.ptp(piece, axis=0).max() >= _NO_STEP:
             name = names[of_sample[begin]]
@@ -120,29 +137,15 @@ def _travelled(run: SampledRun) -> dict[str, tuple[palette.Colour, list[Array]]]
     return pieces
 
 
-def _jumps(run: SampledRun) -> npt.NDArray[np.bool_]:
+def jumps(run: SampledRun) -> npt.NDArray[np.bool_]:
     """Between which samples (k - 1,) the TCP is elsewhere without a way: the tool was changed."""
     samples = run.samples
-    step = np.linalg.norm(np.diff(samples.base_from_tcp.translation, axis=0), axis=1)
+    step = np.linalg.norm(np.diff(run.places, axis=0), axis=1)
     faster = np.maximum(samples.tcp_speed[1:], samples.tcp_speed[:-1])
-    jumps: npt.NDArray[np.bool_] = step > 2.0 * faster * np.diff(samples.times) + _JUMP
-    return jumps
+    jumped: npt.NDArray[np.bool_] = step > 2.0 * faster * np.diff(samples.times) + _JUMP
+    return jumped
 
 
 def _move_index(run: SampledRun) -> npt.NDArray[np.int64]:
     """Index of the move under way (k,); the first before any."""
-    return np.clip(run.samples.move, 0, len(run.simulation.moves) - 1)
-
-
-def _in_corner(run: SampledRun) -> npt.NDArray[np.bool_]:
-    """Which samples (k,) are in the zone at either end of their move."""
-    moves = run.simulation.moves
-    ends = np.array([move.base_from_tcp.translation for move in moves])
-    zones = np.array([move.zone_m if move.corner is CornerKind.FLY_BY else 0.0 for move in moves])
-    points = run.samples.base_from_tcp.translation
-    index = _move_index(run)
-    before = np.maximum(index - 1, 0)
-    at_end = np.linalg.norm(points - ends[index], axis=1) < zones[index]
-    at_start = np.linalg.norm(points - ends[before], axis=1) < zones[before]
-    inside: npt.NDArray[np.bool_] = at_end | (at_start & (index > 0))
-    return inside
+    return np.clip(run.samples.move, 0, len(run.moves) - 1)

@@ -1,6 +1,13 @@
-"""Joint angles, the share of their range, and TCP speed over time."""
+"""What the plots draw: joint angles, speeds and accelerations with their limits, TCP speed.
+
+Joints have different limits. To show them all against one pair of lines, each joint is also drawn
+as the share of what it may do: 0 in the middle of its range or at rest, 100 % at a limit.
+"""
 
 from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
 
 import numpy as np
 import rerun as rr
@@ -8,14 +15,25 @@ import rerun as rr
 from rapidsim.frames.transform import Array
 from rapidsim.recording import palette
 from rapidsim.recording.sampled import SampledRun
-from rapidsim.recording.timelines import indexes, indexes_at
 from rapidsim.simulation.result import ExecutedMove
 
 ANGLES = "joints/angle"
 RANGE = "joints/range"
-RANGE_LIMITS = "joints/range_limits"
+JOINT_SPEED = "joints/speed"
+JOINT_ACCELERATION = "joints/acceleration"
+LIMITS = "joints/limits"
+EXTERNAL = "joints/external"
 SPEED = "tcp/speed"
 PROGRAMMED_SPEED = "tcp/programmed_speed"
+
+SHARES: Mapping[str, str] = MappingProxyType(
+    {
+        RANGE: "range [%]",
+        JOINT_SPEED: "speed [%]",
+        JOINT_ACCELERATION: "accel. [%]",
+    }
+)
+"""What is drawn as a share of its limit, with the titles of the plots."""
 
 _MOST_DRAWN = 20_000
 """So many samples are drawn each; of more, those that share a pixel are drawn as their extremes."""
@@ -24,13 +42,28 @@ _MOST_DRAWN = 20_000
 def log_plots(stream: rr.RecordingStream, run: SampledRun) -> None:
     """Log what the plots draw."""
     _log_joints(stream, run)
+    if run.robot.external:
+        _log_external(stream, run)
     _log_speed(stream, run)
 
 
+def shares(run: SampledRun, entity: str) -> Array:
+    """What `SHARES` names, of each joint (k, n) [%]."""
+    match entity:
+        case "joints/range":
+            middle = 0.5 * (run.robot.upper + run.robot.lower)
+            half_range = 0.5 * (run.robot.upper - run.robot.lower)
+            share: Array = (run.samples.joints - middle) / half_range
+        case "joints/speed":
+            share = run.joint_speed / run.limits.max_speed[: len(run.robot.joints)]
+        case _:
+            share = run.joint_acceleration / run.limits.max_acceleration[: len(run.robot.joints)]
+    return 100.0 * share
+
+
 def _log_joints(stream: rr.RecordingStream, run: SampledRun) -> None:
-    robot = run.simulation.robot
     samples = run.samples
-    count = len(robot.joints)
+    count = len(run.robot.joints)
     colours = [palette.rgba(palette.JOINTS[k % len(palette.JOINTS)]) for k in range(count)]
     look = rr.SeriesLines(
         names=[f"J{k}" for k in range(1, count + 1)],
@@ -38,21 +71,19 @@ def _log_joints(stream: rr.RecordingStream, run: SampledRun) -> None:
         widths=np.full(count, 1.6),
         aggregation_policy=_aggregation(run),
     )
-    index = indexes(samples.times, samples.move)
-    for entity, values in (
-        (ANGLES, np.degrees(samples.joints)),
-        (RANGE, share_of_range(run)),
-    ):
-        stream.log(entity, look, static=True)
+    index = run.clock.columns(samples.times)
+    drawn = {ANGLES: np.degrees(samples.joints), **{one: shares(run, one) for one in SHARES}}
+    for entity, values in drawn.items():
+        stream.log(run.entity(entity), look, static=True)
         stream.send_columns(
-            entity,
+            run.entity(entity),
             indexes=index,
             columns=rr.Scalars.columns(scalars=values.reshape(-1)).partition(
                 [count] * len(samples.times)
             ),
         )
     stream.log(
-        RANGE_LIMITS,
+        run.entity(LIMITS),
         rr.SeriesLines(
             names=["lower limit", "upper limit"],
             colors=np.full(2, palette.rgba(palette.LIMIT), dtype=np.uint32),
@@ -60,27 +91,39 @@ def _log_joints(stream: rr.RecordingStream, run: SampledRun) -> None:
         ),
         static=True,
     )
-    ends = [0.0, run.end_s]
     stream.send_columns(
-        RANGE_LIMITS,
-        indexes=indexes_at(ends, run.simulation.moves),
+        run.entity(LIMITS),
+        indexes=run.clock.columns([0.0, run.end_s]),
         columns=rr.Scalars.columns(scalars=[-100.0, 100.0] * 2).partition([2, 2]),
     )
 
 
-def share_of_range(run: SampledRun) -> Array:
-    """Joints (k, n) [%]: 0 in the middle of their range, -100 and 100 at its limits."""
-    robot = run.simulation.robot
-    middle = 0.5 * (robot.upper + robot.lower)
-    half_range = 0.5 * (robot.upper - robot.lower)
-    share: Array = 100.0 * (run.samples.joints - middle) / half_range
-    return share
+def _log_external(stream: rr.RecordingStream, run: SampledRun) -> None:
+    """The external axes in mm or degrees, as targets have them."""
+    axes = run.robot.external
+    colours = [palette.rgba(palette.JOINTS[k % len(palette.JOINTS)]) for k in range(len(axes))]
+    stream.log(
+        run.entity(EXTERNAL),
+        rr.SeriesLines(
+            names=[f"{axis.unit} {axis.component} [{axis.measure}]" for axis in axes],
+            colors=np.array(colours, dtype=np.uint32),
+            widths=np.full(len(axes), 1.6),
+            aggregation_policy=_aggregation(run),
+        ),
+        static=True,
+    )
+    values = run.samples.external * np.array([axis.scale for axis in axes])
+    stream.send_columns(
+        run.entity(EXTERNAL),
+        indexes=run.clock.columns(run.samples.times),
+        columns=rr.Scalars.columns(scalars=values.reshape(-1)).partition([len(axes)] * len(values)),
+    )
 
 
 def _log_speed(stream: rr.RecordingStream, run: SampledRun) -> None:
     samples = run.samples
     stream.log(
-        PROGRAMMED_SPEED,
+        run.entity(PROGRAMMED_SPEED),
         rr.SeriesLines(
             names="programmed",
             colors=palette.rgba(palette.PROGRAMMED),
@@ -90,7 +133,7 @@ def _log_speed(stream: rr.RecordingStream, run: SampledRun) -> None:
         static=True,
     )
     stream.log(
-        SPEED,
+        run.entity(SPEED),
         rr.SeriesLines(
             names="TCP",
             colors=palette.rgba(palette.TCP_SPEED),
@@ -100,17 +143,16 @@ def _log_speed(stream: rr.RecordingStream, run: SampledRun) -> None:
         static=True,
     )
     stream.send_columns(
-        SPEED,
-        indexes=indexes(samples.times, samples.move),
+        run.entity(SPEED),
+        indexes=run.clock.columns(samples.times),
         columns=rr.Scalars.columns(scalars=samples.tcp_speed * 1000.0),
     )
-    moves = run.simulation.moves
-    if not moves:
+    if not run.moves:
         return
-    times, speeds = _programmed_steps(moves, run.end_s)
+    times, speeds = _programmed_steps(run.moves, run.end_s)
     stream.send_columns(
-        PROGRAMMED_SPEED,
-        indexes=indexes_at(times.tolist(), moves),
+        run.entity(PROGRAMMED_SPEED),
+        indexes=run.clock.columns(times),
         columns=rr.Scalars.columns(scalars=speeds),
     )
 

@@ -1,44 +1,96 @@
-"""A run looked at often enough to be drawn.
-
-Every change that the eye or a plot could miss between two samples gets its own: starts and ends of
-moves, and the last instant.
-"""
+"""A run looked at often enough to be drawn, one robot at a time."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-
+from rapidsim.files import InputError
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.limits import Limits, limits_of
+from rapidsim.motion.robot import Robot
+from rapidsim.motion.targets import world_from_base_at
 from rapidsim.motion.trajectory import Samples
-from rapidsim.simulation.result import Simulation
+from rapidsim.recording.timelines import Clock, clock_of
+from rapidsim.recording.transforms import BASE, FOOT
+from rapidsim.simulation.base_motion import is_on_track
+from rapidsim.simulation.failed_moves import FailedMove
+from rapidsim.simulation.result import ExecutedLine, ExecutedMove, RobotRun, Simulation
+from rapidsim.simulation.sampling import motion_samples, rates_between
 
 DEFAULT_DT = 0.012
 """[s]; the beat at which a controller itself computes its path."""
 MOST_SAMPLES = 120_000
-"""A longer run is sampled more coarsely unless the user asks otherwise; this is some 60 MB."""
-_BLOCK = 20_000
-"""Samples evaluated at once, which bounds the memory that the kinematics needs."""
+"""A longer run is sampled more coarsely unless the user asks otherwise; this is some 80 MB."""
+MOST_SAMPLES_ASKED = 20_000_000
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SampledRun:
-    """A run and the samples it is drawn from."""
+    """What one robot did, and the samples it is drawn from."""
 
     simulation: Simulation
+    """The whole run."""
+    name: str
+    """Goes before the names of its entities and frames; empty where there is one robot."""
+    robot: Robot
+    limits: Limits
+    world_from_base: Transform
+    """With all external axes at zero."""
+    moves: tuple[ExecutedMove, ...]
+    lines: tuple[ExecutedLine, ...]
+    failed_moves: tuple[FailedMove, ...]
+    clock: Clock
     dt: float
     """Time [s] between samples; starts and ends of moves have samples of their own."""
     samples: Samples
+    joint_speed: Array
+    """Shape (k, n) [rad/s]."""
+    joint_acceleration: Array
+    """Shape (k, n) [rad/s2]."""
+
+    def entity(self, path: str) -> str:
+        """Where in the recording something of this robot is logged."""
+        return f"{self.name}/{path}" if self.name else path
+
+    def frame(self, name: str) -> str:
+        """The name of a frame of this robot, which every robot has: `tool0`, `base`."""
+        return f"{self.name}/{name}" if self.name else name
+
+    @property
+    def on_track(self) -> bool:
+        """Whether external axes move the robot's base."""
+        return is_on_track(self.robot)
+
+    @property
+    def still_frame(self) -> str:
+        """The frame that paths and targets are in: the base, or where it is without its track."""
+        return self.frame(FOOT if self.on_track else BASE)
+
+    @property
+    def places(self) -> Array:
+        """Where the TCP is at each sample (k, 3) [m], in the still frame."""
+        return self.still_from(self.samples.base_from_tcp, self.samples.external).translation
+
+    def still_from_end(self, move: ExecutedMove) -> Transform:
+        """The programmed end of a move in the still frame."""
+        end = move.base_from_tcp
+        batch = Transform(end.rotation[None], end.translation[None])
+        return self.still_from(batch, move.external[None])[0]
+
+    def still_from(self, base_from_a: Transform, external: Array) -> Transform:
+        """Poses (k,) in base with external axes (k, e) [m or rad], in the still frame."""
+        if not self.on_track:
+            return base_from_a
+        world_from_base = world_from_base_at(self.robot.external, self.world_from_base, external)
+        return self.world_from_base.inverse() @ world_from_base @ base_from_a
 
     @property
     def remarks(self) -> tuple[str, ...]:
         """What sampling leaves out that a user would expect, a line each."""
         if self.dt <= DEFAULT_DT:
             return ()
-        return (
-            f"the motion is shown every {1000.0 * self.dt:.0f} ms, not {1000.0 * DEFAULT_DT:.0f}",
-        )
+        shown, usual = 1000.0 * self.dt, 1000.0 * DEFAULT_DT
+        return (f"the motion is shown every {shown:.0f} ms, not {usual:.0f}",)
 
     @property
     def end_s(self) -> float:
@@ -46,39 +98,50 @@ class SampledRun:
         return float(self.samples.times[-1])
 
 
-def sample(simulation: Simulation, dt: float | None) -> SampledRun:
+def sample(simulation: Simulation, dt: float | None) -> tuple[SampledRun, ...]:
     """Sample a run.
 
     Args:
         simulation: The run.
         dt: Time [s] between samples; None takes `DEFAULT_DT`, or more for a run of hours.
+
+    Returns:
+        What each robot did.
+
+    Raises:
+        InputError: When `dt` is not positive or gives too many samples.
     """
-    end_s = max(simulation.time_s, simulation.trajectory.duration)
-    step = dt if dt is not None else max(DEFAULT_DT, end_s / MOST_SAMPLES)
-    times = _times(simulation, end_s, step)
-    return SampledRun(simulation, step, _evaluate(simulation, times))
+    robots = simulation.robots
+    end_s = max(simulation.time_s, *(robot.trajectory.duration for robot in robots))
+    if dt is not None and not dt > 0.0:
+        raise InputError(f"the time between samples must be greater than 0, not {dt:g} s")
+    if dt is not None and end_s / dt > MOST_SAMPLES_ASKED:
+        raise InputError(
+            f"a recording of {end_s:.1f} s every {dt:g} s has over {MOST_SAMPLES_ASKED} samples",
+            "take a larger `--record-dt`",
+        )
+    step = dt if dt is not None else max(DEFAULT_DT, len(robots) * end_s / MOST_SAMPLES)
+    clock = clock_of(move for robot in robots for move in robot.moves)
+    return tuple(_sampled(simulation, robot, clock, end_s, step) for robot in robots)
 
 
-def _times(simulation: Simulation, end_s: float, dt: float) -> Array:
-    grid = np.arange(0.0, end_s, dt)
-    edges = [t for move in simulation.moves for t in (move.start_s, move.end_s)]
-    times = np.concatenate([grid, np.clip(np.array([0.0, *edges, end_s]), 0.0, end_s)])
-    # The viewer counts nanoseconds: instants closer than that would fall on one another.
-    return np.unique(np.round(times, 9))
-
-
-def _evaluate(simulation: Simulation, times: Array) -> Samples:
-    blocks = [
-        simulation.trajectory.at(times[begin : begin + _BLOCK])
-        for begin in range(0, len(times), _BLOCK)
-    ]
-    return Samples(
-        times=times,
-        move=np.concatenate([block.move for block in blocks]),
-        joints=np.concatenate([block.joints for block in blocks]),
-        base_from_tcp=Transform(
-            np.concatenate([block.base_from_tcp.rotation for block in blocks]),
-            np.concatenate([block.base_from_tcp.translation for block in blocks]),
-        ),
-        tcp_speed=np.concatenate([block.tcp_speed for block in blocks]),
+def _sampled(
+    simulation: Simulation, one: RobotRun, clock: Clock, end_s: float, step: float
+) -> SampledRun:
+    samples = motion_samples(one.trajectory, one.moves, end_s, step)
+    speed, acceleration = rates_between(samples)
+    return SampledRun(
+        simulation=simulation,
+        name=one.task if len(simulation.robots) > 1 else "",
+        robot=one.robot,
+        limits=limits_of(one.robot, simulation.model),
+        world_from_base=one.world_from_base,
+        moves=one.moves,
+        lines=one.lines,
+        failed_moves=one.failed_moves,
+        clock=clock,
+        dt=step,
+        samples=samples,
+        joint_speed=speed,
+        joint_acceleration=acceleration,
     )

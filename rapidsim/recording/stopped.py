@@ -8,8 +8,6 @@ import rerun as rr
 from rapidsim.diagnostics import Severity
 from rapidsim.recording import palette
 from rapidsim.recording.sampled import SampledRun
-from rapidsim.recording.timelines import set_instant
-from rapidsim.recording.transforms import BASE
 from rapidsim.simulation.result import End
 
 MARK = "stopped/mark"
@@ -17,14 +15,14 @@ NAME = "stopped/name"
 
 
 def log_stopped(stream: rr.RecordingStream, run: SampledRun, above_m: float) -> None:
-    """Log where the TCP stood when an error ended the run.
+    """Log where the TCP stood when an error ended the run; of several robots, whose it was.
 
     Args:
         stream: The recording.
         run: The run.
         above_m: How far [m] above the mark the error's code and name stand, clear of other names.
     """
-    if run.simulation.end is not End.ERROR:
+    if run.simulation.end is not End.ERROR or (run.name and not run.failed_moves):
         return
     errors = [
         finding.violation
@@ -32,20 +30,24 @@ def log_stopped(stream: rr.RecordingStream, run: SampledRun, above_m: float) -> 
         if finding.severity is Severity.ERROR
     ]
     label = f"stopped: {errors[-1].code} {errors[-1].name}" if errors else "stopped"
-    place = run.samples.base_from_tcp.translation[-1]
+    place = run.places[-1]
     for entity in (MARK, NAME):
-        stream.log(entity, rr.CoordinateFrame(BASE), static=True)
-    set_instant(stream, run.end_s, run.simulation.moves)
+        stream.log(run.entity(entity), rr.CoordinateFrame(run.still_frame), static=True)
+    run.clock.set(stream, run.end_s)
     colour = palette.rgba(palette.STOPPED)
-    stream.log(MARK, rr.Points3D([place], radii=rr.Radius.ui_points(8.0), colors=colour))
     stream.log(
-        NAME,
-        rr.Points3D(
-            [place + np.array([0.0, 0.0, above_m])],
-            radii=rr.Radius.ui_points(0.0),
-            colors=colour,
-            labels=[label],
-            show_labels=True,
-        ),
+        run.entity(MARK), rr.Points3D([place], radii=rr.Radius.ui_points(8.0), colors=colour)
     )
+    # A move that could not be made says why at its own place.
+    if not any(failed.violation in errors for failed in run.failed_moves):
+        stream.log(
+            run.entity(NAME),
+            rr.Points3D(
+                [place + np.array([0.0, 0.0, above_m])],
+                radii=rr.Radius.ui_points(0.0),
+                colors=colour,
+                labels=[label],
+                show_labels=True,
+            ),
+        )
     stream.reset_time()

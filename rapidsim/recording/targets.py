@@ -8,10 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 import rerun as rr
 
+from rapidsim.diagnostics import Severity
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.controller import Interpolation
 from rapidsim.recording import palette
-from rapidsim.recording.transforms import BASE
+from rapidsim.recording.sampled import SampledRun
 from rapidsim.simulation.result import ExecutedMove
 
 ENTITY = "targets"
@@ -32,20 +33,29 @@ class Target:
     """A place the program sends the TCP to."""
 
     name: str
-    base_from_tcp: Transform
+    still_from_tcp: Transform
     on_line: bool
     """Whether a line or an arc leads there."""
+    warned: bool
+    """Whether there is a finding on a move that leads there."""
 
 
-def targets_of(moves: Sequence[ExecutedMove]) -> tuple[Target, ...]:
+def targets_of(run: SampledRun) -> tuple[Target, ...]:
     """The targets of a run in the order of their first use."""
+    warned = {
+        (finding.span.file, finding.span.line)
+        for finding in run.simulation.diagnostics
+        if finding.span is not None and finding.severity is not Severity.NOTE
+    }
     found: dict[tuple[object, ...], Target] = {}
-    for move in moves:
-        place = tuple(np.round(move.base_from_tcp.translation / _SAME).astype(np.int64).tolist())
+    for move in run.moves:
+        still_from_tcp = run.still_from_end(move)
+        place = tuple(np.round(still_from_tcp.translation / _SAME).astype(np.int64).tolist())
         target = Target(
             target_name(move),
-            move.base_from_tcp,
+            still_from_tcp,
             move.move.interpolation in (Interpolation.LINE, Interpolation.CIRCLE),
+            (move.place.span.file, move.place.span.line) in warned,
         )
         key = (target.name, *place)
         if key not in found or target.on_line:
@@ -67,8 +77,8 @@ def extent(targets: Sequence[Target]) -> float:
 
 
 def points_of(targets: Sequence[Target]) -> Array:
-    """Where some targets are (k, 3) [m] in the base."""
-    return np.array([target.base_from_tcp.translation for target in targets])
+    """Where some targets are (k, 3) [m]."""
+    return np.array([target.still_from_tcp.translation for target in targets])
 
 
 def target_name(move: ExecutedMove) -> str:
@@ -80,12 +90,18 @@ def target_name(move: ExecutedMove) -> str:
 
 
 def log_targets(
-    stream: rr.RecordingStream, targets: Sequence[Target], *, axis_m: float, apart_m: float
+    stream: rr.RecordingStream,
+    run: SampledRun,
+    targets: Sequence[Target],
+    *,
+    axis_m: float,
+    apart_m: float,
 ) -> tuple[str, ...]:
     """Log targets.
 
     Args:
         stream: The recording.
+        run: The run they belong to.
         targets: What is logged.
         axis_m: Length [m] of their axes.
         apart_m: Names of targets far from the work that are nearer to each other [m] become one.
@@ -96,19 +112,27 @@ def log_targets(
     if not targets:
         return ()
     stream.log(
-        f"{ENTITY}/points",
-        rr.CoordinateFrame(BASE),
+        run.entity(f"{ENTITY}/points"),
+        rr.CoordinateFrame(run.still_frame),
         rr.Points3D(
-            points_of(targets), radii=rr.Radius.ui_points(3.5), colors=palette.rgba(palette.TARGET)
+            points_of(targets),
+            radii=rr.Radius.ui_points(3.5),
+            colors=np.array(
+                [
+                    palette.rgba(palette.WARNED if target.warned else palette.TARGET)
+                    for target in targets
+                ],
+                dtype=np.uint32,
+            ),
         ),
         static=True,
     )
-    _log_axes(stream, targets[:MOST_AXES], axis_m)
+    _log_axes(stream, run, targets[:MOST_AXES], axis_m)
     if len(targets) <= MOST_NAMES:
         near = near_targets(targets)
         far = [target for target in targets if target not in near]
-        _log_names(stream, NAMES_NEAR, near, apart_m=_APART * extent(near))
-        _log_names(stream, NAMES_FAR, far, apart_m=apart_m)
+        _log_names(stream, run, NAMES_NEAR, near, apart_m=_APART * extent(near))
+        _log_names(stream, run, NAMES_FAR, far, apart_m=apart_m)
         return ()
     remarks: tuple[str, ...] = (f"{len(targets)} targets: their names are not shown",)
     if len(targets) > MOST_AXES:
@@ -117,14 +141,18 @@ def log_targets(
 
 
 def _log_names(
-    stream: rr.RecordingStream, entity: str, targets: Sequence[Target], apart_m: float
+    stream: rr.RecordingStream,
+    run: SampledRun,
+    entity: str,
+    targets: Sequence[Target],
+    apart_m: float,
 ) -> None:
     if not targets:
         return
     places, names = _gathered(targets, apart_m)
     stream.log(
-        entity,
-        rr.CoordinateFrame(BASE),
+        run.entity(entity),
+        rr.CoordinateFrame(run.still_frame),
         rr.Points3D(
             places,
             radii=rr.Radius.ui_points(0.0),
@@ -136,13 +164,15 @@ def _log_names(
     )
 
 
-def _log_axes(stream: rr.RecordingStream, targets: Sequence[Target], axis_m: float) -> None:
-    origins = np.repeat([target.base_from_tcp.translation for target in targets], 3, axis=0)
+def _log_axes(
+    stream: rr.RecordingStream, run: SampledRun, targets: Sequence[Target], axis_m: float
+) -> None:
+    origins = np.repeat([target.still_from_tcp.translation for target in targets], 3, axis=0)
     # Columns of the rotation are the axes.
-    columns = np.stack([target.base_from_tcp.rotation.T for target in targets])
+    columns = np.stack([target.still_from_tcp.rotation.T for target in targets])
     stream.log(
-        f"{ENTITY}/axes",
-        rr.CoordinateFrame(BASE),
+        run.entity(f"{ENTITY}/axes"),
+        rr.CoordinateFrame(run.still_frame),
         rr.Arrows3D(
             origins=origins,
             vectors=columns.reshape(-1, 3) * axis_m,
@@ -160,7 +190,7 @@ def _gathered(targets: Sequence[Target], apart_m: float) -> tuple[Array, list[st
     names: list[list[str]] = []
     places: list[Array] = []
     for target in targets:
-        point = target.base_from_tcp.translation
+        point = target.still_from_tcp.translation
         distances = [float(np.linalg.norm(place - point)) for place in places]
         nearest = int(np.argmin(distances)) if distances else -1
         if not distances or distances[nearest] > apart_m:

@@ -1,15 +1,15 @@
 """The two clocks of a recording: virtual time, and the number of the move under way.
 
-Stepping through `move` shows the arm at the end of each one.
+Stepping through `move` shows the cell at the end of each one. With several robots their moves are
+counted together, in the order they begin.
 """
 
 from __future__ import annotations
 
-from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 import rerun as rr
 
 from rapidsim.frames.transform import Array
@@ -19,22 +19,35 @@ SIM_TIME = "sim_time"
 MOVE = "move"
 
 
-def indexes(times: Array, moves: npt.NDArray[np.int64]) -> list[rr.TimeColumn]:
-    """The time columns of rows at `times` (k,) [s] during `moves` (k,)."""
-    # Rounded to the viewer's nanoseconds here; seconds as floats would be cut off.
-    nanoseconds = np.round(times * 1e9).astype("timedelta64[ns]")
-    return [rr.TimeColumn(SIM_TIME, duration=nanoseconds), rr.TimeColumn(MOVE, sequence=moves)]
+@dataclass(frozen=True, slots=True, eq=False)
+class Clock:
+    """Turns instants of virtual time into the viewer's times."""
+
+    starts: Array
+    """When the moves of the run begin (m,) [s], in order."""
+
+    def columns(self, times: Array | Sequence[float]) -> list[rr.TimeColumn]:
+        """The time columns of rows at `times` (k,) [s]: during the last move begun by then."""
+        instants = np.asarray(times, dtype=np.float64)
+        # Rounded to the viewer's nanoseconds here; seconds as floats would be cut off.
+        nanoseconds = np.round(instants * 1e9).astype("timedelta64[ns]")
+        return [
+            rr.TimeColumn(SIM_TIME, duration=nanoseconds),
+            rr.TimeColumn(MOVE, sequence=self._begun(instants)),
+        ]
+
+    def set(self, stream: rr.RecordingStream, time_s: float) -> None:
+        """Let what is logged next happen at an instant [s]."""
+        stream.set_time(SIM_TIME, duration=np.timedelta64(round(time_s * 1e9), "ns"))
+        stream.set_time(MOVE, sequence=int(self._begun(np.array([time_s]))[0]))
+
+    def _begun(self, times: Array) -> np.typing.NDArray[np.int64]:
+        """Number of the move under way (k,), from 0; 0 before the first one too."""
+        # Samples are rounded to nanoseconds: one at the start of a move may lie just before it.
+        begun = np.searchsorted(self.starts, times + 0.5e-9, side="right") - 1
+        return np.maximum(begun, 0).astype(np.int64)
 
 
-def indexes_at(times_s: Sequence[float], moves: Sequence[ExecutedMove]) -> list[rr.TimeColumn]:
-    """The time columns of things that happened at `times_s`: during the last move begun by then."""
-    starts = [move.start_s for move in moves]
-    begun = np.searchsorted(starts, times_s, side="right") - 1
-    return indexes(np.array(times_s, dtype=np.float64), np.maximum(begun, 0).astype(np.int64))
-
-
-def set_instant(stream: rr.RecordingStream, time_s: float, moves: Sequence[ExecutedMove]) -> None:
-    """Let what is logged next happen at an instant [s]."""
-    stream.set_time(SIM_TIME, duration=np.timedelta64(round(time_s * 1e9), "ns"))
-    begun = bisect_right(moves, time_s, key=lambda move: move.start_s) - 1
-    stream.set_time(MOVE, sequence=max(begun, 0))
+def clock_of(moves: Iterable[ExecutedMove]) -> Clock:
+    """The clock of a run with these moves."""
+    return Clock(np.sort(np.array([move.start_s for move in moves], dtype=np.float64)))

@@ -1,7 +1,7 @@
 """The tool: the TCP's frame on the flange, and a slim body from the flange to the TCP.
 
 A program may change tools, or a tool's frame; the recording follows. A tool whose TCP lies in the
-flange (`tool0`) has no body.
+flange (`tool0`) has no body, nor has a stationary tool.
 """
 
 from __future__ import annotations
@@ -15,8 +15,7 @@ from rapidsim.recording.arm import FLANGE
 from rapidsim.recording.changes import Change, changes, stacked
 from rapidsim.recording.sampled import SampledRun
 from rapidsim.recording.skeleton import z_to
-from rapidsim.recording.timelines import indexes_at, set_instant
-from rapidsim.recording.transforms import moving_frame
+from rapidsim.recording.transforms import WORLD, moving_frame
 
 TCP = "tcp"
 FRAME_ENTITY = "robot/tcp"
@@ -29,24 +28,30 @@ _SIDES = 24
 
 def log_tool(stream: rr.RecordingStream, run: SampledRun, axis_m: float) -> None:
     """Log the TCP with axes of a length [m] and the tool's body."""
-    moves = run.simulation.moves
-    tools = changes(moves, lambda move: move.move.tool.tframe) or (
-        Change(0.0, Transform.identity()),
-    )
+    flange = run.frame(FLANGE)
+    tools = changes(
+        run.moves,
+        lambda move: move.move.tool.tframe,
+        # A stationary tool stands in the world, and the arm carries the work to it.
+        lambda move: flange if move.move.tool.robhold else WORLD,
+    ) or (Change(0.0, Transform.identity(), flange),)
     stream.send_columns(
-        FRAME_ENTITY,
-        indexes=indexes_at([tool.time_s for tool in tools], moves),
-        columns=moving_frame(FLANGE, TCP, stacked(tools)),
+        run.entity(FRAME_ENTITY),
+        indexes=run.clock.columns([tool.time_s for tool in tools]),
+        columns=moving_frame([tool.parent for tool in tools], run.frame(TCP), stacked(tools)),
     )
-    stream.log(FRAME_ENTITY, rr.CoordinateFrame(TCP), rr.TransformAxes3D(axis_m), static=True)
-    stream.log(BODY_ENTITY, rr.CoordinateFrame(FLANGE), static=True)
+    tcp = run.entity(FRAME_ENTITY)
+    stream.log(tcp, rr.CoordinateFrame(run.frame(TCP)), rr.TransformAxes3D(axis_m), static=True)
+    body = run.entity(BODY_ENTITY)
+    stream.log(body, rr.CoordinateFrame(flange), static=True)
     for tool in tools:
-        set_instant(stream, tool.time_s, moves)
-        stream.log(BODY_ENTITY, _body(tool.frame.translation))
+        run.clock.set(stream, tool.time_s)
+        held = tool.parent == flange
+        stream.log(body, tool_body(tool.frame.translation if held else np.zeros(3)))
     stream.reset_time()
 
 
-def _body(tcp_in_flange: Array) -> rr.Mesh3D | rr.Clear:
+def tool_body(tcp_in_flange: Array) -> rr.Mesh3D | rr.Clear:
     """A tapered rod from the flange to the TCP (3,) [m], round and closed at the flange."""
     length = float(np.linalg.norm(tcp_in_flange))
     if length < _SHORTEST:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import numpy.typing as npt
 import rerun as rr
@@ -10,6 +12,8 @@ from rapidsim.frames.transform import Transform
 
 WORLD = "world"
 BASE = "base"
+FOOT = "foot"
+"""Where the base of a robot on a track is with the track at zero."""
 BASE_FROM_WORLD = Transform.identity()
 """A run stands the robot's base in the origin of the world."""
 
@@ -29,15 +33,19 @@ def static_frame(parent: str, child: str, parent_from_child: Transform) -> rr.Tr
     )
 
 
-def moving_frame(parent: str, child: str, parent_from_child: Transform) -> rr.ComponentColumnList:
+def moving_frame(
+    parent: str | Sequence[str], child: str, parent_from_child: Transform
+) -> rr.ComponentColumnList:
     """An edge between two named frames, one row for each of a batch (k,).
 
-    The names stand in every row: a row replaces the whole edge, names included.
+    The names stand in every row: a row replaces the whole edge, names included. A frame that is
+    handed over has a parent for each row.
     """
     count = len(parent_from_child)
+    parents = [parent] * count if isinstance(parent, str) else list(parent)
     return rr.Transform3D.columns(
         translation=parent_from_child.translation.astype(np.float32),
         quaternion=quaternion_xyzw(parent_from_child),
-        parent_frame=[parent] * count,
+        parent_frame=parents,
         child_frame=[child] * count,
     )

@@ -17,9 +17,8 @@ from rapidsim.recording import palette
 from rapidsim.recording.arm import FLANGE
 from rapidsim.recording.changes import changes, stacked
 from rapidsim.recording.sampled import SampledRun
-from rapidsim.recording.timelines import indexes_at
 from rapidsim.recording.tool import TCP
-from rapidsim.recording.transforms import BASE, BASE_FROM_WORLD, WORLD, moving_frame
+from rapidsim.recording.transforms import BASE, WORLD, moving_frame
 from rapidsim.simulation.result import ExecutedMove
 
 ENTITY = "work_objects"
@@ -29,41 +28,67 @@ _SMALLEST = 0.05
 """[m]; half the side of the smallest plate."""
 
 
-def log_work_objects(stream: rr.RecordingStream, run: SampledRun, axis_m: float) -> None:
-    """Log the frames of the work objects with axes of a length [m]."""
-    for name, moves in _by_name(run.simulation.moves).items():
-        users = changes(moves, lambda move: move.move.wobj.uframe)
-        objects = changes(moves, lambda move: move.move.wobj.oframe)
-        user_frame = f"{name}.uframe"
-        for entity, parent, child, values in (
-            ("user", BASE, user_frame, users),
-            ("object", user_frame, name, objects),
-        ):
-            path = _entity(name, entity)
-            stream.send_columns(
-                path,
-                indexes=indexes_at([change.time_s for change in values], run.simulation.moves),
-                columns=moving_frame(parent, child, stacked(values)),
-            )
-            stream.log(
-                path,
-                rr.CoordinateFrame(child),
-                rr.TransformAxes3D(axis_m if child == name else 0.6 * axis_m),
-                static=True,
-            )
-        _log_plate(stream, name, moves)
+def log_work_objects(stream: rr.RecordingStream, run: SampledRun, axis_m: float) -> tuple[str, ...]:
+    """Log the frames of the work objects with axes of a length [m].
+
+    Returns:
+        What the viewer will not show as it should, a line each.
+    """
+    for name, moves in _by_name(run.moves).items():
+        _log_frames(stream, run, name, moves, axis_m)
+        _log_plate(stream, run, name, moves)
+    moved = dict.fromkeys(move.move.wobj.ufmec for move in run.moves if not move.move.wobj.ufprog)
+    return tuple(f"work objects moved by `{unit}` are shown with it at zero" for unit in moved)
 
 
-def object_origins(moves: Sequence[ExecutedMove]) -> Array:
+def _log_frames(
+    stream: rr.RecordingStream,
+    run: SampledRun,
+    name: str,
+    moves: Sequence[ExecutedMove],
+    axis_m: float,
+) -> None:
+    """User frame and object frame; that of a work object in the robot's hand is on the flange."""
+    object_frame, flange = run.frame(name), run.frame(FLANGE)
+    user_frame = f"{object_frame}.uframe"
+    users = changes(
+        moves,
+        lambda move: move.move.wobj.uframe,
+        lambda move: flange if move.move.wobj.robhold else WORLD,
+    )
+    objects = changes(moves, lambda move: move.move.wobj.oframe, lambda _: user_frame)
+    for entity, child, values in (("user", user_frame, users), ("object", object_frame, objects)):
+        path = _entity(run, name, entity)
+        parents = [change.parent for change in values]
+        stream.send_columns(
+            path,
+            indexes=run.clock.columns([change.time_s for change in values]),
+            columns=moving_frame(parents, child, stacked(values)),
+        )
+        stream.log(
+            path,
+            rr.CoordinateFrame(child),
+            rr.TransformAxes3D(axis_m if child == object_frame else 0.6 * axis_m),
+            static=True,
+        )
+
+
+def object_origins(run: SampledRun) -> Array:
     """Where the object frames are (k, 3) [m] in the base."""
-    used = dict.fromkeys(move.move.wobj for group in _by_name(moves).values() for move in group)
-    origins = [base_from_object(wobj, BASE_FROM_WORLD).translation for wobj in used]
+    used = dict.fromkeys(
+        move.move.wobj
+        for group in _by_name(run.moves).values()
+        for move in group
+        if not move.move.wobj.robhold
+    )
+    base_from_world = run.world_from_base.inverse()
+    origins = [base_from_object(wobj, base_from_world).translation for wobj in used]
     return np.array(origins).reshape(-1, 3)
 
 
-def _entity(name: str, part: str) -> str:
+def _entity(run: SampledRun, name: str, part: str) -> str:
     """Where a part of a work object is logged; the name may be any expression, `wobjs{1}` too."""
-    return rr.new_entity_path([ENTITY, name, part])
+    return run.entity(rr.new_entity_path([ENTITY, name, part]).removeprefix("/"))
 
 
 def _by_name(moves: Sequence[ExecutedMove]) -> dict[str, list[ExecutedMove]]:
@@ -80,22 +105,26 @@ def _by_name(moves: Sequence[ExecutedMove]) -> dict[str, list[ExecutedMove]]:
     return found
 
 
-def _log_plate(stream: rr.RecordingStream, name: str, moves: Sequence[ExecutedMove]) -> None:
+def _log_plate(
+    stream: rr.RecordingStream, run: SampledRun, name: str, moves: Sequence[ExecutedMove]
+) -> None:
     """A plate under the targets and the origin, in the plane of the object frame, and a name."""
     places: dict[WobjData, list[Array]] = {}
     for move in moves:
-        places.setdefault(move.move.wobj, []).append(move.base_from_tcp.translation)
+        if not move.move.wobj.robhold and move.move.wobj.ufprog and move.move.tool.robhold:
+            place = run.still_from_end(move).translation
+            places.setdefault(move.move.wobj, []).append(place)
     in_plane = [np.zeros((1, 2))]
     for wobj, places_in_base in places.items():
-        object_from_base = base_from_object(wobj, BASE_FROM_WORLD).inverse()
+        object_from_base = base_from_object(wobj, run.world_from_base.inverse()).inverse()
         in_plane.append(object_from_base.apply(np.array(places_in_base))[:, :2])
     corners = np.concatenate(in_plane)
     low, high = corners.min(axis=0), corners.max(axis=0)
     half = np.maximum(0.5 * (high - low) * 1.5, _SMALLEST)
     centre = 0.5 * (low + high)
     stream.log(
-        _entity(name, "plate"),
-        rr.CoordinateFrame(name),
+        _entity(run, name, "plate"),
+        rr.CoordinateFrame(run.frame(name)),
         rr.Boxes3D(
             centers=[[*centre, -_THICKNESS]],
             half_sizes=[[*half, 0.5 * _THICKNESS]],
@@ -105,8 +134,8 @@ def _log_plate(stream: rr.RecordingStream, name: str, moves: Sequence[ExecutedMo
         static=True,
     )
     stream.log(
-        _entity(name, "name"),
-        rr.CoordinateFrame(name),
+        _entity(run, name, "name"),
+        rr.CoordinateFrame(run.frame(name)),
         rr.Points3D(
             [[*_emptiest_corner(centre, half, corners), 0.0]],
             radii=rr.Radius.ui_points(0.0),

@@ -85,7 +85,7 @@ def _full(finding: Finding, palette: Palette, width: int) -> str:
     margin = f"{' ' * gutter} {palette.paint('=', palette.frame)}"
     cures = (
         ("help:", diagnostic.violation.help),
-        ("fix:", diagnostic.fix and diagnostic.fix.title),
+        ("fix:", diagnostic.fix and _fix_title(diagnostic.fix)),
     )
     for label, cure in cures:
         if cure:
@@ -150,6 +150,10 @@ def _span_json(span: Span | None) -> dict[str, object]:
         "end_line": span.end_line if span else None,
         "end_column": span.end_column if span else None,
     }
+
+
+def _fix_title(fix: Fix) -> str:
+    return fix.title if fix.safe else f"{fix.title} (with --unsafe-fixes)"
 
 
 def _fix_json(fix: Fix) -> dict[str, object]:

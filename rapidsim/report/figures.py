@@ -6,17 +6,20 @@ Everything is a function of the simulation alone, so a report of the same run is
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.language.controller import Place
-from rapidsim.simulation.result import CornerKind, ExecutedMove, Simulation
+from rapidsim.motion.limits import limits_of
+from rapidsim.simulation.result import CornerKind, ExecutedMove, RobotRun, Simulation
+from rapidsim.simulation.sensitivity import extra_time_s
 
 _SAMPLE_S = 0.012
 _MOST_SAMPLES = 20_000
 _SLOWEST = 5
+_OTHER_ACCELERATIONS = (0.5, 2.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,19 +67,37 @@ class Figures:
     joint_margin: JointMargin | None
     """None where nothing moved."""
     singularity: Singularity | None
+    otherwise: tuple[OtherTime, ...]
+    """Times of the run with other accelerations; none where nothing moved, or too much."""
+
+
+@dataclass(frozen=True, slots=True)
+class OtherTime:
+    """How long the run would take if the axes accelerated otherwise."""
+
+    factor: float
+    """On all accelerations."""
+    time_s: float
 
 
 def figures(simulation: Simulation) -> Figures:
     """Compute the figures of a run."""
-    moves = simulation.moves
+    moves = simulation.all_moves
     corners = Counter(move.corner for move in moves)
-    margin, singularity = _along_the_path(simulation) if moves else (None, None)
+    found = [
+        _along_the_path(robot, offset)
+        for robot, offset in zip(simulation.robots, simulation.move_offsets, strict=True)
+        if robot.moves
+    ]
+    margins, singularities = [margin for margin, _ in found], [place for _, place in found]
     return Figures(
         moves_by_instruction=tuple(Counter(m.move.instruction for m in moves).items()),
         moves_by_corner=tuple((kind, corners[kind]) for kind in CornerKind if kind in corners),
         slowest=_slowest(moves),
-        joint_margin=margin,
-        singularity=singularity,
+        joint_margin=min(margins, key=lambda one: one.degrees, default=None),
+        singularity=min(singularities, key=lambda one: one.smallest_singular_value, default=None),
+        # What one robot would save, another may wait away.
+        otherwise=_otherwise(simulation) if moves and not simulation.other_robots else (),
     )
 
 
@@ -90,6 +111,18 @@ def end_point(move: ExecutedMove) -> str:
     """What the program calls the end of a move; `*` where it is written out in place."""
     text = argument(move, "topoint", "tojointpos") or "*"
     return "*" if text.startswith("[") else text
+
+
+def _otherwise(simulation: Simulation) -> tuple[OtherTime, ...]:
+    """The times at half and double acceleration, which is the assumption that counts most."""
+    limits = limits_of(simulation.robot, simulation.model)
+    times = []
+    for factor in _OTHER_ACCELERATIONS:
+        extra_s = extra_time_s(simulation.trajectory, limits, factor)
+        if extra_s is None:
+            return ()
+        times.append(OtherTime(factor, simulation.time_s + extra_s))
+    return tuple(times)
 
 
 def _slowest(moves: tuple[ExecutedMove, ...]) -> tuple[LineTime, ...]:
@@ -109,17 +142,18 @@ def _slowest(moves: tuple[ExecutedMove, ...]) -> tuple[LineTime, ...]:
     return tuple(sorted(times, key=lambda line: -line.seconds)[:_SLOWEST])
 
 
-def _along_the_path(simulation: Simulation) -> tuple[JointMargin, Singularity]:
-    robot = simulation.robot
-    times = _sample_times(simulation)
-    samples = simulation.trajectory.at(times)
+def _along_the_path(run: RobotRun, offset: int) -> tuple[JointMargin, Singularity]:
+    robot = run.robot
+    times = _sample_times(run)
+    samples = run.trajectory.at(times)
+    moves = {move.index: replace(move, index=offset + move.index) for move in run.moves}
     left = np.minimum(samples.joints - robot.lower, robot.upper - samples.joints)
     row, joint = (int(i) for i in np.unravel_index(np.argmin(left), left.shape))
     margin = JointMargin(
         degrees=float(np.degrees(left[row, joint])),
         joint=joint + 1,
         time_s=float(times[row]),
-        move=simulation.moves[int(samples.move[row])],
+        move=moves[int(samples.move[row])],
     )
     jacobians = robot.kinematics.jacobian(samples.joints)
     smallest = np.linalg.svd(jacobians, compute_uv=False)[:, -1]
@@ -127,14 +161,14 @@ def _along_the_path(simulation: Simulation) -> tuple[JointMargin, Singularity]:
     singularity = Singularity(
         smallest_singular_value=float(smallest[row]),
         time_s=float(times[row]),
-        move=simulation.moves[int(samples.move[row])],
+        move=moves[int(samples.move[row])],
     )
     return margin, singularity
 
 
-def _sample_times(simulation: Simulation) -> Array:
+def _sample_times(run: RobotRun) -> Array:
     """Instants under way; the ends of moves are among them, standstill before the first is not."""
-    start, end = simulation.moves[0].start_s, simulation.trajectory.duration
+    start, end = run.moves[0].start_s, run.trajectory.duration
     count = min(_MOST_SAMPLES, int((end - start) / _SAMPLE_S) + 2)
-    ends = np.array([move.end_s for move in simulation.moves])
+    ends = np.array([move.end_s for move in run.moves])
     return np.unique(np.concatenate([np.linspace(start, end, count), ends.clip(start, end)]))

@@ -32,8 +32,10 @@ class FrameNode:
     note: str = ""
 
 
-def frame_tree(program: Program, value_of: ValueOf, robot_name: str) -> FrameNode:
-    """The frame tree of a program on a robot that stands in the world frame."""
+def frame_tree(
+    program: Program, value_of: ValueOf, robot_name: str, world_from_base: Pose = IDENTITY_POSE
+) -> FrameNode:
+    """The frame tree of a program on a robot that stands somewhere in the world frame."""
     data = {
         symbol.name.lower(): symbol
         for symbol in program.symbol_of.values()
@@ -67,7 +69,7 @@ def frame_tree(program: Program, value_of: ValueOf, robot_name: str) -> FrameNod
         if name not in moved_to
     ]
     flange = FrameNode("tool0", "flange", IDENTITY_POSE, None, (*held, *on_arm), "moves")
-    base = FrameNode("base", "base", IDENTITY_POSE, IDENTITY_POSE, (flange,), robot_name)
+    base = FrameNode("base", "base", world_from_base, world_from_base, (flange,), robot_name)
     children = (base, *fixed, *standing, *in_world, *unused)
     return FrameNode("world", "world", IDENTITY_POSE, IDENTITY_POSE, children)
 
@@ -104,7 +106,8 @@ def _work_object(
         if target in targets
     )
     inner = FrameNode(f"{name}.oframe", "object", wobj.oframe, world_from_object, within)
-    note = "held by the robot" if wobj.robhold else ""
+    note = "" if wobj.ufprog else f"moved by {wobj.ufmec}"
+    note = "held by the robot" if wobj.robhold else note
     return FrameNode(f"{name}.uframe", "user", wobj.uframe, world_from_user, (inner,), note)
 
 

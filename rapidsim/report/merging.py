@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from rapidsim.diagnostics import Diagnostic
+from rapidsim.diagnostics import Diagnostic, Violation
+
+_MOST_OF_A_RULE = 20
+"""Findings of one rule in one file that are shown one by one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,7 +20,11 @@ class Finding:
 
 
 def merged(diagnostics: Iterable[Diagnostic], *, merge: bool = True) -> tuple[Finding, ...]:
-    """Findings in order of file and place; equal messages of one rule in one file become one."""
+    """Findings in order of file and place; equal messages of one rule in one file become one.
+
+    So do all beyond the twentieth of one rule in one file, whatever they say: who moves a work
+    object wants to know that 5,000 targets are out of reach, and not to read 5,000 findings.
+    """
     ordered = sorted(diagnostics, key=_order)
     if not merge:
         return tuple(Finding(diagnostic) for diagnostic in ordered)
@@ -26,30 +33,39 @@ def merged(diagnostics: Iterable[Diagnostic], *, merge: bool = True) -> tuple[Fi
         violation = diagnostic.violation
         key = (diagnostic.order[0], violation.code, violation.message)
         alike.setdefault(key, []).append(diagnostic)
-    return tuple(Finding(first, tuple(repeats)) for first, *repeats in alike.values())
+    shown: dict[tuple[str, str], list[list[Diagnostic]]] = {}
+    for (file, code, _), group in alike.items():
+        of_rule = shown.setdefault((file, code), [])
+        if len(of_rule) < _MOST_OF_A_RULE:
+            of_rule.append(group)
+        else:
+            of_rule[-1] += group
+    findings = [
+        Finding(group[0], tuple(sorted(group[1:], key=_order)))
+        for of_rule in shown.values()
+        for group in of_rule
+    ]
+    return tuple(sorted(findings, key=lambda finding: _order(finding.first)))
 
 
-def selected(
-    diagnostics: Iterable[Diagnostic], select: Sequence[str], ignore: Sequence[str]
-) -> tuple[Diagnostic, ...]:
-    """The diagnostics that selectors leave.
+def is_selected(
+    rule: type[Violation],
+    select: Sequence[str] = (),
+    ignore: Sequence[str] = (),
+    also: Sequence[str] = (),
+) -> bool:
+    """Whether selectors leave a rule.
 
     Args:
-        diagnostics: What was found.
-        select: Codes, beginnings of codes such as `K6`, or names of rules; none selects all.
+        rule: The rule.
+        select: Codes, beginnings of codes such as `K6`, or names of rules; none selects those that
+            are on by default.
         ignore: The same, taken away afterwards.
+        also: The same, added to what is selected.
     """
-    return tuple(
-        diagnostic
-        for diagnostic in diagnostics
-        if (not select or any(_matches(diagnostic, one) for one in select))
-        and not any(_matches(diagnostic, one) for one in ignore)
-    )
-
-
-def _matches(diagnostic: Diagnostic, selector: str) -> bool:
-    violation = diagnostic.violation
-    return violation.code.startswith(selector.upper()) or violation.name == selector.lower()
+    chosen = any(rule.matches(one) for one in select) if select else rule.on_by_default
+    chosen = chosen or any(rule.matches(one) for one in also)
+    return chosen and not any(rule.matches(one) for one in ignore)
 
 
 def _order(diagnostic: Diagnostic) -> tuple[str, int, str, str]:

@@ -69,10 +69,16 @@ def robot_page(robot: Robot, aliases: Sequence[str]) -> RenderableType:
     axes.add_column("from", justify="right")
     axes.add_column("to", justify="right")
     axes.add_column("speed", justify="right")
+    measured = any(joint.max_acceleration is not None for joint in robot.joints)
+    if measured:
+        axes.add_column("acceleration, measured", justify="right")
     for joint in robot.joints:
         speed = _UNKNOWN if joint.max_speed is None else f"{degrees(joint.max_speed):.10g}°/s"
         lower, upper = degrees(joint.lower), degrees(joint.upper)
-        axes.add_row(joint.name, f"{lower:.10g}°", f"{upper:.10g}°", speed)
+        row = [joint.name, f"{lower:.10g}°", f"{upper:.10g}°", speed]
+        if joint.max_acceleration is not None:
+            row.append(f"{degrees(joint.max_acceleration):.10g}°/s²")
+        axes.add_row(*row)
     page: list[RenderableType] = [Text(robot.title, "bold"), Text(), facts, Text(), axes]
     if _lacks_something(robot):
         page += [Text(), Text(_MEANING, "dim")]

@@ -11,6 +11,8 @@ from functools import cache
 from importlib import import_module
 
 import rapidsim.analysis
+import rapidsim.analysis.rules
+import rapidsim.language
 import rapidsim.motion
 import rapidsim.simulation
 import rapidsim.syntax
@@ -19,9 +21,21 @@ from rapidsim.report.palette import Palette
 
 # Each rule is declared next to the code that detects it, in a module whose name ends like this,
 # or, where one rule was not worth a module, in one of those listed.
-_PACKAGES = (rapidsim.syntax, rapidsim.analysis, rapidsim.motion, rapidsim.simulation)
+_PACKAGES = (
+    rapidsim.language,
+    rapidsim.syntax,
+    rapidsim.analysis,
+    rapidsim.motion,
+    rapidsim.simulation,
+)
 _MODULE_NAME_ENDS_IN = "violations"
-_OTHER_MODULES = ("rapidsim.interpreter.limits",)
+# Here every module holds rules.
+_RULE_PACKAGES = (rapidsim.analysis.rules,)
+_OTHER_MODULES = (
+    "rapidsim.analysis.suppressions",
+    "rapidsim.interpreter.limits",
+    "rapidsim.simulation.load_tasks",
+)
 
 _HEADING = re.compile(r"^## *(.+)$", re.MULTILINE)
 _FENCED = re.compile(r"^```\w*\n(.*?)\n```$", re.MULTILINE | re.DOTALL)
@@ -33,9 +47,9 @@ def rules() -> tuple[type[Violation], ...]:
     """Every rule, ordered by code."""
     named = (
         f"{package.__name__}.{module.name}"
-        for package in _PACKAGES
+        for package in (*_PACKAGES, *_RULE_PACKAGES)
         for module in pkgutil.iter_modules(package.__path__)
-        if module.name.endswith(_MODULE_NAME_ENDS_IN)
+        if module.name.endswith(_MODULE_NAME_ENDS_IN) or package in _RULE_PACKAGES
     )
     declared = (
         value
@@ -53,11 +67,12 @@ def rule_page(rule: type[Violation], palette: Palette) -> str:
     """The page of a rule: headline, explanation, example, fix."""
     code = palette.paint(rule.code, palette.of(rule.severity))
     headline = f"{code} {palette.paint(rule.name, palette.strong)} ({rule.severity.value})"
+    asked = "" if rule.on_by_default else f"\n\nLooked for with `--extend-select {rule.code}`."
     compare = f"\n\nThe controller's event for it: {rule.cf}." if rule.cf else ""
     page = _FENCED.sub(_indented, inspect.cleandoc(rule.__doc__ or ""))
     page = _HEADING.sub(lambda heading: palette.paint(heading.group(1), palette.strong), page)
     page = _BLANK_LINES.sub("\n\n", page).strip()
-    return f"{headline}\n\n{page}{compare}"
+    return f"{headline}\n\n{page}{asked}{compare}"
 
 
 def rule_list(listed: Sequence[type[Violation]], palette: Palette) -> str:

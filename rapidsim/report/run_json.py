@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from rapidsim.diagnostics import Diagnostic
+from rapidsim.motion.external_axes import ExternalAxis
 from rapidsim.report.diagnostics import diagnostic_json
 from rapidsim.report.figures import Figures, JointMargin, LineTime, Singularity, argument
 from rapidsim.report.merging import merged
@@ -38,12 +39,17 @@ def run_json(
         "schema": SCHEMA,
         "program": list(simulation.program),
         "robot": simulation.robot.name,
+        **_robots(simulation),
         "end": simulation.end.value,
         "time_s": _number(simulation.time_s),
         "motion_s": _number(simulation.motion_s),
         "wait_s": _number(simulation.wait_s),
-        "path_mm": _number(simulation.path_m * 1000.0),
-        "moves": [_move(move) for move in simulation.moves],
+        "path_mm": _number(sum(robot.path_m for robot in simulation.robots) * 1000.0),
+        "moves": [
+            _move(move, robot.robot.external, offset)
+            for robot, offset in zip(simulation.robots, simulation.move_offsets, strict=True)
+            for move in robot.moves
+        ],
         "slowest": [_line_time(line) for line in figures.slowest],
         "min_joint_margin": _margin(figures.joint_margin),
         "min_singularity": _singularity(figures.singularity),
@@ -57,7 +63,12 @@ def run_json(
             {"name": one.name, "module": one.module, "old": one.old, "new": one.new}
             for one in simulation.persistents
         ],
-        "models": models(simulation),
+        "models": {
+            **models(simulation),
+            "time_s_with_acceleration_times": {
+                f"{other.factor:g}": _number(other.time_s) for other in figures.otherwise
+            },
+        },
         "files": {
             **files,
             "home": [{"path": file.path, "size": file.size} for file in simulation.home_files],
@@ -94,15 +105,19 @@ def rejected_json(
 def models(simulation: Simulation) -> dict[str, object]:
     """The models behind the numbers and their parameters, and what they leave out of the arm."""
     model = simulation.model
-    if model.acceleration is None:
-        acceleration = f"axis acceleration = axis speed / {model.acceleration_time:g} s"
+    measured = [joint.max_acceleration for joint in simulation.robot.joints]
+    if model.acceleration is not None:
+        acceleration = f"axis accelerations {_degrees(model.acceleration)} deg/s2"
+    elif model.own_accelerations and any(measured):
+        known = _degrees([a for a in measured if a is not None])
+        acceleration = f"axis accelerations {known} deg/s2, measured on this arm"
     else:
-        degrees = ", ".join(f"{math.degrees(a):g}" for a in model.acceleration)
-        acceleration = f"axis accelerations {degrees} deg/s2"
+        acceleration = f"axis acceleration = axis speed / {model.acceleration_time:g} s"
     given_speeds = {}
     if model.max_speed is not None:
-        degrees = ", ".join(f"{math.degrees(v):g}" for v in model.max_speed)
-        given_speeds = {"axis_speed": f"axis speeds {degrees} deg/s, as the station file says"}
+        given_speeds = {
+            "axis_speed": f"axis speeds {_degrees(model.max_speed)} deg/s, as the station file says"
+        }
     return {
         "acceleration": acceleration,
         **given_speeds,
@@ -114,9 +129,29 @@ def models(simulation: Simulation) -> dict[str, object]:
     }
 
 
-def _move(move: ExecutedMove) -> dict[str, object]:
+def _degrees(values: Sequence[float]) -> str:
+    return ", ".join(f"{math.degrees(value):g}" for value in values)
+
+
+def _robots(simulation: Simulation) -> dict[str, object]:
+    """Which task moves which robot and where it stands; nothing where there is one."""
+    if not simulation.other_robots:
+        return {}
+    robots = [
+        {
+            "task": one.task,
+            "robot": one.robot.name,
+            "position_mm": [_number(x * 1000.0) for x in one.world_from_base.translation],
+            "quaternion": [_number(q) for q in one.world_from_base.quaternion],
+        }
+        for one in simulation.robots
+    ]
+    return {"robots": robots}
+
+
+def _move(move: ExecutedMove, axes: Sequence[ExternalAxis], offset: int) -> dict[str, object]:
     return {
-        "index": move.index,
+        "index": offset + move.index,
         "task": move.task,
         "instruction": move.move.instruction,
         **_place(move),
@@ -130,6 +165,7 @@ def _move(move: ExecutedMove) -> dict[str, object]:
         "end_s": _number(move.end_s),
         "length_mm": _number(move.length_m * 1000.0),
         "corner": move.corner.value,
+        "corner_reason": move.corner_reason,
         "target": {
             "position_mm": [_number(x * 1000.0) for x in move.base_from_tcp.translation],
             "quaternion": [_number(q) for q in move.base_from_tcp.quaternion],
@@ -137,7 +173,16 @@ def _move(move: ExecutedMove) -> dict[str, object]:
         },
         "joints_deg": [_number(q) for q in np.degrees(move.joints)],
         "conf": [int(value) for value in move.conf],
+        **_external(move, axes),
     }
+
+
+def _external(move: ExecutedMove, axes: Sequence[ExternalAxis]) -> dict[str, object]:
+    """The external axes at the end of a move, in mm and degrees; nothing where there are none."""
+    if not axes:
+        return {}
+    values = zip(axes, move.external, strict=True)
+    return {"external": {axis.component: _number(v * axis.scale) for axis, v in values}}
 
 
 def _line_time(line: LineTime) -> dict[str, object]:

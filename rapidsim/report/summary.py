@@ -22,10 +22,14 @@ from rapidsim.simulation.persistents import PersistentChange, parts_of
 from rapidsim.simulation.result import CornerKind, End, EventKind, ExecutedMove, Simulation
 
 _BAR_CELLS = 24
+_MOVE_CELLS = 22
+_ROUTINE_CELLS = 14
+_LINE_BAR_CELLS = 10
 _SHOWN_TEXTS = 8
 _SHOWN_PERSISTENTS = 8
 _LOW_MARGIN_DEG = 5.0
 _NEAR_SINGULAR = 0.05
+_FACTORS = {0.5: "half", 2.0: "twice"}
 
 _ENDS = {
     End.ENDED: ("ended as programmed", "green"),
@@ -78,8 +82,8 @@ def summary(
     parts.append(_facts(simulation, figures, robot_reason, bars))
     if figures.slowest:
         parts += [Text(), _slowest(figures.slowest, bars)]
-    if simulation.moves:
-        parts += [Text(), _models(simulation)]
+    if simulation.all_moves:
+        parts += [Text(), _models(simulation, figures)]
     if written or simulation.home_files:
         parts += [Text(), _files(simulation, written)]
     return Group(*parts)
@@ -104,6 +108,8 @@ def _facts(
     facts.add_column()
     reason = f" ({robot_reason})" if robot_reason else ""
     facts.add_row("robot", f"{simulation.robot.name}{reason}")
+    for robot in simulation.other_robots:
+        facts.add_row("", f"{robot.robot.name} of {robot.task}")
     facts.add_row("time", _time_split(simulation, bars))
     facts.add_row("moves", _moves(simulation, figures))
     if figures.moves_by_corner:
@@ -133,10 +139,12 @@ def _time_split(simulation: Simulation, bars: Bars) -> Text:
 
 
 def _moves(simulation: Simulation, figures: Figures) -> str:
-    if not simulation.moves:
+    moves = simulation.all_moves
+    if not moves:
         return "none"
     kinds = ", ".join(f"{count} {name}" for name, count in figures.moves_by_instruction)
-    return f"{len(simulation.moves)} ({kinds}), {simulation.path_m * 1000.0:.1f} mm travelled"
+    path_m = sum(robot.path_m for robot in simulation.robots)
+    return f"{len(moves)} ({kinds}), {path_m * 1000.0:.1f} mm travelled"
 
 
 def _corners(figures: Figures) -> Text:
@@ -170,7 +178,7 @@ def _happenings(simulation: Simulation) -> list[tuple[str, RenderableType]]:
     if interrupts := counts[EventKind.INTERRUPT]:
         rows.append(("interrupts", str(interrupts)))
     if signals := counts[EventKind.SIGNAL]:
-        rows.append(("signals", f"{signals} changes"))
+        rows.append(("signals", f"{signals} change{'s' if signals > 1 else ''}"))
     texts = [event for event in simulation.events if event.kind is EventKind.TEXT]
     if texts:
         shown = Text("\n").join(
@@ -214,11 +222,11 @@ def _change(change: PersistentChange) -> str:
 def _slowest(lines: Sequence[LineTime], bars: Bars) -> Table:
     table = Table(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
     table.add_column("slowest lines", no_wrap=True)
-    table.add_column("routine")
-    table.add_column("move")
-    table.add_column("times", justify="right")
+    table.add_column("routine", no_wrap=True, max_width=_ROUTINE_CELLS)
+    table.add_column("move", no_wrap=True, max_width=_MOVE_CELLS)
+    table.add_column("times", justify="right", no_wrap=True)
     table.add_column("time", justify="right", no_wrap=True)
-    table.add_column("")
+    table.add_column("", no_wrap=True, overflow="crop")
     longest = max(line.seconds for line in lines) or 1.0
     for line in lines:
         span = line.place.span
@@ -228,19 +236,24 @@ def _slowest(lines: Sequence[LineTime], bars: Bars) -> Table:
             f"{line.instruction} {printable(line.to)}",
             str(line.times),
             f"{line.seconds:.3f} s",
-            Text(bars.full * round(_BAR_CELLS * line.seconds / longest), "green"),
+            Text(bars.full * round(_LINE_BAR_CELLS * line.seconds / longest), "green"),
         )
     return table
 
 
-def _models(simulation: Simulation) -> Text:
+def _models(simulation: Simulation, figures: Figures) -> Text:
+    others = " and ".join(
+        f"{other.time_s:.3f} s with {_FACTORS[other.factor]} the acceleration"
+        for other in figures.otherwise
+    )
     behind = models(simulation)
     speeds = f"{behind['axis_speed']}; " if "axis_speed" in behind else ""
     left_out = "".join(f" Not modelled: {what}." for what in simulation.robot.not_modelled)
     return Text(
         f"Models behind it: {speeds}{behind['acceleration']}; corners {behind['corner']}; command "
         f"smoothed over {behind['filter_time_s']} s; {behind['fine_dwell_s']} s at a fine point; "
-        f"the program pointer {behind['program_pointer']}.{left_out}",
+        f"the program pointer {behind['program_pointer']}.{left_out}"
+        f"{f' The run takes {others}.' if others else ''}",
         "dim",
     )
 

@@ -40,6 +40,7 @@ from rapidsim.simulation.result import (
     EventKind,
     ExecutedLine,
     ExecutedMove,
+    RobotRun,
     Simulation,
 )
 from rapidsim.simulation.violations import RoutineNotSimulated
@@ -272,3 +273,20 @@ def without_description(simulation: Simulation) -> Simulation:
 def with_description(simulation: Simulation, urdf: Path) -> Simulation:
     """The same run of a robot drawn by another file."""
     return replace(simulation, robot=replace(simulation.robot, urdf=urdf))
+
+
+def two_robots(apart_m: float = 1.6) -> Simulation:
+    """The same run by two robots that stand face to face."""
+    first, second = cell(rounds=1), cell(rounds=1)
+    moves = tuple(replace(move, task="T_ROB2") for move in second.moves)
+    half_turn = np.diag([-1.0, -1.0, 1.0])
+    other = RobotRun(
+        task="T_ROB2",
+        robot=second.robot,
+        world_from_base=Transform(half_turn, np.array([apart_m, 0.3, 0.0])),
+        moves=moves,
+        lines=second.lines,
+        trajectory=second.trajectory,
+        path_m=second.path_m,
+    )
+    return replace(first, other_robots=(other,))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -12,7 +13,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from recording_cell import PEN, TEXT, cell, with_description, without_description
+from recording_cell import PEN, TEXT, cell, two_robots, with_description, without_description
 from rerun.chunk import RrdReader
 
 from rapidsim.diagnostics import Diagnostic
@@ -20,13 +21,18 @@ from rapidsim.files import InputError
 from rapidsim.frames.transform import Array, Transform, matrix_from_quaternion
 from rapidsim.language.data import Pos, Pose
 from rapidsim.motion import targets
+from rapidsim.motion.limits import limits_of
 from rapidsim.motion.robot import load_robot
 from rapidsim.motion.trajectory import Samples, Trajectory
+from rapidsim.motion.violations import PathNotReachable, UnreachableTarget
 from rapidsim.recording.write import record
+from rapidsim.simulation.failed_moves import FailedMove
 from rapidsim.simulation.result import End, Simulation
 from rapidsim.simulation.violations import UncaughtError
 
 SIMULATION = cell()
+UNLISTED = ("/robot/fixed", "/robot/base", f"/robot/{SIMULATION.robot.name}")
+"""Fixed frames of the description, and the root of its shapes."""
 
 
 @pytest.fixture(scope="module")
@@ -79,12 +85,45 @@ def test_everything_to_be_seen_is_there(recording: Path) -> None:
         "/log/findings",
         "/joints/angle",
         "/joints/range",
-        "/joints/range_limits",
+        "/joints/acceleration",
+        "/joints/limits",
+        "/joints/speed",
+        "/path/speed",
         "/tcp/speed",
         "/tcp/programmed_speed",
         "/moves",
         "/signals/doPump",
     } <= entities
+
+
+def documented() -> list[re.Pattern[str]]:
+    """The entities that `docs/recording.md` lists, `*` and `<name>` for any name."""
+    page = (Path(__file__).parents[2] / "docs" / "recording.md").read_text()
+    columns = [row.split("|")[1] for row in page.splitlines() if row.startswith("| `/")]
+    patterns = []
+    for column in columns:
+        first = ""
+        for name in re.findall(r"`([^`]+)`", column):
+            # A name without a slash stands beside the one before it.
+            folder = first.rsplit("/", 1)[0]
+            path = name if name.startswith("/") else f"{folder}/{name}"
+            # `names/near` beside `/targets/points`; `names/far` is not below `names/near`.
+            first = first or path
+            patterns.append(path)
+    return [
+        re.compile(re.sub(r"\\\*|<name>", r"[^/]+", re.escape(path)) + r"(/[^/]+)?")
+        for path in patterns
+    ]
+
+
+def test_every_entity_is_documented(recording: Path, tmp_path: Path) -> None:
+    patterns = documented()
+    failing = record(failed_run(), tmp_path / "failed.rrd")
+    for path in (recording, failing):
+        for entity in {chunk.entity_path for chunk in RrdReader(path).stream()}:
+            # What the viewer itself adds, and fixed frames of the description.
+            if not entity.startswith(("/__", *UNLISTED)) and entity != "/":
+                assert any(pattern.fullmatch(entity) for pattern in patterns), entity
 
 
 def test_the_layout_is_embedded(recording: Path) -> None:
@@ -178,6 +217,17 @@ def test_signals_are_lanes(recording: Path) -> None:
     assert states == ["off", "on", "off"]
 
 
+def test_a_signal_has_its_value_from_the_start_and_a_lane_if_it_never_changes(
+    tmp_path: Path,
+) -> None:
+    starts = {"diReady": 1.0, "aoFlow": 2.5}
+    path = record(replace(SIMULATION, signal_starts=starts), tmp_path / "signals.rrd")
+    assert texts(path, "/signals/diReady", "StateChange:state") == ["on"]
+    assert texts(path, "/signals/aoFlow", "StateChange:state") == ["2.5"]
+    first = next(time for time, _ in rows(path, "/signals/diReady") if time is not None)
+    assert first == 0.0
+
+
 def test_two_recordings_of_a_run_are_equal(recording: Path, tmp_path: Path) -> None:
     again = record(cell(), tmp_path / "again.rrd")
     assert compare(recording, again) == 0
@@ -256,6 +306,114 @@ def test_an_error_is_marked_where_the_robot_stopped(tmp_path: Path) -> None:
     assert texts(path, "/stopped/name", "Points3D:labels") == ["stopped: R101 uncaught-error"]
 
 
+def failed_run() -> Simulation:
+    """A target that cannot be reached and a way that fails half-way."""
+    moves = SIMULATION.moves
+    far, way = moves[1], moves[2]
+    start, end = far.base_from_tcp.translation, way.base_from_tcp.translation
+    return replace(
+        SIMULATION,
+        failed_moves=(
+            FailedMove(
+                far.place,
+                UnreachableTarget("p1", "ABB IRB 1600", "wrist centre 47.2 mm beyond reach"),
+                far.base_from_tcp,
+                start[None],
+                start,
+            ),
+            FailedMove(
+                way.place,
+                PathNotReachable("p2", 50.0, 120.0, "axis 3 goes 8.0 deg past its limit"),
+                way.base_from_tcp,
+                np.stack([start, end]),
+                0.5 * (start + end),
+            ),
+        ),
+    )
+
+
+def test_what_the_arm_cannot_do_is_red_where_it_is_and_says_why(tmp_path: Path) -> None:
+    run = failed_run()
+    path = record(run, tmp_path / "failed.rrd")
+    ((_, targets),) = rows(path, "/failed/targets")
+    expected = [failed.base_from_tcp.translation for failed in run.failed_moves]
+    assert np.allclose(targets["Points3D:positions"], expected, atol=1e-6)
+    assert targets["Points3D:colors"] == [0xFF4040FF]
+    ((_, ways),) = rows(path, "/failed/ways")
+    assert len(ways["LineStrips3D:strips"]) == 1
+    ((_, crosses),) = rows(path, "/failed/places")
+    middle = np.mean(np.concatenate(crosses["LineStrips3D:strips"]), axis=0)
+    assert np.allclose(middle, run.failed_moves[1].fails_at, atol=1e-6)
+    ((_, reasons),) = rows(path, "/failed/reasons")
+    words = [" ".join(text.split()) for text in reasons["Points3D:labels"]]
+    assert words[0].startswith("K601 line 11: p1 cannot be reached by ABB IRB 1600")
+    assert "fails at 50 % (120.0 mm): axis 3 goes 8.0 deg past its limit" in words[1]
+
+
+def test_the_path_is_there_in_the_colours_of_speed(recording: Path) -> None:
+    ((_, row),) = rows(recording, "/path/speed")
+    strips, colours = row["LineStrips3D:strips"], row["LineStrips3D:colors"]
+    assert len(strips) == len(colours)
+    assert len(set(colours)) > 3
+    # All of the way, and nothing but the way.
+    length = sum(np.linalg.norm(np.diff(strip, axis=0), axis=1).sum() for strip in strips)
+    times = np.array([time for time, _ in rows(recording, "/joints/angle") if time is not None])
+    way = SIMULATION.trajectory.at(times).base_from_tcp.translation
+    assert length == pytest.approx(np.linalg.norm(np.diff(way, axis=0), axis=1).sum(), rel=1e-4)
+
+
+def test_joint_speeds_and_accelerations_are_those_of_the_angles(recording: Path) -> None:
+    limits = limits_of(SIMULATION.robot, SIMULATION.model)
+    curves = {
+        entity: (
+            np.array([time for time, _ in rows(recording, entity) if time is not None]),
+            np.array([r["Scalars:scalars"] for time, r in rows(recording, entity) if time]),
+        )
+        for entity in ("/joints/angle", "/joints/speed", "/joints/acceleration")
+    }
+    times, angles = curves["/joints/angle"][0][1:], curves["/joints/angle"][1]
+    speeds = curves["/joints/speed"][1] * np.degrees(limits.max_speed) / 100.0
+    # The trapezoids under the speed are the way; they are off by the curvature in 12 ms.
+    way = np.sum(0.5 * (speeds[1:] + speeds[:-1]) * np.diff(times)[:, None], axis=0)
+    assert np.allclose(way, angles[-1] - angles[0], atol=0.2)
+    assert np.abs(curves["/joints/acceleration"][1]).max() > 1.0
+
+
+def test_a_longer_step_makes_fewer_rows_and_says_so(tmp_path: Path) -> None:
+    path = record(SIMULATION, tmp_path / "coarse.rrd", dt=0.1)
+    times = [time for time, _ in rows(path, "/joints/angle") if time is not None]
+    assert len(times) < SIMULATION.time_s / 0.1 + 2 * len(SIMULATION.moves) + 5
+    assert "every 100 ms" in texts(path, "/log/recording", "TextLog:text")[0]
+    with pytest.raises(InputError, match="greater than 0"):
+        record(SIMULATION, tmp_path / "none.rrd", dt=0.0)
+
+
+def test_an_arm_that_stands_still_adds_no_rows(tmp_path: Path, recording: Path) -> None:
+    longer = replace(SIMULATION, time_s=SIMULATION.time_s + 30.0)
+    path = record(longer, tmp_path / "longer.rrd")
+    before, after = (sum(1 for _ in rows(one, "/joints/angle")) for one in (recording, path))
+    assert after <= before + 4
+
+
+def test_two_robots_have_entities_and_frames_of_their_own(tmp_path: Path) -> None:
+    run = two_robots()
+    path = record(run, tmp_path / "two.rrd")
+    entities = set(RrdReader(path).store().schema().entity_paths())
+    for task in ("T_ROB1", "T_ROB2"):
+        assert {f"/{task}/robot/joints/joint_1", f"/{task}/joints/angle", f"/{task}/moves"} <= (
+            entities
+        )
+    # Each arm's own frames; the same base frame twice would be an error in the viewer.
+    frames = [
+        row["Transform3D:child_frame"][0]
+        for entity in ("/T_ROB1/base", "/T_ROB2/base")
+        for _, row in rows(path, entity)
+    ]
+    assert frames == ["T_ROB1/base", "T_ROB2/base"]
+    ((_, base),) = rows(path, "/T_ROB2/base")
+    assert np.allclose(base["Transform3D:translation"][0], [1.6, 0.3, 0.0], atol=1e-6)
+
+
 def test_a_run_without_moves_is_recorded(tmp_path: Path) -> None:
     idle = replace(SIMULATION, moves=(), lines=(), events=(), diagnostics=())
     path = record(idle, tmp_path / "idle.rrd")
@@ -330,7 +488,7 @@ def test_an_interrupted_recording_keeps_the_older_one(
     def interrupt(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("rapidsim.recording.write.log_lanes", interrupt)
+    monkeypatch.setattr("rapidsim.recording.write.log_moves", interrupt)
     with pytest.raises(KeyboardInterrupt):
         record(SIMULATION, path)
     assert [file.name for file in tmp_path.iterdir()] == ["frame.rrd"]

@@ -11,11 +11,11 @@ from types import ModuleType
 
 import numpy as np
 import pytest
-from recording_cell import cell
+from recording_cell import cell, two_robots
 
 from rapidsim.recording.write import record
 
-TIMES_S = (2.5, 6.504)
+TIMES_S = tuple(np.random.default_rng(8).uniform(0.3, 9.0, 5).round(3).tolist())
 
 
 def load_script() -> ModuleType:
@@ -57,3 +57,18 @@ def test_the_viewer_shows_it_without_complaint(
         for number in range(6):
             link = frames[f"{robot.name}/link_{number + 1}"]
             assert np.abs(link - base_from_link.matrix[k, number]).max() < 1e-6
+
+
+def test_two_robots_stand_where_they_stand(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    screenshot = load_script()
+    monkeypatch.setenv("PATH", str(Path(sys.executable).parent), prepend=os.pathsep)
+    missing = screenshot.vulkan_missing()
+    if missing or shutil.which("rerun") is None:
+        pytest.skip(missing or "the `rerun` command is not on PATH")
+    run = two_robots()
+    path = record(run, tmp_path / "two.rrd")
+    (shot,) = screenshot.shoot(path, [run.time_s], width=800, wait_s=1.0)
+    assert shot.complaints == ()
+    for robot in run.robots:
+        tcp = robot.world_from_base @ robot.trajectory.at(np.array([run.time_s])).base_from_tcp
+        assert np.abs(shot.world_from_frame[f"{robot.task}/tcp"] - tcp.matrix[0]).max() < 1e-6

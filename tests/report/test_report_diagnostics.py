@@ -19,7 +19,7 @@ from rapidsim.diagnostics import (
     Violation,
 )
 from rapidsim.report.diagnostics import concise, diagnostic_json, full, summary_line
-from rapidsim.report.merging import merged, selected
+from rapidsim.report.merging import is_selected, merged
 from rapidsim.report.palette import COLOURED, PLAIN
 from rapidsim.report.source_frame import printable, shown_line
 
@@ -175,11 +175,15 @@ def test_repeats_become_one_finding() -> None:
 
 
 def test_rules_are_selected_by_code_family_and_name() -> None:
-    both = (Diagnostic(Wrong("a"), None), Diagnostic(Odd("b"), None))
-    assert selected(both, ["X9"], []) == both[:1]
-    assert selected(both, ["odd-thing", "x901"], []) == both
-    assert selected(both, [], ["X"]) == ()
-    assert selected(both, ["X"], ["odd-thing"]) == both[:1]
+    def chosen(*selectors: list[str]) -> list[type[Violation]]:
+        return [rule for rule in (Wrong, Odd) if is_selected(rule, *selectors)]
+
+    assert chosen(["X9"]) == [Wrong]
+    assert chosen(["odd-thing", "x901"]) == [Wrong, Odd]
+    assert chosen([], ["X"]) == []
+    assert chosen(["X"], ["odd-thing"]) == [Wrong]
+    assert chosen(["X"], [], ["odd-thing"]) == [Wrong, Odd]
+    assert chosen() == [Wrong, Odd]
 
 
 def test_json_holds_what_the_text_does() -> None:

@@ -150,6 +150,7 @@ def test_json_is_the_contract() -> None:
         "end_s": 2.0,
         "length_mm": 200.0,
         "corner": "stop(corner path failure)",
+        "corner_reason": "",
         "conf": [0, 0, 1, 0],
     }
     assert joints == pytest.approx([20.0, 10.0, -5.0, 0.0, 30.0, 197.0])

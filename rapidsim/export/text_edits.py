@@ -1,0 +1,87 @@
+"""Change stretches of text in the program's files and leave every other byte as it is.
+
+Encoding, byte order mark and line ends stay. All files are looked at before the first is written,
+and each is replaced whole.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+from rapidsim.files import STANDARD_INPUT, InputError, SourceFile, decode
+from rapidsim.output_files import whole_file
+
+TextEdit = tuple[int, int, str]
+"""Start and end, in characters, of what is replaced, and by what."""
+
+
+def write_edits(
+    edits: Mapping[str, Iterable[TextEdit]], files: Iterable[SourceFile], *, what: str
+) -> tuple[Path, ...]:
+    """Edit files.
+
+    Args:
+        edits: What to replace, by the name of the file; stretches do not overlap.
+        files: The program as it was read.
+        what: What is written, as a plural for messages: "fixes".
+
+    Returns:
+        The files written.
+
+    Raises:
+        InputError: If a file is standard input, has changed since it was read, or cannot be
+            written.
+    """
+    written = [
+        (Path(file.name), edited_bytes(file, edits[file.name], what=what))
+        for file in files
+        if file.name in edits
+    ]
+    for path, data in written:
+        target = path.resolve()
+        with whole_file(target) as temporary:
+            temporary.write_bytes(data)
+            shutil.copymode(target, temporary)
+    return tuple(path for path, _ in written)
+
+
+def edited_bytes(file: SourceFile, edits: Iterable[TextEdit], *, what: str) -> bytes:
+    """The bytes of a file with new text in them.
+
+    Raises:
+        InputError: See `write_edits`.
+    """
+    if file.name == STANDARD_INPUT:
+        raise InputError(f"{what} cannot be written to standard input")
+    try:
+        data = Path(file.name).read_bytes()
+    except OSError as error:
+        raise InputError(f"{file.name} cannot be read again: {error.strerror or error}") from error
+    if decode(data) != (file.text, file.encoding):
+        raise InputError(f"{file.name} has changed since it was read; {what} were not written")
+    if not os.access(file.name, os.W_OK):
+        raise InputError(f"{file.name} cannot be written: it is read-only")
+    body = file.text.encode(file.encoding, errors="replace")
+    mark, was = data[: len(data) - len(body)], data[len(data) - len(body) :]
+    if was != body:
+        raise InputError(f"{file.name} holds bytes that are no text; it was not written")
+    text = edited_text(file.text, edits)
+    try:
+        return mark + text.encode(file.encoding)
+    except UnicodeEncodeError as error:
+        raise InputError(
+            f"{file.name} is {file.encoding}, which has no character {text[error.start]!r}"
+        ) from error
+
+
+def edited_text(text: str, edits: Iterable[TextEdit]) -> str:
+    """A text with stretches replaced."""
+    pieces: list[str] = []
+    end_before = 0
+    for start, end, new in sorted(edits):
+        pieces += (text[end_before:start], new)
+        end_before = end
+    return "".join((*pieces, text[end_before:]))

@@ -1,0 +1,1 @@
+"""A run as pictures for papers and slides; the only room that imports matplotlib."""

@@ -1,0 +1,153 @@
+"""One look for all pictures, light and dark: colours by meaning, small type, quiet rules."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Any
+
+import matplotlib
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
+
+from rapidsim.language.controller import Interpolation
+
+DPI = 144
+
+
+@dataclass(frozen=True, slots=True)
+class Theme:
+    """Colours of one look."""
+
+    name: str
+    page: str
+    ink: str
+    soft: str
+    rule: str
+    programmed: str
+    tcp: str
+    limit: str
+    corner: str
+    failed: str
+    bar: str
+    moves: Mapping[Interpolation, str]
+    joints: tuple[str, ...]
+
+
+_LIGHT_MOVES = {
+    Interpolation.JOINT: "#2f6fe0",
+    Interpolation.AXES: "#6a5be8",
+    Interpolation.EXTERNAL_AXES: "#6a5be8",
+    Interpolation.LINE: "#14954f",
+    Interpolation.CIRCLE: "#b53bb8",
+}
+_DARK_MOVES = {
+    Interpolation.JOINT: "#5b96ff",
+    Interpolation.AXES: "#9184ff",
+    Interpolation.EXTERNAL_AXES: "#9184ff",
+    Interpolation.LINE: "#3fd07c",
+    Interpolation.CIRCLE: "#e26be4",
+}
+
+LIGHT = Theme(
+    name="light",
+    page="#ffffff",
+    ink="#1b2330",
+    soft="#5c6675",
+    rule="#dde1e7",
+    programmed="#8a93a1",
+    tcp="#d97800",
+    limit="#c62828",
+    corner="#e08a00",
+    failed="#c62828",
+    bar="#0b62c4",
+    moves=MappingProxyType(_LIGHT_MOVES),
+    joints=(
+        "#d93b38", "#2f9a44", "#2f6fe0", "#c79000", "#9440b8", "#0f97ad", "#e0663c", "#77828c",
+    ),
+)  # fmt: skip
+DARK = Theme(
+    name="dark",
+    page="#161a20",
+    ink="#e6e9ee",
+    soft="#98a2b1",
+    rule="#2e3540",
+    programmed="#7d8796",
+    tcp="#ffa12e",
+    limit="#ff6b62",
+    corner="#ffc107",
+    failed="#ff6b62",
+    bar="#6db1ff",
+    moves=MappingProxyType(_DARK_MOVES),
+    joints=(
+        "#ef5350", "#66bb6a", "#4f93ff", "#ffca28", "#c17bd3", "#26c6da", "#ff8a65", "#b0bec5",
+    ),
+)  # fmt: skip
+
+INSTRUCTIONS: Mapping[Interpolation, str] = MappingProxyType(
+    {
+        Interpolation.JOINT: "MoveJ",
+        Interpolation.AXES: "MoveAbsJ",
+        Interpolation.EXTERNAL_AXES: "MoveExtJ",
+        Interpolation.LINE: "MoveL",
+        Interpolation.CIRCLE: "MoveC",
+    }
+)
+
+
+@contextmanager
+def dressed(theme: Theme) -> Iterator[None]:
+    """Let figures made in the block have a look; nothing outside it changes."""
+    settings: dict[Any, Any] = {
+        "font.family": "DejaVu Sans",
+        "font.size": 9.0,
+        "figure.facecolor": theme.page,
+        "savefig.facecolor": theme.page,
+        "axes.facecolor": theme.page,
+        "axes.edgecolor": theme.rule,
+        "axes.labelcolor": theme.soft,
+        "axes.labelsize": 8.5,
+        "axes.titlesize": 9.5,
+        "axes.titlelocation": "left",
+        "axes.titlecolor": theme.ink,
+        "axes.grid": True,
+        "axes.axisbelow": True,
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "grid.color": theme.rule,
+        "grid.linewidth": 0.6,
+        "text.color": theme.ink,
+        "xtick.color": theme.rule,
+        "ytick.color": theme.rule,
+        "xtick.labelcolor": theme.soft,
+        "ytick.labelcolor": theme.soft,
+        "xtick.labelsize": 8.0,
+        "ytick.labelsize": 8.0,
+        "legend.fontsize": 8.0,
+        "legend.frameon": False,
+        "legend.labelcolor": theme.soft,
+        "lines.linewidth": 1.4,
+        "lines.solid_capstyle": "round",
+        "path.simplify": True,
+    }
+    with matplotlib.rc_context(settings):
+        yield
+
+
+def new_figure(title: str, *, width: float, height: float) -> Figure:
+    """A figure of a size [inch] with its title; nothing of pyplot, so that no state is left."""
+    layout = ConstrainedLayoutEngine(w_pad=0.12, h_pad=0.12, wspace=0.04, hspace=0.06)
+    figure = Figure(figsize=(width, height), dpi=DPI, layout=layout)
+    FigureCanvasAgg(figure)
+    figure.suptitle(title, x=0.012, ha="left", fontsize=12.0, fontweight="bold")
+    return figure
+
+
+def time_axis(axes: Axes, end_s: float) -> None:
+    """The time axis from 0 to the end [s] of the run."""
+    axes.set_xlabel("time [s]")
+    axes.set_xlim(0.0, end_s)

@@ -1,0 +1,124 @@
+"""What changes over time: joints with their limits, TCP speed with corners, orientation."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from rapidsim.frames.transform import Array
+from rapidsim.plots.drawn import MM, Drawn
+from rapidsim.plots.look import Theme, new_figure, time_axis
+
+_COLUMNS = 2
+_CAPPED = 2.0
+"""A programmed speed beyond so many times the highest reached is left to run out of the picture."""
+
+
+def joints_picture(run: Drawn, theme: Theme) -> Figure:
+    """Each joint's angle between its limits, and its speed as a share of what it can."""
+    robot, samples = run.one.robot, run.samples
+    count = len(robot.joints)
+    rows = -(-count // _COLUMNS)
+    figure = new_figure(f"Joints: {run.title}", width=11.0, height=1.0 + 2.1 * rows)
+    for k, axes in enumerate(np.ravel(figure.subplots(rows, _COLUMNS, sharex=True))):
+        if k >= count:
+            axes.set_visible(False)
+            continue
+        angle = np.degrees(samples.joints[:, k])
+        lower, upper = np.degrees(robot.lower[k]), np.degrees(robot.upper[k])
+        axes.plot(samples.times, angle, color=theme.joints[k % len(theme.joints)])
+        for limit in (lower, upper):
+            axes.axhline(limit, color=theme.limit, linestyle="--", linewidth=0.9)
+        margin = min(float((angle - lower).min()), float((upper - angle).min()))
+        share = np.abs(run.joint_speed[:, k]).max() / run.limits.max_speed[k]
+        axes.set_title(
+            f"joint {k + 1}: {margin:.1f}° from a limit, up to {100.0 * share:.0f} % of its speed"
+        )
+        air = 0.08 * (upper - lower)
+        axes.set_ylim(min(lower, angle.min()) - air, max(upper, angle.max()) + air)
+        axes.set_ylabel("angle [°]")
+        if k >= count - _COLUMNS:
+            time_axis(axes, run.end_s)
+    return figure
+
+
+def speed_picture(run: Drawn, theme: Theme) -> Figure:
+    """The TCP's speed against the programmed one; corners shaded."""
+    figure = new_figure(f"TCP speed: {run.title}", width=11.0, height=4.2)
+    axes = figure.subplots()
+    times, speed = run.samples.times, MM * run.samples.tcp_speed
+    _shade_corners(axes, run, theme)
+    step_times, steps = _programmed(run)
+    axes.step(step_times, steps, where="post", color=theme.programmed, label="programmed")
+    axes.plot(times, speed, color=theme.tcp, linewidth=1.7, label="TCP")
+    top = max(float(speed.max()), 1.0)
+    axes.set_ylim(0.0, 1.08 * max(top, min(float(steps.max(initial=0.0)), _CAPPED * top)))
+    axes.set_ylabel("speed [mm/s]")
+    time_axis(axes, run.end_s)
+    figure.legend(loc="upper right", ncols=3)
+    return figure
+
+
+def orientation_picture(run: Drawn, theme: Theme) -> Figure:
+    """The orientation of the TCP as a quaternion, and how far each move has turned it."""
+    figure = new_figure(f"Orientation of the TCP: {run.title}", width=11.0, height=6.4)
+    upper, lower = figure.subplots(2, 1, sharex=True)
+    times = run.samples.times
+    quaternions = _unbroken(run.samples.base_from_tcp.quaternion)
+    for k in range(4):
+        upper.plot(times, quaternions[:, k], color=theme.joints[k], label=f"q{k + 1}")
+    upper.set_title("quaternion, base frame, scalar first")
+    upper.set_ylim(-1.08, 1.08)
+    figure.legend(loc="upper right", ncols=4)
+    _shade_corners(lower, run, theme)
+    lower.plot(times, _turned_deg(run, quaternions), color=theme.tcp)
+    lower.set_title("turned since the start of the move; on lines evenly with the way (SLERP)")
+    lower.set_ylabel("angle [°]")
+    lower.set_ylim(bottom=0.0)
+    time_axis(lower, run.end_s)
+    return figure
+
+
+def _shade_corners(axes: Axes, run: Drawn, theme: Theme) -> None:
+    """Bands over the whole height, as one patch: a long path has thousands of corners."""
+    if run.in_corner.any():
+        axes.fill_between(
+            run.samples.times,
+            0.0,
+            1.0,
+            where=run.in_corner,
+            transform=axes.get_xaxis_transform(),
+            color=theme.corner,
+            alpha=0.18,
+            linewidth=0,
+            label="corner",
+        )
+
+
+def _programmed(run: Drawn) -> tuple[Array, Array]:
+    """Instants [s] and the speed [mm/s] programmed from there on; 0 where nothing moves."""
+    steps: dict[float, float] = {0.0: 0.0}
+    for move in run.one.moves:
+        steps[move.end_s] = 0.0
+        steps[move.start_s] = move.move.speed.v_tcp
+    steps.setdefault(run.end_s, 0.0)
+    times = sorted(steps)
+    return np.array(times), np.array([steps[time] for time in times])
+
+
+def _unbroken(quaternions: Array) -> Array:
+    """The same orientations (k, 4) without jumps of sign: q and -q are one orientation."""
+    flips = np.sum(quaternions[1:] * quaternions[:-1], axis=1) < 0.0
+    signs = np.concatenate([[1.0], np.where(np.cumsum(flips) % 2 == 1, -1.0, 1.0)])
+    same: Array = quaternions * signs[:, None]
+    return same
+
+
+def _turned_deg(run: Drawn, quaternions: Array) -> Array:
+    """Angle [deg] (k,) from the orientation at the start of the move under way."""
+    changes = np.flatnonzero(np.diff(run.samples.move, prepend=-1) != 0)
+    first = changes[np.searchsorted(changes, np.arange(len(quaternions)), side="right") - 1]
+    product = np.abs(np.sum(quaternions * quaternions[first], axis=1))
+    angle: Array = np.degrees(2.0 * np.arccos(np.clip(product, 0.0, 1.0)))
+    return angle

@@ -1,0 +1,84 @@
+"""Write the pictures of a run into a folder, each light and dark.
+
+`path.png`, `joints.png`, `speed.png`, `orientation.png`, `lines.png`, `movej-movel.png` and
+`frames.png`, with `-dark` before the suffix for the dark ones, and the task before the name for all
+robots but the first. The same run gives the same files.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from types import MappingProxyType
+
+from matplotlib.figure import Figure
+
+from rapidsim.files import InputError
+from rapidsim.output_files import unwritten, whole_file
+from rapidsim.plots.comparison_picture import comparison_picture
+from rapidsim.plots.drawn import Drawn, drawn
+from rapidsim.plots.frames_picture import frames_picture
+from rapidsim.plots.lines_picture import lines_picture
+from rapidsim.plots.look import DARK, LIGHT, Theme, dressed
+from rapidsim.plots.path_picture import path_picture
+from rapidsim.plots.time_pictures import joints_picture, orientation_picture, speed_picture
+from rapidsim.simulation.result import Simulation
+
+PICTURES: Mapping[str, Callable[[Drawn, Theme], Figure | None]] = MappingProxyType(
+    {
+        "path": path_picture,
+        "joints": joints_picture,
+        "speed": speed_picture,
+        "orientation": orientation_picture,
+        "lines": lines_picture,
+        "movej-movel": comparison_picture,
+        "frames": frames_picture,
+    }
+)
+"""By the name of the file; one that has nothing to show gives no figure."""
+
+
+def write_plots(simulation: Simulation, folder: str | Path) -> tuple[Path, ...]:
+    """Write the pictures.
+
+    Args:
+        simulation: The run.
+        folder: Where to write; it comes to be if only its parent is there.
+
+    Returns:
+        The files written; none for a run without moves.
+
+    Raises:
+        InputError: When nothing can be written there.
+    """
+    folder = Path(folder)
+    if not any(one.moves for one in simulation.robots):
+        raise InputError("nothing moved: there is no path to draw pictures of")
+    try:
+        folder.mkdir(exist_ok=True)
+    except OSError as error:
+        raise unwritten(folder, error.strerror or str(error)) from error
+    written: list[Path] = []
+    for number, one in enumerate(simulation.robots):
+        if one.moves:
+            # The first robot's pictures have the same names whether it works alone or not.
+            before = f"{one.task}-" if number else ""
+            written += _write_pictures(drawn(simulation, one), folder, before)
+    return tuple(written)
+
+
+def _write_pictures(run: Drawn, folder: Path, before: str) -> list[Path]:
+    written = []
+    for theme in (LIGHT, DARK):
+        for name, picture in PICTURES.items():
+            ending = "" if theme is LIGHT else f"-{theme.name}"
+            path = folder / f"{before}{name}{ending}.png"
+            with dressed(theme):
+                figure = picture(run, theme)
+                if figure is None:
+                    continue
+                with whole_file(path) as temporary:
+                    # No name and version of the program that drew it: the same run, the same file.
+                    figure.savefig(temporary, format="png", metadata={"Software": None})
+            written.append(path)
+    return written

@@ -1,0 +1,78 @@
+"""Open a recording to log into: a file that appears whole, or not at all with a plain message."""
+
+from __future__ import annotations
+
+import uuid
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import rerun as rr
+import rerun.blueprint as rrb
+from rerun.chunk import RrdReader
+
+from rapidsim.output_files import unwritten, whole_file
+
+APPLICATION = "rapidsim"
+_WRITER_STOPPED = "File-writer thread"
+
+
+@contextmanager
+def recording_file(
+    path: Path, recording_id: uuid.UUID, layout: rrb.Blueprint
+) -> Iterator[rr.RecordingStream]:
+    """Lend a stream that ends up in a file.
+
+    Args:
+        path: Where to write; the file appears only when the block has ended well.
+        recording_id: Equal recordings are one to the viewer.
+        layout: How the viewer opens it.
+
+    Raises:
+        InputError: When nothing can be written there.
+    """
+    with whole_file(path) as temporary, _strictly():
+        with (
+            _said_by_rerun(path),
+            rr.RecordingStream(
+                APPLICATION, recording_id=recording_id, send_properties=False
+            ) as stream,
+        ):
+            stream.save(temporary, default_blueprint=layout)
+            stream.set_log_time_enabled(False)
+            stream.set_log_tick_enabled(False)
+            yield stream
+        _require_complete(temporary, path)
+
+
+@contextmanager
+def _said_by_rerun(path: Path) -> Iterator[None]:
+    """Turn what rerun's writer raises into our own words; on stderr it has said its own."""
+    try:
+        yield
+    except RuntimeError as error:
+        if _WRITER_STOPPED not in str(error):
+            raise
+        raise unwritten(path, "the disk is full, or the file too large for it") from error
+
+
+def _require_complete(temporary: Path, path: Path) -> None:
+    """Refuse a file whose end is missing: rerun writes in the background and may fail unseen."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            RrdReader(str(temporary)).store()
+    except (RuntimeError, ValueError) as error:
+        raise unwritten(path, "the end of the recording could not be written") from error
+
+
+@contextmanager
+def _strictly() -> Iterator[None]:
+    """Let rerun raise where it would warn and drop data."""
+    before = rr.strict_mode()
+    rr.set_strict_mode(True)
+    try:
+        yield
+    finally:
+        rr.set_strict_mode(before)

@@ -1,0 +1,62 @@
+"""Small pieces of HTML; whatever comes from a program is escaped here."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from html import escape
+
+from rapidsim.report.source_frame import printable
+
+
+def text(words: object) -> str:
+    """Text that a program may have written: no markup, nothing that steers a terminal or page."""
+    return escape(printable(str(words)))
+
+
+def tile(label: str, value: str, remark: str = "") -> str:
+    """A figure with its name; `remark` stands small below it."""
+    below = f'<span class="remark">{text(remark)}</span>' if remark else ""
+    name = f'<span class="label">{text(label)}</span>'
+    return f'<div class="tile">{name}<b>{text(value)}</b>{below}</div>'
+
+
+def table(heads: Sequence[str], rows: Iterable[Sequence[str]], *, kind: str) -> str:
+    """A table of cells that are HTML already.
+
+    Args:
+        heads: Column heads; one that starts with `>` is a column of numbers.
+        rows: Cells.
+        kind: Its class, for the style.
+    """
+    numeric = [head.startswith(">") for head in heads]
+    head = "".join(
+        f'<th class="number">{text(name[1:])}</th>' if number else f"<th>{text(name)}</th>"
+        for name, number in zip(heads, numeric, strict=True)
+    )
+    body = "".join(
+        "<tr>"
+        + "".join(
+            f'<td class="number">{cell}</td>' if number else f"<td>{cell}</td>"
+            for cell, number in zip(row, numeric, strict=True)
+        )
+        + "</tr>\n"
+        for row in rows
+    )
+    return (
+        f'<div class="wide"><table class="{kind}"><thead><tr>{head}</tr></thead>'
+        f"<tbody>\n{body}</tbody></table></div>"
+    )
+
+
+def bar(share: float) -> str:
+    """A bar for a share, 0 to 1, of the longest."""
+    percent = f"{100.0 * min(max(share, 0.0), 1.0):.2f}"
+    return f'<span class="bar"><i style="width:{percent}%"></i></span>'
+
+
+def section(name: str, title: str, body: str, remark: str = "") -> str:
+    """A part of the page that the contents link to; empty where there is nothing to show."""
+    if not body:
+        return ""
+    small = f"<small>{text(remark)}</small>" if remark else ""
+    return f'<section id="{name}"><h2>{text(title)}{small}</h2>\n{body}\n</section>\n'

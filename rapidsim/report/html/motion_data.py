@@ -1,0 +1,186 @@
+"""What the pictures of a report are drawn from: path, poses, curves over time, moves, signals.
+
+Lengths are mm and angles degrees in the base frame of the robot, thinned out so that a page stays
+small however long the run was.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.language.controller import Interpolation
+from rapidsim.motion.limits import limits_of
+from rapidsim.motion.trajectory import Samples
+from rapidsim.report.figures import end_point
+from rapidsim.report.html.packing import packed, packed_columns
+from rapidsim.simulation.base_motion import is_shown_in_world, shown_end, shown_from_base
+from rapidsim.simulation.failed_moves import FailedMove
+from rapidsim.simulation.result import Event, EventKind, ExecutedMove, RobotRun, Simulation
+from rapidsim.simulation.sampling import evaluate, in_corner, motion_samples, rates_between
+from rapidsim.simulation.signal_history import signal_changes
+
+MOST_SAMPLES = 12_000
+MOST_MOVES = 12_000
+"""With more moves than this they have no samples of their own, and no lane."""
+MOST_NAMES = 60
+MOST_POSES = 500
+MOST_MARKS = 500
+_DEFAULT_DT = 0.012
+_MM = 1000.0
+_NAME_LETTERS = 24
+_KINDS = {
+    Interpolation.JOINT: "joint",
+    Interpolation.AXES: "axes",
+    Interpolation.EXTERNAL_AXES: "axes",
+    Interpolation.LINE: "line",
+    Interpolation.CIRCLE: "circle",
+}
+_NUMBERED = ("joint", "axes", "line", "circle", "corner")
+"""The kinds in the order that the page numbers them in."""
+
+
+def motion_data(simulation: Simulation) -> dict[str, object]:
+    """The data of the pictures as JSON values."""
+    robots = simulation.robots
+    end_s = max(simulation.time_s, *(robot.trajectory.duration for robot in robots))
+    step_s = max(_DEFAULT_DT, len(robots) * end_s / MOST_SAMPLES)
+    return {
+        "end": round(end_s, 6),
+        "step_ms": round(1000.0 * step_s),
+        "frame": "world" if is_shown_in_world(simulation) else "base",
+        "robots": [_robot(simulation, robot, end_s, step_s) for robot in robots],
+        "signals": _signals(simulation),
+        "marks": _marks(simulation.events),
+    }
+
+
+def _robot(simulation: Simulation, one: RobotRun, end_s: float, step_s: float) -> dict[str, object]:
+    robot = one.robot
+    many = len(one.moves) > MOST_MOVES
+    samples = motion_samples(one.trajectory, () if many else one.moves, end_s, step_s)
+    in_world = is_shown_in_world(simulation)
+    shown = shown_from_base(one, samples.external, in_world=in_world)
+    limits = limits_of(robot, simulation.model)
+    # Behind the joints stand external axes, which have no picture here.
+    n = len(robot.joints)
+    speed, acceleration = rates_between(samples)
+    middle, half = 0.5 * (robot.upper + robot.lower), 0.5 * (robot.upper - robot.lower)
+    tcp = shown.apply(samples.base_from_tcp.translation)
+    return {
+        "task": one.task,
+        "title": robot.title,
+        "t": packed(samples.times, 4),
+        "tcp": packed_columns(_MM * tcp, 1),
+        "kind": packed(_kinds(samples, one.moves), 0),
+        "speed": packed(_MM * samples.tcp_speed, 1),
+        "joints": packed_columns(np.degrees(samples.joints), 2),
+        "range": packed_columns(100.0 * (samples.joints - middle) / half, 1),
+        "joint_speed": packed_columns(100.0 * speed / limits.max_speed[:n], 1),
+        "joint_acceleration": packed_columns(100.0 * acceleration / limits.max_acceleration[:n], 1),
+        "poses": _poses(one, end_s, in_world),
+        "moves": [] if many else [_move(move) for move in one.moves],
+        "move_count": len(one.moves),
+        "targets": _targets(one, in_world),
+        "failed": [_failed(move, shown[0]) for move in one.failed_moves],
+    }
+
+
+def _kinds(samples: Samples, moves: tuple[ExecutedMove, ...]) -> Array:
+    """How the TCP moves at each sample (k,): a place in `_NUMBERED`."""
+    if not moves:
+        return np.zeros(len(samples.times))
+    numbers = [_NUMBERED.index(_KINDS[move.move.interpolation]) for move in moves]
+    of_move = np.array(numbers, dtype=np.float64)
+    kinds = of_move[np.clip(samples.move, 0, len(moves) - 1)]
+    return np.where(in_corner(samples, moves), float(_NUMBERED.index("corner")), kinds)
+
+
+def _poses(one: RobotRun, end_s: float, in_world: bool) -> dict[str, object]:
+    """The arm as the row of its joints, base to TCP, at evenly spaced instants."""
+    times = np.linspace(0.0, end_s, MOST_POSES)
+    samples = evaluate(one.trajectory, times)
+    kinematics = one.robot.kinematics
+    links = kinematics.link_frames(samples.joints).translation
+    flange = kinematics.forward(samples.joints).translation
+    tcp = samples.base_from_tcp.translation
+    foot = np.zeros((len(times), 1, 3))
+    in_base = np.concatenate([foot, links, flange[:, None], tcp[:, None]], axis=1)
+    shown = shown_from_base(one, samples.external, in_world=in_world)
+    points = shown[:, None].apply(in_base)
+    return {
+        "step": end_s / (MOST_POSES - 1),
+        "points": points.shape[1],
+        "places": packed_columns(_MM * points.reshape(len(times), -1), 0),
+    }
+
+
+def _move(move: ExecutedMove) -> list[object]:
+    name = end_point(move)
+    return [
+        round(move.start_s, 4),
+        round(move.end_s, 4),
+        _KINDS[move.move.interpolation],
+        f"{move.move.instruction} {name[:_NAME_LETTERS]}",
+        round(move.move.speed.v_tcp, 1),
+        move.place.span.line,
+    ]
+
+
+def _targets(one: RobotRun, in_world: bool) -> list[list[object]]:
+    """Name, place, and whether a line or arc leads there, of each target, once.
+
+    None where there are too many to be told apart.
+    """
+    found: dict[tuple[str, ...], list[object]] = {}
+    for move in one.moves:
+        shown = shown_end(one, move, in_world=in_world).translation
+        place = [round(_MM * float(x), 1) for x in shown]
+        name = end_point(move)[:_NAME_LETTERS]
+        on_line = move.move.interpolation in (Interpolation.LINE, Interpolation.CIRCLE)
+        key = (name, *map(str, place))
+        if key not in found or on_line:
+            found[key] = [name, *place, on_line]
+        if len(found) > MOST_NAMES:
+            return []
+    return list(found.values())
+
+
+def _failed(failed: FailedMove, shown: Transform) -> dict[str, object]:
+    way, at, end = (
+        shown.apply(place)
+        for place in (failed.way, failed.fails_at, failed.base_from_tcp.translation)
+    )
+    return {
+        "code": failed.violation.code,
+        "line": failed.place.span.line,
+        "way": _points(way),
+        "at": _points(at[None])[0],
+        "end": _points(end[None])[0],
+    }
+
+
+def _points(places: Array) -> list[list[float]]:
+    rounded: list[list[float]] = np.round(_MM * places, 1).tolist()
+    return rounded
+
+
+def _signals(simulation: Simulation) -> list[dict[str, object]]:
+    """The values of each signal, by name."""
+    return [
+        {"name": name, "changes": [[round(time_s, 4), value] for time_s, value in changes]}
+        for name, changes in signal_changes(simulation).items()
+    ]
+
+
+def _marks(events: Sequence[Event]) -> list[list[object]]:
+    """Instants that plots point at: corners that became stops, limits, errors."""
+    told = (EventKind.CORNER, EventKind.LIMIT, EventKind.ERROR)
+    marks: list[list[object]] = [
+        [round(event.time_s, 4), event.kind.value, event.message]
+        for event in events
+        if event.kind in told
+    ]
+    return marks[:MOST_MARKS]

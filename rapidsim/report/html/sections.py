@@ -1,0 +1,258 @@
+"""The parts of a report that are read: summary, findings, times, events, models."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from rapidsim.diagnostics import Diagnostic, Severity
+from rapidsim.report.figures import Figures
+from rapidsim.report.html.cycle_time import Share, by_line, by_routine
+from rapidsim.report.html.elements import bar, section, table, text, tile
+from rapidsim.report.merging import Finding, merged
+from rapidsim.report.run_json import models
+from rapidsim.simulation.failed_moves import FailedMove
+from rapidsim.simulation.result import End, Event, EventKind, ExecutedMove, Simulation
+
+_MOST_FINDINGS = 200
+_OPEN_FINDINGS = 6
+_MOST_LINES = 300
+_MOST_EVENTS = 1500
+_LONGEST_LINE = 160
+_ENDS = {
+    End.ENDED: ("ended as programmed", "good"),
+    End.STOPPED: ("stopped by the program", "good"),
+    End.CYCLE_LIMIT: ("ended after the cycles asked for", "good"),
+    End.TIME_LIMIT: ("cut off at the time limit", "warning"),
+    End.ERROR: ("stopped with an error", "error"),
+}
+
+
+def title(simulation: Simulation) -> str:
+    """The names of the program's files."""
+    names = [Path(name).name for name in simulation.program]
+    return names[0] if len(names) == 1 else f"{names[0]} and {len(names) - 1} more"
+
+
+def head(simulation: Simulation) -> str:
+    """The name of the program, the robot, and how the run ended."""
+    words, kind = _ENDS[simulation.end]
+    robots = [one.robot.title for one in simulation.robots]
+    return (
+        f"<h1>{text(title(simulation))}</h1>"
+        f'<p class="robot">{text(" and ".join(robots))}</p>'
+        f'<p class="end {kind}">{text(words)} after {simulation.time_s:.3f} s</p>'
+    )
+
+
+def summary(simulation: Simulation, figures: Figures, findings: Sequence[Diagnostic]) -> str:
+    """The figures that are asked for first."""
+    corners = ", ".join(f"{count} {kind.value}" for kind, count in figures.moves_by_corner)
+    kinds = ", ".join(f"{count} {name}" for name, count in figures.moves_by_instruction)
+    errors = sum(finding.severity is Severity.ERROR for finding in findings)
+    warnings = sum(finding.severity is Severity.WARNING for finding in findings)
+    robots = simulation.robots
+    path_m, moves = sum(one.path_m for one in robots), sum(len(one.moves) for one in robots)
+    # These are worked out for the first robot only.
+    of_first = f" of {robots[0].task}" if len(robots) > 1 else ""
+    if of_first:
+        kinds = f"{kinds}{of_first}"
+    tiles = [
+        tile("Cycle time", f"{simulation.time_s:.3f} s", _otherwise(figures)),
+        tile("Moving", f"{simulation.motion_s:.3f} s", f"waiting {simulation.wait_s:.3f} s"),
+        tile("Path of the TCP", f"{1000.0 * path_m:,.0f} mm"),
+        tile("Moves", f"{moves:,}", "; ".join(filter(None, (kinds, corners)))),
+        tile("Findings", _counted(errors, "error"), _counted(warnings, "warning")),
+    ]
+    margin, singularity = figures.joint_margin, figures.singularity
+    if margin:
+        tiles.append(
+            tile(
+                f"Nearest joint limit{of_first}",
+                f"{margin.degrees:.1f}\N{DEGREE SIGN}",
+                f"joint {margin.joint}, {_at(simulation, margin.move)}",
+            )
+        )
+    if singularity:
+        tiles.append(
+            tile(
+                f"Nearest singularity{of_first}",
+                f"{singularity.smallest_singular_value:.3f}",
+                f"smallest singular value, {_at(simulation, singularity.move)}; 0 is singular",
+            )
+        )
+    return section("summary", "Summary", f'<div class="tiles">{"".join(tiles)}</div>')
+
+
+def findings(simulation: Simulation, found: Sequence[Diagnostic]) -> str:
+    """What is wrong, with the lines and the cures, errors first."""
+    order = list(Severity)
+    all_of_them = sorted(merged(found), key=lambda one: order.index(one.first.severity))
+    told = all_of_them[:_MOST_FINDINGS]
+    body = "".join(_finding(one) for one in told[:_OPEN_FINDINGS])
+    failed = [move for robot in simulation.robots for move in robot.failed_moves]
+    body += "".join(_handled(one, found) for one in failed[:_MOST_FINDINGS])
+    folded = told[_OPEN_FINDINGS:]
+    if folded:
+        rest = "".join(_finding(one) for one in folded)
+        body += f"<details><summary>{len(folded)} more</summary>{rest}</details>"
+    left = len(all_of_them) - len(told)
+    remark = f"the first {len(told)} of {len(all_of_them)}" if left else ""
+    return section("findings", "Findings", body, remark)
+
+
+def _handled(failed: FailedMove, found: Sequence[Diagnostic]) -> str:
+    """A move that failed, if that is no finding because an ERROR clause dealt with it."""
+    span = failed.place.span
+    if any(one.violation == failed.violation and one.span == span for one in found):
+        return ""
+    diagnostic = Diagnostic(failed.violation, span, routine=failed.place.routine)
+    return _finding(Finding(diagnostic), "handled by the program")
+
+
+def _finding(finding: Finding, remark: str = "") -> str:
+    first, violation = finding.first, finding.first.violation
+    kind = "note" if remark else first.severity.value
+    where, line = "", ""
+    if first.span is not None:
+        routine = f" in {first.routine}" if first.routine else ""
+        where = f"{first.span.file}:{first.span.line}{routine}"
+        source = first.span.source.line(first.span.line).strip()
+        line = f"<pre>{text(source[:_LONGEST_LINE])}</pre>"
+    cf = f" (cf. {violation.cf})" if violation.cf else ""
+    more = f" and {len(finding.repeats)} more like it" if finding.repeats else ""
+    cure = f'<p class="help">{text(violation.help)}</p>' if violation.help else ""
+    title = f'<b class="code">{text(remark or kind)} {violation.code}</b>'
+    return (
+        f'<div class="finding {kind}"><p>{title} {text(violation.message)}{text(cf)}</p>'
+        f'<p class="where">{text(where)}{more}</p>'
+        f"{line}{cure}</div>\n"
+    )
+
+
+def cycle_time(simulation: Simulation) -> str:
+    """The time by routine and by line, the longest first; of all robots."""
+    moves = [move for robot in simulation.robots for move in robot.moves]
+    if not moves:
+        return ""
+    routines, lines = by_routine(moves), by_line(moves)
+    left = lines[_MOST_LINES:]
+    several = len(simulation.robots) > 1
+    note = (
+        f'<p class="aside">and {len(left)} more lines with '
+        f"{sum(share.seconds for share in left):.3f} s</p>"
+        if left
+        else ""
+    )
+    body = (
+        "<h3>By routine</h3>"
+        + table(
+            ("routine", ">moves", ">path [mm]", ">time [s]", ""),
+            [
+                _share_row(share, routines[0], named=False, several=several)
+                for share in routines[:_MOST_LINES]
+            ],
+            kind="times",
+        )
+        + '<h3>By line</h3><div class="scrolled">'
+        + table(
+            ("line", "move", ">times", ">path [mm]", ">time [s]", ""),
+            [
+                _share_row(share, lines[0], named=True, several=several)
+                for share in lines[:_MOST_LINES]
+            ],
+            kind="times",
+        )
+        + f"</div>{note}"
+    )
+    return section("times", "Cycle time", body, "time in moves; waiting is not in it")
+
+
+def _share_row(share: Share, longest: Share, *, named: bool, several: bool) -> list[str]:
+    name = f"{share.task}: {share.name}" if several else share.name
+    what = [text(name), text(share.text)] if named else [text(name)]
+    width = share.seconds / longest.seconds if longest.seconds > 0.0 else 0.0
+    return [
+        *what,
+        str(share.times),
+        f"{share.length_mm:,.1f}",
+        f"{share.seconds:.3f}",
+        bar(width),
+    ]
+
+
+def events(simulation: Simulation) -> str:
+    """What happened when."""
+    # Interrupts are many, and what they do is told by other events.
+    told = [event for event in simulation.events if event.kind is not EventKind.INTERRUPT]
+    several = len({event.task for event in told if event.place}) > 1
+    rows = [
+        (
+            f"{event.time_s:.3f}",
+            f'<span class="kind {event.kind.value}">{event.kind.value}</span>',
+            text(_place(event, several)),
+            text(event.message),
+        )
+        for event in told[:_MOST_EVENTS]
+    ]
+    if not rows:
+        return ""
+    left = len(told) - len(rows)
+    interrupts = len(simulation.events) - len(told)
+    notes = [f"the first {len(rows)} of {len(told)}"] if left else []
+    notes += [f"{interrupts} interrupts are not listed"] if interrupts else []
+    body = table((">time [s]", "kind", "place", "message"), rows, kind="events")
+    return section("events", "Events", f'<div class="scrolled">{body}</div>', "; ".join(notes))
+
+
+def _place(event: Event, several: bool) -> str:
+    """Routine and line, and the task where there is a choice."""
+    if event.place is None:
+        return ""
+    task = f"{event.task} " if several else ""
+    return f"{task}{event.place.routine}:{event.place.span.line}"
+
+
+def assumptions(simulation: Simulation) -> str:
+    """The models behind the numbers, what was not simulated, and the sources of the robot."""
+    named = {
+        "acceleration": "Axis acceleration",
+        "axis_speed": "Axis speed",
+        "corner": "Shape of corners",
+        "program_pointer": "Program pointer",
+        "filter_time_s": "Smoothing of the command [s]",
+        "fine_dwell_s": "Time at a fine point [s]",
+    }
+    facts = [
+        (text(named.get(name, name)), text(value))
+        for name, value in models(simulation).items()
+        if name != "robot_not_modelled"
+    ]
+    facts += [("Not modelled of the robot", text(what)) for what in simulation.robot.not_modelled]
+    facts += [("Note", text(what)) for what in simulation.robot.notices]
+    facts += [
+        (f"Not simulated: {text(one.name)}", text(f"{one.count} times, {one.treated_as}"))
+        for one in simulation.unsimulated
+    ]
+    facts += [("Source of the robot's figures", text(what)) for what in simulation.robot.sources]
+    body = (
+        "<p>Times are estimates. The robot maker's own virtual controller is the reference; "
+        "compare where it matters.</p>" + table(("", ""), facts, kind="facts")
+    )
+    return section("models", "Models and assumptions", body, "what the numbers rest on")
+
+
+def _otherwise(figures: Figures) -> str:
+    """The time with other accelerations, which is the assumption that counts most."""
+    times = [f"{one.time_s:.3f} s at {one.factor:g} times" for one in figures.otherwise]
+    return f"{', '.join(times)} the acceleration" if times else ""
+
+
+def _counted(count: int, name: str) -> str:
+    return f"{count} {name}" if count == 1 else f"{count} {name}s"
+
+
+def _at(simulation: Simulation, move: ExecutedMove) -> str:
+    """The line of a move, and the file where there are several."""
+    line = f"line {move.place.span.line}"
+    return line if len(simulation.program) == 1 else f"{Path(move.place.span.file).name} {line}"

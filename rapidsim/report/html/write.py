@@ -1,0 +1,76 @@
+"""Write a run as one HTML file: text, style, drawing code and numbers all in it.
+
+The page opens from disk and fetches nothing, so it can be mailed and kept. It holds no date: the
+same run gives the same file.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from importlib.resources import files
+from pathlib import Path
+
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.output_files import whole_file
+from rapidsim.report.figures import figures
+from rapidsim.report.html import sections
+from rapidsim.report.html.elements import text
+from rapidsim.report.html.motion_data import motion_data
+from rapidsim.simulation.result import Simulation
+
+_SCRIPTS = ("data.js", "plot.js", "lanes.js", "path.js", "page.js")
+
+
+def write_report(simulation: Simulation, findings: Sequence[Diagnostic], path: str | Path) -> Path:
+    """Write the report of a run.
+
+    Args:
+        simulation: The run.
+        findings: What checking and running found.
+        path: Where to write; the file appears only when it is complete.
+
+    Returns:
+        The path written.
+
+    Raises:
+        InputError: When nothing can be written there.
+    """
+    path = Path(path)
+    page = report_page(simulation, findings)
+    with whole_file(path) as temporary:
+        temporary.write_text(page, encoding="utf-8", newline="\n")
+    return path
+
+
+def report_page(simulation: Simulation, findings: Sequence[Diagnostic]) -> str:
+    """The page as text."""
+    parts = {
+        "title": text(sections.title(simulation)),
+        "style": _shipped("style.css"),
+        "head": sections.head(simulation),
+        "summary": sections.summary(simulation, figures(simulation), findings),
+        "findings": sections.findings(simulation, findings),
+        "times": sections.cycle_time(simulation),
+        "events": sections.events(simulation),
+        "models": sections.assumptions(simulation),
+        "data": _json(motion_data(simulation)),
+        "script": "\n".join(_shipped(name) for name in _SCRIPTS),
+    }
+    page = _shipped("page.html")
+    pieces = page.split("{{")
+    filled = [pieces[0]]
+    for piece in pieces[1:]:
+        name, rest = piece.split("}}", 1)
+        filled += [parts[name], rest]
+    return "".join(filled)
+
+
+def _json(value: object) -> str:
+    """JSON that can stand inside a script element: nothing in it ends one."""
+    compact = json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    return compact.replace("<", "\\u003c")
+
+
+def _shipped(name: str) -> str:
+    return files("rapidsim.report.html").joinpath("shipped", name).read_text(encoding="utf-8")

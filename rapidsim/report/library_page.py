@@ -1,0 +1,86 @@
+"""All installed routines as one page of Markdown: `docs/library.md`."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Iterator, Mapping
+
+from rapidsim.language.annotations import Mode
+from rapidsim.library.catalogue import CHAPTERS, ROUTINES
+from rapidsim.library.declared import read_declared_chapters
+from rapidsim.library.table import LibraryRoutine, Parameter
+
+_INTRODUCTION = """\
+# Library
+
+The instructions and functions that RAPID predefines: {known} are known, so that a program that
+calls them is checked, and {simulated} of them are simulated. Of the others each entry says what a
+run does instead; the run says so too. Made from the source by
+`python scripts/build_library_page.py`.
+
+`\\Name` is an optional argument, `|` divides arguments of which at most one may be given.
+"""
+
+
+def library_page() -> str:
+    """The page: a table of contents with counts, then a chapter after the other."""
+    chapters = _chapters()
+    simulated = sum(row.simulated for row in ROUTINES.values())
+    parts = [_INTRODUCTION.format(known=len(ROUTINES), simulated=simulated)]
+    lines = ["| chapter | routines | simulated |", "|---|---|---|"]
+    for title, rows in chapters.items():
+        count = sum(row.simulated for row in rows)
+        lines.append(f"| [{title}](#{_anchor(title)}) | {len(rows)} | {count} |")
+    parts.append("\n".join(lines) + "\n")
+    for title, rows in chapters.items():
+        entries = [_entry(row) for row in sorted(rows, key=lambda row: row.name.lower())]
+        parts.append(f"## {title}\n\n" + "\n".join(entries) + "\n")
+    return "\n".join(parts)
+
+
+def signature_text(row: LibraryRoutine) -> str:
+    r"""The head of a routine as RAPID writes it: `PROC SetDO(\num SDelay | switch Sync, ...)`."""
+    signature = row.signature
+    kind = "PROC" if signature.result is None else f"FUNC {signature.result.name}"
+    text = ""
+    group = 0
+    for parameter in signature.parameters:
+        if not parameter.optional:
+            text += f", {_parameter(parameter)}" if text else _parameter(parameter)
+        elif parameter.group and parameter.group == group:
+            text += f" | {_parameter(parameter)}"
+        else:
+            text += f"{' ' if text else ''}\\{_parameter(parameter)}"
+        group = parameter.group
+    return f"{kind} {row.name}({text})"
+
+
+def _chapters() -> Mapping[str, list[LibraryRoutine]]:
+    chapters = {title: list(rows.values()) for title, rows in CHAPTERS.items()}
+    for title, names in read_declared_chapters().items():
+        chapters.setdefault(title, []).extend(ROUTINES[name] for name in names)
+    return chapters
+
+
+def _entry(row: LibraryRoutine) -> str:
+    return f"- `{signature_text(row)}`  \n  {'. '.join(_how(row))}."
+
+
+def _how(row: LibraryRoutine) -> Iterator[str]:
+    first = (inspect.getdoc(row.body) or "").partition("\n")[0].strip().rstrip(".")
+    if first:
+        yield first
+    if row.treated_as is not None:
+        yield f"*Not simulated: {row.treated_as}*"
+    elif not first:
+        yield "Carried out by the interpreter"
+
+
+def _parameter(parameter: Parameter) -> str:
+    of = " or ".join(one.name for one in parameter.types)
+    mode = "" if parameter.mode is Mode.IN else f"{parameter.mode.value} "
+    return f"{mode}{of} {parameter.name}"
+
+
+def _anchor(title: str) -> str:
+    return title.lower().replace(" ", "-")

@@ -1,0 +1,114 @@
+"""Pictures of a run: all are there, light and dark, and show what the run did."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.patches import Rectangle
+from PIL import Image
+
+import rapidsim
+from rapidsim.files import InputError
+from rapidsim.plots.comparison_picture import comparison_picture
+from rapidsim.plots.drawn import drawn, pieces
+from rapidsim.plots.frames_picture import frames_picture
+from rapidsim.plots.lines_picture import lines_picture
+from rapidsim.plots.look import DARK, LIGHT, dressed
+from rapidsim.plots.path_picture import path_picture
+from rapidsim.plots.time_pictures import joints_picture, speed_picture
+from rapidsim.plots.write import PICTURES, write_plots
+from rapidsim.simulation.result import Simulation
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.fixture(scope="module")
+def simulation() -> Simulation:
+    return rapidsim.simulate([ROOT / "programs" / "out_of_reach.mod"], robot="irb1600")
+
+
+def test_every_picture_is_there_light_and_dark(simulation: Simulation, tmp_path: Path) -> None:
+    folder = tmp_path / "plots"
+    written = write_plots(simulation, folder)
+    expected = {f"{name}{ending}.png" for name in PICTURES for ending in ("", "-dark")}
+    assert {path.name for path in written} == expected == {p.name for p in folder.iterdir()}
+    for path in written:
+        picture = np.asarray(Image.open(path).convert("L"))
+        page = picture[0, 0]
+        assert (page < 60) == path.stem.endswith("-dark")
+        assert np.count_nonzero(picture != page) > 2000
+
+
+def test_the_same_run_gives_the_same_picture(simulation: Simulation, tmp_path: Path) -> None:
+    run = drawn(simulation, simulation.robots[0])
+    pictures = []
+    for name in ("one.png", "two.png"):
+        with dressed(LIGHT):
+            figure = speed_picture(run, LIGHT)
+            figure.savefig(tmp_path / name, metadata={"Software": None})
+        pictures.append((tmp_path / name).read_bytes())
+    assert pictures[0] == pictures[1]
+
+
+def test_the_path_has_what_failed_in_it(simulation: Simulation) -> None:
+    with dressed(DARK):
+        figure = path_picture(drawn(simulation, simulation.robots[0]), DARK)
+    labels = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert labels == ["MoveJ", "MoveL", "not possible"]
+    names = {text.get_text() for axes in figure.axes[1:] for text in axes.texts}
+    assert {"pFront", "pSide"} <= names
+
+
+def test_joints_stand_between_their_limits(simulation: Simulation) -> None:
+    with dressed(LIGHT):
+        figure = joints_picture(drawn(simulation, simulation.robots[0]), LIGHT)
+    robot = simulation.robot
+    for k, axes in enumerate(figure.axes):
+        low, high = axes.get_ylim()
+        assert low < np.degrees(robot.lower[k]) < np.degrees(robot.upper[k]) < high
+
+
+def test_the_bars_are_the_times_of_the_lines(simulation: Simulation) -> None:
+    with dressed(LIGHT):
+        figure = lines_picture(drawn(simulation, simulation.robots[0]), LIGHT)
+    bars = [bar for bar in figure.axes[0].patches if isinstance(bar, Rectangle)]
+    widths = [bar.get_width() for bar in bars]
+    assert sum(widths) == pytest.approx(
+        sum(move.end_s - move.start_s for move in simulation.moves), rel=1e-9
+    )
+
+
+def test_movej_leaves_the_line_that_movel_keeps(simulation: Simulation) -> None:
+    with dressed(LIGHT):
+        figure = comparison_picture(drawn(simulation, simulation.robots[0]), LIGHT)
+    assert figure is not None
+    joint, line = (np.asarray(curve.get_data()).T for curve in figure.axes[0].lines[:2])
+    assert np.allclose(joint[[0, -1]], line[[0, -1]], atol=1e-3)
+    assert np.abs(joint - line).max() > 5.0
+
+
+def test_frames_hang_on_one_another(simulation: Simulation) -> None:
+    with dressed(LIGHT):
+        figure = frames_picture(drawn(simulation, simulation.robots[0]), LIGHT)
+    words = [text.get_text() for text in figure.axes[0].texts]
+    assert words[0] == "world"
+    assert "wPlate object frame" in words
+    assert any("600.00" in text for text in words)
+
+
+def test_pieces_join() -> None:
+    assert pieces(np.array([True, True, False, True])) == [slice(0, 3), slice(3, 4)]
+
+
+def test_other_robots_have_pictures_of_their_own(simulation: Simulation, tmp_path: Path) -> None:
+    other = replace(simulation.robots[0], task="T_ROB2")
+    written = write_plots(replace(simulation, other_robots=(other,)), tmp_path / "plots")
+    assert {"path.png", "T_ROB2-path.png"} <= {path.name for path in written}
+
+
+def test_a_run_without_moves_says_so(simulation: Simulation, tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="nothing moved"):
+        write_plots(replace(simulation, moves=()), tmp_path / "plots")

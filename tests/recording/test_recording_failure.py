@@ -1,0 +1,84 @@
+"""No room for a recording: a plain message, no half file, the older file as it was."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from recording_cell import cell
+
+from rapidsim.files import InputError
+from rapidsim.recording.write import record
+
+RECORD = """
+import resource, sys
+from pathlib import Path
+limit = int(sys.argv[2])
+if limit:
+    resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+from recording_cell import cell
+from rapidsim.files import InputError
+from rapidsim.recording.write import record
+try:
+    record(cell(rounds=1), sys.argv[1])
+except InputError as error:
+    print(error.message)
+    sys.exit(2)
+"""
+
+
+def record_elsewhere(path: Path, limit: int = 0) -> tuple[int, str]:
+    """Record in another process, with a limit [bytes] on the size of files."""
+    done = subprocess.run(
+        [sys.executable, "-c", RECORD, str(path), str(limit)],
+        cwd=Path(__file__).parent,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    return done.returncode, done.stdout
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no limit on the size of files")
+def test_a_file_that_may_not_grow_is_said(tmp_path: Path) -> None:
+    path = tmp_path / "frame.rrd"
+    path.write_bytes(b"older")
+    code, words = record_elsewhere(path, limit=200_000)
+    assert code == 2
+    assert "cannot write" in words
+    assert "the older `frame.rrd` is as it was" in words
+    assert [file.name for file in tmp_path.iterdir()] == ["frame.rrd"]
+    assert path.read_bytes() == b"older"
+
+
+@pytest.fixture
+def small_disk(tmp_path: Path) -> Iterator[Path]:
+    disk = tmp_path / "small"
+    disk.mkdir()
+    mount = ["mount", "-t", "tmpfs", "-o", "size=300k", "tmpfs", str(disk)]
+    if sys.platform != "linux" or os.geteuid() != 0:
+        pytest.skip("only root may mount a small disk")
+    if subprocess.run(mount, capture_output=True, check=False).returncode:
+        pytest.skip("no disk may be mounted here")
+    yield disk
+    subprocess.run(["umount", str(disk)], check=True)
+
+
+def test_a_full_disk_is_said(small_disk: Path) -> None:
+    code, words = record_elsewhere(small_disk / "frame.rrd")
+    assert code == 2
+    assert "the disk is full" in words
+    assert list(small_disk.iterdir()) == []
+
+
+def test_a_folder_that_may_not_be_written_to_is_said(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(os, "access", lambda *_: False)
+    with pytest.raises(InputError, match="may not be written to"):
+        record(cell(rounds=1), tmp_path / "frame.rrd")
+    assert list(tmp_path.iterdir()) == []
