@@ -2,22 +2,45 @@
 
 from __future__ import annotations
 
-import json
 import time
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from pathlib import Path
 
 import click
 
+from rapidsim.analysis.rules.table import detectors_of
+from rapidsim.analysis.suppressions import without_suppressed
+from rapidsim.cli.check_output import FORMATS, SPOKEN_FORMATS, checked_text
+from rapidsim.cli.check_settings import (
+    Selection,
+    choose_selection,
+    choose_settings,
+    fails_at,
+)
 from rapidsim.cli.exit_codes import ExitCode
+from rapidsim.cli.fixes import choose_fixes, difference
 from rapidsim.cli.inputs import all_tasks, choose_robot, choose_station, missing_neighbours
-from rapidsim.cli.selectors import expect_rules
+from rapidsim.cli.move_checks import arm_and_reason, choose_move_check
 from rapidsim.cli.terminal import current_terminal, terminal_options
-from rapidsim.diagnostics import Severity
-from rapidsim.report.diagnostics import concise, diagnostic_json, full, summary_line
-from rapidsim.report.merging import Finding, merged, selected
-from rapidsim.simulation.check_files import CheckResult, check_tasks
+from rapidsim.diagnostics import Diagnostic, Severity
+from rapidsim.export.text_edits import write_edits
+from rapidsim.files import InputError, TaskFiles
+from rapidsim.output_files import whole_file
+from rapidsim.report.baseline import Key, baseline_text, read_baseline, without_known
+from rapidsim.report.coverage import coverage_lines
+from rapidsim.report.diagnostics import summary_line
+from rapidsim.report.merging import merged
+from rapidsim.report.statistics import statistics
+from rapidsim.simulation.cell_io import without_declared
+from rapidsim.simulation.check_files import CheckMoves, CheckResult, check_tasks
+from rapidsim.simulation.station.station import Station
+from rapidsim.simulation.undriven_violations import find_never_driven
 
 _SEVERITIES = tuple(Severity)
+_MOST_ROUNDS = 5
+"""One fix may make room for another; after so many the rest is left to the next call."""
 
 
 @click.command(no_args_is_help=False)
@@ -26,20 +49,31 @@ _SEVERITIES = tuple(Severity)
 @click.option("--station", metavar="FILE.toml", help="The station file, instead of a near one.")
 @click.option(
     "--output-format",
-    type=click.Choice(["full", "concise", "json"]),
+    type=click.Choice(FORMATS),
     default="full",
     show_default=True,
-    help="Source frames, one line a finding, or one JSON object.",
+    help="Source frames, one line a finding, or what other tools read.",
 )
 @click.option("--select", metavar="CODES", help="Only these rules: `K6,N201,syntax-error`.")
+@click.option("--extend-select", metavar="CODES", help="These rules besides, such as `S9`.")
 @click.option("--ignore", metavar="CODES", help="Not these rules.")
+@click.option("--fix", is_flag=True, help="Apply the fixes that change nothing in a run.")
+@click.option("--unsafe-fixes", is_flag=True, help="With --fix or --diff: all other fixes too.")
+@click.option("--diff", is_flag=True, help="Show what --fix would change, and change nothing.")
+@click.option(
+    "--baseline",
+    metavar="FILE",
+    help="Findings that are known; the file is made if there is none.",
+)
+@click.option("--update-baseline", is_flag=True, help="Write what is found now to the baseline.")
+@click.option("--statistics", "counted", is_flag=True, help="How often each rule is broken.")
+@click.option("--no-reach", is_flag=True, help="Do not ask whether the robot can make the moves.")
+@click.option("--no-run", is_flag=True, help="Do not run main for moves that only a run can tell.")
 @click.option("--no-merge", is_flag=True, help="Show each of the findings that repeat.")
 @click.option(
     "--fail-on",
     type=click.Choice([severity.value for severity in Severity]),
-    default="warning",
-    show_default=True,
-    help="The least severity that makes the exit code 1.",
+    help="The least severity that makes the exit code 1.  [default: warning]",
 )
 @terminal_options
 def check(
@@ -48,67 +82,126 @@ def check(
     station: str | None,
     output_format: str,
     select: str | None,
+    extend_select: str | None,
     ignore: str | None,
+    fix: bool,
+    unsafe_fixes: bool,
+    diff: bool,
+    baseline: str | None,
+    update_baseline: bool,
+    counted: bool,
+    no_reach: bool,
+    no_run: bool,
     no_merge: bool,
-    fail_on: str,
+    fail_on: str | None,
 ) -> int:
-    """Find the mistakes in RAPID modules: syntax, names, types, flow.
+    """Find the mistakes in RAPID modules: syntax, names, types, flow, data of motion.
 
     PATH is a module (.mod .modx .sys .sysx .prg), a .pgf program file, a folder, a controller
     backup, or - for standard input. What is named together is checked together, as one task.
+
+    A comment `! rapidsim: ignore[K601] reason` behind a statement, or on the line before it, takes
+    findings back.
     """
     started = time.perf_counter()
     terminal = current_terminal()
     cell = choose_station(paths, station)
-    if robot is not None or cell.robot is not None:
-        _expect_robot(choose_robot(robot, cell).name)
-    wanted, unwanted = _codes(select), (*_codes(ignore), *expect_rules(cell.ignore))
-    result = check_tasks(all_tasks(paths, cell))
-    kept = selected(result.diagnostics, wanted, unwanted)
-    findings = merged(kept, merge=not no_merge)
-    match output_format:
-        case "json":
-            click.echo(json.dumps(_report(findings, result), indent=2, allow_nan=False))
-        case "full":
-            click.echo(full(findings, terminal.palette, width=terminal.width), nl=False)
-        case _:
-            click.echo(concise(findings, terminal.palette), nl=False)
-    if output_format != "json" and not terminal.quiet:
+    settings = choose_settings(paths, cell.check)
+    cell = replace(cell, check=settings)
+    selection = choose_selection(settings, select, extend_select, ignore)
+    known_file = Path(baseline) if baseline else settings.baseline
+    if unsafe_fixes and not (fix or diff):
+        raise click.UsageError("--unsafe-fixes goes with --fix or --diff")
+    if update_baseline and known_file is None:
+        raise click.UsageError("--update-baseline needs --baseline FILE")
+    choice = choose_robot(robot, cell)
+    moves = choose_move_check(choice, cell, run=not no_run)
+    wanted = None if no_reach else moves
+    tasks = all_tasks(paths, cell)
+    result, kept = _found(tasks, cell, selection, wanted)
+    if diff:
+        chosen = choose_fixes(kept, unsafe=unsafe_fixes)
+        click.echo(difference(chosen.edits, tasks), nl=False)
+        return ExitCode.FINDINGS if chosen.edits else ExitCode.CLEAN
+    fixed = 0
+    for _ in range(_MOST_ROUNDS if fix else 0):
+        chosen = choose_fixes(kept, unsafe=unsafe_fixes)
+        if not chosen.edits:
+            break
+        files = [file for task in tasks for file in task.files]
+        write_edits(chosen.edits, files, what="fixes")
+        fixed += chosen.count
+        tasks = all_tasks(paths, cell)
+        result, kept = _found(tasks, cell, selection, wanted)
+    new, known = kept, 0
+    if known_file is not None:
+        new, known = without_known(kept, _baseline(known_file, kept, update=update_baseline))
+    findings = merged(new, merge=not no_merge)
+    if counted:
+        click.echo(statistics(new, terminal.palette), nl=False)
+    else:
+        text = checked_text(output_format, findings, result, terminal.palette, terminal.width)
+        click.echo(text, nl=False)
+    if output_format in SPOKEN_FORMATS and not terminal.quiet:
         seconds = time.perf_counter() - started
         click.echo(summary_line(findings, files=len(result.files), seconds=seconds))
-        if hint := missing_neighbours(paths, kept):
-            click.echo(hint)
-        if moves := len(result.unchecked_moves):
-            what = "1 move was" if moves == 1 else f"{moves} moves were"
-            click.echo(f"{what} not checked for reach and limits; `rapidsim run` does that.")
-    failing = _SEVERITIES[: _SEVERITIES.index(Severity(fail_on)) + 1]
-    failed = any(diagnostic.severity in failing for diagnostic in kept)
+        for line in _remarks(paths, kept, fixed=fixed, known=known):
+            click.echo(line)
+        if settings.cycle_budget_s is not None and (no_run or no_reach):
+            click.echo("The cycle budget was not checked, because main was not run.")
+        for line in () if no_reach else coverage_lines(result.coverage, arm_and_reason(choice)):
+            click.echo(line)
+    failing = _SEVERITIES[: _SEVERITIES.index(fails_at(fail_on, settings)) + 1]
+    failed = any(diagnostic.severity in failing for diagnostic in new)
     return ExitCode.FINDINGS if failed else ExitCode.CLEAN
 
 
-def _codes(option: str | None) -> tuple[str, ...]:
-    codes = [code.strip() for code in (option or "").split(",")]
-    return expect_rules([code for code in codes if code])
+def _found(
+    tasks: Sequence[TaskFiles], cell: Station, selection: Selection, moves: CheckMoves | None
+) -> tuple[CheckResult, tuple[Diagnostic, ...]]:
+    """What checking found, and what of it is shown."""
+    result = check_tasks(
+        tasks,
+        detectors_of(selection.wants),
+        moves,
+        even_without_moves=cell.check.cycle_budget_s is not None,
+    )
+    declared = without_declared(result.diagnostics, cell.io, cell.units)
+    undriven = find_never_driven(result.trees, cell.io)
+    unsuppressed = without_suppressed(
+        (*declared, *undriven),
+        result.trees,
+        is_looked_for=lambda code: selection.is_looked_for(code) and result.looked_for(code),
+    )
+    return result, selection.kept(unsuppressed)
 
 
-def _expect_robot(name: str) -> None:
-    """Refuse a robot that is not known, though no rule looks at it yet."""
-    from rapidsim.cli.robot_choice import open_robot
+def _baseline(file: Path, found: Sequence[Diagnostic], *, update: bool) -> Counter[Key]:
+    """The findings that are known; what was found now, where a baseline is made or updated."""
+    if update or not file.exists():
+        text = baseline_text(found)
+        with whole_file(file) as temporary:
+            temporary.write_text(text, encoding="utf-8")
+        return read_baseline(text, str(file))
+    try:
+        return read_baseline(file.read_text(encoding="utf-8"), str(file))
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(f"{file} cannot be read: {error}") from error
 
-    open_robot(name)
 
-
-def _report(findings: Sequence[Finding], result: CheckResult) -> dict[str, object]:
-    unchecked = [{"file": move.file, "line": move.line} for move in result.unchecked_moves]
-    return {
-        "schema": 1,
-        "files": len(result.files),
-        "diagnostics": [diagnostic_json(finding) for finding in findings],
-        "coverage": {
-            "moves": len(unchecked),
-            "checked": 0,
-            "by_value": 0,
-            "by_run": 0,
-            "unchecked": unchecked,
-        },
-    }
+def _remarks(
+    paths: Sequence[str],
+    found: Sequence[Diagnostic],
+    *,
+    fixed: int,
+    known: int,
+) -> Iterator[str]:
+    """What a person wants to know besides the findings, one line each."""
+    if fixed:
+        yield f"Fixed {fixed}."
+    elif "-" not in paths and (curable := sum(bool(one.fix and one.fix.safe) for one in found)):
+        yield f"`--fix` cures {curable} of them."
+    if known:
+        yield f"{known} more are in the baseline."
+    if hint := missing_neighbours(paths, found):
+        yield hint

@@ -19,11 +19,15 @@ from rapidsim.syntax.collection import uncollected
 _COMMANDS: Mapping[str, str] = MappingProxyType(
     {
         "run": "Run a program and say what happened.",
+        "view": "Open a recording.",
         "check": "Find the mistakes in a program without running it.",
         "explain": "Explain a rule, with an example and a fix.",
         "robots": "List the robots, or show one.",
         "frames": "Show the frames of a program: tools, work objects, targets.",
+        "calibrate": "Fit the motion model to logs of a real controller.",
         "kin": "Forward and inverse kinematics and Jacobian of one pose.",
+        "follow": "Follow points of a table in lines, splines or joint polynomials.",
+        "points": "Print points drawn by lot, for follow.",
     }
 )
 

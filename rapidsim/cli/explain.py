@@ -18,7 +18,8 @@ from rapidsim.report.rules import rule_list, rule_page, rules
 def explain(code: str | None, everything: bool) -> int:
     """Explain a rule: what it finds and why it matters, with an example and a fix.
 
-    CODE is the code of a rule or its name: `N201` or `undefined-name`. The number of an event of
+    CODE is the code of a rule or its name: `N201` or `undefined-name`. The beginning of a code,
+    such as `K` or `M5`, lists the rules that have it. The number of an event of
     the controller explains the rules that stand for it: `50050`.
     """
     palette = current_terminal().palette
@@ -30,6 +31,10 @@ def explain(code: str | None, everything: bool) -> int:
     meant = [rule for rule in rules() if _means(rule, code)]
     if meant:
         click.echo("\n\n".join(rule_page(rule, palette) for rule in meant))
+        return ExitCode.CLEAN
+    family = [rule for rule in rules() if rule.code.startswith(code.upper())]
+    if family:
+        click.echo(rule_list(family, palette))
         return ExitCode.CLEAN
     raise unknown_rule(code)
 

@@ -10,6 +10,8 @@ from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.inputs import choose_robot, choose_station, one_task
 from rapidsim.cli.robot_choice import open_robot
 from rapidsim.cli.terminal import current_terminal, terminal_options
+from rapidsim.language.data import IDENTITY_POSE
+from rapidsim.motion.targets import pose
 from rapidsim.report.diagnostics import full, summary_line
 from rapidsim.report.frame_text import frame_json, frame_text
 from rapidsim.report.frame_tree import frame_tree
@@ -22,6 +24,7 @@ from rapidsim.simulation.start_values import start_values
 @click.argument("paths", metavar="PATH...", nargs=-1, required=True)
 @click.option("--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them.")
 @click.option("--station", metavar="FILE.toml", help="The station file, instead of a near one.")
+@click.option("--task", metavar="NAME", help="Only this one of several tasks.")
 @click.option(
     "--format",
     "output_format",
@@ -32,7 +35,11 @@ from rapidsim.simulation.start_values import start_values
 )
 @terminal_options
 def frames(
-    paths: tuple[str, ...], robot: str | None, station: str | None, output_format: str
+    paths: tuple[str, ...],
+    robot: str | None,
+    station: str | None,
+    task: str | None,
+    output_format: str,
 ) -> int:
     """Show the frames of a program: world, base, tools, work objects, targets.
 
@@ -41,7 +48,7 @@ def frames(
     """
     terminal = current_terminal()
     cell = choose_station(paths, station)
-    files = one_task(paths, cell)
+    files = one_task(paths, cell, task)
     arm = open_robot(choose_robot(robot, cell).name)
     loaded = load(files)
     if loaded.program is None:
@@ -49,7 +56,8 @@ def frames(
         click.echo(full(findings, terminal.palette, width=terminal.width), nl=False, err=True)
         click.echo(summary_line(findings, files=len(files), seconds=None), err=True)
         return ExitCode.FINDINGS
-    root = frame_tree(loaded.program, start_values(loaded.program), arm.name)
+    stands = IDENTITY_POSE if cell.world_from_base is None else pose(cell.world_from_base)
+    root = frame_tree(loaded.program, start_values(loaded.program), arm.name, stands)
     if output_format == "json":
         click.echo(json.dumps({"schema": 1, "root": frame_json(root)}, indent=2, allow_nan=False))
     else:

@@ -7,8 +7,17 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from rapidsim.diagnostics import Diagnostic
-from rapidsim.files import InputError, SourceFile, TaskFiles, neighbours, read_tasks
-from rapidsim.simulation.station import Station, find_station, read_station
+from rapidsim.files import (
+    InputError,
+    SourceFile,
+    TaskFiles,
+    did_you_mean,
+    named_tasks,
+    neighbours,
+    read_tasks,
+)
+from rapidsim.simulation.station.backup import backup_tasks
+from rapidsim.simulation.station.station import Station, find_station
 
 DEFAULT_ROBOT = "irb1600-6-1.2"
 
@@ -27,11 +36,17 @@ class RobotChoice:
 
 
 def choose_station(paths: Sequence[str], file: str | None) -> Station:
-    """The named station file, else the one next to the program or above it, else the defaults."""
-    if file is not None:
-        return read_station(Path(file))
-    found = find_station(paths)
-    return read_station(found) if found else Station()
+    """The named station file, else the one next to the program or above it, else the defaults.
+
+    Where it names no tasks, they are those that a backup says it has.
+    """
+    found = Path(file) if file is not None else find_station(paths)
+    if found is None:
+        return Station(tasks=backup_tasks(paths))
+    from rapidsim.simulation.station.read import read_station
+
+    station = read_station(found)
+    return station if station.tasks else replace(station, tasks=backup_tasks(paths))
 
 
 def choose_robot(robot: str | None, station: Station) -> RobotChoice:
@@ -44,27 +59,80 @@ def choose_robot(robot: str | None, station: Station) -> RobotChoice:
 
 
 def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
-    """The files of every task named, with the modules that the station file adds to a lone one."""
-    tasks = read_tasks((*paths, *(str(seen_from_here(module)) for module in station.modules)))
-    if len(tasks) == 1:
-        return (replace(tasks[0], name=tasks[0].name or station.task),)
+    """The files of every task, by name.
+
+    The tasks of a backup are those of the station file in its order, or T_ROB1, T_ROB2 ... without
+    one. Other files that are named belong to the first task, unless a task of the station file
+    lists them.
+
+    Raises:
+        InputError: If something is missing, unreadable, or no RAPID, or a task has no module.
+    """
+    if len(station.tasks) < 2:
+        return named_tasks(read_tasks((*paths, *_as_typed(station.modules))), station.task)
+    named = read_tasks(paths)
+    listed = [
+        read_tasks(_as_typed(task.modules))[0].files if task.modules else ()
+        for task in station.tasks
+    ]
+    if len(named) > 1:
+        if len(named) != len(station.tasks):
+            raise InputError(
+                f"there are {len(named)} task folders and {len(station.tasks)} [[task]] tables in "
+                f"{station.file}"
+            )
+        own = [task.files for task in named]
+    else:
+        claimed = {Path(file.name).resolve() for files in listed for file in files}
+        rest = tuple(one for one in named[0].files if Path(one.name).resolve() not in claimed)
+        own = [rest, *(() for _ in listed[1:])]
+    tasks = tuple(
+        TaskFiles(task.name, (*mine, *more))
+        for task, mine, more in zip(station.tasks, own, listed, strict=True)
+    )
+    for task in tasks:
+        if not task.files:
+            raise InputError(
+                f"{station.file}: the task {task.name} has no module",
+                "list them: modules = [...]",
+            )
     return tasks
 
 
-def one_task(paths: Sequence[str], station: Station) -> tuple[SourceFile, ...]:
-    """The files of the only task named.
+def chosen_tasks(paths: Sequence[str], station: Station, task: str | None) -> tuple[TaskFiles, ...]:
+    """All tasks, or only the one that is named.
 
     Raises:
-        InputError: If a backup holds several tasks.
+        InputError: If there is no such task; see `all_tasks`.
     """
     tasks = all_tasks(paths, station)
+    if task is None:
+        return tasks
+    chosen = tuple(one for one in tasks if one.name and one.name.lower() == task.lower())
+    if not chosen:
+        names = [one.name for one in tasks if one.name]
+        help = did_you_mean(task, names) or f"there are {', '.join(names)}"
+        raise InputError(f"there is no task {task}", help)
+    return chosen
+
+
+def one_task(
+    paths: Sequence[str], station: Station, task: str | None = None
+) -> tuple[SourceFile, ...]:
+    """The files of the only task, or of the one that is named.
+
+    Raises:
+        InputError: If there are several to choose from; see `chosen_tasks`.
+    """
+    tasks = chosen_tasks(paths, station, task)
     if len(tasks) > 1:
-        names = ", ".join(task.name or station.task for task in tasks)
-        raise InputError(
-            f"there are {len(tasks)} tasks ({names}), and several are not simulated together yet",
-            "name the folder of one task, such as RAPID/TASK1",
-        )
+        names = ", ".join(one.name or station.task for one in tasks)
+        raise InputError(f"there are {len(tasks)} tasks ({names})", "name one with --task")
     return tasks[0].files
+
+
+def _as_typed(modules: Iterable[Path]) -> tuple[str, ...]:
+    return tuple(str(seen_from_here(module)) for module in modules)
 
 
 def seen_from_here(path: Path) -> Path:

@@ -11,7 +11,7 @@ from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.robot_choice import open_robot
 from rapidsim.cli.terminal import current_terminal, terminal_options
 from rapidsim.motion.catalogue import aliases_of, robot_names
-from rapidsim.motion.robot import Robot
+from rapidsim.motion.robot import Robot, load_robot
 from rapidsim.report.robot_tables import catalogue_table, robot_page
 
 
@@ -40,7 +40,8 @@ def robots(name: str | None, output_format: str) -> int:
         else:
             console.print(robot_page(robot, short))
         return ExitCode.CLEAN
-    listed = [(open_robot(robot), aliases_of(robot)) for robot in robot_names()]
+    # How each is solved is told where one is used, not in a list of all.
+    listed = [(load_robot(robot), aliases_of(robot)) for robot in robot_names()]
     if output_format == "json":
         report = [_as_json(robot, short) for robot, short in listed]
         click.echo(json.dumps({"schema": 1, "robots": report}, indent=2, allow_nan=False))
@@ -62,7 +63,8 @@ def _as_json(robot: Robot, aliases: tuple[str, ...]) -> dict[str, object]:
                 "name": joint.name,
                 "lower_deg": degrees(joint.lower),
                 "upper_deg": degrees(joint.upper),
-                "max_speed_deg_s": None if joint.max_speed is None else degrees(joint.max_speed),
+                "max_speed_deg_s": _in_degrees(joint.max_speed),
+                "max_acceleration_deg_s2": _in_degrees(joint.max_acceleration),
             }
             for joint in robot.joints
         ],
@@ -71,3 +73,7 @@ def _as_json(robot: Robot, aliases: tuple[str, ...]) -> dict[str, object]:
         "notes": list(robot.notes),
         "not_modelled": list(robot.not_modelled),
     }
+
+
+def _in_degrees(value: float | None) -> float | None:
+    return None if value is None else degrees(value)

@@ -7,6 +7,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
+from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,24 +20,23 @@ from rapidsim.cli.inputs import (
     RobotChoice,
     choose_robot,
     choose_station,
+    chosen_tasks,
     missing_neighbours,
-    one_task,
     program_name,
     seen_from_here,
 )
 from rapidsim.cli.outputs import (
-    TRACE_STEP_S,
     VALUES,
-    Outputs,
-    new_events,
+    Asked,
+    new_outputs,
     new_profile,
-    new_recording,
-    new_trace,
+    output_options,
     write,
     write_values,
 )
 from rapidsim.cli.robot_choice import open_robot
 from rapidsim.cli.terminal import Terminal, current_terminal, terminal_options
+from rapidsim.cli.viewer import leave_open
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import InputError, did_you_mean
 from rapidsim.interpreter.limits import NotExecutableError
@@ -46,11 +46,14 @@ from rapidsim.report.figures import figures
 from rapidsim.report.merging import merged
 from rapidsim.report.run_json import rejected_json, run_json
 from rapidsim.report.summary import ASCII_BARS, BLOCK_BARS, Written, summary
-from rapidsim.simulation.load import load
-from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.cell_io import without_declared
+from rapidsim.simulation.cell_tasks import task_setups
+from rapidsim.simulation.load_tasks import load_tasks
+from rapidsim.simulation.network import Network
+from rapidsim.simulation.options import START_OF_TIME, RunOptions
 from rapidsim.simulation.result import End, Simulation
-from rapidsim.simulation.simulate import simulate
-from rapidsim.simulation.station import Station
+from rapidsim.simulation.simulate import simulate_tasks
+from rapidsim.simulation.station.read import read_io
 from rapidsim.syntax import tree
 
 if TYPE_CHECKING:
@@ -69,22 +72,29 @@ _EXIT_CODES = {
 @click.argument("paths", metavar="PATH...", nargs=-1, required=True)
 @click.option("--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them.")
 @click.option("--station", metavar="FILE.toml", help="The station file, instead of a near one.")
+@click.option("--task", metavar="NAME", help="Only this one of several tasks.")
 @click.option("--proc", metavar="NAME", default="main", help="The procedure to run.")
-@click.option("--record", metavar="FILE.rrd", help="The recording; else <program>.rrd here.")
-@click.option("--no-record", is_flag=True, help="Write no recording.")
-@click.option("--trace", metavar="FILE", help="Joints and TCP over time: .csv .parquet .json")
+@output_options
 @click.option(
-    "--dt",
-    metavar="SECONDS",
-    type=click.FloatRange(min=0.0, min_open=True),
-    default=TRACE_STEP_S,
-    show_default=True,
-    help="Step of the trace.",
+    "--io", metavar="FILE.toml", help="Signals and what happens to inputs; adds to the station."
 )
-@click.option("--events", metavar="FILE.jsonl", help="What happened, one JSON object a line.")
 @click.option("--answers", metavar="FILE", help="Answers to the program's questions, one a line.")
 @click.option(
     "--home", metavar="DIR", help="The folder HOME: stands for; else <program>.home here."
+)
+@click.option("--allow-network", is_flag=True, help="Sockets may use real ports of this computer.")
+@click.option(
+    "--network-host",
+    "network_hosts",
+    metavar="ADDRESS",
+    multiple=True,
+    help="Another address that sockets may use.",
+)
+@click.option(
+    "--start-time",
+    metavar="DATE",
+    type=click.DateTime(["%Y-%m-%d", "%Y-%m-%dT%H:%M:%S", "%Y-%m-%d %H:%M:%S"]),
+    help="What the controller's clock shows at the start; else 2000-01-01.",
 )
 @click.option(
     "--max-time",
@@ -93,6 +103,12 @@ _EXIT_CODES = {
     default=3600.0,
     show_default=True,
     help="Simulated time after which the run is cut off.",
+)
+@click.option(
+    "--max-wall",
+    metavar="SECONDS",
+    type=click.FloatRange(min=0.0, min_open=True),
+    help="Time on the computer's clock after which the run is cut off; else none.",
 )
 @click.option(
     "--cycles",
@@ -130,15 +146,17 @@ def run(
     paths: tuple[str, ...],
     robot: str | None,
     station: str | None,
+    task: str | None,
     proc: str,
-    record: str | None,
-    no_record: bool,
-    trace: str | None,
-    dt: float,
-    events: str | None,
+    asked: Asked,
+    io: str | None,
     answers: str | None,
     home: str | None,
+    allow_network: bool,
+    network_hosts: tuple[str, ...],
+    start_time: datetime | None,
     max_time: float,
+    max_wall: float | None,
     cycles: int,
     output_format: str,
     write_pers: bool,
@@ -147,51 +165,55 @@ def run(
 ) -> int:
     """Run a RAPID program on a virtual controller with a simulated robot.
 
-    PATH is a module (.mod .modx .sys .sysx .prg), a .pgf program file, a folder, the task folder of
-    a controller backup, or - for standard input. What is named together is one task.
+    PATH is a module (.mod .modx .sys .sysx .prg), a .pgf program file, a folder, a controller
+    backup, or - for standard input. What is named together is one task, unless a backup or the
+    station file says which modules belong to which.
 
     Exit codes: 0 the program ended, 1 it has errors or stopped with one, 2 wrong usage, 3 the time
     limit came first.
     """
     terminal = current_terminal()
-    if record and no_record:
-        raise InputError("--record and --no-record exclude each other")
+    if network_hosts and not allow_network:
+        raise InputError("--network-host: it needs --allow-network")
     if breaks and profile:
         raise InputError("--break and --profile exclude each other")
     profile_file = new_profile(profile) if profile else None
     if write_pers and "-" in paths:
         raise InputError("--write-pers: standard input cannot be written to")
-    outputs = Outputs(
-        recording=None if no_record else new_recording(record or f"{program_name(paths)}.rrd"),
-        trace=new_trace(trace) if trace else None,
-        trace_step_s=dt,
-        events=new_events(events) if events else None,
-    )
+    outputs = new_outputs(asked, program_name(paths))
     cell = choose_station(paths, station)
-    files = one_task(paths, cell)
+    around = cell.io.and_also(read_io(Path(io))) if io else cell.io
+    tasks = chosen_tasks(paths, cell, task)
+    files = tuple(file for one in tasks for file in one.files)
     names = tuple(file.name for file in files)
     choice = choose_robot(robot, cell)
     arm = open_robot(choice.name)
-    loaded = load(files)
-    if loaded.program is None:
+    loaded = load_tasks(tasks)
+    loaded = replace(loaded, diagnostics=without_declared(loaded.diagnostics, around, cell.units))
+    if not loaded.tasks:
         hint = missing_neighbours(paths, loaded.diagnostics)
         return _reject(loaded.diagnostics, names, arm, output_format, terminal, hint)
+    program = loaded.tasks[0].program
+    if len(tasks) > 1 and (breaks or profile):
+        raise InputError("--break and --profile follow one task", "name it with --task")
+    setups = task_setups(loaded.tasks, cell, arm, open_robot)
     options = RunOptions(
         program_files=names,
         model=cell.model,
-        start_joints_deg=_start(cell, arm),
+        io=around,
         answers=answers_from(answers),
         home=_home(home, paths),
+        network=Network(frozenset(network_hosts)) if allow_network else None,
+        starts_at=start_time or cell.starts_at or START_OF_TIME,
         max_time_s=max_time,
+        max_wall_s=max_wall,
         max_cycles=cycles,
-        entry=_entry(loaded.program, proc),
-        task=cell.task,
+        entry=_entry([one.program for one in loaded.tasks], proc),
     )
-    program = loaded.program
     measured: Profile | None = None
 
     def execute() -> Simulation:
-        return simulate(program, arm, options=options)
+        return simulate_tasks(setups, options)
 
     try:
         if breaks:
@@ -214,19 +236,18 @@ def run(
     )
     simulation = replace(simulation, home_files=home_files)
     with _stage("writing", terminal):
-        written = write(simulation, outputs)
+        findings = (*loaded.diagnostics, *simulation.diagnostics)
+        written, refused = write(simulation, findings, outputs)
     if profile_file and measured:
         from rapidsim.cli.profiler import write_profile
 
         write_profile(measured, profile_file)
         written = (*written, Written(profile_file, "profile"))
-    refused: InputError | None = None
     if write_pers:
         try:
             written = (*written, *write_values(simulation, files))
         except InputError as error:
-            refused = error
-    findings = (*loaded.diagnostics, *simulation.diagnostics)
+            refused = refused or error
     if output_format == "json":
         report = run_json(simulation, figures(simulation), findings, _json_files(written))
         click.echo(_as_text(report))
@@ -238,6 +259,9 @@ def run(
                 from rapidsim.cli.profiler import costs_table
 
                 terminal.console().print(costs_table(measured.routines))
+    recording = outputs.recording
+    if outputs.view and recording and any(one.path == recording for one in written):
+        leave_open(recording)
     if refused is not None:
         # What the run found is not lost over a file that could not be written.
         raise refused
@@ -273,25 +297,21 @@ def _home(home: str | None, paths: Sequence[str]) -> Path:
     return Path(home)
 
 
-def _start(cell: Station, robot: Robot) -> tuple[float, ...] | None:
-    start = cell.start_joints_deg
-    if start is not None and len(start) != len(robot.joints):
-        raise InputError(
-            f"{cell.file}: robot.start: {robot.name} has {len(robot.joints)} joints, "
-            f"not {len(start)}"
-        )
-    return start
+def _entry(programs: Sequence[Program], name: str) -> str:
+    """The procedure that each task runs, refused if it cannot be started on its own."""
+    for program in programs:
+        _require_entry(program, name)
+    return name
 
 
-def _entry(program: Program, name: str) -> str:
-    """The procedure to run, refused if it cannot be started on its own."""
+def _require_entry(program: Program, name: str) -> None:
     startable = [
         routine.name
         for routine in program.routines.values()
         if isinstance(routine.node, tree.Proc) and all(p.optional for p in routine.parameters)
     ]
     if name.lower() in (one.lower() for one in startable):
-        return name
+        return
     if name.lower() in program.routines:
         raise InputError(f"`{name}` is no procedure that runs without arguments")
     there = f"there are {', '.join(startable[:8])}" if startable else None

@@ -227,9 +227,9 @@ class Calls:
         signature = routine.signature
         given = match_arguments(call.arguments, signature.parameters)
         function = at.name(self._names.module.library(routine))
-        values, options, _ = self._library_arguments(signature, given, at)
+        values, options, calls = self._library_arguments(signature, given, at)
         if not signature.takes_controller:
-            return Code(at.call(function, values, options), may_raise=True)
+            return Code(at.call(function, values, options), may_raise=True, calls=calls)
         place = at.name(self._place(call, given))
         node = at.call("_call_at", [place, function, *values], options)
         return Code(node, may_raise=True, calls=True)

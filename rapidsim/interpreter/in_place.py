@@ -1,7 +1,8 @@
-"""Instructions that are assignments: `Incr x` is `x := x + 1`, and is translated as that.
+"""Instructions that are statements: `Incr x` is `x := x + 1`, and is translated as that.
 
 As calls they would take their variable by reference, which moves a local variable into a cell.
-They are calls all the same where the data are an element or a component.
+They are calls all the same where the data are an element or a component. StartMoveRetry is a call
+and a RETRY.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types: Clear, Decr, Incr.
 """
@@ -29,6 +30,12 @@ def assigned_in_place(call: tree.Call, program: Program) -> tree.Reference | Non
     first = call.arguments[0]
     value = bare(first.value) if isinstance(first, tree.Required) else None
     return value if isinstance(value, tree.Reference) else None
+
+
+def is_start_move_retry(call: tree.Call, program: Program) -> bool:
+    """Whether a call is the instruction that ends an ERROR clause as RETRY does."""
+    symbol = program.symbol_of[call]
+    return isinstance(symbol, LibrarySymbol) and symbol.name.lower() == "startmoveretry"
 
 
 def value_in_place(call: tree.Call, variable: tree.Reference, paths: Paths, at: At) -> Code:

@@ -24,7 +24,9 @@ from rapidsim.interpreter.names import Fixed
 from rapidsim.interpreter.recovery import GENERATED, Recovery, Unrecoverable, as_rapid_error
 from rapidsim.interpreter.references import ABSENT
 from rapidsim.interpreter.runtime import FUNCTIONS, task_functions
+from rapidsim.interpreter.shared import SharedPersistents
 from rapidsim.interpreter.stack import FatalError, Frame, Origin, rapid_stack
+from rapidsim.interpreter.symbols import TaskSymbols
 from rapidsim.interpreter.translation import INITIALISE, TranslatedModule, translate
 from rapidsim.interpreter.values import Value, copied
 from rapidsim.language.controller import Controller
@@ -107,12 +109,13 @@ class Task:
         return found
 
 
-def load(program: Program, controller: Controller) -> Task:
+def load(program: Program, controller: Controller, shared: SharedPersistents | None = None) -> Task:
     """Compile a program and set up its memory.
 
     Args:
         program: Without errors, as analysis makes it.
         controller: Of the task that will run it.
+        shared: The persistents it has in common with other tasks.
 
     Raises:
         NotExecutableError: If it needs something that cannot be simulated; nothing has run then.
@@ -121,18 +124,26 @@ def load(program: Program, controller: Controller) -> Task:
     with _fatal_errors(), uncollected():
         translation = translate(program)
         codes = [_compiled(module) for module in translation.modules]
-    memory = Memory(program)
+    memory = Memory(program) if shared is None else Memory(program, shared.home)
     recovery = Recovery(controller)
     functions: dict[RoutineSymbol, FunctionType] = {}
     by_module: dict[str, dict[str, UserRoutine]] = {}
     by_name: dict[str, UserRoutine] = {}
     late = LateBinding(controller, by_name, by_module)
 
+    def call_procedure(name: str) -> None:
+        module = program.modules[0].name.key
+        # It runs like a trap, so its errors do not reach the statement that it interrupts.
+        recovery.trap(lambda: late.call(module, controller.place, name, (), ()))()
+
+    controller.call_procedure = call_procedure
+
     def value_of(symbol: DataSymbol) -> Value:
         if symbol.storage is Storage.CONST and symbol.node is not None:
             return copied(translation.constants.value_of(symbol))
         return memory.value(symbol)
 
+    controller.symbols = TaskSymbols(program, memory, value_of)
     namespaces = [
         {
             **FUNCTIONS,

@@ -6,7 +6,7 @@ shares a cell or list shares the variable.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -44,6 +44,8 @@ class Memory:
     """All module variables of a task, and the predefined ones that it uses."""
 
     program: Program
+    shared: Callable[[DataSymbol], Any] = lambda symbol: None
+    """The cell or array of data that other tasks have too; None for others."""
     _homes: dict[object, Any] = field(default_factory=dict)
     _loaded: dict[DataSymbol, Value] = field(default_factory=dict)
 
@@ -54,7 +56,8 @@ class Memory:
         """
         key: object = symbol if symbol.node is not None else symbol.name.lower()
         if key not in self._homes:
-            self._homes[key] = _new_home(symbol)
+            shared = self.shared(symbol)
+            self._homes[key] = _new_home(symbol) if shared is None else shared
         return self._homes[key]
 
     def value(self, symbol: DataSymbol) -> Value:

@@ -16,7 +16,11 @@ from rapidsim.analysis.program import DataSymbol, RoutineSymbol
 from rapidsim.interpreter.arithmetic import MAX_INTEGER
 from rapidsim.interpreter.code import Code, Interval, finished
 from rapidsim.interpreter.expressions import Expressions
-from rapidsim.interpreter.in_place import assigned_in_place, value_in_place
+from rapidsim.interpreter.in_place import (
+    assigned_in_place,
+    is_start_move_retry,
+    value_in_place,
+)
 from rapidsim.interpreter.jumps import Jumps
 from rapidsim.interpreter.limits import MAX_BRANCHES, MAX_LOOPS, NotExecutableError
 from rapidsim.interpreter.positions import At
@@ -116,7 +120,10 @@ class Statements:
     def _call(self, statement: tree.Call, at: At) -> list[ast.stmt]:
         variable = assigned_in_place(statement, self.expressions.program)
         if variable is None:
-            return self._guard(self.expressions.calls.procedure(statement, at), at)
+            called = self._guard(self.expressions.calls.procedure(statement, at), at)
+            # The checker lets it stand in ERROR clauses only.
+            retries = is_start_move_retry(statement, self.expressions.program)
+            return [*called, at.leave(at.constant(1))] if retries else called
         paths = self.expressions.paths
         value = value_in_place(statement, variable, paths, at)
         return self._guard(paths.write(variable, value, at), at)

@@ -25,7 +25,11 @@ from typing import Annotated, Any, TypeVar
 from rapidsim.language import types
 from rapidsim.language.controller import OpenFile
 from rapidsim.language.data import ClockState, Signal
+from rapidsim.language.error_log import LoggedError
+from rapidsim.language.path_events import Trigger, ZoneShape
 from rapidsim.language.reference import Reference
+from rapidsim.language.sockets import SocketState
+from rapidsim.language.symbols import DataName
 
 T = TypeVar("T")
 
@@ -56,24 +60,39 @@ String = Annotated[str, types.STRING]
 Switch = Annotated[bool, types.SWITCH]
 AnyType = Annotated[Any, types.ANYTYPE]
 
+AioTrigg = Annotated[float, types.Alias("aiotrigg", types.NUM)]
 BtnRes = Annotated[float, types.Alias("btnres", types.NUM)]
 ButtonData = Annotated[float, types.Alias("buttondata", types.NUM)]
 Byte = Annotated[float, types.Alias("byte", types.NUM)]
 DioNum = Annotated[float, types.Alias("dionum", types.NUM)]
+ErrDomain = Annotated[float, types.Alias("errdomain", types.NUM)]
+EventTypeNum = Annotated[float, types.Alias("event_type", types.NUM)]
+ExecLevelNum = Annotated[float, types.Alias("exec_level", types.NUM)]
 ErrNum = Annotated[float, types.Alias("errnum", types.NUM)]
 ErrStr = Annotated[str, types.Alias("errstr", types.STRING)]
+ErrType = Annotated[float, types.Alias("errtype", types.NUM)]
 IconData = Annotated[float, types.Alias("icondata", types.NUM)]
 IdentNo = Annotated[float, types.Alias("identno", types.NUM)]
 IntNum = Annotated[float, types.Alias("intnum", types.NUM)]
+TpNum = Annotated[float, types.Alias("tpnum", types.NUM)]
 IntTypes = Annotated[float, types.Alias("inttypes", types.NUM)]
 OpCalc = Annotated[float, types.Alias("opcalc", types.NUM)]
 OpNum = Annotated[float, types.Alias("opnum", types.NUM)]
+SocketStatus = Annotated[float, types.Alias("socketstatus", types.NUM)]
 StringDig = Annotated[str, types.Alias("stringdig", types.STRING)]
 SymNum = Annotated[float, types.Alias("symnum", types.NUM)]
 
 _OPAQUE = {atom.name: atom for atom in types.OPAQUE}
 TaskId = Annotated[object, _OPAQUE["taskid"]]
 MecUnit = Annotated[object, _OPAQUE["mecunit"]]
+TriggData = Annotated[Trigger | None, _OPAQUE["triggdata"]]
+TrapData = Annotated[LoggedError | None, _OPAQUE["trapdata"]]
+ShapeData = Annotated[ZoneShape | None, _OPAQUE["shapedata"]]
+Dir = Annotated[list[str] | None, _OPAQUE["dir"]]
+"""An open folder: the names that ReadDir has not given yet."""
+DataPos = Annotated[DataName | None, _OPAQUE["datapos"]]
+SocketDev = Annotated[SocketState | None, _OPAQUE["socketdev"]]
+TriggMode = Annotated[float, types.Alias("triggmode", types.NUM)]
 
 Clock = Annotated[ClockState, types.CLOCK]
 IoDev = Annotated[OpenFile | None, types.IODEV]

@@ -8,79 +8,34 @@ One object implements them all for one task, so generated code and library share
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Sequence
+from datetime import datetime
 from enum import Enum
 from typing import Protocol
 
-from rapidsim.diagnostics import Span
 from rapidsim.language.data import (
-    ExtJoint,
     JointTarget,
-    Pose,
     RobTarget,
-    SpeedData,
     ToolData,
     WobjData,
-    ZoneData,
 )
-
-
-@dataclass(frozen=True, slots=True)
-class Place:
-    """Where a statement stands, for events and reports."""
-
-    span: Span
-    routine: str
-    arguments: Mapping[str, str] = field(default_factory=dict)
-    """Source text of the call's arguments, by folded parameter name: `{"topoint": "p20"}`."""
-
-
-class Interpolation(Enum):
-    """How a move gets to its end."""
-
-    JOINT = "joint"
-    """MoveJ: straight in joint space to a pose."""
-    LINE = "line"
-    """MoveL: the TCP on a straight line."""
-    CIRCLE = "circle"
-    """MoveC: the TCP on an arc through a circle point."""
-    AXES = "axes"
-    """MoveAbsJ: straight in joint space to axis positions."""
-
-
-@dataclass(frozen=True, slots=True)
-class Move:
-    """One move instruction with its arguments evaluated."""
-
-    instruction: str
-    interpolation: Interpolation
-    to: RobTarget | JointTarget
-    speed: SpeedData
-    zone: ZoneData
-    tool: ToolData
-    wobj: WobjData
-    circle_point: RobTarget | None = None
-    duration_s: float | None = None
-    """The argument \\T: time of the whole move, which replaces the speed."""
-    concurrent: bool = False
-    """The argument \\Conc: the program goes on at once."""
-
-
-@dataclass(frozen=True, slots=True)
-class MotionSettings:
-    """What VelSet, AccSet, ConfL and their like have set; these are the values after PP to main."""
-
-    speed_override_percent: float = 100.0
-    max_speed_mm_s: float | None = None
-    acceleration_percent: float = 100.0
-    ramp_percent: float = 100.0
-    conf_j: bool = True
-    conf_l: bool = True
-    displacement: Pose | None = None
-    """PDispOn, PDispSet: moves reach the controller with it applied already."""
-    axis_offsets: ExtJoint | None = None
-    """EOffsOn, EOffsSet: moves reach the controller with them applied already."""
+from rapidsim.language.error_log import LoggedError
+from rapidsim.language.moves import CirclePathMode as CirclePathMode
+from rapidsim.language.moves import Flank as Flank
+from rapidsim.language.moves import Interpolation as Interpolation
+from rapidsim.language.moves import MotionSettings as MotionSettings
+from rapidsim.language.moves import Move as Move
+from rapidsim.language.moves import Place as Place
+from rapidsim.language.moves import SearchStop as SearchStop
+from rapidsim.language.moves import SingularArea as SingularArea
+from rapidsim.language.moves import StopTime as StopTime
+from rapidsim.language.path_control import PathControl as PathControl
+from rapidsim.language.path_control import WorldZones as WorldZones
+from rapidsim.language.path_events import Trigger
+from rapidsim.language.reference import Reference
+from rapidsim.language.sockets import Connection, Listener
+from rapidsim.language.symbols import Symbols
+from rapidsim.language.tasks import Tasks as Tasks
 
 
 class Clock(Protocol):
@@ -88,6 +43,10 @@ class Clock(Protocol):
 
     def now(self) -> float:
         """Virtual time [s] of the statement that runs."""
+        ...
+
+    def date_and_time(self) -> datetime:
+        """What the controller's clock shows, to the second."""
         ...
 
     def wait(self, seconds: float, *, in_position: bool = False) -> None:
@@ -106,8 +65,12 @@ class Motion(Protocol):
 
     settings: MotionSettings
 
-    def move(self, move: Move) -> None:
+    def move(self, move: Move, triggers: tuple[Trigger, ...] = ()) -> None:
         """Put a move on the path; returns when the program would go on.
+
+        Args:
+            move: Where to.
+            triggers: What happens at places on the way.
 
         Raises:
             RapidError: What RAPID can catch, such as a position outside reach.
@@ -170,6 +133,10 @@ class Operator(Protocol):
         ...
 
 
+DISK_BYTES = 1_000_000_000
+"""The size of the controller's disk, which holds the home folder alone."""
+
+
 class FileMode(Enum):
     """What a file is opened for."""
 
@@ -213,9 +180,96 @@ class Files(Protocol):
         """
         ...
 
+    def copy_file(self, old: str, new: str) -> None:
+        """Copy a file.
+
+        Raises:
+            RapidError: ERR_FILEACC, or ERR_FILEEXIST if the new one is there already.
+        """
+        ...
+
+    def rename_file(self, old: str, new: str) -> None:
+        """Give a file another name or place; raises as `copy_file` does."""
+        ...
+
+    def remove_file(self, path: str) -> None:
+        """Delete a file; ERR_FILEACC if there is none."""
+        ...
+
+    def make_folder(self, path: str) -> None:
+        """Make a folder; ERR_FILEACC if it is there or cannot be made."""
+        ...
+
+    def remove_folder(self, path: str) -> None:
+        """Delete an empty folder; ERR_FILEACC if it is not there or not empty."""
+        ...
+
+    def names_in(self, path: str) -> tuple[str, ...]:
+        """The names in a folder, in order; ERR_FILEACC if there is none."""
+        ...
+
+    def is_folder(self, path: str) -> bool:
+        """Whether a folder is there."""
+        ...
+
+    def file_size(self, path: str) -> int | None:
+        """Size of a file [bytes]; None if there is no such file."""
+        ...
+
+    def bytes_in(self, path: str) -> int:
+        """Bytes of all files below a folder."""
+        ...
+
+
+class Sockets(Protocol):
+    """Connections to other computers, or to what stands for them."""
+
+    def open_port(self, address: str, port: int) -> Listener:
+        """Let clients connect to a port.
+
+        Raises:
+            RapidError: ERR_SOCK_ADDR_INUSE if somebody listens there already.
+        """
+        ...
+
+    def accept_client(self, listener: Listener, *, max_time: float | None) -> Connection | None:
+        """Wait for a client, `max_time` [s] or for ever; None if none came."""
+        ...
+
+    def connect_socket(
+        self, address: str, port: int, *, max_time: float | None
+    ) -> Connection | None:
+        """Connect to a server, waiting `max_time` [s] or for ever; None if none answered."""
+        ...
+
+    def send_bytes(self, connection: Connection, data: bytes) -> None:
+        """Send bytes.
+
+        Raises:
+            RapidError: ERR_SOCK_CLOSED if the other end has closed.
+        """
+        ...
+
+    def await_bytes(self, connection: Connection, count: int, *, max_time: float | None) -> bool:
+        """Wait until so many bytes have been received or no more will come.
+
+        Returns:
+            False if `max_time` [s] ran out first.
+        """
+        ...
+
+    def close_socket(self, listener: Listener | None, connection: Connection | None) -> None:
+        """Close what a socket was tied to."""
+        ...
+
 
 class Interrupts(Protocol):
     """Interrupt numbers, what they are connected to, and what raises them."""
+
+    @property
+    def in_trap(self) -> bool:
+        """Whether a trap runs."""
+        ...
 
     def connect(self, trap: Callable[[], None], trap_name: str) -> float:
         """Book an interrupt number for a trap routine."""
@@ -230,9 +284,30 @@ class Interrupts(Protocol):
         ...
 
     def order_signal(
-        self, interrupt: float, signal: str, value: float | None, *, single: bool
+        self,
+        interrupt: float,
+        signal: str,
+        matches: Callable[[float], bool],
+        *,
+        single: bool,
     ) -> None:
-        """Raise an interrupt once, or each time a signal changes to a value; None: to any."""
+        """Raise an interrupt once, or each time a signal changes to a value that matches."""
+        ...
+
+    def order_persistent(self, interrupt: float, data: Reference[object], *, single: bool) -> None:
+        """Raise an interrupt once, or each time a persistent has changed."""
+        ...
+
+    def order_logged(self, interrupt: float, wanted: Callable[[LoggedError], bool]) -> None:
+        """Raise an interrupt each time an entry that is wanted comes into the event log."""
+        ...
+
+    def log_error(self, entry: LoggedError) -> None:
+        """Put an entry into the event log."""
+        ...
+
+    def trap_cause(self) -> LoggedError | None:
+        """What made the trap run that runs; None if that is not an entry of the event log."""
         ...
 
     def delete_interrupt(self, interrupt: float) -> None:
@@ -286,7 +361,19 @@ class Honesty(Protocol):
 
 
 class Controller(
-    Clock, Motion, Operator, Files, Interrupts, Signals, ErrorNumbers, Honesty, Protocol
+    Clock,
+    Motion,
+    PathControl,
+    WorldZones,
+    Operator,
+    Files,
+    Sockets,
+    Interrupts,
+    Signals,
+    ErrorNumbers,
+    Tasks,
+    Honesty,
+    Protocol,
 ):
     """All of it, for one task, and what generated code needs at run time."""
 
@@ -299,6 +386,10 @@ class Controller(
     """RAPID's ERRNO."""
     intno: float
     """RAPID's INTNO."""
+    symbols: Symbols
+    """The data of the program by name; the interpreter sets it."""
+    call_procedure: Callable[[str], None]
+    """Calls a procedure of the program by its name; the interpreter sets it."""
 
     def service(self) -> None:
         """Do what is due (traps, other tasks, limits) and grant the next slice.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 from typing import get_args, get_type_hints
 
-from rapidsim.language import data, types
+from rapidsim.language import arc_data, data, types
 from rapidsim.language.types import Component, Record, Type
 
 RECORD_CLASSES: tuple[type[tuple[object, ...]], ...] = (
@@ -39,6 +39,13 @@ RECORD_CLASSES: tuple[type[tuple[object, ...]], ...] = (
     data.WzTemporary,
     data.WzStationary,
     data.RmqHeader,
+    arc_data.ArcData,
+    arc_data.SeamData,
+    arc_data.WeldData,
+    arc_data.WeaveData,
+    arc_data.ArcTrackData,
+    arc_data.OptTrackData,
+    arc_data.TrackData,
 )
 """Every record type RAPID predefines."""
 

@@ -12,22 +12,37 @@ from rapidsim.library.bits import BITS
 from rapidsim.library.declared import read_declared
 from rapidsim.library.dialogs import DIALOGS
 from rapidsim.library.displacement import DISPLACEMENT
+from rapidsim.library.error_interrupts import ERROR_INTERRUPTS
 from rapidsim.library.errors import ERRORS
+from rapidsim.library.file_system import FILE_SYSTEM
 from rapidsim.library.files import FILES
+from rapidsim.library.fits import FITS
 from rapidsim.library.flow import FLOW
 from rapidsim.library.interrupts import INTERRUPTS
 from rapidsim.library.mathematics import MATHEMATICS
+from rapidsim.library.matrices import MATRICES
 from rapidsim.library.motion import MOTION
 from rapidsim.library.motion_settings import MOTION_SETTINGS
 from rapidsim.library.operator import OPERATOR
+from rapidsim.library.output_moves import OUTPUT_MOVES
 from rapidsim.library.positions import POSITIONS
 from rapidsim.library.raw_bytes import RAW_BYTES
 from rapidsim.library.robot_state import ROBOT_STATE
+from rapidsim.library.search import SEARCH
 from rapidsim.library.signal_waits import SIGNAL_WAITS
 from rapidsim.library.signals import SIGNALS
+from rapidsim.library.sockets import SOCKETS
+from rapidsim.library.stop_start import STOP_START
 from rapidsim.library.strings import STRINGS
+from rapidsim.library.symbols import SYMBOLS
+from rapidsim.library.system_data import SYSTEM_DATA
 from rapidsim.library.table import LibraryRoutine
+from rapidsim.library.tasks import TASKS
 from rapidsim.library.timing import TIMING
+from rapidsim.library.trigger_moves import TRIGGER_MOVES
+from rapidsim.library.trigger_outputs import TRIGGER_OUTPUTS
+from rapidsim.library.triggers import TRIGGERS
+from rapidsim.library.world_zones import WORLD_ZONES
 
 CHAPTERS: Mapping[str, Mapping[str, LibraryRoutine]] = MappingProxyType(
     {
@@ -40,15 +55,30 @@ CHAPTERS: Mapping[str, Mapping[str, LibraryRoutine]] = MappingProxyType(
         "Signal waits": SIGNAL_WAITS,
         "Timing": TIMING,
         "Interrupts": INTERRUPTS,
+        "Interrupts by errors": ERROR_INTERRUPTS,
+        "Triggers": TRIGGERS,
+        "Moves with triggers": TRIGGER_MOVES,
+        "Moves with named outputs": TRIGGER_OUTPUTS,
+        "Moves with outputs": OUTPUT_MOVES,
+        "Search": SEARCH,
+        "Stop and start": STOP_START,
+        "World zones": WORLD_ZONES,
+        "Tasks": TASKS,
         "Flow": FLOW,
         "Errors": ERRORS,
         "Operator": OPERATOR,
         "Dialogs": DIALOGS,
         "Files": FILES,
+        "Files and folders": FILE_SYSTEM,
         "Raw bytes": RAW_BYTES,
+        "Sockets": SOCKETS,
         "Mathematics": MATHEMATICS,
+        "Matrices": MATRICES,
+        "Best fits": FITS,
         "Bits": BITS,
         "Strings": STRINGS,
+        "Data by name": SYMBOLS,
+        "System data": SYSTEM_DATA,
     }
 )
 """The routines written in Python, by chapter."""

@@ -27,6 +27,7 @@ from rapidsim.library.text import value_text
 BUILT_IN = "built in"
 """What stands after `=>` for routines that the interpreter itself carries out."""
 
+_HEADING = "! == "
 _LINE = re.compile(
     r"(?:PROC|FUNC (?P<result>\w+)) (?P<name>\w+)\((?P<parameters>[^)]*)\)(?: => (?P<instead>.+))?"
 )
@@ -38,9 +39,19 @@ _PARAMETER = re.compile(
 @cache
 def read_declared() -> Mapping[str, LibraryRoutine]:
     """All declared routines by folded name."""
-    lines = Path(__file__).with_name("declared.txt").read_text("utf-8").splitlines()
-    rows = (_row(line) for line in lines if line.startswith(("PROC", "FUNC")))
+    rows = (_row(line) for line in _lines() if line.startswith(("PROC", "FUNC")))
     return MappingProxyType({row.name.lower(): row for row in rows})
+
+
+def read_declared_chapters() -> Mapping[str, tuple[str, ...]]:
+    """Folded names of the declared routines by the headings of the file, in its order."""
+    chapters: dict[str, list[str]] = {}
+    for line in _lines():
+        if line.startswith(_HEADING):
+            chapters[line.removeprefix(_HEADING)] = []
+        elif match := _LINE.fullmatch(line):
+            list(chapters.values())[-1].append(match["name"].lower())
+    return {title: tuple(names) for title, names in chapters.items()}
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,6 +69,10 @@ class DeclaredRoutine(LibraryRoutine):
             None if self.result is None else TYPES[self.result],
             takes_controller=self.simulated is False,
         )
+
+
+def _lines() -> list[str]:
+    return Path(__file__).with_name("declared.txt").read_text("utf-8").splitlines()
 
 
 def _row(line: str) -> LibraryRoutine:

@@ -6,7 +6,15 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types.
 from __future__ import annotations
 
 from rapidsim.language.annotations import ErrNum, ErrStr, Num, String, Switch, Var
-from rapidsim.language.controller import ErrorNumbers, Operator
+from rapidsim.language.controller import Controller, ErrorNumbers
+from rapidsim.language.error_log import (
+    ERROR,
+    PROCESS_DOMAIN,
+    STATE,
+    USER_DOMAIN,
+    WARNING,
+    LoggedError,
+)
 from rapidsim.library.table import routine, table
 from rapidsim.library.text import number_text
 
@@ -18,7 +26,7 @@ def book_err_no(controller: ErrorNumbers, error_name: Var[ErrNum]) -> None:
 
 
 def err_write(
-    controller: Operator,
+    controller: Controller,
     header: String,
     reason: String,
     *,
@@ -31,10 +39,12 @@ def err_write(
     """Show a message and keep it in the event log."""
     lines = [line for line in (reason, rl2, rl3, rl4) if line]
     controller.show(f"{_kind(w, i)} {header}: {' / '.join(lines)}")
+    number = 2.0 if w else 3.0 if i else 1.0
+    controller.log_error(LoggedError(USER_DOMAIN, number, _type(w, i), header, tuple(lines)))
 
 
 def err_log(
-    controller: Operator,
+    controller: Controller,
     error_id: Num,
     argument1: ErrStr,
     argument2: ErrStr,
@@ -48,10 +58,16 @@ def err_log(
     """Show a message of the program's own text file by its number, with what fills its blanks."""
     arguments = [a for a in (argument1, argument2, argument3, argument4, argument5) if a]
     controller.show(f"{_kind(w, i)} {number_text(error_id)}: {' / '.join(arguments)}")
+    entry = LoggedError(PROCESS_DOMAIN, error_id, _type(w, i), texts=tuple(arguments))
+    controller.log_error(entry)
 
 
 def _kind(warning: bool, information: bool) -> str:
     return "warning" if warning else "information" if information else "error"
+
+
+def _type(warning: bool, information: bool) -> float:
+    return WARNING if warning else STATE if information else ERROR
 
 
 ERRORS = table(

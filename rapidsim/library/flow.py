@@ -66,21 +66,6 @@ def rob_name() -> String:
     return "ROB_1"
 
 
-def task_run_rob() -> Bool:
-    """Whether the task controls a robot."""
-    return True
-
-
-def task_run_mec() -> Bool:
-    """Whether the task controls any mechanical unit."""
-    return True
-
-
-def is_sync_move_on() -> Bool:
-    """Whether the task moves in step with others; there are no others."""
-    return False
-
-
 def non_motion_mode(*, main: Switch = False) -> Bool:
     """Whether the program runs without motion."""
     del main
@@ -96,8 +81,5 @@ FLOW = table(
     routine("RunMode", run_mode),
     routine("RobOS", rob_os),
     routine("RobName", rob_name),
-    routine("TaskRunRob", task_run_rob),
-    routine("TaskRunMec", task_run_mec),
-    routine("IsSyncMoveOn", is_sync_move_on),
     routine("NonMotionMode", non_motion_mode),
 )

@@ -7,16 +7,17 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rapidsim.language.annotations import Num, Pers, Switch
-from rapidsim.language.controller import Controller, Motion
+from rapidsim.language.annotations import Bool, MecUnit, Num, Pers, Switch, Var
+from rapidsim.language.controller import CirclePathMode, Controller, Motion, SingularArea
 from rapidsim.language.data import LoadData
-from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
+from rapidsim.language.error_numbers import ERR_ACC_TOO_LOW, ERR_ARGVALERR, rapid_error
 from rapidsim.library.honesty import ignored
 from rapidsim.library.predefined import MAX_TCP_SPEED_MM_S
 from rapidsim.library.table import routine, table
 
 LEAST_ACCELERATION_PERCENT = 20.0
 LEAST_RAMP_PERCENT = 10.0
+LEAST_LIMIT_M_S2 = 0.1
 
 
 def vel_set(controller: Motion, override: Num, max_: Num) -> None:
@@ -33,6 +34,8 @@ def acc_set(
 ) -> None:
     """Reduce acceleration and its rise [%]; the controller goes no lower than 20 and 10."""
     ignored(controller, "AccSet", {r"\FinePointRamp": fine_point_ramp})
+    if ramp < 100.0:
+        controller.not_simulated("AccSet Ramp", "accelerations rise as quickly as with 100 %")
     controller.settings = replace(
         controller.settings,
         acceleration_percent=min(max(acc, LEAST_ACCELERATION_PERCENT), 100.0),
@@ -51,21 +54,21 @@ def conf_l(controller: Motion, *, on: Switch = False, off: Switch = False) -> No
 
 
 def sing_area(
-    controller: Controller,
+    controller: Motion,
     *,
     wrist: Switch = False,
     lock_axis4: Switch = False,
     off: Switch = False,
 ) -> None:
-    r"""Choose how singularities are passed; only \Off, the path as programmed, is simulated."""
+    r"""Choose how lines and arcs pass singularities of the wrist; \Off without a switch."""
     del off
-    if wrist or lock_axis4:
-        name = r"SingArea \Wrist" if wrist else r"SingArea \LockAxis4"
-        controller.not_simulated(name, r"SingArea \Off")
+    area = SingularArea.WRIST if wrist else SingularArea.OFF
+    area = SingularArea.LOCK_AXIS_4 if lock_axis4 else area
+    controller.settings = replace(controller.settings, singular_area=area)
 
 
 def cir_path_mode(
-    controller: Controller,
+    controller: Motion,
     *,
     path_frame: Switch = False,
     object_frame: Switch = False,
@@ -74,24 +77,89 @@ def cir_path_mode(
     wrist46: Switch = False,
     wrist56: Switch = False,
 ) -> None:
-    r"""Choose how the tool turns on arcs; only \PathFrame is simulated."""
+    r"""Choose how the tool turns on arcs; \PathFrame without a switch."""
     del path_frame
-    others = {
-        r"\ObjectFrame": object_frame,
-        r"\CirPointOri": cir_point_ori,
-        r"\Wrist45": wrist45,
-        r"\Wrist46": wrist46,
-        r"\Wrist56": wrist56,
+    chosen = {
+        CirclePathMode.OBJECT_FRAME: object_frame,
+        CirclePathMode.CIR_POINT_ORI: cir_point_ori,
+        CirclePathMode.WRIST45: wrist45,
+        CirclePathMode.WRIST46: wrist46,
+        CirclePathMode.WRIST56: wrist56,
     }
-    for name, chosen in others.items():
-        if chosen:
-            controller.not_simulated(f"CirPathMode {name}", r"CirPathMode \PathFrame")
+    modes = [mode for mode, wanted in chosen.items() if wanted]
+    mode = modes[0] if modes else CirclePathMode.PATH_FRAME
+    controller.settings = replace(controller.settings, circle_path=mode)
+
+
+def path_acc_lim(
+    controller: Controller,
+    acc_lim: Bool,
+    decel_lim: Bool,
+    *,
+    acc_max: Num | None = None,
+    decel_max: Num | None = None,
+) -> None:
+    """Limit acceleration and deceleration of the TCP along its path [m/s2]."""
+    speeding_up = _limit("AccMax", acc_max) if acc_lim else None
+    braking = _limit("DecelMax", decel_max) if decel_lim else None
+    if speeding_up != braking:
+        controller.not_simulated(
+            "PathAccLim with two different limits", "the smaller one counts for both"
+        )
+    controller.settings = replace(
+        controller.settings, tcp_acceleration_m_s2=speeding_up, tcp_deceleration_m_s2=braking
+    )
+
+
+def world_acc_lim(controller: Motion, *, on: Num | None = None, off: Switch = False) -> None:
+    """Limit the acceleration of the TCP in the world [m/s2]."""
+    del off
+    limit = None if on is None else _limit("On", on)
+    controller.settings = replace(controller.settings, world_acceleration_m_s2=limit)
+
+
+def _limit(name: str, limit: float | None) -> float:
+    if limit is None or limit < LEAST_LIMIT_M_S2:
+        given = "no value" if limit is None else f"{limit:g}"
+        raise rapid_error(
+            ERR_ACC_TOO_LOW, rf"\{name} needs at least {LEAST_LIMIT_M_S2:g} m/s2, not {given}"
+        )
+    return limit
+
+
+def act_unit(controller: Controller, mech_unit: Var[MecUnit]) -> None:
+    """Switch a mechanical unit on, so that targets move its axes."""
+    name = _unit_name(controller)
+    active = controller.settings.inactive_units - {name}
+    controller.settings = replace(controller.settings, inactive_units=active)
+    del mech_unit
+
+
+def deact_unit(controller: Controller, mech_unit: Var[MecUnit]) -> None:
+    """Switch a mechanical unit off: its axes stay where they are."""
+    name = _unit_name(controller)
+    inactive = controller.settings.inactive_units | {name}
+    controller.settings = replace(controller.settings, inactive_units=inactive)
+    del mech_unit
+
+
+def is_mech_unit_active(controller: Controller, mech_unit: Var[MecUnit]) -> Bool:
+    """Whether a mechanical unit is on."""
+    del mech_unit
+    return _unit_name(controller) not in controller.settings.inactive_units
+
+
+def _unit_name(controller: Controller) -> str:
+    """The unit an instruction names, in small letters; units have no value, only a name."""
+    return controller.place.arguments.get("mechunit", "").lower()
 
 
 def grip_load(controller: Controller, load: Pers[LoadData]) -> None:
-    """Tell the controller the load in the gripper; the motion model knows no loads."""
-    del load
-    controller.not_simulated("GripLoad", "skipped, loads do not change the motion")
+    """Tell the controller the load in the gripper.
+
+    It slows accelerations as far as the motion model says; by default loads change nothing.
+    """
+    controller.settings = replace(controller.settings, grip_load_kg=load.value.mass)
 
 
 def max_rob_speed(controller: Controller) -> Num:
@@ -103,6 +171,11 @@ def max_rob_speed(controller: Controller) -> Num:
 MOTION_SETTINGS = table(
     routine("VelSet", vel_set, "Override Max"),
     routine("AccSet", acc_set),
+    routine("PathAccLim", path_acc_lim, r"AccLim \AccMax DecelLim \DecelMax"),
+    routine("WorldAccLim", world_acc_lim, r"\On|\Off"),
+    routine("ActUnit", act_unit),
+    routine("DeactUnit", deact_unit),
+    routine("IsMechUnitActive", is_mech_unit_active),
     routine("ConfJ", conf_j, r"\On|\Off"),
     routine("ConfL", conf_l, r"\On|\Off"),
     routine("SingArea", sing_area, r"\Wrist|\LockAxis4|\Off"),
@@ -111,6 +184,6 @@ MOTION_SETTINGS = table(
         cir_path_mode,
         r"\PathFrame|\ObjectFrame|\CirPointOri|\Wrist45|\Wrist46|\Wrist56",
     ),
-    routine("GripLoad", grip_load, treated_as="skipped, loads do not change the motion"),
+    routine("GripLoad", grip_load),
     routine("MaxRobSpeed", max_rob_speed, treated_as="the speed of vmax"),
 )

@@ -35,13 +35,12 @@ def c_rob_t(
     wobj: Pers[WobjData] | None = None,
 ) -> RobTarget:
     """Where the TCP is; without arguments, that of the tool and work object of the last move."""
-    _own_task_only(controller, "CRobT", task_ref, task_name)
-    return in_program(
-        controller,
-        controller.current_target(
-            None if tool is None else tool.value, None if wobj is None else wobj.value
-        ),
-    )
+    _own_task_only(controller, "CRobT", task_ref)
+    of_tool = None if tool is None else tool.value
+    of_wobj = None if wobj is None else wobj.value
+    if _is_other(controller, task_name):
+        return controller.target_of(task_name or "", of_tool, of_wobj)
+    return in_program(controller, controller.current_target(of_tool, of_wobj))
 
 
 def c_joint_t(
@@ -51,7 +50,9 @@ def c_joint_t(
     task_name: String | None = None,
 ) -> JointTarget:
     """Where the axes are."""
-    _own_task_only(controller, "CJointT", task_ref, task_name)
+    _own_task_only(controller, "CJointT", task_ref)
+    if _is_other(controller, task_name):
+        return controller.joints_of(task_name or "")
     joints = controller.current_joints()
     offsets = controller.settings.axis_offsets
     return joints._replace(extax=without_axis_offsets(joints.extax, offsets))
@@ -138,8 +139,12 @@ def c_speed_override(*, c_task: Switch = False) -> Num:
     return 100.0
 
 
+def _is_other(controller: Controller, task_name: str | None) -> bool:
+    return task_name is not None and task_name.lower() != controller.task_name.lower()
+
+
 def _own_task_only(
-    controller: Honesty, name: str, task_ref: object | None, task_name: str | None
+    controller: Honesty, name: str, task_ref: object | None, task_name: str | None = None
 ) -> None:
     for option, value in ((r"\TaskRef", task_ref), (r"\TaskName", task_name)):
         if value is not None:

@@ -30,6 +30,10 @@ _SPELLINGS = {
     "io_device": "IODevice",
 }
 """RAPID names that are not their Python name with capitals."""
+_PROTOCOLS = tuple(
+    f"rapidsim.language.{module}" for module in ("controller", "path_control", "tasks")
+)
+"""Where the protocols stand that a routine may ask for as its first parameter."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -196,7 +200,7 @@ def _array_of(hint: object) -> types.ArrayOf:
 
 
 def _is_protocol(hint: object) -> bool:
-    return getattr(hint, "__module__", "") == "rapidsim.language.controller"
+    return getattr(hint, "__module__", "") in _PROTOCOLS
 
 
 def _is_open(parameter: Parameter) -> bool:

@@ -1,6 +1,7 @@
 r"""Waiting, clocks, date and time; all of it virtual.
 
-There is no wall clock in a run: the date is a fixed day, on which the run begins at midnight.
+There is no wall clock in a run: it begins at the date and time that it was given, else at midnight
+of 2000-01-01.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types.
 """
@@ -37,9 +38,6 @@ LEAST_POLL_S = 0.04
 CLOCK_RESOLUTION_S = 0.001
 FINE_CLOCK_RESOLUTION_S = 0.000001
 """ClkRead counts in these steps [s]; the finer ones with \\HighRes."""
-
-_DAY = "2000-01-01"
-_TIME_NOTE = f"virtual time, on {_DAY} from midnight"
 
 
 class Window(TypedDict, total=False):
@@ -145,44 +143,37 @@ def clk_read(controller: ClockProtocol, clock: Var[Clock], *, high_res: Switch =
     return single(steps * resolution)
 
 
-def c_date(controller: Controller) -> String:
-    """The date."""
-    controller.not_simulated("CDate", _TIME_NOTE)
-    return _DAY
+def c_date(controller: ClockProtocol) -> String:
+    """The date, as `2000-01-01`."""
+    return f"{controller.date_and_time():%Y-%m-%d}"
 
 
-def c_time(controller: Controller) -> String:
-    """The time of day."""
-    controller.not_simulated("CTime", _TIME_NOTE)
-    hours, minutes, seconds = _time_of_day(controller)
-    return f"{hours:02}:{minutes:02}:{seconds:02}"
+def c_time(controller: ClockProtocol) -> String:
+    """The time of day, as `06:30:00`."""
+    return f"{controller.date_and_time():%H:%M:%S}"
 
 
 def get_time(
-    controller: Controller,
+    controller: ClockProtocol,
     *,
     w_day: Switch = False,
     hour: Switch = False,
     min_: Switch = False,
     sec: Switch = False,
 ) -> Num:
-    """One number of the time of day; the fixed day is a Saturday, 6."""
+    """One number of the time of day; days of the week count from Monday, 1."""
     if not (w_day or hour or min_ or sec):
         raise rapid_error(ERR_ARGVALERR, r"GetTime needs one of \WDay, \Hour, \Min and \Sec")
-    controller.not_simulated("GetTime", _TIME_NOTE)
-    hours, minutes, seconds = _time_of_day(controller)
-    return 6.0 if w_day else float(hours if hour else minutes if min_ else seconds)
+    now = controller.date_and_time()
+    return float(
+        now.isoweekday() if w_day else now.hour if hour else now.minute if min_ else now.second
+    )
 
 
 def _clock_time(controller: ClockProtocol, state: ClockState) -> float:
     if state.started_s is None:
         return state.counted_s
     return state.counted_s + controller.now() - state.started_s
-
-
-def _time_of_day(controller: ClockProtocol) -> tuple[int, int, int]:
-    seconds = math.floor(controller.now()) % 86400
-    return seconds // 3600, seconds // 60 % 60, seconds % 60
 
 
 TIMING = table(
@@ -199,7 +190,7 @@ TIMING = table(
     routine("ClkStart", clk_start),
     routine("ClkStop", clk_stop),
     routine("ClkRead", clk_read),
-    routine("CDate", c_date, treated_as=_TIME_NOTE),
-    routine("CTime", c_time, treated_as=_TIME_NOTE),
-    routine("GetTime", get_time, r"\WDay|\Hour|\Min|\Sec", treated_as=_TIME_NOTE),
+    routine("CDate", c_date),
+    routine("CTime", c_time),
+    routine("GetTime", get_time, r"\WDay|\Hour|\Min|\Sec"),
 )

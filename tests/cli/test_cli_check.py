@@ -68,7 +68,9 @@ def test_lines_and_columns_do_not_depend_on_bytes(
 ) -> None:
     text = "MODULE a\n  ! größer\n  PROC main()\n    parts:=1;\n  ENDPROC\nENDMODULE\n"
     (tmp_path / "a.mod").write_bytes(text.replace("\n", line_end).encode(encoding))
-    ended = rapidsim("check", "a.mod", "--output-format", "concise", cwd=tmp_path)
+    ended = rapidsim(
+        "check", "a.mod", "--ignore", "E106", "--output-format", "concise", cwd=tmp_path
+    )
     assert ended.out.startswith("a.mod:4:5: error[N201]")
 
 
@@ -79,9 +81,6 @@ def test_a_backup_is_checked_task_by_task(tmp_path: Path) -> None:
         (folder / "main.mod").write_text("MODULE m\n  PROC main()\n  ENDPROC\nENDMODULE\n")
     ended = rapidsim("check", ".", cwd=tmp_path)
     assert (ended.code, ended.out.splitlines()[0][:32]) == (0, "Found nothing wrong in 2 files (")
-    refused = rapidsim("run", ".", cwd=tmp_path)
-    assert refused.code == 2
-    assert "TASK1, TASK2" in refused.err
 
 
 def test_neighbours_are_named_when_a_name_is_missing(tmp_path: Path) -> None:

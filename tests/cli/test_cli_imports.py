@@ -9,7 +9,7 @@ import pytest
 
 import rapidsim
 
-HEAVY = ("rerun", "yourdfpy", "trimesh", "scipy", "pyarrow", "networkx", "matplotlib")
+HEAVY = ("rerun", "yourdfpy", "trimesh", "scipy", "pyarrow", "networkx", "matplotlib", "numba")
 MODULE = "MODULE tiny\n  PROC main()\n    VAR num n;\n    n:=1;\n  ENDPROC\nENDMODULE\n"
 
 REPORT = """

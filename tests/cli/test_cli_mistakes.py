@@ -78,7 +78,7 @@ def test_a_misspelt_command_brings_the_right_one() -> None:
 )
 def test_an_unknown_rule_brings_near_ones(arguments: tuple[str, ...], tmp_path: Path) -> None:
     (tmp_path / "a.mod").write_text(MODULE)
-    refused(rapidsim(*arguments, "R1O1", cwd=tmp_path), "`R1O1`", "R101")
+    refused(rapidsim(*arguments, "R1001", cwd=tmp_path), "`R1001`", "R101")
 
 
 @pytest.mark.parametrize(

@@ -15,9 +15,13 @@ def test_check_finds_what_the_command_finds() -> None:
     result = rapidsim.check([PROGRAMS / "wrong.mod"])
     assert not result.accepted
     assert {"N201", "E103", "N209"} <= {d.violation.code for d in result.diagnostics}
-    clean = rapidsim.check([PROGRAMS / "cell.mod"], robot="irb120")
+    clean = rapidsim.check([PROGRAMS / "cell.mod"], robot="irb1600")
     assert clean.accepted
-    assert [move.line for move in clean.unchecked_moves] == [15, 17, 22, 23, 25]
+    assert (clean.coverage.by_value, clean.coverage.unchecked) == (5, ())
+    small = rapidsim.check([PROGRAMS / "cell.mod"], robot="irb120")
+    assert {d.violation.code for d in small.diagnostics if d.severity == "error"} == {"K601"}
+    nobody = rapidsim.check([PROGRAMS / "cell.mod"])
+    assert [move.span.line for move in nobody.coverage.unchecked] == [15, 17, 22, 23, 25]
 
 
 def test_simulate_and_record(tmp_path: Path) -> None:

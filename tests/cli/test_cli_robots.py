@@ -32,6 +32,18 @@ def test_the_table_goes_by_maker_and_explains_its_question_marks() -> None:
     assert any(line.startswith("? is not known") for line in lines)
 
 
+def test_the_table_holds_arms_of_every_kind_without_notes_beside_it() -> None:
+    """How an arm is solved is told where it is used."""
+    listed = rapidsim("robots")
+    assert listed.err == ""
+    rows = [line for line in listed.out.splitlines() if line.startswith("  ") and line.strip()]
+    axes = {line.split()[0]: line for line in rows}
+    assert axes["irb460-110-2.4"].split()[-2:] == ["4", "?"]
+    assert axes["irb14000-0.5-0.5"].split()[-2] == "7"
+    assert axes["crb15000-5-0.95"].split()[-2] == "6"
+    assert "searched for step by step" in rapidsim("robots", "gofa").err
+
+
 def test_json_says_null_where_nothing_is_known() -> None:
     listed = json.loads(rapidsim("robots", "--format", "json").out)["robots"]
     robots = {robot["name"]: robot for robot in listed}

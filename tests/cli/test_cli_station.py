@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 
 from rapidsim.files import InputError
-from rapidsim.simulation.station import find_station, read_station
+from rapidsim.simulation.station.read import read_station
+from rapidsim.simulation.station.station import find_station
 
 
 def station_file(folder: Path, text: str) -> Path:
@@ -43,7 +44,7 @@ def test_everything_it_can_say_is_taken(tmp_path: Path) -> None:
     assert (station.model.filter_time, station.model.fine_dwell) == (0.0, 0.2)
     assert station.model.corner == "parabola"
     assert (station.task, station.modules) == ("T_ROB2", (tmp_path / "Main.mod",))
-    assert station.ignore == ("S9",)
+    assert station.check.ignore == ("S9",)
 
 
 def test_an_urdf_file_lies_beside_it(tmp_path: Path) -> None:
@@ -62,19 +63,24 @@ def test_an_urdf_file_lies_beside_it(tmp_path: Path) -> None:
         ("robot = 3", "robot: a table is needed", None),
         ('[robot]\nstart = ["a"]', "robot.start: a list of numbers", None),
         ("[robot]\nbase = { position = [1, 2] }", "robot.base.position: 3 numbers", None),
-        ("[robot]\nbase = { position = [1, 2, 3] }", "not simulated yet", None),
-        ("[robot]\nbase = { quaternion = [0, 1, 0, 0] }", "not simulated yet", None),
         ("[motion]\nacceleration_time = 0", "motion.acceleration_time: a number above 0", None),
         ("[motion]\nfine_dwell = -1", "motion.fine_dwell: a number that is not negative", None),
         ("[motion]\nfine_dwell = true", "motion.fine_dwell: a number", None),
         ("[motion]\nfine_dwell = nan", "motion.fine_dwell: a number", None),
         ("[motion]\nacceleration = [0]", "above 0", None),
         ('[motion]\ncorner = "round"', "`round` is neither `c2` nor `parabola`", None),
-        ("[[task]]\n[[task]]", "several tasks are not simulated together yet", None),
-        ("task = 3", "task: tasks are written as [[task]]", None),
-        ("[signals]", "signals: signals cannot be declared", None),
-        ("[[stimulus]]\nat = 1", "stimulus: inputs cannot be stimulated", None),
-        ("[check]\ncycle-budget = 3", "cycle budgets are not checked yet", None),
+        ("[[task]]\n[[task]]", "there are two tasks T_ROB1", None),
+        ("task = 3", "task: they are written as [[task]]", None),
+        ("[signals]\ndi1 = 3", "signals.di1: a table is needed", None),
+        ('[signals]\ndi1 = { type = "dj" }', "`dj` is no type of signal", None),
+        ('[signals]\ngo1 = { type = "go", width = 40 }', "go1.width: a whole number", None),
+        ('[signals]\ndi1 = { type = "di", min = 1 }', "di1.min: a di has no such key", None),
+        ('[signals]\ngo1 = { type = "go", width = 2, value = 4 }', "4 is outside", None),
+        ("[[stimulus]]\nat = 1", "stimulus.set: name signals", None),
+        ("[[stimulus]]\nset = { a = 1 }", "stimulus: say `at`, `every` or `when`", None),
+        ('[[stimulus]]\nwhen = "a = b"\nset = { c = 1 }', "`a = b` is no condition", None),
+        ('[[cross]]\nset = "a"\nfrom = "b and a"', "`a` follows itself", None),
+        ('[check]\nfail-on = "never"', "`never` is no severity", None),
     ],
 )
 def test_what_it_cannot_say_is_refused(
@@ -85,6 +91,14 @@ def test_what_it_cannot_say_is_refused(
     assert part in raised.value.message
     assert "rapidsim.toml" in raised.value.message
     assert help is None or help in (raised.value.help or "")
+
+
+def test_all_mistakes_are_told_at_once(tmp_path: Path) -> None:
+    file = station_file(tmp_path, "[robot]\nmodle = 1\n[motion]\nfine_dwell = -1\n[cell]\n")
+    with pytest.raises(InputError) as raised:
+        read_station(file)
+    said = [line.split("toml: ")[1].split(":")[0] for line in raised.value.message.splitlines()]
+    assert said == ["cell", "robot.modle", "motion.fine_dwell"]
 
 
 def test_it_is_found_next_to_the_program_or_above(tmp_path: Path) -> None:

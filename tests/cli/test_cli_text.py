@@ -51,10 +51,10 @@ def test_help(command: str) -> None:
 
 
 def test_a_clean_program_says_so_and_what_was_not_looked_at() -> None:
-    ended = rapidsim("check", "cell.mod")
+    ended = rapidsim("check", "cell.mod", "--ignore", "unused-data")
     assert (ended.code, ended.err) == (0, "")
     assert_golden("check_clean.txt", ended.out)
-    assert rapidsim("check", "cell.mod", "-q").out == ""
+    assert rapidsim("check", "cell.mod", "--ignore", "unused-data", "-q").out == ""
 
 
 def test_standard_input_is_a_module() -> None:

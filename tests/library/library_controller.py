@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from datetime import datetime, timedelta
 from typing import Any
 
 from rapidsim.diagnostics import Source, Span
-from rapidsim.language.controller import FileMode, MotionSettings, Move, Place
+from rapidsim.language.controller import FileMode, Flank, MotionSettings, Move, Place, SearchStop
 from rapidsim.language.data import (
     NO_EXTERNAL_AXES,
     TOOL0,
@@ -21,7 +22,12 @@ from rapidsim.language.data import (
     ToolData,
     WobjData,
 )
+from rapidsim.language.error_log import LoggedError
 from rapidsim.language.error_numbers import ERR_FILEOPEN, ERR_OUTSIDE_REACH, rapid_error
+from rapidsim.language.path_events import Trigger, ZoneShape
+from rapidsim.language.reference import Reference
+from rapidsim.language.sockets import Connection, Listener
+from rapidsim.language.symbols import Symbols
 from rapidsim.library.catalogue import ROUTINES
 
 CONF = ConfData(0.0, 0.0, 0.0, 0.0)
@@ -75,6 +81,9 @@ class RecordingController:
     place: Place = field(default_factory=lambda: Place(Span(Source("", ""), 0, 0), "main"))
     settings: MotionSettings = field(default_factory=MotionSettings)
     moves: list[Move] = field(default_factory=list)
+    triggers: tuple[Trigger, ...] = ()
+    path_level: float = 1.0
+    symbols: Symbols = field(init=False)
     log: list[str] = field(default_factory=list)
     unsimulated: list[tuple[str, str]] = field(default_factory=list)
     signals: dict[str, float] = field(default_factory=dict)
@@ -84,6 +93,9 @@ class RecordingController:
     text: str = ""
     booked: float = 20500.0
     in_reach: bool = True
+
+    def __post_init__(self) -> None:
+        self.call_procedure: Callable[[str], None] = print
 
     def call(self, name: str, *arguments: Any, **options: Any) -> Any:
         """Call a routine, with this controller if it wants one."""
@@ -107,8 +119,47 @@ class RecordingController:
     def service(self) -> None:
         raise AssertionError("nothing is due here")
 
-    def move(self, move: Move) -> None:
+    def move(self, move: Move, triggers: tuple[Trigger, ...] = ()) -> None:
         self.moves.append(move)
+        self.triggers += triggers
+
+    def stop_move(self) -> None:
+        self.log.append("stop")
+
+    def start_move(self) -> None:
+        self.log.append("start")
+
+    def is_stopped(self) -> bool:
+        return self.log[-1:] == ["stop"]
+
+    def clear_path(self) -> None:
+        self.log.append("clear path")
+
+    def store_path(self) -> None:
+        self.path_level += 1.0
+
+    def restore_path(self) -> None:
+        self.path_level -= 1.0
+
+    def search(
+        self, move: Move, found: Callable[[], float] | str, flank: Flank, stop: SearchStop
+    ) -> RobTarget:
+        self.moves.append(move)
+        what = found if isinstance(found, str) else f"{found():g}"
+        self.log.append(f"search {what}, {flank.value}, {stop.value}")
+        return HOME
+
+    def watch_zone(
+        self, shape: ZoneShape, signal: tuple[str, float] | None, *, before: bool = False
+    ) -> float:
+        self.log.append(f"zone {shape.volume} {'outside' if shape.outside else ''}{signal or ''}")
+        return 7.0
+
+    def enable_zone(self, zone: float, *, enabled: bool) -> None:
+        self.log.append(f"zone {zone:g} {'on' if enabled else 'off'}")
+
+    def free_zone(self, zone: float) -> None:
+        self.log.append(f"zone {zone:g} free")
 
     def current_joints(self) -> JointTarget:
         return JOINTS
@@ -155,6 +206,60 @@ class RecordingController:
             self.files[path] = bytearray()
         return MemoryFile(self.files.setdefault(path, bytearray()))
 
+    def date_and_time(self) -> datetime:
+        return datetime(2025, 3, 1) + timedelta(seconds=int(self.time_s))
+
+    def copy_file(self, old: str, new: str) -> None:
+        self.files[new] = self.files[old]
+
+    def rename_file(self, old: str, new: str) -> None:
+        self.files[new] = self.files.pop(old)
+
+    def remove_file(self, path: str) -> None:
+        del self.files[path]
+
+    def make_folder(self, path: str) -> None:
+        self.log.append(f"folder {path}")
+
+    def remove_folder(self, path: str) -> None:
+        self.log.append(f"no folder {path}")
+
+    def names_in(self, path: str) -> tuple[str, ...]:
+        return tuple(sorted(self.files))
+
+    def is_folder(self, path: str) -> bool:
+        return f"folder {path}" in self.log
+
+    def file_size(self, path: str) -> int | None:
+        return len(self.files[path]) if path in self.files else None
+
+    def bytes_in(self, path: str) -> int:
+        return sum(map(len, self.files.values()))
+
+    def open_port(self, address: str, port: int) -> Listener:
+        raise AssertionError("sockets are tested with a cell around them")
+
+    def accept_client(self, listener: Listener, *, max_time: float | None) -> Connection | None:
+        raise AssertionError("sockets are tested with a cell around them")
+
+    def connect_socket(
+        self, address: str, port: int, *, max_time: float | None
+    ) -> Connection | None:
+        raise AssertionError("sockets are tested with a cell around them")
+
+    def send_bytes(self, connection: Connection, data: bytes) -> None:
+        raise AssertionError("sockets are tested with a cell around them")
+
+    def await_bytes(self, connection: Connection, count: int, *, max_time: float | None) -> bool:
+        raise AssertionError("sockets are tested with a cell around them")
+
+    def close_socket(self, listener: Listener | None, connection: Connection | None) -> None:
+        raise AssertionError("sockets are tested with a cell around them")
+
+    @property
+    def in_trap(self) -> bool:
+        return False
+
     def connect(self, trap: Callable[[], None], trap_name: str) -> float:
         raise AssertionError("CONNECT is no library routine")
 
@@ -165,9 +270,22 @@ class RecordingController:
         self.log.append(f"timer {interrupt:g} {seconds:g} {'once' if single else 'again'}")
 
     def order_signal(
-        self, interrupt: float, signal: str, value: float | None, *, single: bool
+        self, interrupt: float, signal: str, matches: Callable[[float], bool], *, single: bool
     ) -> None:
-        self.log.append(f"on {interrupt:g} {signal} {value} {'once' if single else 'again'}")
+        values = "/".join(f"{value:g}" for value in (0.0, 1.0) if matches(value))
+        self.log.append(f"on {interrupt:g} {signal} {values} {'once' if single else 'again'}")
+
+    def order_persistent(self, interrupt: float, data: Reference[object], *, single: bool) -> None:
+        self.log.append(f"on {interrupt:g} {data.value} {'once' if single else 'again'}")
+
+    def order_logged(self, interrupt: float, wanted: Callable[[LoggedError], bool]) -> None:
+        self.log.append(f"on {interrupt:g} an error")
+
+    def log_error(self, entry: LoggedError) -> None:
+        self.log.append(f"error {entry.domain:g} {entry.number:g}")
+
+    def trap_cause(self) -> LoggedError | None:
+        return None
 
     def delete_interrupt(self, interrupt: float) -> None:
         self.log.append(f"delete {interrupt:g}")
@@ -195,6 +313,55 @@ class RecordingController:
     def book_error_number(self) -> float:
         self.booked += 1.0
         return self.booked
+
+    task_name = "T_ROB1"
+    task_number = 1
+    robot_number = 1
+    others_stopped = False
+    team: tuple[str, ...] = ()
+
+    def has_task(self, name: str) -> bool:
+        return name.lower() == "t_rob1"
+
+    def meet(
+        self,
+        instruction: str,
+        name: str,
+        tasks: Sequence[str],
+        *,
+        max_time: float | None = None,
+        in_position: bool = False,
+    ) -> bool:
+        return True
+
+    def move_together(
+        self, name: str, tasks: Sequence[str], *, max_time: float | None = None
+    ) -> bool:
+        return True
+
+    def move_apart(self, name: str, *, max_time: float | None = None) -> bool:
+        return True
+
+    def leave_team(self) -> None:
+        pass
+
+    def suspend_team(self) -> None:
+        pass
+
+    def resume_team(self) -> None:
+        pass
+
+    def stop_other_robots(self) -> None:
+        self.others_stopped = True
+
+    def start_other_robots(self) -> None:
+        self.others_stopped = False
+
+    def joints_of(self, task: str) -> JointTarget:
+        return self.current_joints()
+
+    def target_of(self, task: str, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
+        return self.current_target(tool, wobj)
 
     def not_simulated(self, routine: str, treated_as: str) -> None:
         self.unsimulated.append((routine, treated_as))

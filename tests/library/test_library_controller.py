@@ -132,12 +132,13 @@ def test_clocks_count_virtual_time(controller: RecordingController) -> None:
     assert controller.call("ClkRead", clock) == 0.0
 
 
-def test_the_date_is_fixed_and_says_so(controller: RecordingController) -> None:
+def test_date_and_time_are_what_the_clock_shows(controller: RecordingController) -> None:
     controller.time_s = 3661.5
-    assert controller.call("CDate") == "2000-01-01"
+    assert controller.call("CDate") == "2025-03-01"
     assert controller.call("CTime") == "01:01:01"
     assert controller.call("GetTime", min_=True) == 1.0
-    assert [name for name, _ in controller.unsimulated] == ["CDate", "CTime", "GetTime"]
+    assert controller.call("GetTime", w_day=True) == 6.0
+    assert not controller.unsimulated
 
 
 # --- interrupts
@@ -156,7 +157,7 @@ def test_interrupts(controller: RecordingController) -> None:
     controller.call("IDelete", number)
     assert controller.log == [
         *("timer 3 0.5 again", "timer 3 0.5 once"),
-        *("on 3 diPart 1.0 once", "on 3 doGun None again"),
+        *("on 3 diPart 1 once", "on 3 doGun 0/1 again"),
         *("sleep 3", "watch 3", "hold", "serve", "delete 3"),
     ]
 
@@ -291,8 +292,11 @@ def test_messages(controller: RecordingController) -> None:
     controller.call("ErrLog", 5210.0, "a", "", "b", "", "", i=True)
     assert controller.log == [
         "show error Gripper: no part / check air",
+        "error 8 1",
         "show warning Gripper: slow",
+        "error 8 2",
         "show information 5210: a / b",
+        "error 11 5210",
     ]
 
 

@@ -1,5 +1,6 @@
 """Move instructions, settings, displacement, robot state: what reaches the controller."""
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -7,7 +8,13 @@ from library_controller import CONF, HOME, JOINTS, RecordingController
 
 from rapidsim.frames.quaternion import angle_between
 from rapidsim.language import error_numbers as errors
-from rapidsim.language.controller import Interpolation
+from rapidsim.language.controller import (
+    CirclePathMode,
+    Interpolation,
+    MotionSettings,
+    SingularArea,
+    StopTime,
+)
 from rapidsim.language.data import (
     FINE,
     LOAD0,
@@ -28,6 +35,7 @@ from rapidsim.language.data import (
     ZoneData,
 )
 from rapidsim.language.errors import RapidError
+from rapidsim.language.path_events import SetOutput, Trigger
 from rapidsim.language.reference import Cell
 from rapidsim.library.catalogue import ROUTINES
 from rapidsim.library.predefined import DATA
@@ -84,7 +92,6 @@ def test_options_replace_speed_and_zone() -> None:
     [
         ("MoveL", {"corr": True}, r"MoveL \Corr"),
         ("MoveL", {"tload": Cell(LOAD0)}, r"MoveL \TLoad"),
-        ("MoveJ", {"id_": 10.0}, r"MoveJ \ID"),
         ("MoveJ", {"id_": None, "tload": Cell(LOAD0)}, r"MoveJ \TLoad"),
     ],
 )
@@ -102,7 +109,13 @@ def test_stop_point_data_make_a_stop_point() -> None:
     criteria = StopPointData(1.0, True, InPosData(50.0, 50.0, 0.0, 2.0), 0.0, 0.0, "", 0.0, 0.0)
     controller.call("MoveL", P10, V100, Z10, TOOL, inpos=criteria)
     assert controller.moves[0].zone.finep
-    assert controller.unsimulated == [(r"MoveL \Inpos", "ignored")]
+    assert controller.moves[0].stop == StopTime(0.0, True)
+    pause = StopPointData(2.0, False, InPosData(0.0, 0.0, 0.0, 0.0), 0.5, 0.0, "", 0.0, 0.0)
+    controller.call("MoveL", P10, V100, Z10, TOOL, inpos=pause)
+    assert controller.moves[1].stop == StopTime(0.5, False)
+    assert not controller.unsimulated
+    controller.call("MoveL", P10, V100, Z10, TOOL, inpos=pause._replace(type=3.0))
+    assert controller.unsimulated == [(r"\Inpos that follows a conveyor", "a stop point")]
 
 
 def test_settings() -> None:
@@ -118,20 +131,73 @@ def test_settings() -> None:
     controller.call("ConfJ", on=True)
     controller.call("ConfL")
     assert (controller.settings.conf_j, controller.settings.conf_l) == (True, True)
-    assert not controller.unsimulated
+    assert [name for name, _ in controller.unsimulated] == ["AccSet Ramp"]
 
 
-def test_singularity_modes_that_are_not_simulated_say_so() -> None:
+@pytest.mark.parametrize(
+    ("options", "area"),
+    [
+        ({}, SingularArea.OFF),
+        ({"off": True}, SingularArea.OFF),
+        ({"wrist": True}, SingularArea.WRIST),
+        ({"lock_axis4": True}, SingularArea.LOCK_AXIS_4),
+    ],
+)
+def test_singularity_modes(options: dict[str, bool], area: SingularArea) -> None:
     controller = RecordingController()
-    controller.call("SingArea", off=True)
-    controller.call("CirPathMode", path_frame=True)
-    assert not controller.unsimulated
-    controller.call("SingArea", wrist=True)
-    controller.call("CirPathMode", wrist45=True)
-    assert controller.unsimulated == [
-        (r"SingArea \Wrist", r"SingArea \Off"),
-        (r"CirPathMode \Wrist45", r"CirPathMode \PathFrame"),
-    ]
+    controller.call("SingArea", **options)
+    assert controller.settings.singular_area is area
+
+
+@pytest.mark.parametrize(
+    ("options", "mode"),
+    [
+        ({}, CirclePathMode.PATH_FRAME),
+        ({"object_frame": True}, CirclePathMode.OBJECT_FRAME),
+        ({"cir_point_ori": True}, CirclePathMode.CIR_POINT_ORI),
+        ({"wrist56": True}, CirclePathMode.WRIST56),
+    ],
+)
+def test_circle_modes(options: dict[str, bool], mode: CirclePathMode) -> None:
+    controller = RecordingController()
+    controller.call("CirPathMode", **options)
+    assert controller.settings.circle_path is mode
+
+
+def test_acceleration_limits() -> None:
+    controller = RecordingController()
+    controller.call("PathAccLim", True, True, acc_max=4.0, decel_max=3.0)
+    controller.call("WorldAccLim", on=2.0)
+    limits = controller.settings
+    assert (limits.tcp_acceleration_m_s2, limits.tcp_deceleration_m_s2) == (4.0, 3.0)
+    assert [name for name, _ in controller.unsimulated] == ["PathAccLim with two different limits"]
+    assert limits.world_acceleration_m_s2 == 2.0
+    controller.call("PathAccLim", False, False)
+    controller.call("WorldAccLim", off=True)
+    assert controller.settings == MotionSettings()
+    with pytest.raises(RapidError, match=r"AccMax needs at least 0\.1 m/s2, not 0\.05") as caught:
+        controller.call("PathAccLim", True, False, acc_max=0.05)
+    assert caught.value.errno == errors.ERR_ACC_TOO_LOW
+
+
+def test_units_are_switched_by_name() -> None:
+    controller = RecordingController()
+    controller.place = replace(controller.place, arguments={"mechunit": "Track"})
+    controller.call("DeactUnit", Cell(None))
+    assert controller.settings.inactive_units == {"track"}
+    assert controller.call("IsMechUnitActive", Cell(None)) is False
+    controller.call("ActUnit", Cell(None))
+    assert controller.call("IsMechUnitActive", Cell(None)) is True
+
+
+def test_move_ext_j_takes_offsets_only_when_asked() -> None:
+    controller = RecordingController()
+    to = JOINTS._replace(extax=NO_EXTERNAL_AXES._replace(eax_a=100.0))
+    controller.call("EOffsSet", NO_EXTERNAL_AXES._replace(eax_a=10.0))
+    controller.call("MoveExtJ", to, V100, FINE)
+    controller.call("MoveExtJ", to, V100, FINE, use_eoffs=True)
+    assert [move.to.extax.eax_a for move in controller.moves] == [100.0, 110.0]
+    assert controller.moves[0].interpolation is Interpolation.EXTERNAL_AXES
 
 
 def test_displacement_moves_targets_until_it_is_off() -> None:
@@ -211,10 +277,12 @@ def test_kinematics_of_targets() -> None:
     assert number.value == errors.ERR_OUTSIDE_REACH
 
 
-def test_other_tasks_are_not_asked() -> None:
+def test_other_tasks_are_asked_by_name_only() -> None:
     controller = RecordingController()
-    controller.call("CJointT", task_name="T_ROB2")
-    assert controller.unsimulated == [(r"CJointT \TaskName", "the robot of the task itself")]
+    assert controller.call("CJointT", task_name="T_ROB2") == JOINTS
+    assert not controller.unsimulated
+    controller.call("CJointT", task_ref=Cell(None))
+    assert controller.unsimulated == [(r"CJointT \TaskRef", "the robot of the task itself")]
 
 
 def test_vmax_and_max_rob_speed_agree() -> None:
@@ -223,20 +291,18 @@ def test_vmax_and_max_rob_speed_agree() -> None:
     assert RecordingController().call("MaxRobSpeed") == vmax.v_tcp
 
 
-def test_substitutes_do_what_they_report() -> None:
+def test_searches_and_moves_with_outputs_give_the_controller_all_it_needs() -> None:
     controller = RecordingController()
-    found: Cell[RobTarget] = Cell(HOME)
-    controller.call("SearchL", Cell(None), found, P10, V100, TOOL, stop=True)
+    found: Cell[RobTarget] = Cell(P10)
+    controller.call("SearchL", Cell(DO_GUN), found, P10, V100, TOOL, p_stop=True)
     controller.call("MoveLDO", P20, V100, Z10, TOOL, Cell(DO_GUN), 1.0, wobj=Cell(TABLE))
-    assert found.value == P10
+    assert found.value == HOME
     search, move = controller.moves
-    assert (search.instruction, search.zone, search.to) == ("MoveL", FINE, P10)
+    assert (search.instruction, search.zone, search.to) == ("SearchL", FINE, P10)
     assert (move.zone, move.wobj, move.to) == (Z10, TABLE, P20)
-    assert controller.log == ["doGun := 1"]
-    assert controller.unsimulated == [
-        ("SearchL", "MoveL that finds its end point"),
-        ("MoveLDO", "MoveL and SetDO"),
-    ]
+    assert controller.log == ["search doGun, rising, stop"]
+    assert controller.triggers == (Trigger(SetOutput("doGun", 1.0)),)
+    assert not controller.unsimulated
 
 
 def test_arc_welding_moves_along_the_seam() -> None:

@@ -1,0 +1,40 @@
+"""Entries of the controller's event log: what IError waits for and ReadErrData reads.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types, "errdomain",
+"errtype", "ErrWrite", "ErrLog". Numbers are without the digits of their domain, as ReadErrData
+gives them: 80001 is number 1 of domain 8.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+ANY = 0.0
+"""COMMON_ERR among domains, TYPE_ALL among types."""
+MOTION_DOMAIN, USER_DOMAIN, PROCESS_DOMAIN = 5.0, 8.0, 11.0
+STATE, WARNING, ERROR = 1.0, 2.0, 3.0
+"""Types of entries."""
+
+
+@dataclass(frozen=True, slots=True)
+class LoggedError:
+    """One entry."""
+
+    domain: float
+    number: float
+    type: float
+    title: str = ""
+    texts: tuple[str, ...] = ()
+    """At most five."""
+
+    def is_meant_by(self, domain: float, number: float | None, type_: float) -> bool:
+        """Whether an order for a domain, a number in it, and a type is for this entry."""
+        return (
+            domain in {ANY, self.domain}
+            and number in {None, self.number}
+            and type_ in {ANY, self.type}
+        )
+
+
+CORNER_PATH_FAILURE = LoggedError(MOTION_DOMAIN, 24.0, WARNING, "Corner path failure")
+"""Source: Operating manual Trouble shooting, event 50024."""

@@ -1,0 +1,155 @@
+"""What a program asks of the motion: a move with its arguments evaluated, and motion settings.
+
+Everything is in RAPID's units.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+
+from rapidsim.diagnostics import Span
+from rapidsim.language.data import (
+    ExtJoint,
+    JointTarget,
+    Pose,
+    RobTarget,
+    SpeedData,
+    ToolData,
+    WobjData,
+    ZoneData,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where a statement stands, for events and reports."""
+
+    span: Span
+    routine: str
+    arguments: Mapping[str, str] = field(default_factory=dict)
+    """Source text of the call's arguments, by folded parameter name: `{"topoint": "p20"}`."""
+
+
+class Interpolation(Enum):
+    """How a move gets to its end."""
+
+    JOINT = "joint"
+    """MoveJ: straight in joint space to a pose."""
+    LINE = "line"
+    """MoveL: the TCP on a straight line."""
+    CIRCLE = "circle"
+    """MoveC: the TCP on an arc through a circle point."""
+    AXES = "axes"
+    """MoveAbsJ: straight in joint space to axis positions."""
+    EXTERNAL_AXES = "external axes"
+    """MoveExtJ: only the external axes."""
+
+
+@dataclass(frozen=True, slots=True)
+class StopTime:
+    """How long a stop point lasts at least."""
+
+    seconds: float
+    program_waits: bool
+    """Whether the program waits with the robot."""
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """One move instruction with its arguments evaluated."""
+
+    instruction: str
+    interpolation: Interpolation
+    to: RobTarget | JointTarget
+    speed: SpeedData
+    zone: ZoneData
+    tool: ToolData
+    wobj: WobjData
+    circle_point: RobTarget | None = None
+    duration_s: float | None = None
+    """The argument \\T: time of the whole move, which replaces the speed."""
+    concurrent: bool = False
+    """The argument \\Conc: the program goes on at once."""
+    sync_id: float | None = None
+    """The argument \\ID: moves of several robots with the same number are made together."""
+    stop: StopTime | None = None
+    """The argument \\Inpos, where it gives a time."""
+
+
+class SingularArea(Enum):
+    """SingArea: how singularities of the wrist are passed."""
+
+    OFF = "off"
+    """The programmed path is kept."""
+    WRIST = "wrist"
+    """The wrist axes are interpolated; the orientation of the tool deviates a little."""
+    LOCK_AXIS_4 = "lock axis 4"
+    """As `WRIST`, and axis 4 stays at 0 or half a turn."""
+
+
+class CirclePathMode(Enum):
+    """CirPathMode: how the tool turns on an arc."""
+
+    PATH_FRAME = r"\PathFrame"
+    OBJECT_FRAME = r"\ObjectFrame"
+    CIR_POINT_ORI = r"\CirPointOri"
+    WRIST45 = r"\Wrist45"
+    WRIST46 = r"\Wrist46"
+    WRIST56 = r"\Wrist56"
+
+
+@dataclass(frozen=True, slots=True)
+class MotionSettings:
+    """What VelSet, AccSet, ConfL and their like have set; these are the values after PP to main."""
+
+    speed_override_percent: float = 100.0
+    max_speed_mm_s: float | None = None
+    acceleration_percent: float = 100.0
+    ramp_percent: float = 100.0
+    fine_ramp_percent: float = 100.0
+    """AccSet: how quickly the arm brakes at stop points, of what `ramp_percent` leaves."""
+    grip_load_kg: float = 0.0
+    """GripLoad: what the gripper holds."""
+    tcp_acceleration_m_s2: float | None = None
+    """PathAccLim: along the path."""
+    tcp_deceleration_m_s2: float | None = None
+    world_acceleration_m_s2: float | None = None
+    """WorldAccLim: in any direction."""
+    conf_j: bool = True
+    conf_l: bool = True
+    singular_area: SingularArea = SingularArea.OFF
+    circle_path: CirclePathMode = CirclePathMode.PATH_FRAME
+    inactive_units: frozenset[str] = frozenset()
+    """Names in small letters of the mechanical units that DeactUnit has switched off."""
+    displacement: Pose | None = None
+    """PDispOn, PDispSet: moves reach the controller with it applied already."""
+    axis_offsets: ExtJoint | None = None
+    """EOffsOn, EOffsSet: moves reach the controller with them applied already."""
+
+
+class Flank(Enum):
+    """What a search waits for."""
+
+    RISING = "rising"
+    """The signal goes to 1; it must not be 1 at the start."""
+    FALLING = "falling"
+    """The signal goes to 0; it must not be 0 at the start."""
+    ONLY_RISING = "only rising"
+    """The signal goes to 1, whatever it was."""
+    ONLY_FALLING = "only falling"
+    """The signal goes to 0, whatever it was."""
+    EITHER = "either"
+    """The signal changes."""
+
+
+class SearchStop(Enum):
+    """What the robot does at the first hit."""
+
+    STOP = "stop"
+    """It stops as fast as it can."""
+    GO_ON = "go on"
+    """It goes on to the end of the move."""
+    GO_ON_ONCE = "go on, one hit"
+    """It goes on, and a second hit is an error."""

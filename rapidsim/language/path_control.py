@@ -1,0 +1,90 @@
+"""What a running task may ask of its robot beside moving it: stopping, searching, world zones."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Protocol
+
+from rapidsim.language.data import RobTarget
+from rapidsim.language.moves import Flank, Move, SearchStop
+from rapidsim.language.path_events import ZoneShape
+
+
+class PathControl(Protocol):
+    """Stopping the robot on its path, and other paths meanwhile."""
+
+    path_level: float
+    """How many paths are stored, counted from 1: the value of PathLevel."""
+
+    def stop_move(self) -> None:
+        """Stop the robot on its path; returns when it stands."""
+        ...
+
+    def start_move(self) -> None:
+        """Let the robot go on.
+
+        Raises:
+            RapidError: ERR_PATHDIST, when it stands too far from where it left its path.
+        """
+        ...
+
+    def is_stopped(self) -> bool:
+        """Whether StopMove keeps the robot where it is."""
+        ...
+
+    def clear_path(self) -> None:
+        """Forget the rest of the path of a robot that was stopped."""
+        ...
+
+    def store_path(self) -> None:
+        """Keep the rest of the path and begin another."""
+        ...
+
+    def restore_path(self) -> None:
+        """Take up the path that was kept; the robot goes on with it after `start_move`."""
+        ...
+
+    def search(
+        self,
+        move: Move,
+        found: Callable[[], float] | str,
+        flank: Flank,
+        stop: SearchStop,
+    ) -> RobTarget:
+        """Make a move to a stop point and watch a signal, or a persistent, on the way.
+
+        Returns:
+            Where the TCP was at the first hit.
+
+        Raises:
+            RapidError: ERR_WHLSEARCH without a hit or with too many, ERR_SIGSUPSEARCH or
+                ERR_PERSSUPSEARCH if the value was there at the start.
+        """
+        ...
+
+
+class WorldZones(Protocol):
+    """Zones of space that are watched while the robot moves."""
+
+    def watch_zone(
+        self, shape: ZoneShape, signal: tuple[str, float] | None, *, before: bool = False
+    ) -> float:
+        """Watch a zone, from now on.
+
+        Args:
+            shape: The zone.
+            signal: An output and the value it has while the TCP is there; None stops the robot.
+            before: The output is set before the TCP gets there, not when it is there.
+
+        Returns:
+            The number of the zone.
+        """
+        ...
+
+    def enable_zone(self, zone: float, *, enabled: bool) -> None:
+        """Switch a zone on or off."""
+        ...
+
+    def free_zone(self, zone: float) -> None:
+        """Forget a zone."""
+        ...

@@ -1,0 +1,42 @@
+"""What a variable of type `socketdev` holds: how far the socket is, and what it is tied to."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final, Protocol
+
+CREATED: Final = 1.0
+CONNECTED: Final = 2.0
+BOUND: Final = 3.0
+LISTENING: Final = 4.0
+CLOSED: Final = 5.0
+"""The constants SOCKET_CREATED to SOCKET_CLOSED."""
+
+
+class Connection(Protocol):
+    """One end of a stream of bytes."""
+
+    peer: str
+    """Address of the other end."""
+    received: bytearray
+    """What has arrived and nobody has read yet."""
+    has_ended: bool
+    """Whether the other end has closed, so that nothing more arrives."""
+
+
+class Listener(Protocol):
+    """A port at which a program waits for clients."""
+
+    port: int
+
+
+@dataclass(frozen=True, slots=True)
+class SocketState:
+    """A socket that SocketCreate has made and SocketClose has not ended."""
+
+    status: float = CREATED
+    address: str = ""
+    port: int = 0
+    """What SocketBind gave it; 0 before."""
+    connection: Connection | None = None
+    listener: Listener | None = None

@@ -1,0 +1,105 @@
+"""What a task may ask of the other tasks of its cell; part of the controller's protocols."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Protocol
+
+from rapidsim.language.data import JointTarget, RobTarget, ToolData, WobjData
+
+
+class Tasks(Protocol):
+    """The other tasks of the cell, and moving together with their robots."""
+
+    @property
+    def task_name(self) -> str:
+        """Name of the task."""
+        ...
+
+    @property
+    def task_number(self) -> int:
+        """Place of the task in the station, from 1."""
+        ...
+
+    @property
+    def robot_number(self) -> int:
+        """Place of the task's robot among those of the station, from 1; 0 without a robot."""
+        ...
+
+    @property
+    def team(self) -> tuple[str, ...]:
+        """Names of the tasks that move together, this one among them; empty while it is alone."""
+        ...
+
+    def has_task(self, name: str) -> bool:
+        """Whether a task of this name is in the run."""
+        ...
+
+    def meet(
+        self,
+        instruction: str,
+        name: str,
+        tasks: Sequence[str],
+        *,
+        max_time: float | None = None,
+        in_position: bool = False,
+    ) -> bool:
+        """Wait at a synchronization point until some tasks are there, this one among them.
+
+        Args:
+            instruction: Points of different instructions never meet.
+            name: Of the point.
+            tasks: Names of all that must come.
+            max_time: So long [s] at most.
+            in_position: First let the robot come to rest.
+
+        Returns:
+            False if `max_time` ran out first.
+        """
+        ...
+
+    def move_together(
+        self, name: str, tasks: Sequence[str], *, max_time: float | None = None
+    ) -> bool:
+        """Wait for some tasks at a stop point; from there their robots move together."""
+        ...
+
+    def move_apart(self, name: str, *, max_time: float | None = None) -> bool:
+        """Wait for the tasks that move together at a stop point; from there each moves alone."""
+        ...
+
+    def leave_team(self) -> None:
+        """Let all that move together move alone, without waiting for anybody."""
+        ...
+
+    def suspend_team(self) -> None:
+        """Move alone until `resume_team`."""
+        ...
+
+    def resume_team(self) -> None:
+        """Move together again."""
+        ...
+
+    def joints_of(self, task: str) -> JointTarget:
+        """Where the axes of another task's robot are now.
+
+        Raises:
+            RapidError: ERR_TASKNAME, if there is no such task or it has no robot.
+        """
+        ...
+
+    def target_of(self, task: str, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
+        """Where the TCP of another task's robot is now; None takes what its last move used.
+
+        Raises:
+            RapidError: See `joints_of`.
+        """
+        ...
+
+    def stop_other_robots(self) -> None:
+        """Stop the robots of all other tasks on their paths."""
+        ...
+
+    def start_other_robots(self) -> None:
+        """Let the robots of all other tasks go on."""
+        ...

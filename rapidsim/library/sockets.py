@@ -1,0 +1,335 @@
+r"""Sockets: talking to another computer over TCP.
+
+Who is at the other end is the controller's affair: a script of the station, another task, or the
+network where a run may use it. Text is bytes in ISO 8859-1. Waits end after 60 s unless \Time says
+otherwise; WAIT_MAX waits for ever.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types, "SocketCreate",
+"SocketReceive" and their like; Application manual Controller software, "Socket Messaging".
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Annotated
+
+from rapidsim.language.annotations import (
+    Byte,
+    InOut,
+    Mode,
+    Num,
+    RawBytes,
+    SocketDev,
+    SocketStatus,
+    String,
+    Switch,
+    Var,
+)
+from rapidsim.language.controller import Controller, Honesty, Sockets
+from rapidsim.language.error_numbers import (
+    ERR_ARGVALERR,
+    ERR_SOCK_ADDR_INVALID,
+    ERR_SOCK_CLOSED,
+    ERR_SOCK_IS_BOUND,
+    ERR_SOCK_IS_CONN,
+    ERR_SOCK_NOT_BOUND,
+    ERR_SOCK_NOT_CONN,
+    ERR_SOCK_TIMEOUT,
+    rapid_error,
+)
+from rapidsim.language.reference import Reference
+from rapidsim.language.sockets import (
+    BOUND,
+    CLOSED,
+    CONNECTED,
+    LISTENING,
+    Connection,
+    SocketState,
+)
+from rapidsim.library.honesty import ignored
+from rapidsim.library.raw_bytes import MOST_BYTES
+from rapidsim.library.table import routine, table
+from rapidsim.library.text import MAX_STRING
+
+DEFAULT_TIME_S = 60.0
+WAIT_FOR_EVER_S = 8388608.0
+r"""The constant WAIT_MAX: given as \Time, a wait has no end."""
+_ENCODING = "iso-8859-1"
+_SENT_TO_NOBODY = "the datagram reaches nobody"
+_NO_DATAGRAM = "no datagram comes, the time runs out"
+_LARGEST_PORT = 65535
+
+_Device = Reference[SocketState | None]
+
+
+def socket_create(controller: Controller, socket: Var[SocketDev], *, udp: Switch = False) -> None:
+    r"""Make a socket. One of datagrams (\UDP) is made, but nothing is sent with it."""
+    if socket.value is not None:
+        raise rapid_error(ERR_SOCK_IS_CONN, "the socket is there already; SocketClose it first")
+    ignored(controller, "SocketCreate", {r"\UDP": udp})
+    socket.value = SocketState()
+
+
+def socket_bind(socket: Var[SocketDev], local_address: String, local_port: Num) -> None:
+    """Give a socket an address and a port of the controller."""
+    state = _created(socket)
+    if state.port:
+        raise rapid_error(ERR_SOCK_IS_BOUND, f"the socket is bound to port {state.port} already")
+    port = _port(local_port)
+    socket.value = replace(state, status=BOUND, address=local_address, port=port)
+
+
+def socket_listen(controller: Sockets, socket: Var[SocketDev]) -> None:
+    """Let clients connect to the port of a socket."""
+    state = _created(socket)
+    if not state.port:
+        raise rapid_error(ERR_SOCK_NOT_BOUND, "the socket has no port; SocketBind gives it one")
+    if state.listener is None:
+        listener = controller.open_port(state.address, state.port)
+        socket.value = replace(state, status=LISTENING, listener=listener)
+
+
+def socket_accept(
+    controller: Sockets,
+    socket: Var[SocketDev],
+    client_socket: Var[SocketDev],
+    *,
+    client_address: Var[String] | None = None,
+    time: Num | None = None,
+) -> None:
+    """Wait for a client; `ClientSocket` talks to it."""
+    state = _created(socket)
+    if state.listener is None:
+        raise rapid_error(
+            ERR_SOCK_NOT_BOUND, "the socket does not listen; SocketListen comes first"
+        )
+    if client_socket.value is not None:
+        raise rapid_error(
+            ERR_SOCK_IS_CONN, "the socket for the client is in use; SocketClose it first"
+        )
+    connection = controller.accept_client(state.listener, max_time=_limit(time))
+    if connection is None:
+        raise _too_late(f"no client has connected to port {state.port}", time)
+    client_socket.value = SocketState(CONNECTED, connection=connection)
+    if client_address is not None:
+        client_address.value = connection.peer.partition(":")[0]
+
+
+def socket_connect(
+    controller: Sockets,
+    socket: Var[SocketDev],
+    address: String,
+    port: Num,
+    *,
+    time: Num | None = None,
+) -> None:
+    """Connect to a server."""
+    state = _created(socket)
+    if state.connection is not None:
+        raise rapid_error(
+            ERR_SOCK_IS_CONN, f"the socket is connected to {state.connection.peer} already"
+        )
+    if not address:
+        raise rapid_error(ERR_SOCK_ADDR_INVALID, "the address to connect to is empty")
+    connection = controller.connect_socket(address, _port(port), max_time=_limit(time))
+    if connection is None:
+        raise _too_late(f"nobody answers at {address}:{port:g}", time)
+    socket.value = replace(state, status=CONNECTED, connection=connection)
+
+
+def socket_send(
+    controller: Sockets,
+    socket: Var[SocketDev],
+    *,
+    str_: String | None = None,
+    raw_data: Var[RawBytes] | None = None,
+    data: list[Byte] | None = None,
+    no_of_bytes: Num | None = None,
+) -> None:
+    """Send a text, raw bytes or an array of bytes, all of it or so many bytes."""
+    connection = _connected(socket)
+    if str_ is not None:
+        given = str_.encode(_ENCODING, "replace")
+    elif raw_data is not None:
+        given = raw_data.value
+    elif data is not None:
+        given = bytes(_byte(value) for value in data)
+    else:
+        raise rapid_error(ERR_ARGVALERR, r"SocketSend needs \Str, \RawData or \Data")
+    count = len(given) if no_of_bytes is None else int(no_of_bytes)
+    if not 0 <= count <= len(given):
+        raise rapid_error(ERR_ARGVALERR, f"{count} bytes are to be sent of {len(given)}")
+    controller.send_bytes(connection, given[:count])
+
+
+def socket_receive(
+    controller: Sockets,
+    socket: Var[SocketDev],
+    *,
+    str_: InOut[String] | None = None,
+    raw_data: Var[RawBytes] | None = None,
+    data: Annotated[list[Byte], Mode.VAR] | None = None,
+    read_no_of_bytes: Num | None = None,
+    no_rec_bytes: Var[Num] | None = None,
+    time: Num | None = None,
+) -> None:
+    """Wait for bytes: as many as are there then, or exactly so many."""
+    connection = _connected(socket)
+    most = MAX_STRING if str_ is not None else MOST_BYTES if data is None else len(data)
+    wanted = 1
+    if read_no_of_bytes is not None:
+        wanted = most = _count(read_no_of_bytes, most)
+    in_time = controller.await_bytes(connection, wanted, max_time=_limit(time))
+    if len(connection.received) < wanted:
+        if in_time:
+            raise rapid_error(ERR_SOCK_CLOSED, f"{connection.peer} has closed the connection")
+        there = len(connection.received)
+        got = f"{there} of {wanted} bytes" if there else "nothing"
+        raise _too_late(f"{got} came from {connection.peer}", time)
+    received = bytes(connection.received[:most])
+    del connection.received[:most]
+    if str_ is not None:
+        str_.value = received.decode(_ENCODING)
+    elif raw_data is not None:
+        raw_data.value = received
+    elif data is not None:
+        data[: len(received)] = [float(byte) for byte in received]
+    else:
+        raise rapid_error(ERR_ARGVALERR, r"SocketReceive needs \Str, \RawData or \Data")
+    if no_rec_bytes is not None:
+        no_rec_bytes.value = float(len(received))
+
+
+def socket_peek(controller: Sockets, socket: Var[SocketDev]) -> Num:
+    """How many bytes could be received without waiting."""
+    connection = _connected(socket)
+    controller.await_bytes(connection, 1, max_time=0.0)
+    return float(len(connection.received))
+
+
+def socket_send_to(
+    controller: Honesty,
+    socket: Var[SocketDev],
+    remote_address: String,
+    remote_port: Num,
+    *,
+    str_: String | None = None,
+    raw_data: Var[RawBytes] | None = None,
+    data: list[Byte] | None = None,
+    no_of_bytes: Num | None = None,
+) -> None:
+    """Send a datagram."""
+    del remote_address, remote_port, str_, raw_data, data, no_of_bytes
+    _created(socket)
+    controller.not_simulated("SocketSendTo", _SENT_TO_NOBODY)
+
+
+def socket_receive_from(
+    controller: Controller,
+    socket: Var[SocketDev],
+    remote_address: Var[String],
+    remote_port: Var[Num],
+    *,
+    str_: Var[String] | None = None,
+    raw_data: Var[RawBytes] | None = None,
+    data: Annotated[list[Byte], Mode.VAR] | None = None,
+    no_rec_bytes: Var[Num] | None = None,
+    time: Num | None = None,
+) -> None:
+    """Wait for a datagram: none comes, and the time runs out."""
+    del remote_address, remote_port, str_, raw_data, data, no_rec_bytes
+    _created(socket)
+    controller.not_simulated("SocketReceiveFrom", _NO_DATAGRAM)
+    limit = _limit(time)
+    if limit is None:
+        controller.wait_until(lambda: False)
+    controller.wait(limit or 0.0)
+    raise _too_late("no datagram came", time)
+
+
+def socket_close(controller: Sockets, socket: Var[SocketDev]) -> None:
+    """End a connection or stop listening; a socket that is closed already stays so."""
+    state = socket.value
+    if state is None:
+        return
+    socket.value = None
+    controller.close_socket(state.listener, state.connection)
+
+
+def socket_get_status(socket: Var[SocketDev]) -> SocketStatus:
+    """How far a socket has come: SOCKET_CREATED, SOCKET_CONNECTED and so on."""
+    return CLOSED if socket.value is None else socket.value.status
+
+
+def _created(socket: _Device) -> SocketState:
+    if socket.value is None:
+        raise rapid_error(ERR_SOCK_CLOSED, "the socket is closed; SocketCreate makes it")
+    return socket.value
+
+
+def _connected(socket: _Device) -> Connection:
+    connection = _created(socket).connection
+    if connection is None:
+        raise rapid_error(ERR_SOCK_NOT_CONN, "the socket is not connected")
+    return connection
+
+
+def _limit(time: float | None) -> float | None:
+    """How long to wait [s]; None for ever."""
+    seconds = DEFAULT_TIME_S if time is None else time
+    return None if seconds >= WAIT_FOR_EVER_S else max(0.0, seconds)
+
+
+def _too_late(what: str, time: float | None) -> Exception:
+    return rapid_error(ERR_SOCK_TIMEOUT, f"{what} within {_limit(time) or 0.0:g} s")
+
+
+def _port(value: float) -> int:
+    if not (1 <= value <= _LARGEST_PORT and value == math.floor(value)):
+        raise rapid_error(
+            ERR_SOCK_ADDR_INVALID, f"there is no port {value:.7g}; ports are 1..{_LARGEST_PORT}"
+        )
+    return int(value)
+
+
+def _count(value: float, most: int) -> int:
+    if not (1 <= value <= most and value == math.floor(value)):
+        raise rapid_error(
+            ERR_ARGVALERR, f"{value:.7g} bytes cannot be received at once; 1..{most} can"
+        )
+    return int(value)
+
+
+def _byte(value: float) -> int:
+    if not (0 <= value <= 255 and value == math.floor(value)):
+        raise rapid_error(ERR_ARGVALERR, f"{value:.7g} is no byte; bytes are 0..255")
+    return int(value)
+
+
+_DATA = r"\Str|\RawData|\Data"
+
+SOCKETS = table(
+    routine("SocketCreate", socket_create, r"Socket \UDP"),
+    routine("SocketBind", socket_bind),
+    routine("SocketListen", socket_listen),
+    routine("SocketAccept", socket_accept),
+    routine("SocketConnect", socket_connect),
+    routine("SocketSend", socket_send, rf"Socket {_DATA} \NoOfBytes"),
+    routine("SocketReceive", socket_receive, rf"Socket {_DATA} \ReadNoOfBytes \NoRecBytes \Time"),
+    routine("SocketPeek", socket_peek),
+    routine(
+        "SocketSendTo",
+        socket_send_to,
+        rf"Socket RemoteAddress RemotePort {_DATA} \NoOfBytes",
+        treated_as=_SENT_TO_NOBODY,
+    ),
+    routine(
+        "SocketReceiveFrom",
+        socket_receive_from,
+        rf"Socket {_DATA} \NoRecBytes RemoteAddress RemotePort \Time",
+        treated_as=_NO_DATAGRAM,
+    ),
+    routine("SocketClose", socket_close),
+    routine("SocketGetStatus", socket_get_status),
+)

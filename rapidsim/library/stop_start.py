@@ -1,0 +1,88 @@
+r"""Stopping the robot on its path and starting it again; other paths meanwhile.
+
+Every stop keeps to the path and brakes as fast as the axes can: \Quick is ignored, and the run says
+so.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types, "StopMove",
+"StartMove", "StorePath", "RestoPath", "ClearPath".
+"""
+
+from __future__ import annotations
+
+from rapidsim.language.annotations import Bool, Num, Switch
+from rapidsim.language.controller import Controller, PathControl
+from rapidsim.library.honesty import ignored
+from rapidsim.library.table import routine, table
+
+
+def stop_move(
+    controller: Controller, *, quick: Switch = False, all_motion_tasks: Switch = False
+) -> None:
+    """Stop the robot on its path; the program goes on when it stands."""
+    ignored(controller, "StopMove", {r"\Quick": quick})
+    if all_motion_tasks:
+        controller.stop_other_robots()
+    controller.stop_move()
+
+
+def start_move(controller: Controller, *, all_motion_tasks: Switch = False) -> None:
+    """Let the robot go on."""
+    if all_motion_tasks:
+        controller.start_other_robots()
+    controller.start_move()
+
+
+def start_move_retry(controller: PathControl) -> None:
+    """Let the robot go on; the ERROR clause it stands in then does what RETRY does."""
+    controller.start_move()
+
+
+def stop_move_reset(controller: Controller, *, all_motion_tasks: Switch = False) -> None:
+    """Take a StopMove back: the robot goes on."""
+    if all_motion_tasks:
+        controller.start_other_robots()
+    if controller.is_stopped():
+        controller.start_move()
+
+
+def clear_path(controller: PathControl) -> None:
+    """Forget the rest of the path."""
+    controller.clear_path()
+
+
+def store_path(controller: Controller, *, keep_sync: Switch = False) -> None:
+    """Keep the rest of the path and begin another."""
+    ignored(controller, "StorePath", {r"\KeepSync": keep_sync})
+    controller.store_path()
+
+
+def resto_path(controller: PathControl) -> None:
+    """Take up the path that was kept; StartMove goes on with it."""
+    controller.restore_path()
+
+
+def path_level(controller: PathControl) -> Num:
+    """1 on the program's own path, one more for each StorePath."""
+    return controller.path_level
+
+
+def is_stop_move_act(
+    controller: PathControl, *, from_move_task: Switch = False, from_non_move_task: Switch = False
+) -> Bool:
+    """Whether StopMove keeps the robot where it is."""
+    if from_non_move_task and not from_move_task:
+        return False
+    return controller.is_stopped()
+
+
+STOP_START = table(
+    routine("StopMove", stop_move),
+    routine("StartMove", start_move),
+    routine("StartMoveRetry", start_move_retry),
+    routine("StopMoveReset", stop_move_reset),
+    routine("ClearPath", clear_path),
+    routine("StorePath", store_path),
+    routine("RestoPath", resto_path),
+    routine("PathLevel", path_level),
+    routine("IsStopMoveAct", is_stop_move_act, r"\FromMoveTask|\FromNonMoveTask"),
+)

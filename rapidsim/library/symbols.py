@@ -1,0 +1,158 @@
+r"""Data by name: reading and writing them, and searching for names.
+
+Only data that modules of the task declare are found; routine data, parameters and what the system
+predefines are not. Patterns are regular expressions and must match the whole name, in any case.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types, "GetDataVal",
+"SetDataSearch", "GetNextSym" and their like.
+"""
+
+from __future__ import annotations
+
+from rapidsim.language.annotations import (
+    AnyType,
+    ArgumentType,
+    Bool,
+    DataPos,
+    InOut,
+    String,
+    Switch,
+    TaskId,
+    Var,
+)
+from rapidsim.language.controller import Controller, Honesty
+from rapidsim.language.reference import Reference
+from rapidsim.language.symbols import DataName, Search
+from rapidsim.language.types import NUM
+from rapidsim.library.table import routine, table
+
+
+def get_data_val(
+    controller: Controller,
+    object_: String,
+    value: Var[AnyType],
+    *,
+    block: Var[DataPos] | None = None,
+    task_ref: Var[TaskId] | None = None,
+    task_name: String | None = None,
+    of: ArgumentType = NUM,
+) -> None:
+    """Read data whose name is a string."""
+    _own_task_only(controller, "GetDataVal", task_ref, task_name)
+    read = controller.symbols.read(object_, of, _where(block))
+    if isinstance(value, list):
+        assert isinstance(read, list)
+        value[:] = read
+    else:
+        value.value = read
+
+
+def set_data_val(
+    controller: Controller,
+    object_: String,
+    value: Var[AnyType],
+    *,
+    block: Var[DataPos] | None = None,
+    task_ref: Var[TaskId] | None = None,
+    task_name: String | None = None,
+    of: ArgumentType = NUM,
+) -> None:
+    """Write data whose name is a string."""
+    _own_task_only(controller, "SetDataVal", task_ref, task_name)
+    controller.symbols.write(object_, of, _where(block), _given(value))
+
+
+def set_all_data_val(
+    controller: Controller,
+    type_: String,
+    value: Var[AnyType],
+    *,
+    type_mod: String | None = None,
+    object_: String | None = None,
+    hidden: Switch = False,
+    of: ArgumentType = NUM,
+) -> None:
+    """Write all variables and persistents of a type whose names match a pattern."""
+    del type_mod, hidden
+    search = Search(type_, object_, storages=("VAR", "PERS"))
+    for found in controller.symbols.search(search):
+        controller.symbols.write(found.name, of, found, _given(value))
+
+
+def set_data_search(
+    controller: Controller,
+    type_: String,
+    *,
+    type_mod: String | None = None,
+    object_: String | None = None,
+    pers_sym: Switch = False,
+    var_sym: Switch = False,
+    const_sym: Switch = False,
+    in_task: Switch = False,
+    in_mod: String | None = None,
+    in_rout: String | None = None,
+    global_sym: Switch = False,
+    local_sym: Switch = False,
+) -> None:
+    r"""Say which data GetNextSym shall find. Data of routines (\InRout) are never found."""
+    del type_mod, in_task
+    kinds = {"PERS": pers_sym, "VAR": var_sym, "CONST": const_sym}
+    if in_rout is not None:
+        controller.not_simulated(r"SetDataSearch \InRout", "data of routines are not found")
+    search = Search(
+        type_,
+        object_,
+        storages=tuple(kind for kind, wanted in kinds.items() if wanted) or tuple(kinds),
+        module=in_mod,
+        only_global=global_sym,
+        only_local=local_sym,
+    )
+    controller.symbols.begin_search(search if in_rout is None else None)
+
+
+def get_next_sym(
+    controller: Controller,
+    object_: InOut[String],
+    block: Var[DataPos],
+    *,
+    recursive: Switch = False,
+) -> Bool:
+    """The next name that SetDataSearch asked for, and where it is; FALSE when there is none."""
+    del recursive
+    found = controller.symbols.next_found()
+    if found is None:
+        return False
+    object_.value, block.value = found.name, found
+    return True
+
+
+def _given(value: Reference[object] | list[object]) -> object:
+    return value if isinstance(value, list) else value.value
+
+
+def _where(block: Reference[DataName | None] | None) -> DataName | None:
+    return None if block is None else block.value
+
+
+def _own_task_only(
+    controller: Honesty, name: str, task_ref: object | None, task_name: str | None
+) -> None:
+    for option, value in ((r"\TaskRef", task_ref), (r"\TaskName", task_name)):
+        if value is not None:
+            controller.not_simulated(f"{name} {option}", "the data of the task itself")
+
+
+_PLACE = r"\Block|\TaskRef|\TaskName"
+
+SYMBOLS = table(
+    routine("GetDataVal", get_data_val, f"Object {_PLACE} Value"),
+    routine("SetDataVal", set_data_val, f"Object {_PLACE} Value"),
+    routine("SetAllDataVal", set_all_data_val, r"Type \TypeMod \Object \Hidden Value"),
+    routine(
+        "SetDataSearch",
+        set_data_search,
+        r"Type \TypeMod \Object \PersSym \VarSym \ConstSym \InTask|\InMod \InRout "
+        r"\GlobalSym|\LocalSym",
+    ),
+    routine("GetNextSym", get_next_sym, r"Object Block \Recursive"),
+)

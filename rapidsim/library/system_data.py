@@ -1,0 +1,144 @@
+r"""What a program asks about the controller, its modules and the tool that is active.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types, "GetSysInfo",
+"GetSysData", "ModExist", "EventType", "UIClientExist".
+"""
+
+from __future__ import annotations
+
+from rapidsim.language.annotations import (
+    AnyType,
+    ArgumentType,
+    Bool,
+    EventTypeNum,
+    ExecLevelNum,
+    InOut,
+    Pers,
+    String,
+    Switch,
+    TaskId,
+    TpNum,
+    Var,
+)
+from rapidsim.language.controller import Controller, Interrupts
+from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
+from rapidsim.language.types import NUM
+from rapidsim.library.honesty import ignored
+from rapidsim.library.table import routine, table
+
+NORMAL_LEVEL, TRAP_LEVEL = 0.0, 1.0
+"""The constants LEVEL_NORMAL and LEVEL_TRAP."""
+NO_EVENT = 0.0
+"""The constant EVENT_NONE: the program runs by itself, not for an event such as power on."""
+
+_VIRTUAL = "virtual"
+_NAME = "rapidsim"
+
+
+def get_sys_info(
+    *,
+    serial_no: Switch = False,
+    sw_version: Switch = False,
+    sw_version_name: Switch = False,
+    robot_type: Switch = False,
+    ctrl_id: Switch = False,
+    lan_ip: Switch = False,
+    ctrl_lang: Switch = False,
+    system_name: Switch = False,
+) -> String:
+    """What a virtual controller says of itself: it is no cabinet with numbers of its own."""
+    answers = (
+        (serial_no or sw_version or robot_type, _VIRTUAL),
+        (sw_version_name or ctrl_id or system_name, _NAME),
+        (lan_ip, "127.0.0.1"),
+        (ctrl_lang, "en"),
+    )
+    return next((answer for asked, answer in answers if asked), "")
+
+
+def get_sys_data(
+    controller: Controller,
+    dest_object: Pers[AnyType],
+    *,
+    task_ref: Var[TaskId] | None = None,
+    task_name: String | None = None,
+    object_name: InOut[String] | None = None,
+    of: ArgumentType = NUM,
+) -> None:
+    r"""Copy the active tool or the active work object; their names are not kept."""
+    options = {r"\TaskRef": task_ref, r"\TaskName": task_name, r"\ObjectName": object_name}
+    ignored(controller, "GetSysData", options)
+    match of.name:
+        case "tooldata":
+            dest_object.value = controller.active_tool()
+        case "wobjdata":
+            dest_object.value = controller.active_wobj()
+        case name:
+            raise rapid_error(
+                ERR_ARGVALERR, f"there is no active {name}; tooldata and wobjdata are possible"
+            )
+
+
+def mod_exist(controller: Controller, module_name: String) -> Bool:
+    """Whether the task has a module of that name."""
+    return controller.symbols.has_module(module_name)
+
+
+def event_type() -> EventTypeNum:
+    """Which event routine runs: none."""
+    return NO_EVENT
+
+
+def ui_client_exist() -> Bool:
+    """Whether there is a FlexPendant: the answers of a run stand for one."""
+    return True
+
+
+def exec_level(controller: Interrupts) -> ExecLevelNum:
+    """Whether the program runs at its normal level, 0, or a trap, 1."""
+    return TRAP_LEVEL if controller.in_trap else NORMAL_LEVEL
+
+
+def pp_moved_in_man_mode() -> Bool:
+    """Whether somebody has moved the program pointer: nobody does."""
+    return False
+
+
+def reset_pp_moved() -> None:
+    """Forget that somebody has moved the program pointer."""
+
+
+def is_stop_state_event(*, pp_moved: Switch = False, pp_to_main: Switch = False) -> Bool:
+    """Whether the program pointer was moved while the program stood: it never was."""
+    del pp_moved, pp_to_main
+    return False
+
+
+def pf_restart(*, base: Switch = False, irpt: Switch = False) -> Bool:
+    """Whether the program goes on after a power failure: there are none."""
+    del base, irpt
+    return False
+
+
+def tp_show(window: TpNum) -> None:
+    """Choose what the FlexPendant shows; every text is in the events of the run anyway."""
+    del window
+
+
+SYSTEM_DATA = table(
+    routine(
+        "GetSysInfo",
+        get_sys_info,
+        r"\SerialNo|\SWVersion|\SWVersionName|\RobotType|\CtrlId|\LanIp|\CtrlLang|\SystemName",
+    ),
+    routine("GetSysData", get_sys_data, r"\TaskRef|\TaskName DestObject \ObjectName"),
+    routine("ModExist", mod_exist),
+    routine("EventType", event_type),
+    routine("UIClientExist", ui_client_exist),
+    routine("ExecLevel", exec_level),
+    routine("PPMovedInManMode", pp_moved_in_man_mode),
+    routine("ResetPPMoved", reset_pp_moved),
+    routine("IsStopStateEvent", is_stop_state_event, r"\PPMoved \PPToMain"),
+    routine("PFRestart", pf_restart, r"\Base|\Irpt"),
+    routine("TPShow", tp_show),
+)

@@ -1,0 +1,96 @@
+"""`rapidsim check` and the moves of a program: what it says of them."""
+
+import json
+from pathlib import Path
+
+import pytest
+from cli_helper import rapidsim
+
+FAR = """MODULE cell
+  PERS wobjdata table:=[FALSE,TRUE,"",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
+  CONST robtarget pDrop:=[[1300,0,300],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  VAR num height;
+  PROC main()
+    MoveJ pDrop,v500,fine,tool0\\WObj:=table;
+    TPReadNum height, "How high?";
+    MoveJ Offs(pDrop,-500,0,height),v500,fine,tool0\\WObj:=table;
+  ENDPROC
+ENDMODULE
+"""
+STALE = """MODULE cell
+  ! Taught elsewhere.
+  CONST robtarget p:=[[700,-100,600],[0,0,1,0],
+    [0,0,0,0], [9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    MoveJ p,v500,fine,tool0;
+  ENDPROC
+ENDMODULE
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The working directory, with a program whose target is out of reach."""
+    (tmp_path / "cell.mod").write_text(FAR)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_a_finding_says_how_far_why_and_what_cures_it(folder: Path) -> None:
+    done = rapidsim("check", "cell.mod", "--robot", "irb1600", cwd=folder)
+    assert done.code == 1
+    text = " ".join(done.out.split())
+    assert "error[K601] unreachable-target: `pDrop` cannot be reached by ABB IRB 1600-6/1.2" in text
+    assert "cell.mod:6:11 in main" in text
+    assert "cell.mod:2" in text or "2 | PERS wobjdata table" in text
+    assert "with `table` moved 82 mm toward the base" in text
+    assert "Reach of 1 of 2 moves checked on irb1600: 1 by value." in text
+    assert "not checked: cell.mod:8: `height` comes from `TPReadNum`" in text
+
+
+def test_an_arm_that_nobody_named_is_said(folder: Path) -> None:
+    done = rapidsim("check", "cell.mod", cwd=folder)
+    assert "checked on irb1600-6-1.2 (by default; --robot names another): 1 by value." in done.out
+
+
+def test_without_reach_only_the_text_is_checked(folder: Path) -> None:
+    done = rapidsim("check", "cell.mod", "--no-reach", cwd=folder)
+    assert "K601" not in done.out
+    assert "Reach" not in done.out
+
+
+def test_json_counts_moves_and_says_why_some_are_left(folder: Path) -> None:
+    done = rapidsim("check", "cell.mod", "--output-format", "json", cwd=folder)
+    coverage = json.loads(done.out)["coverage"]
+    (unchecked,) = coverage.pop("unchecked")
+    assert coverage == {"moves": 2, "checked": 1, "by_value": 1, "by_run": 0}
+    assert (unchecked["file"], unchecked["line"]) == ("cell.mod", 8)
+    assert "a run of main does not tell" in unchecked["reason"]
+    alone = rapidsim("check", "cell.mod", "--output-format", "json", "--no-run", cwd=folder)
+    (unchecked,) = json.loads(alone.out)["coverage"]["unchecked"]
+    assert unchecked["reason"] == "`height` comes from `TPReadNum`"
+
+
+def test_a_larger_arm_and_a_robot_that_stands_nearer_reach_it(folder: Path) -> None:
+    larger = rapidsim("check", "cell.mod", "--robot", "irb4600-20-2.5", cwd=folder)
+    assert "K601" not in larger.out
+    station = '[robot]\nmodel = "irb1600"\nbase = { position = [300, 0, 0] }\n'
+    (folder / "rapidsim.toml").write_text(station)
+    nearer = rapidsim("check", "cell.mod", cwd=folder)
+    assert "K601" not in nearer.out
+
+
+def test_an_unsafe_fix_stores_the_configuration_and_touches_nothing_else(folder: Path) -> None:
+    (folder / "cell.mod").write_text(STALE)
+    done = rapidsim("check", "cell.mod", "--fix", "--unsafe-fixes", cwd=folder)
+    assert done.code == 0, done.out
+    cured = STALE.replace("[0,0,0,0], [9E9", "[-1,0,-1,0], [9E9")
+    assert (folder / "cell.mod").read_text() == cured
+
+
+def test_a_cycle_over_its_budget_is_found(folder: Path) -> None:
+    waits = "MODULE cell\n  PROC main()\n    WaitTime 3;\n  ENDPROC\nENDMODULE\n"
+    (folder / "cell.mod").write_text(waits)
+    (folder / "rapidsim.toml").write_text("[check]\ncycle-budget = 2.5\n")
+    done = rapidsim("check", "cell.mod", "--output-format", "concise", cwd=folder)
+    assert "cell.mod:2:8: warning[D701] one cycle takes 3.00 s; the budget is 2.5 s" in done.out

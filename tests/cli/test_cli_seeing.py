@@ -1,0 +1,124 @@
+"""What a run is looked at with: recording, report, pictures, viewer."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from cli_helper import rapidsim
+from rerun.chunk import RrdReader
+
+PROGRAM = """MODULE Short
+  CONST robtarget p:=[[600,-200,700],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    ConfJ\\Off;
+    MoveJ p, v500, fine, tool0;
+  ENDPROC
+ENDMODULE
+"""
+LONG = PROGRAM.replace("PROC main()", "PROC main()\n    FOR k FROM 1 TO 25 DO").replace(
+    "    MoveJ p, v500, fine, tool0;\n",
+    "    MoveJ p, v500, fine, tool0;\n    MoveJ Offs(p,0,400,0), v50, z10, tool0;\n    ENDFOR\n",
+)
+NO_SCREEN = {"DISPLAY": "", "WAYLAND_DISPLAY": ""}
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "Short.mod").write_text(PROGRAM)
+    return tmp_path
+
+
+def test_everything_asked_for_is_written_and_named(folder: Path) -> None:
+    ended = rapidsim(
+        "run", "Short.mod", "--report", "s.html", "--plots", "plots", "--trace", "s.ros.json",
+        cwd=folder,
+    )  # fmt: skip
+    assert ended.code == 0
+    for name in ("Short.rrd (recording)", "s.html (report)", "plots (plots)", "s.ros.json (trace)"):
+        assert name in " ".join(ended.out.split())
+    assert (folder / "plots" / "path-dark.png").is_file()
+
+
+def test_the_step_of_the_recording_can_be_chosen(folder: Path) -> None:
+    rapidsim("run", "Short.mod", "--record-dt", "0.1", cwd=folder)
+    chunks = RrdReader(folder / "Short.rrd").stream().filter(content="/joints/angle")
+    times = [chunk.num_rows for chunk in chunks if not chunk.is_static]
+    assert 5 < sum(times) < 40
+    ended = rapidsim("run", "Short.mod", "--record-dt", "0", cwd=folder)
+    assert ended.code == 2
+    assert "record-dt" in ended.err
+
+
+def test_what_was_found_is_not_lost_over_a_file_that_cannot_be_written(folder: Path) -> None:
+    """The recording fits on no disk of 1 MB, the summary does."""
+    (folder / "s.html").write_text("older")
+    script = (
+        "import resource; resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000));"
+        "from rapidsim.cli import main; import sys; sys.exit(main())"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script, "run", "Short.mod", "--no-record", "--report", "s.html"],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 2
+    assert "ended as programmed" in done.stdout
+    assert "cannot write `s.html`" in done.stderr
+    assert (folder / "s.html").read_text() == "older"
+    assert not list(folder.glob(".*.part"))
+
+
+def test_places_are_refused_before_the_run(folder: Path) -> None:
+    for arguments, words in (
+        (("--report", "s.pdf"), "must end in .html"),
+        (("--report", "nowhere/s.html"), "nowhere is no folder"),
+        (("--plots", "Short.mod"), "is a file"),
+        (("--view",), "no screen"),
+        (("--view", "--no-record"), "exclude each other"),
+    ):
+        ended = rapidsim("run", "Short.mod", *arguments, cwd=folder, environment=NO_SCREEN)
+        assert ended.code == 2, arguments
+        assert words in ended.err
+    assert not list(folder.glob("*.rrd"))
+
+
+def test_the_viewer_is_given_recordings_only(folder: Path) -> None:
+    assert "no recording nix.rrd" in rapidsim("view", "nix.rrd", cwd=folder).err
+    ended = rapidsim("view", "Short.mod", cwd=folder)
+    assert ended.code == 2
+    assert "Short.mod is no recording" in ended.err
+    rapidsim("run", "Short.mod", cwd=folder)
+    if sys.platform == "linux":
+        assert "no screen" in rapidsim("view", "Short.rrd", cwd=folder, environment=NO_SCREEN).err
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such signal")
+def test_ctrl_c_leaves_the_older_recording(folder: Path) -> None:
+    (folder / "Long.mod").write_text(LONG)
+    (folder / "Long.rrd").write_bytes(b"older")
+    process = subprocess.Popen(
+        [sys.executable, "-m", "rapidsim", "run", "Long.mod", "--record-dt", "0.002"],
+        cwd=folder,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONUNBUFFERED": "1"},
+    )
+    for _ in range(600):
+        if list(folder.glob(".Long.rrd.*.part")) or process.poll() is not None:
+            break
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    _, words = process.communicate(timeout=60)
+    if process.returncode == 130:
+        assert "interrupted" in words
+        assert (folder / "Long.rrd").read_bytes() == b"older"
+    assert not list(folder.glob(".*.part"))
