@@ -1,5 +1,6 @@
 """The programs with two robots: each waits for the other, and what both carry keeps its length."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -7,12 +8,16 @@ import pytest
 
 from rapidsim.cli.inputs import all_tasks, choose_station
 from rapidsim.frames.transform import Array
+from rapidsim.language.controller import Move
 from rapidsim.motion.robot import load_robot
 from rapidsim.simulation.cell_tasks import task_setups
 from rapidsim.simulation.load_tasks import load_tasks
 from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.queued_move import QueuedMove
 from rapidsim.simulation.result import RobotRun, Simulation
 from rapidsim.simulation.simulate import simulate_tasks
+from rapidsim.simulation.task.motion import TaskMotion
+from rapidsim.simulation.team import Offer, Team, TeamMove
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 
@@ -49,3 +54,38 @@ def test_robots_that_share_a_place_take_turns() -> None:
     times = np.arange(0.0, run.time_s, 0.05)
     left, right = (tcp(robot, times) for robot in run.robots)
     assert np.linalg.norm(left - right, axis=1).min() > 0.1
+
+
+@pytest.mark.parametrize("program", ["two_robots", "multimove"])
+def test_looking_ahead_after_every_move_changes_nothing(
+    program: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Planning is tentative, for robots that wait for each other and for those that move as one."""
+    plain = ran(program)
+    put, begin = TaskMotion._put, Team.begin
+    looked: list[object] = []
+
+    def put_and_look(
+        self: TaskMotion, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True
+    ) -> None:
+        def look(queued: QueuedMove) -> None:
+            before(queued)
+            looked.append(self._queue.preview())
+
+        put(self, move, look, wait=wait)
+
+    def begin_and_look(self: Team, offer: Offer, now_s: float) -> TeamMove:
+        begun = begin(self, offer, now_s)
+        looked.append(self.rest())
+        return begun
+
+    monkeypatch.setattr(TaskMotion, "_put", put_and_look)
+    monkeypatch.setattr(Team, "begin", begin_and_look)
+    other = ran(program)
+    assert len(looked) > len(plain.robots[0].moves)
+    assert [(e.time_s, e.message) for e in other.events] == [
+        (e.time_s, e.message) for e in plain.events
+    ]
+    times = np.arange(0.0, plain.time_s, 0.01)
+    for one, same in zip(plain.robots, other.robots, strict=True):
+        assert np.array_equal(one.trajectory.at(times).joints, same.trajectory.at(times).joints)
