@@ -23,7 +23,9 @@ def task_setups(
     """What each task of a run is given.
 
     Where the station file says nothing of a task, it gets the next robot if it has moves, and an
-    arm like the first if the file has no more robots. A task that runs alone always gets one.
+    arm like the first if the file has no more robots. If no task has moves, the first of which the
+    file says nothing gets the robot: it is the one a controller starts with. A task that runs alone
+    always gets one.
 
     Args:
         tasks: Their programs.
@@ -39,11 +41,16 @@ def task_setups(
     with_axes = replace(first, external=station.external_axes) if station.external_axes else first
     setups: list[TaskSetup] = []
     given = 0
+    unsaid = [task for task in tasks if task.name.lower() not in known]
+    seated = any(task.robot_number is not None for task in station.tasks)
+    movers = [task for task in unsaid if task.has_moves]
+    if not movers and not seated:
+        movers = unsaid[:1]
     for task in tasks:
         said = known.get(task.name.lower())
         kind = TaskKind.NORMAL if said is None else said.kind
         number = None if said is None else said.robot_number
-        if (said is None and task.has_moves) or (number is None and len(tasks) == 1):
+        if task in movers or (number is None and len(tasks) == 1):
             number = given
         if number is None:
             setups.append(TaskSetup(task.name, task.program, kind=kind, written=task.written))

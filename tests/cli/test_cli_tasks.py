@@ -120,6 +120,16 @@ def test_the_tasks_of_a_backup_are_tasks_and_those_with_moves_have_a_robot(tmp_p
     assert [move["task"] for move in report["moves"]] == ["T_ROB1", "T_ROB3"]
 
 
+def test_a_backup_without_moves_runs(tmp_path: Path) -> None:
+    for number in (1, 2):
+        folder = tmp_path / "RAPID" / f"TASK{number}"
+        folder.mkdir(parents=True)
+        (folder / "m.mod").write_text(module(f"m{number}", "WaitTime 1;", 'TPWrite "done";'))
+    ended = run(tmp_path, "--format", "json")
+    assert ended.code == 0, ended.err
+    assert [event["task"] for event in json.loads(ended.out)["events"]] == ["T_ROB1", "T_ROB2"]
+
+
 def test_tasks_take_the_robots_they_name_and_then_those_that_are_left(tmp_path: Path) -> None:
     file = tmp_path / "rapidsim.toml"
     file.write_text(
