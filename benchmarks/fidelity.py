@@ -70,7 +70,10 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     beside = Path(__file__).parents[2] / "shared" / "reference" / "abb_traces_dev.json"
     parser.add_argument("traces", type=Path, nargs="?", default=beside)
-    traces = read_traces(parser.parse_args().traces)
+    file = parser.parse_args().traces
+    if not file.is_file():
+        parser.error(f"{file} is not here; name a file of traces")
+    traces = read_traces(file)
     for title, model in (
         ("axis acceleration = axis speed / 0.16 s", default_model()),
         ("accelerations measured on this arm", measured_model()),
