@@ -55,6 +55,10 @@ class Analysis:
     """Undeclared names that an instruction takes as a signal, with the first kind of signal."""
     unread_text: str = ""
     """Folded text that the parser could not read: what it may declare is not held missing."""
+    shapeless: set[str] = field(default_factory=set)
+    """Folded names of types that nothing declares."""
+    needs_shape: bool = False
+    """Whether a component of such a type is named: that can be checked around, and not run."""
     module_of: dict[Symbol, tree.Module] = field(default_factory=dict)
     """Where each symbol of the user is declared."""
     home_of: dict[tree.Module, Context] = field(default_factory=dict)

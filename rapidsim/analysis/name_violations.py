@@ -221,6 +221,58 @@ class WrongKind(Violation):
 
 
 @dataclass(frozen=True)
+class ComponentOfUnknownType(Violation):
+    """A component is named of data whose type no module declares.
+
+    Whether the type has it cannot be told, and a program that uses it cannot run without the
+    declaration.
+
+    ## Example
+
+        MODULE example
+          TASK PERS gluegundata gun1:=[1,5,[0,0]];
+          PROC main()
+            gun1.pressure:=6;
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          RECORD gluegundata
+            num number;
+            num pressure;
+            glueoffset offset;
+          ENDRECORD
+          RECORD glueoffset
+            num on;
+            num off;
+          ENDRECORD
+          TASK PERS gluegundata gun1:=[1,5,[0,0]];
+          PROC main()
+            gun1.pressure:=6;
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "N215"
+    name: ClassVar[str] = "component-of-unknown-type"
+    template: ClassVar[str] = (
+        "`{record}` is {type_name}, whose declaration is missing: `{component}` cannot be checked"
+    )
+    severity: ClassVar[Severity] = Severity.WARNING
+
+    record: str
+    type_name: str
+    component: str
+
+    @property
+    def help(self) -> str:
+        """What is missing."""
+        return f"give the module that declares {self.type_name} as well; a run needs it"
+
+
+@dataclass(frozen=True)
 class UnknownComponent(Violation):
     """A component is named that the record does not have, or of data that are no record.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rapidsim.analysis.agreement import require
 from rapidsim.analysis.constants import constant_number
 from rapidsim.analysis.context import Context, TypeOf
-from rapidsim.analysis.name_violations import UnknownComponent
+from rapidsim.analysis.name_violations import ComponentOfUnknownType, UnknownComponent
 from rapidsim.analysis.names import DataLike, as_data, data_named, find, kind_of, report_undefined
 from rapidsim.analysis.operators import value_type
 from rapidsim.analysis.parameters import Wanted
@@ -98,11 +98,13 @@ def _component_type(path: tree.Component, context: Context, type_of: TypeOf) -> 
     for component in components:
         if component.name.lower() == path.name.key:
             return component.type
+    if target.name.lower() in context.analysis.shapeless:
+        written = context.module.span(path.record).text
+        context.report(ComponentOfUnknownType(written, record.name, path.name.text), path.name)
+        context.analysis.needs_shape = True
+        return None
     known = tuple(component.name for component in components)
-    if any(not name.isidentifier() for name in known):
-        # A type that is not declared, of which only the number of values is known.
-        described, known = f"`{record.name}`, whose declaration is missing,", ()
-    elif known:
+    if known:
         described = f"`{record.name}`"
     else:
         described = f"`{context.module.span(path.record).text}` is {record.name}, which"

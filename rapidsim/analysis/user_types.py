@@ -125,6 +125,7 @@ class UserTypes:
             return self.named(meant, context)
         if not analysis.may_be_unread(name.key):
             context.report(UnknownType(name.text), name)
+        analysis.shapeless.add(name.key)
         shape = self._unknown.get(name.key)
         if shape is None:
             value, dimensions = self._first_values.get(name.key, (None, 0))

@@ -157,6 +157,6 @@ def _moves_checked(
     written = written_moves(loaded.files)
     if (written or always) and moves is not None and loaded.program is not None:
         return moves(loaded.program, task)
-    why = "no robot was named" if moves is None else "the program has errors"
+    why = "no robot was named" if moves is None else "the program cannot run as it is"
     unchecked = tuple(UncheckedMove(span, why) for span in written)
     return ReachReport((), Coverage(unchecked=unchecked))

@@ -24,7 +24,7 @@ MODULE names
     here:=pPick.tarns.x;               ! error: N212
     here:=here.x;                     ! error: N212
     seam1:=seam2;
-    here:=seam1.speed;                 ! error: N212
+    here:=seam1.speed;                 ! warning: N215
     FOR i FROM 1 TO 3 DO
       here:=i;
     ENDFOR
