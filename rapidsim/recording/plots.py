@@ -158,12 +158,15 @@ def _log_speed(stream: rr.RecordingStream, run: SampledRun) -> None:
 
 
 def _programmed_steps(moves: tuple[ExecutedMove, ...], end_s: float) -> tuple[Array, Array]:
-    """Instants [s] and the speed [mm/s] programmed from there on; 0 where nothing moves."""
+    """Instants [s] and the speed [mm/s] programmed from there on; 0 where nothing moves.
+
+    Recordings count nanoseconds: of two speeds within the same one the viewer would draw the mean.
+    """
     steps: dict[float, float] = {0.0: 0.0}
     for move in moves:
-        steps[move.end_s] = 0.0
-        steps[move.start_s] = move.move.speed.v_tcp
-    steps.setdefault(end_s, 0.0)
+        steps[round(move.end_s, 9)] = 0.0
+        steps[round(move.start_s, 9)] = move.move.speed.v_tcp
+    steps.setdefault(round(end_s, 9), 0.0)
     times = sorted(steps)
     return np.array(times), np.array([steps[time] for time in times])
 
