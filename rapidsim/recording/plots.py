@@ -128,6 +128,8 @@ def _log_speed(stream: rr.RecordingStream, run: SampledRun) -> None:
             names="programmed",
             colors=palette.rgba(palette.PROGRAMMED),
             widths=1.2,
+            # The mean of a standstill of some microseconds and the move after it is no speed.
+            aggregation_policy=rr.components.AggregationPolicy.Max,
             interpolation_mode=rr.components.InterpolationMode.StepAfter,
         ),
         static=True,
@@ -164,6 +166,8 @@ def _programmed_steps(moves: tuple[ExecutedMove, ...], end_s: float) -> tuple[Ar
     """
     steps: dict[float, float] = {0.0: 0.0}
     for move in moves:
+        if move.end_s <= move.start_s:
+            continue  # To where the arm was; the move after it may have begun already.
         steps[round(move.end_s, 9)] = 0.0
         steps[round(move.start_s, 9)] = move.move.speed.v_tcp
     steps.setdefault(round(end_s, 9), 0.0)
