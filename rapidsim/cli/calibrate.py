@@ -10,7 +10,7 @@ import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.inputs import choose_robot, choose_station
-from rapidsim.cli.terminal import current_terminal, terminal_options
+from rapidsim.cli.terminal import current_terminal, table_or_json, terminal_options
 from rapidsim.files import MODULE_SUFFIXES, InputError, read_tasks
 
 
@@ -26,14 +26,7 @@ from rapidsim.files import MODULE_SUFFIXES, InputError, read_tasks
     show_default=True,
     help="Real seconds per second of the logs.",
 )
-@click.option(
-    "--format",
-    "output_format",
-    type=click.Choice(["table", "json"]),
-    default="table",
-    show_default=True,
-    help="What is printed.",
-)
+@table_or_json
 @terminal_options
 def calibrate(
     logs: tuple[Path, ...],

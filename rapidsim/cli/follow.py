@@ -13,7 +13,7 @@ from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.inputs import DEFAULT_ROBOT
 from rapidsim.cli.numbers import numbers
 from rapidsim.cli.outputs import new_file
-from rapidsim.cli.terminal import current_terminal, terminal_options
+from rapidsim.cli.terminal import current_terminal, table_or_json, terminal_options
 from rapidsim.files import InputError
 
 _WAYS = ("line", "spline", "joint", "joint-quintic")
@@ -119,14 +119,7 @@ _TRACES = (".csv", ".parquet", ".json")
 )
 @click.option("--trace", metavar="FILE.csv|.parquet|.json", help="Write joints and TCP over time.")
 @click.option("--record", metavar="FILE.rrd", help="Write a recording for the rerun viewer.")
-@click.option(
-    "--format",
-    "output_format",
-    type=click.Choice(["table", "json"]),
-    default="table",
-    show_default=True,
-    help="What is printed.",
-)
+@table_or_json
 @terminal_options
 def follow(
     points_file: str,

@@ -9,7 +9,7 @@ import click
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.inputs import choose_robot, choose_station, one_task
 from rapidsim.cli.robot_choice import open_robot
-from rapidsim.cli.terminal import current_terminal, terminal_options
+from rapidsim.cli.terminal import current_terminal, table_or_json, terminal_options
 from rapidsim.language.data import IDENTITY_POSE
 from rapidsim.motion.targets import pose
 from rapidsim.report.diagnostics import full, summary_line
@@ -25,14 +25,7 @@ from rapidsim.simulation.start_values import start_values
 @click.option("--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them.")
 @click.option("--station", metavar="FILE.toml", help="The station file, instead of a near one.")
 @click.option("--task", metavar="NAME", help="Only this one of several tasks.")
-@click.option(
-    "--format",
-    "output_format",
-    type=click.Choice(["table", "json"]),
-    default="table",
-    show_default=True,
-    help="What is printed.",
-)
+@table_or_json
 @terminal_options
 def frames(
     paths: tuple[str, ...],

@@ -12,7 +12,7 @@ import click
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.inputs import DEFAULT_ROBOT
 from rapidsim.cli.numbers import numbers
-from rapidsim.cli.terminal import current_terminal, terminal_options
+from rapidsim.cli.terminal import current_terminal, table_or_json, terminal_options
 from rapidsim.files import InputError
 
 if TYPE_CHECKING:
@@ -30,14 +30,7 @@ def _common(command: Command) -> Command:
     """The options of all three commands."""
     for option in (
         terminal_options,
-        click.option(
-            "--format",
-            "output_format",
-            type=click.Choice(["table", "json"]),
-            default="table",
-            show_default=True,
-            help="What is printed.",
-        ),
+        table_or_json,
         click.option(
             "--tool",
             type=numbers(3, 7),

@@ -9,7 +9,7 @@ import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.robot_choice import open_robot
-from rapidsim.cli.terminal import current_terminal, terminal_options
+from rapidsim.cli.terminal import current_terminal, table_or_json, terminal_options
 from rapidsim.motion.catalogue import aliases_of, robot_names
 from rapidsim.motion.robot import Robot, load_robot
 from rapidsim.report.robot_tables import catalogue_table, robot_page
@@ -17,14 +17,7 @@ from rapidsim.report.robot_tables import catalogue_table, robot_page
 
 @click.command()
 @click.argument("name", required=False)
-@click.option(
-    "--format",
-    "output_format",
-    type=click.Choice(["table", "json"]),
-    default="table",
-    show_default=True,
-    help="What is printed.",
-)
+@table_or_json
 @terminal_options
 def robots(name: str | None, output_format: str) -> int:
     """List the robots, or show one with limits, speeds, reach and source.

@@ -23,6 +23,16 @@ _PIPED_COLUMNS = 80
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
+table_or_json = click.option(
+    "--format",
+    "output_format",
+    type=click.Choice(["table", "json"]),
+    default="table",
+    show_default=True,
+    help="What is printed.",
+)
+"""The option of commands that print a table for people or an object for programs."""
+
 
 @dataclass(slots=True)
 class Terminal:

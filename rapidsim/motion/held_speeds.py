@@ -48,8 +48,7 @@ def held_speeds(places: Array, speeds: Array, window: float) -> Array:
     steps = 0.5 * np.diff(places) * (1.0 / speeds[1:] + 1.0 / speeds[:-1])
     times = np.concatenate([[0.0], np.cumsum(steps)])
     reach = _REACH * window
-    first = np.searchsorted(times, times - reach, side="left")
-    after = np.searchsorted(times, times + reach, side="right")
+    near = first, after = within(times, reach)
     # Where places are farther apart than that, the next ones stand for what lies between.
     own = np.arange(len(places))
     next_before = np.maximum(own - _NEXT, 0)
@@ -58,7 +57,7 @@ def held_speeds(places: Array, speeds: Array, window: float) -> Array:
     first, after = np.minimum(first, next_before), np.maximum(after, next_after)
     slopes = _slopes(places, speeds, first, after - 1)
     lined = lonely | (slopes != 0.0)
-    held = least_around(times, np.where(lined, np.inf, speeds), reach)
+    held = least_around(times, np.where(lined, np.inf, speeds), reach, near)
     _keep_below_lines(held, places, speeds, slopes, np.flatnonzero(lined), first, after)
     result: Array = np.minimum(held, speeds)
     return result
@@ -105,16 +104,23 @@ def _keep_below_lines(
         np.minimum.at(held, other, line)
 
 
-def least_around(times: Array, speeds: Array, window: float) -> Array:
-    """The least of speeds (k,) [m/s] within a window [s] before and after each; times ascend."""
+def within(times: Array, window: float) -> tuple[Index, Index]:
+    """The first of ascending times (k,) within a window [s] around each, and the one after it."""
+    first = np.searchsorted(times, times - window, side="left")
+    return first, np.searchsorted(times, times + window, side="right")
+
+
+def least_around(times: Array, speeds: Array, window: float, near: tuple[Index, Index]) -> Array:
+    """The least of speeds (k,) [m/s] within a window [s] before and after each.
+
+    `near` is what `within` says of these times and this window.
+    """
     kernel = compiled(solver_loops, "least_around", len(times))
     if kernel is not None:
         held = np.empty(len(times))
         kernel(times, speeds, window, held)
         return held
-    first = np.searchsorted(times, times - window, side="left")
-    after = np.searchsorted(times, times + window, side="right")
     # `reduceat` takes the least from each index to the next; every second one is a window.
-    bounds = np.stack([first, after], axis=1).ravel()
+    bounds = np.stack(near, axis=1).ravel()
     least: Array = np.minimum.reduceat(np.append(speeds, np.inf), bounds)[::2]
     return least

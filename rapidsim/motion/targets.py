@@ -179,15 +179,6 @@ def pose(a_from_b: Transform) -> Pose:
     return Pose(Pos(x, y, z), Orient(*a_from_b.quaternion.tolist()))
 
 
-def unsupported(tool: ToolData, wobj: WobjData) -> NotSimulatedFrame | None:
-    """Why targets of such a pair are not in a frame that stands still; None if they are."""
-    if not tool.robhold or wobj.robhold:
-        return NotSimulatedFrame("the tool is stationary or the work object is in the robot's hand")
-    if not wobj.ufprog:
-        return NotSimulatedFrame(f"the mechanical unit `{wobj.ufmec}` moves the user frame")
-    return None
-
-
 def base_from_object(wobj: WobjData, base_from_world: Transform) -> Transform:
     """The work object in the robot's base."""
     return base_from_world @ transform(wobj.uframe) @ transform(wobj.oframe)

@@ -42,7 +42,7 @@ def blueprint(runs: Sequence[SampledRun], shown: Sequence[Target]) -> rrb.Bluepr
         runs: What each robot did.
         shown: The targets of the first robot.
     """
-    return rrb.Blueprint(
+    return laid_out(
         rrb.Vertical(
             rrb.Horizontal(
                 _spaces(runs, shown),
@@ -54,6 +54,13 @@ def blueprint(runs: Sequence[SampledRun], shown: Sequence[Target]) -> rrb.Bluepr
             ),
             row_shares=[8, 5],
         ),
+    )
+
+
+def laid_out(views: rrb.Container) -> rrb.Blueprint:
+    """Views with the panels of the viewer out of the way and time at rest."""
+    return rrb.Blueprint(
+        views,
         rrb.BlueprintPanel(state="collapsed"),
         rrb.SelectionPanel(state="collapsed"),
         rrb.TimePanel(

@@ -19,10 +19,11 @@ from rapidsim.motion.trajectories.plan import Way
 from rapidsim.motion.trajectory import Samples
 from rapidsim.recording import palette
 from rapidsim.recording.arm import FLANGE, log_arm
+from rapidsim.recording.blueprint import laid_out
 from rapidsim.recording.camera import looking_at
 from rapidsim.recording.legend import emptiest_corner
 from rapidsim.recording.stream import recording_file
-from rapidsim.recording.timelines import SIM_TIME, Clock
+from rapidsim.recording.timelines import Clock
 from rapidsim.recording.tool import BODY_ENTITY, FRAME_ENTITY, TCP, tool_body
 from rapidsim.recording.transforms import BASE, BASE_FROM_WORLD, WORLD, static_frame
 
@@ -244,7 +245,7 @@ def _blueprint(followed: Followed) -> rrb.Blueprint:
             (DEVIATION, "Deviation [mm]", top, 1.3 * max(mm, _LEAST_DEVIATION_MM)),
         )
     ]
-    return rrb.Blueprint(
+    return laid_out(
         rrb.Vertical(
             rrb.Horizontal(
                 *views,
@@ -254,17 +255,6 @@ def _blueprint(followed: Followed) -> rrb.Blueprint:
             rrb.Horizontal(*plots),
             row_shares=[8, 4],
         ),
-        rrb.BlueprintPanel(state="collapsed"),
-        rrb.SelectionPanel(state="collapsed"),
-        rrb.TimePanel(
-            state="collapsed",
-            timeline=SIM_TIME,
-            play_state="paused",
-            loop_mode="off",
-            playback_speed=1.0,
-        ),
-        auto_layout=False,
-        auto_views=False,
     )
 
 

@@ -146,14 +146,20 @@ def _along_the_path(run: RobotRun, offset: int) -> tuple[JointMargin, Singularit
     robot = run.robot
     times = _sample_times(run)
     samples = run.trajectory.at(times)
-    moves = {move.index: replace(move, index=offset + move.index) for move in run.moves}
+    moves = {move.index: move for move in run.moves}
+
+    def move_at(row: int) -> ExecutedMove:
+        """The move under way, numbered among those of all robots."""
+        move = moves[int(samples.move[row])]
+        return replace(move, index=offset + move.index)
+
     left = np.minimum(samples.joints - robot.lower, robot.upper - samples.joints)
     row, joint = (int(i) for i in np.unravel_index(np.argmin(left), left.shape))
     margin = JointMargin(
         degrees=float(np.degrees(left[row, joint])),
         joint=joint + 1,
         time_s=float(times[row]),
-        move=moves[int(samples.move[row])],
+        move=move_at(row),
     )
     jacobians = robot.kinematics.jacobian(samples.joints)
     smallest = np.linalg.svd(jacobians, compute_uv=False)[:, -1]
@@ -161,7 +167,7 @@ def _along_the_path(run: RobotRun, offset: int) -> tuple[JointMargin, Singularit
     singularity = Singularity(
         smallest_singular_value=float(smallest[row]),
         time_s=float(times[row]),
-        move=moves[int(samples.move[row])],
+        move=move_at(row),
     )
     return margin, singularity
 

@@ -22,7 +22,7 @@ from rapidsim.frames.transform import Transform
 from rapidsim.motion import compiled, line_formulas, line_rates, problem, solver_loops
 from rapidsim.motion.following import PathFault
 from rapidsim.motion.grid import Places
-from rapidsim.motion.held_speeds import least_around
+from rapidsim.motion.held_speeds import least_around, within
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.opw import OrthoParallel
 from rapidsim.motion.path import Path, PathRates, build_path
@@ -124,7 +124,7 @@ def test_the_least_around_is_found_alike() -> None:
         speeds = random.uniform(0.0, 2.0, count)
         stacked = np.empty(count)
         solver_loops.least_around(places, speeds, 0.5, stacked)
-        assert np.array_equal(stacked, least_around(places, speeds, 0.5))
+        assert np.array_equal(stacked, least_around(places, speeds, 0.5, within(places, 0.5)))
 
 
 def test_loops_of_the_solver_do_what_columns_do() -> None:
