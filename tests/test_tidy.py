@@ -3,6 +3,7 @@
 import re
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -32,11 +33,18 @@ def test_tool_finds_nothing(command: list[str]) -> None:
 def test_no_file_is_too_long() -> None:
     lengths = {
         str(path.relative_to(ROOT)): len(path.read_text(encoding="utf-8").splitlines())
-        for folder in ("rapidsim", "scripts", "benchmarks")
+        for folder in ("rapidsim", "scripts", "benchmarks", "tests")
         for path in sorted((ROOT / folder).rglob("*.py"))
     }
     too_long = {path: lines for path, lines in lengths.items() if lines > LONGEST_FILE}
     assert not too_long
+
+
+def test_every_package_is_in_the_wheel() -> None:
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    named = set(settings["tool"]["setuptools"]["packages"])
+    folders = [path.parent for path in (ROOT / "rapidsim").rglob("__init__.py")]
+    assert {".".join(folder.relative_to(ROOT).parts) for folder in folders} <= named
 
 
 def test_architecture_names_every_folder() -> None:

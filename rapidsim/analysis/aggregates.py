@@ -79,8 +79,8 @@ def _check_elements(
     if isinstance(parts, Violation):
         context.report(parts, node, *wanted.declared)
         return
-    for element, (of, by) in zip(node.elements, parts, strict=True):
-        require(element, Wanted(of, by, wanted.declared), context, type_of)
+    for k, (element, of) in enumerate(zip(node.elements, parts, strict=True)):
+        require(element, Wanted(of, _called(target, k), wanted.declared), context, type_of)
 
 
 def _literal_mistakes(
@@ -95,11 +95,11 @@ def _literal_mistakes(
         if isinstance(parts, Violation):
             return [(parts, place)]
         mistakes = []
-        for k, (part, (part_type, part_by)) in enumerate(zip(value, parts, strict=True)):
+        for k, (part, part_type) in enumerate(zip(value, parts, strict=True)):
             # Most parts are numbers that fit; they must cost nothing.
             if part_type is types.NUM and type(part) is float and abs(part) <= LARGEST_SINGLE:
                 continue
-            mistakes += _literal_mistakes(part, part_type, part_by, (*place, k))
+            mistakes += _literal_mistakes(part, part_type, _called(target, k), (*place, k))
         return mistakes
     if isinstance(value, bool):
         found = "bool"
@@ -116,25 +116,27 @@ def _literal_mistakes(
     return [(TypeMismatch(by, of.name, found), place)]
 
 
-def _parts(
-    target: Record | ArrayOf, count: int, by: str
-) -> Sequence[tuple[Type, str]] | RecordShape:
-    """The types of the values of a record or array and what to call their places."""
+def _called(target: Record | ArrayOf, index: int) -> str:
+    """What to call the place of one value of a record or array."""
+    if isinstance(target, Record):
+        return f"component `{target.components[index].name}` of {target.name}"
+    return f"an element of {target.name}"
+
+
+def _parts(target: Record | ArrayOf, count: int, by: str) -> Sequence[Type] | RecordShape:
+    """The types of the values of a record or array."""
     if isinstance(target, Record):
         wanted = len(target.components)
         if count != wanted:
             names = [component.name for component in target.components]
             listed = names if wanted <= _LONGEST_LIST else [*names[:_LONGEST_LIST], "..."]
             return RecordShape(f"{by}, a {target.name},", wanted, count, ", ".join(listed))
-        return [
-            (component.type, f"component `{component.name}` of {target.name}")
-            for component in target.components
-        ]
+        return [component.type for component in target.components]
     size, *inner = target.dimensions
     if size is not None and count != size:
         return RecordShape(by, size, count, f"elements of {target.name}")
     of: Type = ArrayOf(target.element, tuple(inner)) if inner else target.element
-    return [(of, f"an element of {target.name}")] * count
+    return [of] * count
 
 
 def _element(node: tree.LiteralAggregate, place: tuple[int, ...], context: Context) -> tree.Node:

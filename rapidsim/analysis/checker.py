@@ -6,6 +6,7 @@ then what only the whole task can tell. No pass changes the tree; all write to o
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
@@ -31,6 +32,9 @@ from rapidsim.syntax.collection import uncollected
 Find: TypeAlias = Callable[[Facts], Iterable[Diagnostic]]
 """A function that looks for mistakes in what analysis has found out."""
 
+_LOADING = ("load", "startload")
+"""The instructions that take other modules into the program, by folded name."""
+_LOADING_WORD = re.compile(r"load\b")
 _DEEPEST = 20_000
 """Python calls within each other while checking; the parser bounds how deep programs nest."""
 
@@ -60,7 +64,7 @@ def check(
         The program with its symbols and types, and all findings. Never raises on what users write.
     """
     modules = [module for file in files for module in file.modules]
-    analysis = Analysis(unread_text=_unread_text(modules))
+    analysis = Analysis(unread_text=_unread_text(modules), loads_modules=_loads_modules(modules))
     with _deep_recursion():
         homes, user_types = declare_task(modules, analysis)
         data = [
@@ -132,6 +136,7 @@ def _program(
         MappingProxyType(analysis.symbol_of),
         MappingProxyType(analysis.type_of),
         MappingProxyType(routines),
+        analysis.loads_modules,
     )
 
 
@@ -145,6 +150,19 @@ def _unread_text(modules: Sequence[tree.Module]) -> str:
         if isinstance(part, tree.Broken)
     ]
     return "\n".join(unread)
+
+
+def _loads_modules(modules: Sequence[tree.Module]) -> bool:
+    """Whether an instruction takes other modules into the program."""
+    # Few programs do, so that most are never walked through.
+    return any(
+        isinstance(part, tree.Call) and part.name.key in _LOADING
+        for module in modules
+        if _LOADING_WORD.search(module.source.text.lower())
+        for item in module.items
+        if isinstance(item, tree.RoutineNode)
+        for part in statements(*clauses(item))
+    )
 
 
 def _in_order(

@@ -55,6 +55,8 @@ class Analysis:
     """Undeclared names that an instruction takes as a signal, with the first kind of signal."""
     unread_text: str = ""
     """Folded text that the parser could not read: what it may declare is not held missing."""
+    loads_modules: bool = False
+    """Whether the task calls Load or StartLoad: other modules may come while it runs."""
     shapeless: set[str] = field(default_factory=set)
     """Folded names of types that nothing declares."""
     needs_shape: bool = False

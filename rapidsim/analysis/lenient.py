@@ -21,12 +21,22 @@ from rapidsim.syntax import tree
 
 # Placeholders of declarations; the others stand for statements, expressions and arguments.
 _DECLARATIONS = frozenset({"TDN", "DDN", "RDN", "PAR", "ALT", "DIM"})
+_MARKED = frozenset(
+    {
+        *(tree.Assignment, tree.Data, tree.Call, tree.Branch, tree.While, tree.Case, tree.Unary),
+        *(tree.LateFunctionCall, tree.Field, tree.RecordType, tree.Proc, tree.Func),
+        tree.Placeholder,
+    }
+)
+"""The kinds that marks are on."""
 
 
 def check_lenient_marks(context: Context) -> None:
     """Report every lenient mark and placeholder of a module."""
     text = context.module.source.text
     for node in descendants(*context.module.items):
+        if type(node) not in _MARKED:
+            continue
         match node:
             case tree.Assignment(equals_sign=True):
                 written = tree.Node(node.operator_start, node.operator_start + 1)

@@ -43,6 +43,8 @@ class UndefinedName(Violation):
     nearest: str | None = None
     reserved: bool = False
     """Whether the nearest is a word of the language."""
+    loads_modules: bool = False
+    """Whether the task takes in other modules while it runs."""
 
     @property
     def help(self) -> str:
@@ -51,6 +53,8 @@ class UndefinedName(Violation):
             return f"did you mean the word {self.nearest}?"
         if self.nearest:
             return f"did you mean `{self.nearest}`?"
+        if self.loads_modules:
+            return "read data of a module that is loaded while the program runs with GetDataVal"
         return "declare it, or check the module that declares it together with this one"
 
 
@@ -88,9 +92,19 @@ class DuplicateName(Violation):
     @property
     def help(self) -> str:
         """What makes the names differ."""
+        if self.between_modules and self.duplicate.lower() == "main":
+            return (
+                "what is named together is one task: name each program by itself, or give each a "
+                "[[task]] in rapidsim.toml"
+            )
         if self.between_modules:
             return "rename one of them, or make one LOCAL to its module"
         return "rename one of them; names that differ only in case are the same name"
+
+
+SKIPS = "skips the call"
+LOOKS_FOR_IT = "looks for it among the modules it has loaded by then"
+"""What a run does with the call of a routine that no module declares."""
 
 
 @dataclass(frozen=True)
@@ -98,7 +112,8 @@ class UnknownRoutine(Violation):
     """A routine is called that no module of the task declares and no controller installs.
 
     Programs call routines of neighbouring modules and of add-ins that are not at hand. A run skips
-    such a call and says so; what the routine would have done is missing from the result.
+    such a call and says so; what the routine would have done is missing from the result. Only if a
+    module that the program has loaded by then declares it, a run calls it.
 
     ## Example
 
@@ -122,16 +137,23 @@ class UnknownRoutine(Violation):
 
     code: ClassVar[str] = "N209"
     name: ClassVar[str] = "unknown-routine"
-    template: ClassVar[str] = "`{unknown}` is not declared; a run skips the call"
+    template: ClassVar[str] = "`{unknown}` is not declared; a run {instead}"
     severity: ClassVar[Severity] = Severity.WARNING
     cf: ClassVar[str] = "ABB 40166"
 
     unknown: str
     nearest: str | None = None
+    instead: str = SKIPS
+    """What a run does with the call."""
 
     @property
     def help(self) -> str:
         """Where the routine may be, or what it may be."""
+        if self.instead != SKIPS:
+            return (
+                f'a module that is loaded by then may declare it; `%"{self.unknown}"%` says so, '
+                "and is called where a controller refuses unresolved references"
+            )
         or_slip = f", or did you mean `{self.nearest}`?" if self.nearest else ""
         return f"give the module that declares it as well{or_slip}"
 

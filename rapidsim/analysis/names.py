@@ -11,7 +11,13 @@ from rapidsim.analysis.installed import (
     installed_routine_names,
     installed_symbol,
 )
-from rapidsim.analysis.name_violations import UndefinedName, UnknownRoutine, WrongKind
+from rapidsim.analysis.name_violations import (
+    LOOKS_FOR_IT,
+    SKIPS,
+    UndefinedName,
+    UnknownRoutine,
+    WrongKind,
+)
 from rapidsim.analysis.program import (
     CounterSymbol,
     DataSymbol,
@@ -93,7 +99,8 @@ def report_undefined(name: tree.Name, context: Context) -> None:
         return
     nearest = closest(name.text, _known_names(context))
     reserved = nearest in reserved_words()
-    context.report(UndefinedName(name.text, nearest, reserved), name)
+    loads = context.analysis.loads_modules
+    context.report(UndefinedName(name.text, nearest, reserved, loads), name)
 
 
 def take_for_signal(reference: tree.Reference, of: Type, context: Context) -> None:
@@ -197,11 +204,13 @@ def _unknown_routine(name: tree.Name, context: Context) -> UnknownSymbol | None:
     if analysis.may_be_unread(name.key):
         return None
     known = [*_routine_names(context), *installed_routine_names()]
-    slip = slip_of(name.text, (*known, *reserved_words()))
+    slip = None if analysis.loads_modules else slip_of(name.text, (*known, *reserved_words()))
     if slip is not None:
         context.report(UndefinedName(name.text, slip, slip in reserved_words()), name)
         return None
-    context.report(UnknownRoutine(name.text, closest(name.text, known)), name)
+    instead = LOOKS_FOR_IT if analysis.loads_modules else SKIPS
+    unknown = UnknownRoutine(name.text, closest(name.text, known), instead)
+    context.report(unknown, name)
     return analysis.unknown_symbol(name.text)
 
 

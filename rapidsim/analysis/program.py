@@ -142,3 +142,5 @@ class Program:
     in the arguments of a call to an unknown routine may have none."""
     routines: Mapping[str, RoutineSymbol]
     """Global routines by folded name, for late binding and the entry."""
+    loads_modules: bool = False
+    """Whether it may take in other modules while it runs."""

@@ -52,9 +52,6 @@ def _check_statement(statement: tree.Statement, context: Context) -> None:
             _check_assignment(statement, context)
         case tree.Call():
             check_call(statement, context, type_of_expression)
-        case tree.Run(template=template):
-            # The statements of a run differ in literal numbers only, and so not in their types.
-            check_call(template, context, type_of_expression)
         case tree.LateCall(routine=routine, arguments=arguments):
             require(routine, _STRING, context, type_of_expression)
             check_unbound(arguments, context, type_of_expression)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import fields
-from functools import cache
 
 from rapidsim.syntax import tree
 
@@ -16,7 +15,12 @@ _WITHOUT_NODES = frozenset(
         *("tuple[int, ...]", "tuple[tuple[float, ...], ...]"),
     }
 )
-
+# By kind of node; looked up for every node of a program, several times over.
+_FIELDS_WITH_NODES: dict[type[tree.Node], tuple[str, ...]] = {
+    kind: tuple(field.name for field in fields(kind) if field.type not in _WITHOUT_NODES)
+    for kind in vars(tree).values()
+    if isinstance(kind, type) and issubclass(kind, tree.Node)
+}
 
 _WITH_BLOCKS = (tree.If, tree.CompactIf, tree.For, tree.While, tree.Test)
 
@@ -81,23 +85,21 @@ def descendants(*roots: tree.Node) -> Iterator[tree.Node]:
     while stack:
         node = stack.pop()
         yield node
-        stack += reversed(children(node))
+        for name in reversed(_FIELDS_WITH_NODES[type(node)]):
+            value = getattr(node, name)
+            if isinstance(value, tree.Node):
+                stack.append(value)
+            elif value:
+                stack += [part for part in reversed(value) if isinstance(part, tree.Node)]
 
 
 def children(node: tree.Node) -> list[tree.Node]:
     """The nodes directly under a node, in the order of the fields; names left out."""
     found: list[tree.Node] = []
-    for name in _fields_with_nodes(type(node).__name__):
+    for name in _FIELDS_WITH_NODES[type(node)]:
         value = getattr(node, name)
         if isinstance(value, tree.Node):
             found.append(value)
         elif value:
             found += [part for part in value if isinstance(part, tree.Node)]
     return found
-
-
-@cache
-def _fields_with_nodes(kind: str) -> tuple[str, ...]:
-    return tuple(
-        field.name for field in fields(getattr(tree, kind)) if field.type not in _WITHOUT_NODES
-    )

@@ -20,6 +20,7 @@ from rapidsim.analysis.program import (
 from rapidsim.interpreter.code import Code
 from rapidsim.interpreter.late_binding import LateArgument
 from rapidsim.interpreter.limits import NotExecutableError
+from rapidsim.interpreter.loaded_calls import may_be_loaded
 from rapidsim.interpreter.operands import Operands
 from rapidsim.interpreter.paths import Paths, bare, by_reference
 from rapidsim.interpreter.positions import At
@@ -47,7 +48,7 @@ def match_arguments(
     arguments: Sequence[tree.Argument], parameters: Sequence[ParameterSymbol | Parameter]
 ) -> dict[str, Given]:
     """What a call gives, by folded parameter name."""
-    required = iter([p.name.lower() for p in parameters if not p.optional])
+    required = (p.name.lower() for p in parameters if not p.optional)
     given: dict[str, Given] = {}
     for argument in arguments:
         match argument:
@@ -88,6 +89,10 @@ class Calls:
                 instead = at.constant(self._taken_for(call, value))
                 constant = at.name(self._names.module.constant(value))
                 node = at.call("_stand_in", [place, at.constant(name), instead, constant])
+                if may_be_loaded(call, self._program):
+                    of = at.name(self._names.module.numbered("_type", self._program.type_of[call]))
+                    late = self._late_arguments(call, at.constant(name), at)
+                    node = at.call("_loaded_function", [*late, of, at.deferred(node)])
                 return Code(node, calls=True)
             case _:
                 raise NotExecutableError(
@@ -105,6 +110,9 @@ class Calls:
             case LibrarySymbol(routine=routine):
                 return self._instruction(routine, call, at)
             case UnknownSymbol(name=name):
+                if may_be_loaded(call, self._program):
+                    late = self._late_arguments(call, at.constant(name), at)
+                    return [at.do(at.call("_loaded", late))]
                 place = at.name(self._place(call, {}))
                 return [at.do(at.call("_skip", [place, at.constant(name)]))]
             case _:
@@ -115,17 +123,22 @@ class Calls:
 
     def late(self, call: tree.LateCall, at: At) -> list[ast.stmt]:
         """A call of a procedure whose name is a string known at run time."""
+        name = self._expressions.value(call.routine).node
+        return [at.do(at.call("_late", self._late_arguments(call, name, at)))]
+
+    def _late_arguments(
+        self, call: tree.LateCall | tree.Call | tree.FunctionCall, name: ast.expr, at: At
+    ) -> list[ast.expr]:
+        """Place, name, shapes and values of a call whose routine only the run finds."""
         shapes: list[LateArgument] = []
         values: list[ast.expr] = []
         for argument in call.arguments:
             shape, value = self._late_argument(argument, at)
             shapes.append(shape)
             values.append(value)
-        name = self._expressions.value(call.routine).node
         form = at.name(self._names.module.numbered("_arguments", tuple(shapes)))
         place = at.name(self._place(call, {}))
-        values_node = at.tuple_of(values)
-        return [at.do(at.call("_late", [place, name, form, values_node]))]
+        return [place, name, form, at.tuple_of(values)]
 
     def _call_by_var(self, routine: LibraryRoutine, call: tree.Call, at: At) -> list[ast.stmt]:
         """CallByVar: late binding to a name that ends in a number."""
@@ -203,6 +216,8 @@ class Calls:
             nodes: The arguments, likewise; changed where a check is needed.
             at: The place of the call.
         """
+        if not any(one.caller_option for one in given.values()):
+            return
         groups: dict[int, list[str]] = {}
         for parameter in parameters:
             if parameter.optional and parameter.group and parameter.name.lower() in given:
@@ -254,19 +269,16 @@ class Calls:
         self, signature: Signature, given: dict[str, Given], at: At
     ) -> tuple[list[ast.expr], list[tuple[str, ast.expr]], bool]:
         """Positional arguments, keyword options, and whether calls are among them."""
+        there = [(p, key) for p in signature.parameters if (key := p.name.lower()) in given]
         nodes: dict[str, ast.expr] = {}
         calls = False
-        for parameter in signature.parameters:
-            one = given.get(parameter.name.lower())
-            if one is None:
-                continue
-            code = self._library_argument(parameter, one, at)
+        for parameter, key in there:
+            code = self._library_argument(parameter, given[key], at)
             calls |= code.calls
-            nodes[parameter.name.lower()] = code.node
+            nodes[key] = code.node
         self._refuse_two_alternatives(signature.parameters, given, nodes, at)
-        there = [p for p in signature.parameters if p.name.lower() in nodes]
-        values = [nodes[p.name.lower()] for p in there if not p.optional]
-        options = [(p.python, nodes[p.name.lower()]) for p in there if p.optional]
+        values = [nodes[key] for parameter, key in there if not parameter.optional]
+        options = [(parameter.python, nodes[key]) for parameter, key in there if parameter.optional]
         if signature.type_keyword:
             of = self._given_type(signature.type_of, given)
             options.append(
@@ -286,7 +298,7 @@ class Calls:
             return Code(at.constant(True))
         value = bare(given.value)
         if isinstance(value, tree.Reference | tree.Index | tree.Component) and (
-            by_reference(parameter.mode) or any(is_signal(of) for of in parameter.types)
+            by_reference(parameter.mode) or any(map(is_signal, parameter.types))
         ):
             return self._paths.reference(value)
         code = self._expressions.value(given.value)

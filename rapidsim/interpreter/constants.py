@@ -64,5 +64,5 @@ class Constants:
         }
         if len(namespace) < len(names.bindings):
             raise NotExecutableError("a constant that depends on variables", module.span(node))
-        origin = Origin(module, {}, self.value_of)
+        origin = Origin(module, {}, self.value_of, lambda: self.program)
         return eval(code, {**FUNCTIONS, GENERATED: origin, **namespace})

@@ -80,8 +80,6 @@ def _in_statement(statement: tree.Statement) -> Iterator[int]:
                 yield case.values[0].start
                 yield from _in_body(case.body)
             yield from _in_body(default or ())
-        case tree.Run(starts=starts):
-            yield from starts
         case tree.Data(storage=storage):
             if storage == "VAR":
                 yield statement.start

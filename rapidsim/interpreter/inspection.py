@@ -15,17 +15,16 @@ from rapidsim.analysis.program import (
     CounterSymbol,
     DataSymbol,
     ParameterSymbol,
-    Program,
     RoutineSymbol,
     Scope,
     Storage,
 )
+from rapidsim.analysis.walk import descendants
 from rapidsim.interpreter.memory import module_data
 from rapidsim.interpreter.recovery import GENERATED, is_generated
 from rapidsim.interpreter.references import ABSENT, Component, Element
 from rapidsim.interpreter.stack import CLAUSES, Origin
 from rapidsim.interpreter.values import Value, element_type
-from rapidsim.interpreter.walk import walk
 from rapidsim.language.reference import Cell
 from rapidsim.language.types import NUM, ArrayOf, Record, Type, resolved
 from rapidsim.library.predefined import DATA
@@ -55,6 +54,12 @@ def routine_of(frame: FrameType) -> RoutineSymbol | None:
     return origin.routines.get(frame.f_code.co_qualname.partition(".")[0])
 
 
+def module_of(frame: FrameType) -> tree.Module:
+    """The module whose code a frame executes; one that was loaded, too."""
+    origin: Origin = frame.f_globals[GENERATED]
+    return origin.module
+
+
 def place_of(frame: FrameType) -> str:
     """Where a frame is in words: `weld`, `the ERROR clause of weld`, or `initial values`."""
     routine = routine_of(frame)
@@ -63,18 +68,17 @@ def place_of(frame: FrameType) -> str:
     return f"the {clause} clause of {name}" if clause else name
 
 
-def shown(path: str, frame: FrameType, program: Program) -> str:
+def shown(path: str, frame: FrameType) -> str:
     """The value of data as a program would write it.
 
     Args:
         path: Data with indices and components: `n`, `p10.trans.x`, `a{i,2}`.
         frame: Of the routine that looks.
-        program: That it belongs to.
 
     Raises:
         NotShownError: If there is no such value now.
     """
-    value, of = _follow(path, frame, program)
+    value, of = _follow(path, frame)
     try:
         return value_text(value, of)
     except TypeError as error:
@@ -88,25 +92,25 @@ def parameters(frame: FrameType) -> Iterator[str]:
         yield from (parameter.name for parameter in routine.parameters)
 
 
-def _follow(path: str, frame: FrameType, program: Program) -> tuple[Value, Type]:
+def _follow(path: str, frame: FrameType) -> tuple[Value, Type]:
     match = _PATH.match(path)
     if match is None:
         raise NotShownError(
             f"`{path}` is not the name of data, such as `n`, `p10.trans` or `a{{i}}`"
         )
     name, steps = match.groups()
-    value, of = _data(name, frame, program)
+    value, of = _data(name, frame)
     for indices, component in _STEP.findall(steps):
         if component:
             value, of = _component(value, resolved(of), component)
         else:
             for index in indices.split(","):
-                value, of = _element(value, of, _index(index.strip(), frame, program))
+                value, of = _element(value, of, _index(index.strip(), frame))
     return value, of
 
 
-def _index(text: str, frame: FrameType, program: Program) -> int:
-    number = text if text.isdigit() else _follow(text, frame, program)[0]
+def _index(text: str, frame: FrameType) -> int:
+    number = text if text.isdigit() else _follow(text, frame)[0]
     try:
         return int(number)
     except (TypeError, ValueError) as error:
@@ -129,13 +133,14 @@ def _component(record: Value, of: Type, name: str) -> tuple[Value, Type]:
     raise NotShownError(f"data of type {of.name} have no component `{name}`")
 
 
-def _data(name: str, frame: FrameType, program: Program) -> tuple[Value, Type]:
+def _data(name: str, frame: FrameType) -> tuple[Value, Type]:
     """The value and type of what a name means where a frame executes."""
     origin: Origin = frame.f_globals[GENERATED]
+    program = origin.program()
     key = name.lower()
     routine = routine_of(frame)
     if routine is not None:
-        symbols = [s for s in _in_scope(routine, frame, program) if s.name.lower() == key]
+        symbols = [s for s in _in_scope(routine, frame) if s.name.lower() == key]
         if symbols:
             symbol = symbols[-1]
             if isinstance(symbol, DataSymbol) and symbol.storage is Storage.CONST:
@@ -153,11 +158,13 @@ def _data(name: str, frame: FrameType, program: Program) -> tuple[Value, Type]:
     raise NotShownError(f"`{name}` is not the name of data here")
 
 
-def _in_scope(routine: RoutineSymbol, frame: FrameType, program: Program) -> Iterator[_Variable]:
+def _in_scope(routine: RoutineSymbol, frame: FrameType) -> Iterator[_Variable]:
     """The routine's own data where a frame has come to, those that hide others behind them."""
+    origin: Origin = frame.f_globals[GENERATED]
+    program = origin.program()
     yield from routine.parameters
     source = routine.module.source
-    for node in walk(routine.node):
+    for node in descendants(routine.node):
         if isinstance(node, tree.For):
             first, last = source.position(node.start)[0], source.position(node.end)[0]
             if not first <= frame.f_lineno <= last:

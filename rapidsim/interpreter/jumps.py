@@ -21,8 +21,8 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 
+from rapidsim.analysis.walk import statements
 from rapidsim.interpreter.positions import At
-from rapidsim.interpreter.walk import walk
 from rapidsim.syntax import tree
 
 
@@ -121,9 +121,5 @@ class Jumps:
 def goto_targets(bodies: Sequence[tree.Body]) -> frozenset[str]:
     """Folded names of the labels that GOTOs in some statement lists name."""
     return frozenset(
-        node.name.key
-        for body in bodies
-        for statement in body
-        for node in walk(statement)
-        if isinstance(node, tree.Goto)
+        statement.name.key for statement in statements(*bodies) if isinstance(statement, tree.Goto)
     )

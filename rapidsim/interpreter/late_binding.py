@@ -9,7 +9,7 @@ Source: Technical reference manual RAPID Overview, "Procedure calls with late bi
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from rapidsim.analysis.program import ParameterSymbol, RoutineSymbol
@@ -21,6 +21,8 @@ from rapidsim.language.controller import Controller, Place
 from rapidsim.language.error_numbers import (
     ERR_ARGVALERR,
     ERR_CALLPROC,
+    ERR_REFUNKDAT,
+    ERR_REFUNKFUN,
     ERR_REFUNKPRC,
     ERR_REFUNKTRP,
     rapid_error,
@@ -53,15 +55,17 @@ class UserRoutine:
     function: Callable[..., object]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class LateBinding:
     """Finds and calls procedures by name for one task."""
 
     controller: Controller
-    global_routines: Mapping[str, UserRoutine]
+    global_routines: Mapping[str, UserRoutine] = field(default_factory=dict)
     """By folded name."""
-    module_routines: Mapping[str, Mapping[str, UserRoutine]]
+    module_routines: Mapping[str, Mapping[str, UserRoutine]] = field(default_factory=dict)
     """All procedures of each module; both names folded."""
+    waiting: Mapping[str, str] = field(default_factory=dict)
+    """Why routines of loaded modules cannot be called yet, by folded name."""
 
     def call(
         self,
@@ -77,13 +81,36 @@ class LateBinding:
             RapidError: ERR_REFUNKPRC when nothing has the name, ERR_CALLPROC when it is no
                 procedure or takes other arguments.
         """
-        found = self._find(name, self.module_routines[module])
+        found = self._find(name, module)
         if isinstance(found, UserRoutine):
-            parameters = found.symbol.parameters
-            given = _bound(name, parameters, shapes, values)
-            found.function(*(_user_value(p, given.get(p.name.lower())) for p in parameters))
-            return
-        self._call_installed(found, place, name, shapes, values)
+            _called(found, name, shapes, values)
+        else:
+            self._call_installed(found, place, name, shapes, values)
+
+    def declares(self, module: str, name: str) -> bool:
+        """Whether a loaded module, one that waits too, declares a routine of that name."""
+        return name.lower() in self.waiting or self._find_user(module, "", False, name) is not None
+
+    def value(
+        self,
+        module: str,
+        name: str,
+        shapes: Sequence[LateArgument],
+        values: Sequence[object],
+        of: Type,
+    ) -> object:
+        """The value of a function that was declared after its call was translated.
+
+        Raises:
+            RapidError: ERR_REFUNKFUN when nothing has the name or it is no function with a value of
+                the type that its place wants.
+        """
+        found = self._find_user(module, "", False, name)
+        if found is None:
+            raise self._waits(name)
+        if found.symbol.result is None or not _fits(found.symbol.result, of):
+            raise rapid_error(ERR_REFUNKFUN, f'"{name}" is not a function of type {of.name}')
+        return _called(found, name, shapes, values)
 
     def trap(self, module: str, name: str) -> UserRoutine:
         """A trap routine for CONNECT.
@@ -92,26 +119,33 @@ class LateBinding:
             RapidError: ERR_REFUNKTRP when no trap routine has the name.
         """
         prefix, colon, key = name.strip().lower().rpartition(":")
-        found = self._find_user(self.module_routines[module], prefix, bool(colon), key)
+        found = self._find_user(module, prefix, bool(colon), key)
         if found is None or not isinstance(found.symbol.node, tree.Trap):
             raise rapid_error(ERR_REFUNKTRP, f'no trap routine is named "{name}"')
         return found
 
-    def _find_user(
-        self, module: Mapping[str, UserRoutine], prefix: str, colon: bool, key: str
-    ) -> UserRoutine | None:
+    def _find_user(self, module: str, prefix: str, colon: bool, name: str) -> UserRoutine | None:
+        key = name.lower()
         if prefix:
             return self.module_routines.get(prefix, {}).get(key)
-        found = None if colon else module.get(key)
+        found = None if colon else self.module_routines.get(module, {}).get(key)
         return found or self.global_routines.get(key)
 
-    def _find(self, name: str, module: Mapping[str, UserRoutine]) -> UserRoutine | LibraryRoutine:
+    def _waits(self, name: str) -> RapidError:
+        """Why a routine of a loaded module cannot be called."""
+        return rapid_error(
+            ERR_REFUNKDAT, f'"{name}" cannot be called: {self.waiting[name.lower()]}'
+        )
+
+    def _find(self, name: str, module: str) -> UserRoutine | LibraryRoutine:
         prefix, colon, key = name.strip().lower().rpartition(":")
         found = self._find_user(module, prefix, bool(colon), key)
         if found is not None:
             if isinstance(found.symbol.node, tree.Proc):
                 return found
             raise rapid_error(ERR_CALLPROC, f'"{name}" is not a procedure')
+        if key in self.waiting:
+            raise self._waits(key)
         installed = ROUTINES.get(key) if not prefix else None
         if installed is None:
             raise rapid_error(ERR_REFUNKPRC, f'no procedure is named "{name}"')
@@ -165,6 +199,14 @@ def numbered_name(name: str, number: float) -> str:
     if number < 0 or number != int(number):
         raise rapid_error(ERR_ARGVALERR, f"CallByVar takes whole numbers from 0 on, not {number:G}")
     return f":{name}{int(number)}"
+
+
+def _called(
+    found: UserRoutine, name: str, shapes: Sequence[LateArgument], values: Sequence[object]
+) -> object:
+    parameters = found.symbol.parameters
+    given = _bound(name, parameters, shapes, values)
+    return found.function(*(_user_value(p, given.get(p.name.lower())) for p in parameters))
 
 
 def _bound(

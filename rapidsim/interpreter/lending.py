@@ -16,6 +16,7 @@ from rapidsim.analysis.program import (
 )
 from rapidsim.interpreter.calls import match_arguments
 from rapidsim.interpreter.in_place import assigned_in_place
+from rapidsim.interpreter.loaded_calls import may_be_loaded
 from rapidsim.interpreter.paths import bare, by_reference, flat
 from rapidsim.interpreter.values import is_signal
 from rapidsim.language.annotations import Mode
@@ -36,6 +37,8 @@ def lent_symbols(
         nodes: All nodes of the routine.
         program: Says what the names mean.
     """
+    if not routine.parameters and not any(isinstance(node, tree.Data) for node in nodes):
+        return
     options = {parameter.name.lower(): parameter for parameter in routine.parameters}
     takers: dict[Symbol, frozenset[str]] = {}
     for node in nodes:
@@ -44,7 +47,7 @@ def lent_symbols(
             declared = program.symbol_of[node]
             if isinstance(declared, DataSymbol) and is_signal(declared.type):
                 yield declared
-        elif isinstance(node, tree.LateCall):
+        elif isinstance(node, tree.LateCall) or may_be_loaded(node, program):
             # Which parameters take references, only the run will show.
             for argument in node.arguments:
                 if not isinstance(argument, tree.Conditional) and argument.value is not None:

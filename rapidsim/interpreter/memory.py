@@ -54,7 +54,8 @@ class Memory:
 
         Initial values that are more than literals are assigned by generated code.
         """
-        key: object = symbol if symbol.node is not None else symbol.name.lower()
+        # By its declaration: modules that are loaded later give a program of new symbols.
+        key: object = symbol.node if symbol.node is not None else symbol.name.lower()
         if key not in self._homes:
             shared = self.shared(symbol)
             self._homes[key] = _new_home(symbol) if shared is None else shared
@@ -67,6 +68,11 @@ class Memory:
     def predefined(self, key: str, initial: Value) -> Value:
         """The value of predefined data by folded name, the initial one where nobody uses them."""
         return _value(self._homes[key]) if key in self._homes else copied(initial)
+
+    def forget(self, module: tree.Module) -> None:
+        """Give up the variables of a module that is gone."""
+        for item in module.items:
+            self._homes.pop(item, None)
 
     def persistents(self) -> Iterator[DataSymbol]:
         """The PERS data of all modules, in order of writing."""

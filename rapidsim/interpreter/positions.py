@@ -220,6 +220,9 @@ class Positions:
         # The line that was asked for last, as offsets; most questions follow on the same one.
         self._line = 0
         self._start = self._end = 0
+        # Likewise the place: a name, the path it is and the expression that is all ask for theirs.
+        self._asked = (-1, -1)
+        self._at = At(0, 0, 0)
 
     def at(self, node: tree.Node) -> At:
         """Where a node begins, as far as it goes on its first line."""
@@ -227,6 +230,11 @@ class Positions:
 
     def between(self, start: int, end: int) -> At:
         """The stretch from `start` as far as it goes on its first line."""
+        if (start, end) != self._asked:
+            self._at, self._asked = self._between(start, end), (start, end)
+        return self._at
+
+    def _between(self, start: int, end: int) -> At:
         if not self._start <= start < self._end:
             self._find(start)
         first, last = start - self._start, min(end, self._end) - self._start

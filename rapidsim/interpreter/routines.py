@@ -34,6 +34,7 @@ from rapidsim.analysis.program import (
     Storage,
     Symbol,
 )
+from rapidsim.analysis.walk import descendants
 from rapidsim.interpreter.expressions import ConstantValue, Expressions
 from rapidsim.interpreter.jumps import Jumps, goto_targets
 from rapidsim.interpreter.lending import lent_symbols
@@ -41,7 +42,6 @@ from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.names import ArrayDimension, LocalNames, ModuleNames
 from rapidsim.interpreter.positions import At, Positions
 from rapidsim.interpreter.statements import Statements
-from rapidsim.interpreter.walk import walk
 from rapidsim.syntax import tree
 
 
@@ -74,7 +74,7 @@ class _RoutineTranslation:
         self._symbol = symbol
         self._node = symbol.node
         self._context = context
-        self._nodes = list(walk(symbol.node))
+        self._nodes = list(descendants(symbol.node))
         self._names = LocalNames(
             context.names,
             symbol.name,
@@ -205,7 +205,7 @@ class _RoutineTranslation:
         if clause is None or not clause.numbers:
             return None
         for number in clause.numbers:
-            for node in walk(number):
+            for node in descendants(number):
                 symbol = self._context.program.symbol_of.get(node)
                 if symbol is not None and self._names.get(symbol) is not None:
                     raise NotExecutableError(

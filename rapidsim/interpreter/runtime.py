@@ -6,19 +6,22 @@ task; `task_functions` speak to one task's controller.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import sys
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from types import MappingProxyType
 from typing import Any, NoReturn
 
 from rapidsim.interpreter import arithmetic, arrays, recovery, references
-from rapidsim.interpreter.late_binding import LateBinding, numbered_name
+from rapidsim.interpreter.argument_names import argument_name
+from rapidsim.interpreter.late_binding import LateArgument, LateBinding, numbered_name
 from rapidsim.interpreter.memory import is_persistent
 from rapidsim.interpreter.recovery import Recovery
 from rapidsim.language.controller import Controller, Place
 from rapidsim.language.error_numbers import ERR_ALRDYCNT, ERR_ARGDUPCND, ERR_EXECPHR, rapid_error
-from rapidsim.language.errors import Stopped
-from rapidsim.language.reference import Cell
+from rapidsim.language.errors import RapidError, Stopped
+from rapidsim.language.reference import Cell, Reference
+from rapidsim.language.types import Type
 
 
 def unfinished() -> NoReturn:
@@ -99,6 +102,41 @@ def task_functions(
     def skip(place: Place, name: str) -> None:
         stand_in(place, name, "skipped", None)
 
+    def loaded(
+        place: Place, name: str, shapes: Sequence[LateArgument], values: Sequence[object]
+    ) -> None:
+        if late.declares(module, name):
+            late.call(module, place, name, shapes, values)
+        else:
+            skip(place, name)
+
+    def loaded_function(
+        place: Place,
+        name: str,
+        shapes: Sequence[LateArgument],
+        values: Sequence[object],
+        of: Type,
+        otherwise: Callable[[], object],
+    ) -> object:
+        if late.declares(module, name):
+            return late.value(module, name, shapes, values, of)
+        return otherwise()
+
+    def name_of_argument(
+        place: Place, parameter: str, number: Reference[float] | None = None
+    ) -> str:
+        try:
+            name = argument_name(sys._getframe(1), parameter.lower())
+        except RapidError as error:
+            if number is None:
+                raise
+            number.value = error.errno
+            return ""
+        if name is None:
+            instead = "the parameter's own name where calls stand on later lines of one statement"
+            stand_in(place, "ArgName", instead, None)
+        return name or parameter
+
     def connect(number: float, trap: Callable[[], object], name: str) -> float:
         if controller.is_connected(number):
             raise rapid_error(
@@ -112,10 +150,13 @@ def task_functions(
         return connect(number, found.function, found.symbol.name)
 
     return {
+        "_argument_name": name_of_argument,
         "_call_at": call_at,
         "_connect": connect,
         "_connect_late": connect_late,
         "_late": partial(late.call, module),
+        "_loaded": loaded,
+        "_loaded_function": loaded_function,
         "_propagate": recovery_of_task.propagate,
         "_recover": recovery_of_task.recover,
         "_skip": skip,

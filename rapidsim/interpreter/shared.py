@@ -9,7 +9,7 @@ Source: RAPID Overview, "Declarations", persistent declarations.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Protocol, SupportsIndex
 
@@ -21,9 +21,11 @@ from rapidsim.interpreter.memory import (
     module_data,
 )
 from rapidsim.interpreter.values import copied
+from rapidsim.language.error_numbers import ERR_LINKREF, rapid_error
 from rapidsim.language.initial import initial_value
 from rapidsim.language.reference import Cell
 from rapidsim.language.types import same
+from rapidsim.syntax import tree
 
 _CONTENT = Cell.__dict__["value"]
 """Where a cell keeps its value; `SharedCell` hides it behind a property."""
@@ -101,23 +103,45 @@ class SharedPersistents:
     """The persistents that some tasks have in common, by folded name."""
 
     board: Board
-    declared: Mapping[str, DataSymbol]
+    declared: dict[str, DataSymbol]
     """The declaration that gives each its initial value."""
     changing: frozenset[str]
     """Those that some task may write. The others, tools as a rule, need no board."""
+    may_grow: bool = False
+    """Whether modules that a task loads may declare more: then all that can be shared are."""
     _homes: dict[str, Any] = field(default_factory=dict)
+    _users: dict[str, set[object]] = field(default_factory=dict)
+    """The declarations that hold each now."""
 
     def home(self, symbol: DataSymbol) -> Any:
         """The cell or array of a variable; None if it is not shared."""
         key = symbol.name.lower()
-        if not may_be_shared(symbol) or key not in self.declared:
+        if not may_be_shared(symbol) or not (self.may_grow or key in self.declared):
             return None
+        declaration = self.declared.setdefault(key, symbol)
+        if not same(declaration.type, symbol.type):
+            raise rapid_error(
+                ERR_LINKREF,
+                f"PERS {symbol.name} is {symbol.type.name} here and {declaration.type.name} in "
+                "another task, and tasks share it",
+            )
+        self._users.setdefault(key, set()).add(symbol.node)
         if key not in self._homes:
-            declaration = self.declared[key]
             value = initial_literal(declaration)
             value = copied(initial_value(symbol.type) if value is None else value)
-            self._homes[key] = self._new_home(value, changes=key in self.changing)
+            self._homes[key] = self._new_home(value, changes=self.may_grow or key in self.changing)
         return self._homes[key]
+
+    def release(self, node: tree.Data) -> None:
+        """Give up a declaration whose module is gone; what no other one holds begins anew."""
+        key = node.name.key
+        users = self._users.get(key, set())
+        if node not in users:
+            return
+        users.remove(node)
+        if not users:
+            self._homes.pop(key, None)
+            self.declared.pop(key, None)
 
     def _new_home(self, value: Any, *, changes: bool) -> Any:
         if isinstance(value, list):
@@ -135,14 +159,15 @@ def shared_persistents(
         board: Who is told of changes.
         written: Folded names of the persistents that each program may write; None for all of them.
     """
-    common = dict(_by_name(programs))
+    may_grow = any(program.loads_modules for program in programs)
+    common = dict(_by_name(programs, least=1 if may_grow else 2))
     known = [names for names in written if names is not None]
     changing = frozenset(common) if len(known) < len(written) else frozenset().union(*known)
     declared = {
         key: next((one for one in symbols if _has_value(one)), symbols[0])
         for key, symbols in common.items()
     }
-    return SharedPersistents(board, declared, changing)
+    return SharedPersistents(board, declared, changing, may_grow)
 
 
 def disagreements(programs: Sequence[Program]) -> tuple[Disagreement, ...]:
@@ -160,14 +185,14 @@ def may_be_shared(symbol: DataSymbol) -> bool:
     return symbol.storage is Storage.PERS and symbol.scope is Scope.GLOBAL
 
 
-def _by_name(programs: Sequence[Program]) -> Iterator[tuple[str, list[DataSymbol]]]:
-    """The persistents that more than one program declares, in order of writing."""
+def _by_name(programs: Sequence[Program], least: int = 2) -> Iterator[tuple[str, list[DataSymbol]]]:
+    """The persistents that so many programs declare at least, in order of writing."""
     found: dict[str, list[DataSymbol]] = {}
     for program in programs:
         for symbol in module_data(program):
             if may_be_shared(symbol):
                 found.setdefault(symbol.name.lower(), []).append(symbol)
-    return ((key, symbols) for key, symbols in found.items() if len(symbols) > 1)
+    return ((key, symbols) for key, symbols in found.items() if len(symbols) >= least)
 
 
 def _has_value(symbol: DataSymbol) -> bool:

@@ -105,14 +105,19 @@ def _type(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) 
 
 
 def _arg_name(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
-    """The parameter's own name: what the caller wrote is not carried along, and that is said."""
-    path = _argument(expressions, call)
+    """Of a parameter the name of what was given for it, found when asked for."""
+    symbol = paths.symbol(_argument(expressions, call))
+    if not isinstance(symbol, ParameterSymbol):
+        return Code(at.constant(symbol.name))
     place = expressions.names.module.place(Place(expressions.span(call), expressions.names.routine))
-    text = expressions.span(path).text
-    if not isinstance(paths.symbol(path), ParameterSymbol):
-        return Code(at.constant(text))
-    arguments = [at.name(place), at.constant("ArgName"), at.constant("the parameter's own name")]
-    return Code(at.call("_stand_in", [*arguments, at.constant(text)]), calls=True)
+    arguments: list[ast.expr] = [at.name(place), at.constant(symbol.name)]
+    for argument in call.arguments[1:]:  # \ErrorNumber
+        number = None if isinstance(argument, tree.Conditional) else argument.value
+        path = None if number is None else bare(number)
+        if not isinstance(path, tree.Reference | tree.Index | tree.Component):
+            raise NotExecutableError(r"ArgName with such an \ErrorNumber", expressions.span(call))
+        arguments.append(paths.reference(path).node)
+    return Code(at.call("_argument_name", arguments), may_raise=True, calls=True)
 
 
 SPECIAL_FORMS: Mapping[str, SpecialForm] = MappingProxyType(

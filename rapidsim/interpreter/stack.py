@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from itertools import islice
 from types import CodeType, MappingProxyType, TracebackType
 
-from rapidsim.analysis.program import DataSymbol, RoutineSymbol
+from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol
 from rapidsim.diagnostics import Source, Span
 from rapidsim.interpreter.recovery import GENERATED, is_generated
 from rapidsim.interpreter.values import Value
@@ -28,6 +28,8 @@ class Origin:
     """By the name of their function."""
     value_of: Callable[[DataSymbol], Value]
     """The value that declared data of any module have now."""
+    program: Callable[[], Program]
+    """The program that the module belongs to, with the modules it has now."""
 
     @property
     def source(self) -> Source:
@@ -119,20 +121,21 @@ def _frame(traceback: TracebackType) -> Frame:
     code = traceback.tb_frame.f_code
     origin: Origin = traceback.tb_frame.f_globals[GENERATED]
     routine = origin.routines.get(code.co_qualname.partition(".")[0])
-    start, end = _offsets(origin.source, code, traceback)
+    start, end = offsets_of(origin.source, code, traceback.tb_lasti, traceback.tb_lineno)
     clause = CLAUSES.get(code.co_name, "")
     return Frame(routine.name if routine else "", clause, origin.source, start, end)
 
 
-def _offsets(source: Source, code: CodeType, traceback: TracebackType) -> tuple[int, int]:
-    """Offsets in the source of the instruction that a traceback entry stands at."""
-    index = traceback.tb_lasti // 2
-    _, _, column, end_column = next(islice(code.co_positions(), index, None), (None,) * 4)
-    start = source.line_starts[traceback.tb_lineno - 1]
-    text = source.line(traceback.tb_lineno)
+def offsets_of(source: Source, code: CodeType, instruction: int, line: int) -> tuple[int, int]:
+    """Offsets in the source of the part that an instruction of Python's, on a line, executes."""
+    _, _, column, end_column = next(
+        islice(code.co_positions(), instruction // 2, None), (None,) * 4
+    )
+    start = source.line_starts[line - 1]
+    text = source.line(line)
     if column is None or end_column is None:
         return start, start + len(text)
     # Python counts columns in bytes.
-    line = text.encode()
-    first, last = len(line[:column].decode()), len(line[:end_column].decode())
+    encoded = text.encode()
+    first, last = len(encoded[:column].decode()), len(encoded[:end_column].decode())
     return start + first, start + last

@@ -90,8 +90,6 @@ class Statements:
                 return [at.nothing()]
             case tree.Data():
                 return self._data(statement, at)
-            case tree.Run():
-                self._refuse("a run of statements of one shape", statement)
             case tree.Placeholder():
                 return self._guard([at.do(at.call("_unfinished"))], at)
             case tree.Broken():

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
-from rapidsim.analysis.program import DataSymbol, Program, Scope, Storage
+from rapidsim.analysis.program import DataSymbol, Scope, Storage
 from rapidsim.interpreter.arrays import assign_array
-from rapidsim.interpreter.memory import Memory, module_data
-from rapidsim.interpreter.values import Value, copied
+from rapidsim.interpreter.linking import LinkedProgram
+from rapidsim.interpreter.memory import module_data
 from rapidsim.language.error_numbers import (
     ERR_ARGVALERR,
     ERR_INVDIM,
@@ -25,21 +25,16 @@ from rapidsim.language.types import ArrayOf, Type, same
 class TaskSymbols:
     """The data that a task's modules declare."""
 
-    def __init__(
-        self, program: Program, memory: Memory, value_of: Callable[[DataSymbol], Value]
-    ) -> None:
-        """Look into a program's memory; `value_of` also knows the constants."""
-        self._program = program
-        self._memory = memory
-        self._value_of = value_of
+    def __init__(self, linked: LinkedProgram) -> None:
+        """Look into a program and its memory."""
+        self._linked = linked
         self._found: deque[DataName] = deque()
 
     def read(self, name: str, of: Type, where: DataName | None) -> object:
         """A copy of a value."""
         symbol = self._symbol(name, where)
         _check_type(symbol, of)
-        value = copied(self._value_of(symbol))
-        return value
+        return self._linked.value_of(symbol)
 
     def write(self, name: str, of: Type, where: DataName | None, value: object) -> None:
         """Change a value."""
@@ -47,7 +42,7 @@ class TaskSymbols:
         _check_type(symbol, of)
         if symbol.storage is Storage.CONST:
             raise rapid_error(ERR_SYM_ACCESS, f"{symbol.name} is a constant")
-        home: Any = self._memory.home(symbol)
+        home: Any = self._linked.memory.home(symbol)
         if isinstance(home, list):
             assert isinstance(value, list)
             if _sizes(home) != _sizes(value):
@@ -73,16 +68,12 @@ class TaskSymbols:
         """Look for data."""
         self._found = deque(() if search is None else self.search(search))
 
-    def has_module(self, name: str) -> bool:
-        """Whether the task has a module of that name."""
-        return any(module.name.key == name.lower() for module in self._program.modules)
-
     def next_found(self) -> DataName | None:
         """The next data of the search."""
         return self._found.popleft() if self._found else None
 
     def _matching(self, search: Search, pattern: re.Pattern[str]) -> Iterator[DataName]:
-        for symbol in module_data(self._program):
+        for symbol in module_data(self._linked.program):
             assert symbol.module is not None
             element = symbol.type.element if isinstance(symbol.type, ArrayOf) else symbol.type
             is_local = symbol.scope is Scope.LOCAL
@@ -99,7 +90,7 @@ class TaskSymbols:
     def _symbol(self, name: str, where: DataName | None) -> DataSymbol:
         """The data of a name: those that a search found, else global ones before local ones."""
         key = name.strip().lower()
-        named = [one for one in module_data(self._program) if one.name.lower() == key]
+        named = [one for one in module_data(self._linked.program) if one.name.lower() == key]
         if where is not None:
             named = [one for one in named if one.module and one.module.name.text == where.module]
         named.sort(key=lambda one: one.scope is Scope.LOCAL)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import ast
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Storage
@@ -52,8 +52,12 @@ class Translation:
     constants: Constants
 
 
-def translate(program: Program) -> Translation:
-    """Translate all modules.
+def translate(program: Program, modules: Sequence[tree.Module] | None = None) -> Translation:
+    """Translate modules of a program.
+
+    Args:
+        program: With all that the modules refer to.
+        modules: Which of its modules; None for all.
 
     Raises:
         NotExecutableError: If the program needs something that cannot be simulated.
@@ -62,8 +66,11 @@ def translate(program: Program) -> Translation:
     _refuse_huge_arrays(program)
     constants = Constants(program)
     with recursion_limit(TRANSLATING_DEPTH):
-        modules = [_translate_module(module, program, constants) for module in program.modules]
-    return Translation(tuple(modules), constants)
+        translated = [
+            _translate_module(module, program, constants)
+            for module in (program.modules if modules is None else modules)
+        ]
+    return Translation(tuple(translated), constants)
 
 
 def show_python(program: Program) -> str:

@@ -6,7 +6,7 @@ from typing import Any, TypeAlias
 
 from rapidsim.interpreter.arrays import copy_array
 from rapidsim.language.single import single
-from rapidsim.language.types import ArrayOf, Atomic, Kind, Record, Type, resolved
+from rapidsim.language.types import NUM, ArrayOf, Atomic, Kind, Record, Type, resolved
 from rapidsim.syntax import tree
 
 Value: TypeAlias = Any
@@ -54,18 +54,27 @@ def _aggregate(elements: tuple[tree.Expression, ...], of: Type) -> Value | None:
 
 def from_literal(value: tree.LiteralValue, of: Type) -> Value:
     """A literal as a value of its type: nums as singles, aggregates as records or lists."""
-    target = resolved(of)
-    match target:
-        case ArrayOf() if isinstance(value, tuple):
+    target = of if isinstance(of, Record) else resolved(of)
+    if isinstance(value, tuple):
+        if isinstance(target, Record):
+            # Generated programs are made of this; most parts of most literals are plain nums.
+            parts = [
+                single(one)
+                if part.type is NUM and type(one) is float
+                else from_literal(one, part.type)
+                for one, part in zip(value, target.components, strict=True)
+            ]
+            return tuple.__new__(target.python, parts)
+        if isinstance(target, ArrayOf):
             element = element_type(target)
             return [from_literal(one, element) for one in value]
-        case Record(components=components, python=python) if isinstance(value, tuple):
-            parts = zip(value, components, strict=True)
-            return tuple.__new__(python, [from_literal(one, part.type) for one, part in parts])
-        case Atomic(name=name) if isinstance(value, int | float) and not isinstance(value, bool):
-            return float(value) if name.lower() == "dnum" else single(float(value))
-        case _:
-            return value
+    if (
+        isinstance(target, Atomic)
+        and isinstance(value, int | float)
+        and not isinstance(value, bool)
+    ):
+        return float(value) if target.name.lower() == "dnum" else single(float(value))
+    return value
 
 
 def element_type(array: ArrayOf) -> Type:

@@ -26,6 +26,7 @@ from rapidsim.language import types
 from rapidsim.language.controller import OpenFile
 from rapidsim.language.data import ClockState, Signal
 from rapidsim.language.error_log import LoggedError
+from rapidsim.language.modules import LoadSession
 from rapidsim.language.path_events import Trigger, ZoneShape
 from rapidsim.language.reference import Reference
 from rapidsim.language.sockets import SocketState
@@ -91,6 +92,7 @@ ShapeData = Annotated[ZoneShape | None, _OPAQUE["shapedata"]]
 Dir = Annotated[list[str] | None, _OPAQUE["dir"]]
 """An open folder: the names that ReadDir has not given yet."""
 DataPos = Annotated[DataName | None, _OPAQUE["datapos"]]
+LoadSessionVar = Annotated[LoadSession | None, _OPAQUE["loadsession"]]
 SocketDev = Annotated[SocketState | None, _OPAQUE["socketdev"]]
 TriggMode = Annotated[float, types.Alias("triggmode", types.NUM)]
 

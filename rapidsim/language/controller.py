@@ -13,6 +13,7 @@ from datetime import datetime
 from enum import Enum
 from typing import Protocol
 
+from rapidsim.diagnostics import Source
 from rapidsim.language.data import (
     JointTarget,
     RobTarget,
@@ -20,6 +21,7 @@ from rapidsim.language.data import (
     WobjData,
 )
 from rapidsim.language.error_log import LoggedError
+from rapidsim.language.modules import Modules
 from rapidsim.language.moves import CirclePathMode as CirclePathMode
 from rapidsim.language.moves import Flank as Flank
 from rapidsim.language.moves import Interpolation as Interpolation
@@ -36,6 +38,7 @@ from rapidsim.language.reference import Reference
 from rapidsim.language.sockets import Connection, Listener
 from rapidsim.language.symbols import Symbols
 from rapidsim.language.tasks import Tasks as Tasks
+from rapidsim.language.texts import Texts
 
 
 class Clock(Protocol):
@@ -177,6 +180,15 @@ class Files(Protocol):
 
         Raises:
             RapidError: ERR_FILEOPEN when it is missing, outside the home folder, or not to be had.
+        """
+        ...
+
+    def read_module(self, path: str, most: int) -> Source:
+        """The text of a program file.
+
+        Raises:
+            RapidError: ERR_FILNOTFND if there is none, ERR_IOERROR if it cannot be read,
+                ERR_PRGMEMFULL if it has more than `most` bytes.
         """
         ...
 
@@ -367,6 +379,7 @@ class Controller(
     WorldZones,
     Operator,
     Files,
+    Texts,
     Sockets,
     Interrupts,
     Signals,
@@ -388,6 +401,8 @@ class Controller(
     """RAPID's INTNO."""
     symbols: Symbols
     """The data of the program by name; the interpreter sets it."""
+    modules: Modules
+    """The program memory of the task; the interpreter sets it."""
     call_procedure: Callable[[str], None]
     """Calls a procedure of the program by its name; the interpreter sets it."""
 

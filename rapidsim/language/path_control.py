@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Protocol
 
-from rapidsim.language.data import RobTarget
+from rapidsim.language.data import JointTarget, RobTarget
 from rapidsim.language.moves import Flank, Move, SearchStop
 from rapidsim.language.path_events import ZoneShape
 
@@ -60,6 +60,16 @@ class PathControl(Protocol):
             RapidError: ERR_WHLSEARCH without a hit or with too many, ERR_SIGSUPSEARCH or
                 ERR_PERSSUPSEARCH if the value was there at the start.
         """
+        ...
+
+    def search_joints(
+        self,
+        move: Move,
+        found: Callable[[], float] | str,
+        flank: Flank,
+        stop: SearchStop,
+    ) -> JointTarget:
+        """As `search`, but tell where all axes were at the first hit."""
         ...
 
 

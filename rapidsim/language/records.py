@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 from typing import get_args, get_type_hints
 
-from rapidsim.language import arc_data, data, types
+from rapidsim.language import arc_data, data, option_data, types
 from rapidsim.language.types import Component, Record, Type
 
 RECORD_CLASSES: tuple[type[tuple[object, ...]], ...] = (
@@ -46,6 +46,8 @@ RECORD_CLASSES: tuple[type[tuple[object, ...]], ...] = (
     arc_data.ArcTrackData,
     arc_data.OptTrackData,
     arc_data.TrackData,
+    option_data.CameraTarget,
+    option_data.RestartData,
 )
 """Every record type RAPID predefines."""
 

@@ -60,10 +60,6 @@ class Symbols(Protocol):
         """Look for data; `next_found` gives them one by one. None finds nothing."""
         ...
 
-    def has_module(self, name: str) -> bool:
-        """Whether the task has a module of that name, in any case."""
-        ...
-
     def next_found(self) -> DataName | None:
         """The next data of the search; None when there are no more."""
         ...

@@ -99,7 +99,7 @@ OPAQUE = tuple(
     Atomic(name, Kind.NON_VALUE)
     for name in (
         *("cameradev", "corrdescr", "datapos", "dir", "egmident", "loadsession", "mecunit"),
-        *("pathrecid", "restartdata", "rmqmessage", "rmqslot", "shapedata", "socketdev"),
+        *("pathrecid", "rmqmessage", "rmqslot", "shapedata", "socketdev"),
         *("syncident", "taskid", "trapdata", "triggdata"),
     )
 )

@@ -19,6 +19,7 @@ from rapidsim.library.files import FILES
 from rapidsim.library.fits import FITS
 from rapidsim.library.flow import FLOW
 from rapidsim.library.interrupts import INTERRUPTS
+from rapidsim.library.loading import LOADING
 from rapidsim.library.mathematics import MATHEMATICS
 from rapidsim.library.matrices import MATRICES
 from rapidsim.library.motion import MOTION
@@ -38,6 +39,7 @@ from rapidsim.library.symbols import SYMBOLS
 from rapidsim.library.system_data import SYSTEM_DATA
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.tasks import TASKS
+from rapidsim.library.text_tables import TEXT_TABLES
 from rapidsim.library.timing import TIMING
 from rapidsim.library.trigger_moves import TRIGGER_MOVES
 from rapidsim.library.trigger_outputs import TRIGGER_OUTPUTS
@@ -68,8 +70,10 @@ CHAPTERS: Mapping[str, Mapping[str, LibraryRoutine]] = MappingProxyType(
         "Errors": ERRORS,
         "Operator": OPERATOR,
         "Dialogs": DIALOGS,
+        "Text tables": TEXT_TABLES,
         "Files": FILES,
         "Files and folders": FILE_SYSTEM,
+        "Loading modules": LOADING,
         "Raw bytes": RAW_BYTES,
         "Sockets": SOCKETS,
         "Mathematics": MATHEMATICS,

@@ -54,9 +54,14 @@ def open_(
     del bin_
     if io_device.value is not None:
         raise rapid_error(ERR_FILEOPEN, "the device is open already; Close it first")
-    path = object_ if file is None else f"{object_.rstrip('/')}/{file}"
+    path = joined_path(object_, file)
     mode = FileMode.READ if read else FileMode.APPEND if append else FileMode.WRITE
     io_device.value = controller.open_file(path, mode)
+
+
+def joined_path(path: str, file: str | None) -> str:
+    r"""A path, and what `\File` names in it."""
+    return path if file is None else f"{path.rstrip('/')}/{file}"
 
 
 def close(io_device: Var[IoDev]) -> None:

@@ -11,7 +11,6 @@ from rapidsim.language.annotations import Bool, MecUnit, Num, Pers, Switch, Var
 from rapidsim.language.controller import CirclePathMode, Controller, Motion, SingularArea
 from rapidsim.language.data import LoadData
 from rapidsim.language.error_numbers import ERR_ACC_TOO_LOW, ERR_ARGVALERR, rapid_error
-from rapidsim.library.honesty import ignored
 from rapidsim.library.predefined import MAX_TCP_SPEED_MM_S
 from rapidsim.library.table import routine, table
 
@@ -29,17 +28,17 @@ def vel_set(controller: Motion, override: Num, max_: Num) -> None:
     )
 
 
-def acc_set(
-    controller: Controller, acc: Num, ramp: Num, *, fine_point_ramp: Num | None = None
-) -> None:
-    """Reduce acceleration and its rise [%]; the controller goes no lower than 20 and 10."""
-    ignored(controller, "AccSet", {r"\FinePointRamp": fine_point_ramp})
-    if ramp < 100.0:
-        controller.not_simulated("AccSet Ramp", "accelerations rise as quickly as with 100 %")
+def acc_set(controller: Motion, acc: Num, ramp: Num, *, fine_point_ramp: Num | None = None) -> None:
+    """Reduce acceleration and its rise [%]; the controller goes no lower than 20 and 10.
+
+    At stop points the rise is that of both ramps together, Ramp times FinePointRamp.
+    """
+    fine_ramp = 100.0 if fine_point_ramp is None else fine_point_ramp
     controller.settings = replace(
         controller.settings,
         acceleration_percent=min(max(acc, LEAST_ACCELERATION_PERCENT), 100.0),
         ramp_percent=min(max(ramp, LEAST_RAMP_PERCENT), 100.0),
+        fine_ramp_percent=min(max(fine_ramp, LEAST_RAMP_PERCENT), 100.0),
     )
 
 
@@ -77,7 +76,7 @@ def cir_path_mode(
     wrist46: Switch = False,
     wrist56: Switch = False,
 ) -> None:
-    r"""Choose how the tool turns on arcs; \PathFrame without a switch."""
+    r"""Choose how the tool turns on arcs, or which two wrist axes lead them; else \PathFrame."""
     del path_frame
     chosen = {
         CirclePathMode.OBJECT_FRAME: object_frame,

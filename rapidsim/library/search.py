@@ -1,14 +1,16 @@
-r"""Searching on a move: SearchL and SearchC.
+r"""Searching on a move: SearchL, SearchC and SearchExtJ.
 
 The position found is that of the TCP at the instant of the flank, without the delays of a real
 input. \Stop, \PStop and \SStop all brake on the path as fast as the axes can; a controller lets a
 \Stop leave the path, and the run says so.
 
-Source: Technical reference manual RAPID Instructions, Functions and Data types, "SearchL".
+Source: Technical reference manual RAPID Instructions, Functions and Data types, "SearchL",
+"SearchExtJ".
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TypedDict, Unpack
 
 from rapidsim.language.annotations import (
@@ -20,10 +22,18 @@ from rapidsim.language.annotations import (
     SignalDi,
     Switch,
 )
-from rapidsim.language.controller import Controller, Flank, Interpolation, Move, SearchStop
+from rapidsim.language.controller import (
+    Controller,
+    Flank,
+    Honesty,
+    Interpolation,
+    Move,
+    SearchStop,
+)
 from rapidsim.language.data import (
     FINE,
     WOBJ0,
+    JointTarget,
     LoadData,
     RobTarget,
     Signal,
@@ -32,7 +42,12 @@ from rapidsim.language.data import (
     WobjData,
 )
 from rapidsim.language.reference import Reference
-from rapidsim.library.displacement import in_object, in_program
+from rapidsim.library.displacement import (
+    in_object,
+    in_program,
+    with_axis_offsets,
+    without_axis_offsets,
+)
 from rapidsim.library.honesty import ignored
 from rapidsim.library.motion import speed_of
 from rapidsim.library.table import routine, table
@@ -56,6 +71,23 @@ class SearchOptions(TypedDict, total=False):
     wobj: Pers[WobjData]
     corr: Switch
     tload: Pers[LoadData]
+
+
+class AxisSearchOptions(TypedDict, total=False):
+    """How a search of external axes stops, what it waits for, and the options of its move."""
+
+    stop: Switch
+    p_stop: Switch
+    s_stop: Switch
+    sup: Switch
+    flanks: Switch
+    pos_flank: Switch
+    neg_flank: Switch
+    high_level: Switch
+    low_level: Switch
+    id_: IdentNo
+    use_eoffs: Switch
+    t: Num
 
 
 def search_l(
@@ -85,6 +117,31 @@ def search_c(
     _search(controller, "SearchC", signal, search_point, cir_point, to_point, speed, tool, options)
 
 
+def search_ext_j(
+    controller: Controller,
+    signal: InOut[SignalDi] | InOut[Bool],
+    search_joint_pos: InOut[JointTarget],
+    to_joint_pos: JointTarget,
+    speed: SpeedData,
+    **options: Unpack[AxisSearchOptions],
+) -> None:
+    """Move the external axes only and keep where all axes were when a signal changed."""
+    _say_what_is_left_out(controller, "SearchExtJ", options)
+    offsets = controller.settings.axis_offsets if options.get("use_eoffs") else None
+    move = Move(
+        "SearchExtJ",
+        Interpolation.EXTERNAL_AXES,
+        JointTarget(to_joint_pos.robax, with_axis_offsets(to_joint_pos.extax, offsets)),
+        speed,
+        FINE,
+        controller.active_tool(),
+        controller.active_wobj(),
+        duration_s=options.get("t"),
+    )
+    found = controller.search_joints(move, _watched(signal), _flank(options), _stop(options))
+    search_joint_pos.value = JointTarget(found.robax, without_axis_offsets(found.extax, offsets))
+
+
 def _search(
     controller: Controller,
     name: str,
@@ -96,10 +153,9 @@ def _search(
     tool: Reference[ToolData],
     options: SearchOptions,
 ) -> None:
+    _say_what_is_left_out(controller, name, options)
     left_out = {r"\Corr": options.get("corr"), r"\TLoad": options.get("tload")}
-    ignored(controller, name, {r"\ID": options.get("id_"), **left_out})
-    if options.get("stop"):
-        controller.not_simulated(rf"{name} \Stop", r"stops on the path, as \PStop")
+    ignored(controller, name, left_out)
     wobj = options.get("wobj")
     move = Move(
         name,
@@ -112,17 +168,26 @@ def _search(
         circle_point=None if cir_point is None else in_object(controller, cir_point),
         duration_s=options.get("t"),
     )
-    if isinstance(signal.value, Signal):
-        found = controller.search(move, signal.value.name, _flank(options), _stop(options))
-    else:
-        watched = signal
-        found = controller.search(
-            move, lambda: float(bool(watched.value)), _flank(options), _stop(options)
-        )
+    found = controller.search(move, _watched(signal), _flank(options), _stop(options))
     search_point.value = in_program(controller, found)
 
 
-def _flank(options: SearchOptions) -> Flank:
+def _say_what_is_left_out(
+    controller: Honesty, name: str, options: SearchOptions | AxisSearchOptions
+) -> None:
+    ignored(controller, name, {r"\ID": options.get("id_")})
+    if options.get("stop"):
+        controller.not_simulated(rf"{name} \Stop", r"stops on the path, as \PStop")
+
+
+def _watched(signal: Reference[Signal] | Reference[bool]) -> Callable[[], float] | str:
+    """What is watched: a signal by its name, or a persistent by a function that reads it."""
+    if isinstance(signal.value, Signal):
+        return signal.value.name
+    return lambda: float(bool(signal.value))
+
+
+def _flank(options: SearchOptions | AxisSearchOptions) -> Flank:
     if options.get("flanks"):
         return Flank.EITHER
     if options.get("pos_flank"):
@@ -132,18 +197,21 @@ def _flank(options: SearchOptions) -> Flank:
     return Flank.FALLING if options.get("low_level") else Flank.RISING
 
 
-def _stop(options: SearchOptions) -> SearchStop:
+def _stop(options: SearchOptions | AxisSearchOptions) -> SearchStop:
     if options.get("stop") or options.get("p_stop") or options.get("s_stop"):
         return SearchStop.STOP
     return SearchStop.GO_ON_ONCE if options.get("sup") else SearchStop.GO_ON
 
 
-_WATCHED = (
-    r"\Stop|\PStop|\SStop|\Sup Signal \Flanks|\PosFlank|\NegFlank|\HighLevel|\LowLevel SearchPoint"
-)
+_WATCHED = r"\Stop|\PStop|\SStop|\Sup Signal \Flanks|\PosFlank|\NegFlank|\HighLevel|\LowLevel"
 _MOVE = r"ToPoint \ID Speed \V|\T Tool \WObj \Corr \TLoad"
 
 SEARCH = table(
-    routine("SearchL", search_l, f"{_WATCHED} {_MOVE}"),
-    routine("SearchC", search_c, f"{_WATCHED} CirPoint {_MOVE}"),
+    routine("SearchL", search_l, f"{_WATCHED} SearchPoint {_MOVE}"),
+    routine("SearchC", search_c, f"{_WATCHED} SearchPoint CirPoint {_MOVE}"),
+    routine(
+        "SearchExtJ",
+        search_ext_j,
+        rf"{_WATCHED} SearchJointPos ToJointPos \ID \UseEOffs Speed \T",
+    ),
 )

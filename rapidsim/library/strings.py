@@ -1,6 +1,8 @@
 """String functions. Characters are counted from 1; a string holds at most 80.
 
-Source: Technical reference manual RAPID Instructions, Functions and Data types.
+Source: Technical reference manual RAPID Instructions, Functions and Data types. How NumToStr rounds
+halves and what StrMatch finds for an empty pattern was measured on RobotStudio's controller
+(CrossArm, a public project, probe of strings).
 """
 
 from __future__ import annotations
@@ -39,12 +41,12 @@ _MAX_DIGITS_VALUE = 2**32 - 1
 
 
 def num_to_str(val: Num, dec: Num, *, exp: Switch = False) -> String:
-    """A number with so many decimals, with an exponent if asked for."""
+    """A number with so many decimals, halves to the even digit; with an exponent if asked for."""
     return dnum_to_str(val, dec, exp=exp)
 
 
 def dnum_to_str(val: Dnum, dec: Num, *, exp: Switch = False) -> String:
-    """A number with so many decimals, with an exponent if asked for."""
+    """A number with so many decimals, halves to the even digit; with an exponent if asked for."""
     decimals = int(dec)
     if not 0 <= decimals <= _MAX_DECIMALS:
         raise rapid_error(ERR_ARGVALERR, f"{decimals} decimals; 0 to {_MAX_DECIMALS} are possible")
@@ -98,9 +100,9 @@ def str_find(str_: String, ch_pos: Num, set_: String, *, not_in_set: Switch = Fa
 
 
 def str_match(str_: String, ch_pos: Num, pattern: String) -> Num:
-    """Position where a pattern begins; length + 1 if it does not occur."""
+    """Position where a pattern begins; length + 1 if it does not occur, or is empty."""
     found = str_.find(pattern, _position(str_, ch_pos, len(str_) + 1))
-    return float(len(str_) + 1 if found < 0 else found + 1)
+    return float(len(str_) + 1 if found < 0 or not pattern else found + 1)
 
 
 def str_map(str_: String, from_map: String, to_map: String) -> String:

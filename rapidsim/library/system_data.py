@@ -1,7 +1,7 @@
-r"""What a program asks about the controller, its modules and the tool that is active.
+r"""What a program asks about the controller and the tool that is active.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "GetSysInfo",
-"GetSysData", "ModExist", "EventType", "UIClientExist".
+"GetSysData", "EventType", "UIClientExist".
 """
 
 from __future__ import annotations
@@ -79,11 +79,6 @@ def get_sys_data(
             )
 
 
-def mod_exist(controller: Controller, module_name: String) -> Bool:
-    """Whether the task has a module of that name."""
-    return controller.symbols.has_module(module_name)
-
-
 def event_type() -> EventTypeNum:
     """Which event routine runs: none."""
     return NO_EVENT
@@ -132,7 +127,6 @@ SYSTEM_DATA = table(
         r"\SerialNo|\SWVersion|\SWVersionName|\RobotType|\CtrlId|\LanIp|\CtrlLang|\SystemName",
     ),
     routine("GetSysData", get_sys_data, r"\TaskRef|\TaskName DestObject \ObjectName"),
-    routine("ModExist", mod_exist),
     routine("EventType", event_type),
     routine("UIClientExist", ui_client_exist),
     routine("ExecLevel", exec_level),

@@ -20,6 +20,9 @@ from rapidsim.language.error_numbers import (
     ERR_FILEACC,
     ERR_FILEEXIST,
     ERR_FILEOPEN,
+    ERR_FILNOTFND,
+    ERR_IOERROR,
+    ERR_PRGMEMFULL,
     rapid_error,
 )
 from rapidsim.language.errors import RapidError
@@ -129,6 +132,34 @@ class HomeFolder:
         file = HomeFile(stream, path, self._disk)  # type: ignore[arg-type]
         self._files.append(file)
         return file
+
+    def read(self, path: str, most: int) -> tuple[Path, bytes]:
+        """All of a program file, and where it is as the user named the folder.
+
+        Raises:
+            RapidError: ERR_FILNOTFND if there is none, ERR_IOERROR if it cannot be read,
+                ERR_PRGMEMFULL if it has more than `most` bytes.
+        """
+        try:
+            place = self._place(path)
+        except RapidError as error:
+            raise rapid_error(ERR_FILNOTFND, error.message) from None
+        for file in self._files:
+            file.flush()
+        if not place.is_file():
+            raise rapid_error(ERR_FILNOTFND, f"there is no file {path} in {self._folder}")
+        try:
+            with os.fdopen(os.open(place, os.O_RDONLY | _CAUTION), "rb") as stream:
+                data = stream.read(most + 1)
+        except OSError as error:
+            reason = (error.strerror or "cannot be read").lower()
+            raise rapid_error(ERR_IOERROR, f"{path}: {reason}") from None
+        if len(data) > most:
+            raise rapid_error(ERR_PRGMEMFULL, f"{path} has more than {most:g} bytes")
+        root = self._root()
+        assert self._folder is not None
+        assert root is not None
+        return self._folder / place.relative_to(root), data
 
     def copy(self, old: str, new: str) -> None:
         """Copy a file.

@@ -251,10 +251,18 @@ class Builder:
             first.start > name.end
             and type(first) is tree.Required
             and self.text.find(self.line_end, name.end, first.start) >= 0
+            # A call that goes on in the next line is written deeper there.
+            and self._indent(first.start) <= self._indent(start)
             and _may_be_a_statement(first, arguments[1:])
         ):
             self.cut_calls.append(first.start)
         return tree.Call(start, end, name, arguments)
+
+    def _indent(self, at: int) -> int:
+        """How many blanks begin the line of a place."""
+        begin = self.text.rfind(self.line_end, 0, at) + 1
+        line = self.text[begin : at + 1]
+        return len(line) - len(line.lstrip())
 
     def call_in_parentheses(
         self,

@@ -88,7 +88,8 @@ class MissingSemicolon(Violation):
 
     A missing semicolon after a call without arguments is no syntax error to a grammar: `Stop` above
     `Home;` reads as a call of Stop with the argument Home. An argument on a later line than
-    the name, which could be a statement by itself, is therefore taken for one.
+    the name, which could be a statement by itself, is therefore taken for one, unless it is
+    indented deeper: then the call goes on there.
 
     ## Example
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime, timedelta
 from typing import Any
@@ -23,7 +23,13 @@ from rapidsim.language.data import (
     WobjData,
 )
 from rapidsim.language.error_log import LoggedError
-from rapidsim.language.error_numbers import ERR_FILEOPEN, ERR_OUTSIDE_REACH, rapid_error
+from rapidsim.language.error_numbers import (
+    ERR_FILEOPEN,
+    ERR_FILNOTFND,
+    ERR_OUTSIDE_REACH,
+    rapid_error,
+)
+from rapidsim.language.modules import Modules
 from rapidsim.language.path_events import Trigger, ZoneShape
 from rapidsim.language.reference import Reference
 from rapidsim.language.sockets import Connection, Listener
@@ -84,10 +90,12 @@ class RecordingController:
     triggers: tuple[Trigger, ...] = ()
     path_level: float = 1.0
     symbols: Symbols = field(init=False)
+    modules: Modules = field(init=False)
     log: list[str] = field(default_factory=list)
     unsimulated: list[tuple[str, str]] = field(default_factory=list)
     signals: dict[str, float] = field(default_factory=dict)
     files: dict[str, bytearray] = field(default_factory=dict)
+    text_tables: dict[str, dict[int, str]] = field(default_factory=dict)
     number: float = 0.0
     choice: int = 0
     text: str = ""
@@ -149,6 +157,12 @@ class RecordingController:
         self.log.append(f"search {what}, {flank.value}, {stop.value}")
         return HOME
 
+    def search_joints(
+        self, move: Move, found: Callable[[], float] | str, flank: Flank, stop: SearchStop
+    ) -> JointTarget:
+        self.search(move, found, flank, stop)
+        return JOINTS
+
     def watch_zone(
         self, shape: ZoneShape, signal: tuple[str, float] | None, *, before: bool = False
     ) -> float:
@@ -198,6 +212,20 @@ class RecordingController:
     def ask_text(self, prompt: str, proposal: str) -> str:
         self.log.append(f"text? {prompt}")
         return self.text or proposal
+
+    def read_module(self, path: str, most: int) -> Source:
+        if path not in self.files:
+            raise rapid_error(ERR_FILNOTFND, f"{path} is missing")
+        return Source(path, self.files[path][:most].decode())
+
+    def install_texts(self, name: str, texts: Mapping[int, str]) -> None:
+        self.text_tables[name] = dict(texts)
+
+    def text_table(self, name: str) -> int | None:
+        return list(self.text_tables).index(name) + 1 if name in self.text_tables else None
+
+    def table_text(self, table: float, index: float) -> str | None:
+        return list(self.text_tables.values())[int(table) - 1].get(int(index))
 
     def open_file(self, path: str, mode: FileMode) -> MemoryFile:
         if mode is FileMode.READ and path not in self.files:

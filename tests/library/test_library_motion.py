@@ -121,17 +121,20 @@ def test_stop_point_data_make_a_stop_point() -> None:
 def test_settings() -> None:
     controller = RecordingController()
     controller.call("VelSet", 50.0, 800.0)
-    controller.call("AccSet", 5.0, 5.0)
+    controller.call("AccSet", 5.0, 5.0, fine_point_ramp=50.0)
     controller.call("ConfJ", off=True)
     controller.call("ConfL", off=True)
     settings = controller.settings
     assert (settings.speed_override_percent, settings.max_speed_mm_s) == (50.0, 800.0)
     assert (settings.acceleration_percent, settings.ramp_percent) == (20.0, 10.0)
+    assert settings.fine_ramp_percent == 50.0
     assert (settings.conf_j, settings.conf_l) == (False, False)
     controller.call("ConfJ", on=True)
     controller.call("ConfL")
     assert (controller.settings.conf_j, controller.settings.conf_l) == (True, True)
-    assert [name for name, _ in controller.unsimulated] == ["AccSet Ramp"]
+    controller.call("AccSet", 100.0, 100.0)
+    assert controller.settings.fine_ramp_percent == 100.0
+    assert not controller.unsimulated
 
 
 @pytest.mark.parametrize(

@@ -33,7 +33,7 @@ UNDECLARED = {
     *("ResetTorqueMargin", "SoftElbow", "TriggAbsJ"),
     "CapAPTrSetup",
     # Their data types belong to options whose records no source gives.
-    *("CamGetResult", "CapC", "CapL", "ReadVarArr", "WriteVarArr"),
+    *("CapC", "CapL", "ReadVarArr", "WriteVarArr"),
     *("SiClose", "SiConnect", "SiGetCyclic", "SiSetCyclic"),
 }
 
@@ -41,6 +41,7 @@ UNDECLARED = {
 WITHOUT_PARAMETERS_THERE = {
     *("BrakeCheck", "CornerPathWarning", "CyclicBrakeCheck"),
     *("PathLengthGet", "PathLengthReset", "PathLengthStart", "PathLengthStop"),
+    "CamGetResult",
 }
 
 # Where the machine-read reference lost something, and what stands in ours.

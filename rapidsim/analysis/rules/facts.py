@@ -128,7 +128,9 @@ class Facts:
     @cached_property
     def is_whole(self) -> bool:
         """Whether all modules of the task seem to be here: there is a main, no call leads away."""
-        return self.entry is not None and not self.analysis.unknown and self.is_read
+        analysis = self.analysis
+        leads_away = bool(analysis.unknown) or analysis.loads_modules
+        return self.entry is not None and not leads_away and self.is_read
 
     @property
     def is_read(self) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from rapidsim.analysis.callees import callee_of_installed
@@ -61,18 +61,21 @@ def arguments_of(
         formals = callee_of_installed(symbol).parameters
     elif isinstance(symbol, RoutineSymbol) and symbol in facts.analysis.callees:
         formals = facts.analysis.callees[symbol].parameters
-    by_name = {formal.key: formal for formal in formals}
-    required = iter([formal for formal in formals if not formal.optional])
+    required = (formal for formal in formals if not formal.optional)
     found: list[tuple[Formal | None, tree.Expression | None]] = []
     for argument in call.arguments:
         match argument:
             case tree.Required(value=value):
                 found.append((next(required, None), value))
             case tree.Optional(name=name, value=value):
-                found.append((by_name.get(name.key), value))
+                found.append((_named(name.key, formals), value))
             case tree.Conditional(name=name):
-                found.append((by_name.get(name.key), None))
+                found.append((_named(name.key, formals), None))
     return found
+
+
+def _named(key: str, formals: Sequence[Formal]) -> Formal | None:
+    return next((formal for formal in formals if formal.key == key), None)
 
 
 def moves(part: Part, facts: Facts) -> Iterator[Move]:

@@ -19,7 +19,8 @@ class AmbiguousLateBinding(Violation):
     """A call by name in a string can call nothing: no procedure of the task has such a name.
 
     What the string says is only known when the call is executed; the beginning or the end that is
-    written out is enough to see that nothing fits. The call raises ERR_REFUNKPRC.
+    written out is enough to see that nothing fits. The call raises ERR_REFUNKPRC. Programs that
+    load modules while they run are not looked at: the procedure may come with one.
 
     ## Example
 
@@ -55,7 +56,7 @@ class AmbiguousLateBinding(Violation):
 
 def find_late_names(facts: Facts) -> Iterator[Diagnostic]:
     """Calls by name that no procedure of the task can answer."""
-    if not facts.is_read:
+    if not facts.is_read or facts.analysis.loads_modules:
         return
     procedures = [
         part.routine.name.key for part in facts.routine_parts if isinstance(part.routine, tree.Proc)

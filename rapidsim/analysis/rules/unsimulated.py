@@ -37,7 +37,7 @@ class UnsupportedConstruct(Violation):
 
     code: ClassVar[str] = "E105"
     name: ClassVar[str] = "unsupported-construct"
-    template: ClassVar[str] = "`{routine}` is not simulated: {treated_as}"
+    template: ClassVar[str] = "`{routine}` is not simulated; instead: {treated_as}"
     severity: ClassVar[Severity] = Severity.NOTE
 
     routine: str

@@ -172,20 +172,6 @@ class Broken(Node):
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Run(Node):
-    """Consecutive statements of one shape that differ only in numbers: generated paths.
-
-    `template` is the first of them in full; row k of `rows` holds the numbers of statement k at the
-    template's literals in order of writing, flattened.
-    """
-
-    template: Call
-    rows: tuple[tuple[float, ...], ...]
-    starts: tuple[int, ...]
-    """Offset of each statement."""
-
-
-@dataclass(frozen=True, eq=False, slots=True)
 class Data(Node):
     """A data declaration. `scope` is "LOCAL", "TASK" or None; `storage` VAR, PERS or CONST."""
 
@@ -219,7 +205,6 @@ Statement: TypeAlias = (
     | Empty
     | Broken
     | Placeholder
-    | Run
     | Data
 )
 Body: TypeAlias = tuple[Statement, ...]

@@ -13,4 +13,12 @@ MODULE
       + "out"
       \Num
         := n;
+    told
+      n;
+    Incr
+      n;
+    told n;
+  ENDPROC
+  PROC told(num x)
+    TPWrite "told "\Num:=x;          ! -> told 3 ! -> told 4
   ENDPROC ENDMODULE

@@ -1,0 +1,48 @@
+"""Records of routines that are not simulated: known so that programs with them are checked and run.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types, "cameratarget",
+"restartdata"; compared with declarations of programs from controllers.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from rapidsim.language.data import Pose
+
+
+class CameraTarget(NamedTuple):
+    """What a camera has found."""
+
+    name: str
+    cframe: Pose
+    val1: float
+    val2: float
+    val3: float
+    val4: float
+    val5: float
+    string1: str
+    string2: str
+    type: float
+    cameraname: str
+    sceneid: float
+
+
+class RestartData(NamedTuple):
+    """What the signals of a process were before and after a stop."""
+
+    restartstop: bool
+    stoponpath: bool
+    predo1val: float
+    postdo1val: float
+    prego1val: float
+    postgo1val: float
+    prego2val: float
+    postgo2val: float
+    prego3val: float
+    postgo3val: float
+    prego4val: float
+    postgo4val: float
+    preshadowval: float
+    shadowflanks: float
+    postshadowval: float

@@ -1,0 +1,183 @@
+r"""Loading modules: parts of the program that come and go while it runs.
+
+Files are those of the home folder. Loading and saving take no virtual time. `\Dynamic` makes no
+difference within a run: it says what happens to a module when the program pointer is set to main by
+hand, which no run does. Only the program text counts as a change of a module, and no run changes
+it, so that ERR_NOTSAVED does not come up.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types, "Load", "UnLoad",
+"StartLoad", "WaitLoad", "CancelLoad", "EraseModule", "CheckProgRef", "Save", "ModExist".
+"""
+
+from __future__ import annotations
+
+from rapidsim.diagnostics import Source
+from rapidsim.language.annotations import Bool, LoadSessionVar, String, Switch, TaskId, Var
+from rapidsim.language.controller import Controller, FileMode
+from rapidsim.language.error_numbers import (
+    ERR_IOERROR,
+    ERR_LOADNO_INUSE,
+    ERR_LOADNO_NOUSE,
+    ERR_PATH,
+    ERR_TASKNAME,
+    ERR_UNLOAD,
+    rapid_error,
+)
+from rapidsim.language.errors import RapidError
+from rapidsim.language.modules import LoadSession, SavedModule
+from rapidsim.library.files import joined_path
+from rapidsim.library.table import routine, table
+
+LARGEST_FILE = 10_000_000
+"""Bytes of one program file; a larger one does not fit into the program memory."""
+
+
+def load(
+    controller: Controller,
+    file_path: String,
+    *,
+    dynamic: Switch = False,
+    file: String | None = None,
+    check_ref: Switch = False,
+) -> None:
+    """Take a module from a file into the program, with its initial values."""
+    del dynamic
+    path = joined_path(file_path, file)
+    controller.modules.load(_read(controller, path), path, check_references=check_ref)
+
+
+def start_load(
+    controller: Controller,
+    file_path: String,
+    load_no: Var[LoadSessionVar],
+    *,
+    dynamic: Switch = False,
+    file: String | None = None,
+) -> None:
+    """Read a module's file; WaitLoad makes it part of the program."""
+    del dynamic
+    if load_no.value is not None:
+        raise rapid_error(
+            ERR_LOADNO_INUSE, f"the load session holds {load_no.value.path}, which no WaitLoad took"
+        )
+    path = joined_path(file_path, file)
+    load_no.value = LoadSession(path, _read(controller, path))
+
+
+def wait_load(
+    controller: Controller,
+    load_no: Var[LoadSessionVar],
+    *,
+    unload_path: String | None = None,
+    unload_file: String | None = None,
+    check_ref: Switch = False,
+) -> None:
+    """Remove another module if asked to, then make a module that StartLoad read part of it."""
+    session = _session(load_no.value)
+    if unload_path is not None:
+        controller.modules.unload(joined_path(unload_path, unload_file))
+    load_no.value = None
+    controller.modules.load(session.source, session.path, check_references=check_ref)
+
+
+def cancel_load(load_no: Var[LoadSessionVar]) -> None:
+    """Forget a module that StartLoad has read."""
+    _session(load_no.value)
+    load_no.value = None
+
+
+def un_load(
+    controller: Controller,
+    file_path: String,
+    *,
+    err_if_changed: Switch = False,
+    save: Switch = False,
+    file: String | None = None,
+) -> None:
+    """Remove the module that was loaded from a file."""
+    path = joined_path(file_path, file)
+    modules = controller.modules.loaded_from(path)
+    if err_if_changed and any(module.text != module.loaded_text for module in modules):
+        controller.not_simulated(
+            r"UnLoad \ErrIfChanged", "values of persistents are no change of a module"
+        )
+    if save and len(modules) == 1:
+        _write(controller, modules[0], path)
+    elif save and modules:
+        raise rapid_error(
+            ERR_UNLOAD, f"{path} holds {len(modules)} modules; saving them is not simulated"
+        )
+    controller.modules.unload(path)
+
+
+def erase_module(controller: Controller, module_name: String) -> None:
+    """Remove a module by its name, however it came in."""
+    controller.modules.erase(module_name)
+
+
+def check_prog_ref(controller: Controller) -> None:
+    """Raise ERR_LINKREF if the program uses anything that nothing declares."""
+    controller.modules.check_references()
+
+
+def mod_exist(controller: Controller, module_name: String) -> Bool:
+    """Whether the task has a module of that name."""
+    return controller.modules.has(module_name)
+
+
+def save(
+    controller: Controller,
+    module_name: String,
+    *,
+    task_ref: Var[TaskId] | None = None,
+    task_name: String | None = None,
+    file_path: String | None = None,
+    file: String | None = None,
+) -> None:
+    """Write a module into a file, with the values that its persistents have now."""
+    if task_name is not None and not controller.has_task(task_name):
+        raise rapid_error(ERR_TASKNAME, f"there is no task {task_name} in this run")
+    if task_ref is not None or task_name is not None:
+        controller.not_simulated(r"Save \TaskRef, \TaskName", "skipped")
+        return
+    module = controller.modules.saved(module_name)
+    path = module.loaded_from if file_path is None else joined_path(file_path, file)
+    if path is None:
+        raise rapid_error(
+            ERR_PATH,
+            rf"module {module.name} was not loaded with Load; give \FilePath to say where it goes",
+        )
+    _write(controller, module, path)
+
+
+def _session(session: LoadSession | None) -> LoadSession:
+    if session is None:
+        raise rapid_error(ERR_LOADNO_NOUSE, "no StartLoad has begun with this load session")
+    return session
+
+
+def _read(controller: Controller, path: str) -> Source:
+    return controller.read_module(path, LARGEST_FILE)
+
+
+def _write(controller: Controller, module: SavedModule, path: str) -> None:
+    """Write a module's text."""
+    try:
+        file = controller.open_file(path, FileMode.WRITE)
+        file.write(module.text.encode())
+        file.close()
+    except RapidError as error:
+        raise rapid_error(ERR_IOERROR, error.message) from None
+
+
+LOADING = table(
+    routine("Load", load, r"\Dynamic FilePath \File \CheckRef"),
+    routine("StartLoad", start_load, r"\Dynamic FilePath \File LoadNo"),
+    routine("WaitLoad", wait_load, r"\UnloadPath \UnloadFile LoadNo \CheckRef"),
+    routine("CancelLoad", cancel_load),
+    routine("UnLoad", un_load, r"\ErrIfChanged|\Save FilePath \File"),
+    routine("EraseModule", erase_module),
+    routine("CheckProgRef", check_prog_ref),
+    routine("ModExist", mod_exist),
+    routine("Save", save, r"\TaskRef|\TaskName ModuleName \FilePath \File"),
+)

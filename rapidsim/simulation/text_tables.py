@@ -1,0 +1,30 @@
+"""The text tables that programs have installed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+FIRST_TABLE = 1
+"""The number of the first table; a program only learns numbers from TextTabGet."""
+
+
+class TextTables:
+    """Texts by table and number; names of tables tell case, as file names do."""
+
+    def __init__(self) -> None:
+        """Begin without tables."""
+        self._numbers: dict[str, int] = {}
+        self._texts: dict[tuple[float, float], str] = {}
+
+    def install(self, name: str, texts: Mapping[int, str]) -> None:
+        """Keep a table."""
+        number = self._numbers[name] = FIRST_TABLE + len(self._numbers)
+        self._texts |= {(number, index): text for index, text in texts.items()}
+
+    def number(self, name: str) -> int | None:
+        """The number of a table; None if there is none of that name."""
+        return self._numbers.get(name)
+
+    def text(self, table: float, index: float) -> str | None:
+        """A text; None if there is none of those numbers."""
+        return self._texts.get((table, index))
