@@ -15,6 +15,7 @@ from rapidsim.motion import targets
 from rapidsim.motion.external_axes import ExternalAxis
 from rapidsim.motion.kinematics import Mask
 from rapidsim.motion.robot import Robot
+from rapidsim.simulation.checking.circle_modes import led_by_wrist
 from rapidsim.simulation.checking.moves import KnownMove
 
 FRAME_WITHOUT_ORIENTATION = "the frame of the tool or the work object has no orientation"
@@ -81,6 +82,8 @@ def posed(
         for target in (move.to, *(() if move.circle_point is None else (move.circle_point,))):
             if _is_no_orientation(target.rot):
                 left_out[row] = "its orientation is no unit quaternion"
+        if known.previous is None and led_by_wrist(known, robot):
+            left_out[row] = "two wrist axes lead it from where the arm stands, which a run tells"
         if row not in left_out:
             position[row], quaternion[row] = move.to.trans, move.to.rot
     plain = [

@@ -6,55 +6,68 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from rapidsim.frames.transform import Transform
-from rapidsim.language.controller import Interpolation, Move
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.language.controller import Move
 from rapidsim.motion import targets
 from rapidsim.motion.robot import Robot
-from rapidsim.motion.segments import CircleMode, Segment, Waypoint
-from rapidsim.simulation.checking.moves import KnownMove
+from rapidsim.motion.segments import WRIST_PAIRS, Segment, Waypoint
+from rapidsim.motion.wrist_circle import start_on_circle
+from rapidsim.simulation.checking.circle_modes import led_by_wrist, mode_of
 from rapidsim.simulation.checking.poses import PosedMoves
-from rapidsim.simulation.checking.stances import Stances
-from rapidsim.simulation.move_data import CIRCLE_MODES, GEOMETRY, speed_of, zone_of
+from rapidsim.simulation.move_data import GEOMETRY, speed_of, zone_of
 
 
 def segments_of(
     posed: PosedMoves,
-    stances: Stances,
+    joints: Array,
     robot: Robot,
     base_from_world: Transform,
     rows: Sequence[int],
 ) -> list[Segment]:
-    """Segments of moves whose start is known; their end joints are those of the stance."""
+    """Segments of moves whose start is known.
+
+    Args:
+        posed: The moves.
+        joints: How the arm stands at the end of each move (k, n) [rad].
+        robot: The arm.
+        base_from_world: Where the world is.
+        rows: The moves whose segments are wanted.
+    """
     if not rows:
         return []
     at = np.array(rows)
     before = np.array([posed.moves[row].previous for row in rows], dtype=np.int64)
-    start_joints = stances.joints[before]
     tcp_from_flange = posed.tcp_from_flange[at]
-    start = robot.forward(start_joints) @ tcp_from_flange.inverse()
-    branch = robot.kinematics.branch_of(start_joints)
-    return [
-        Segment(
-            index=position,
-            geometry=GEOMETRY[posed.moves[row].move.interpolation],
-            start=Waypoint(start_joints[position], start[position]),
-            end=Waypoint(stances.joints[row], posed.base_from_tcp[row]),
-            tcp_from_flange=tcp_from_flange[position],
-            branch=int(branch[position]),
-            speed=speed_of(posed.moves[row].move, posed.moves[row].settings),
-            zone=zone_of(posed.moves[row].move),
-            via=_via(posed.moves[row].move, base_from_world),
-            duration=posed.moves[row].move.duration_s,
-            circle_mode=_circle_mode(posed.moves[row]),
+    start = robot.forward(joints[before]) @ tcp_from_flange.inverse()
+    branch = robot.kinematics.branch_of(joints[before])
+    segments = []
+    for position, row in enumerate(rows):
+        known = posed.moves[row]
+        mode, begin = mode_of(known, robot), start[position]
+        if mode in WRIST_PAIRS:
+            begin = start_on_circle(begin, _aim_of(posed, robot, int(before[position])))
+        segments.append(
+            Segment(
+                index=position,
+                geometry=GEOMETRY[known.move.interpolation],
+                start=Waypoint(joints[before[position]], begin),
+                end=Waypoint(joints[row], posed.base_from_tcp[row]),
+                tcp_from_flange=tcp_from_flange[position],
+                branch=int(branch[position]),
+                speed=speed_of(known.move, known.settings),
+                zone=zone_of(known.move),
+                via=_via(known.move, base_from_world),
+                duration=known.move.duration_s,
+                circle_mode=mode,
+            )
         )
-        for position, row in enumerate(rows)
-    ]
+    return segments
 
 
-def _circle_mode(known: KnownMove) -> CircleMode:
-    mode = CIRCLE_MODES.get(known.settings.circle_path)
-    on_arc = known.move.interpolation is Interpolation.CIRCLE
-    return mode if mode is not None and on_arc else CircleMode.PATH_FRAME
+def _aim_of(posed: PosedMoves, robot: Robot, row: int) -> Array | None:
+    """Where the z axis of the tool passes the plane at the end (3,) of an arc so led."""
+    led = led_by_wrist(posed.moves[row], robot)
+    return posed.base_from_tcp.translation[row] if led else None
 
 
 def _via(move: Move, base_from_world: Transform) -> Transform | None:

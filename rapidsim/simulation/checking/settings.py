@@ -21,7 +21,7 @@ _DISPLACEMENT = ("displacement",)
 _OFFSETS = ("axis_offsets",)
 _FIELDS: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
-        "accset": ("acceleration_percent", "ramp_percent"),
+        "accset": ("acceleration_percent", "ramp_percent", "fine_ramp_percent"),
         "cirpathmode": ("circle_path",),
         "confj": ("conf_j",),
         "confl": ("conf_l",),

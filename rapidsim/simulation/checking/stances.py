@@ -12,15 +12,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rapidsim.frames.transform import Array
+from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.controller import Interpolation
 from rapidsim.language.data import RobTarget
 from rapidsim.motion.confdata import configurations, select, told_apart
+from rapidsim.motion.curves import circle_fault
 from rapidsim.motion.kinematics import Mask
 from rapidsim.motion.reach import limit_excess, turns_within_limits
 from rapidsim.motion.robot import Robot
+from rapidsim.motion.wrist_circle import led_by_pair
+from rapidsim.simulation.checking.circle_modes import led_by_wrist, may_be_led_by_wrist
 from rapidsim.simulation.checking.moves import KnownMove
 from rapidsim.simulation.checking.poses import PosedMoves
+from rapidsim.simulation.checking.segments_of_moves import segments_of
 
 MOST_SEARCHED = 40
 """Targets for which an arm without a closed form is searched; the others are left to a run."""
@@ -61,7 +65,10 @@ def ends_of(posed: PosedMoves, robot: Robot) -> Ends:
     stored[to_axes] = posed.axes[to_axes]
     works[to_axes] = ~limit_excess(robot, posed.axes[to_axes]).any(axis=-1)
     reachable[to_axes] = works[to_axes]
-    rows = np.flatnonzero(looked_at & ~posed.to_axes)
+    led = np.array([led_by_wrist(known, robot) for known in posed.moves], dtype=bool)
+    # Their way tells whether they can be made; nobody goes to the pose of their target.
+    reachable[looked_at & led] = True
+    rows = np.flatnonzero(looked_at & ~posed.to_axes & ~led)
     if not told_apart(robot.kinematics):
         looked_at[rows[MOST_SEARCHED:]] = False
         rows = rows[:MOST_SEARCHED]
@@ -85,6 +92,7 @@ def stances_of(
     posed: PosedMoves,
     ends: Ends,
     robot: Robot,
+    base_from_world: Transform,
     arrivals: Mapping[int, Array],
     lost: AbstractSet[int] = frozenset(),
 ) -> Stances:
@@ -94,6 +102,7 @@ def stances_of(
         posed: The moves.
         ends: What the arm can do about their ends.
         robot: The arm.
+        base_from_world: Where the world is.
         arrivals: Joints (n,) [rad] of rows that are known to arrive in another way than stored.
         lost: Rows whose way fails; where they end without a stored configuration is not known.
     """
@@ -105,6 +114,10 @@ def stances_of(
         known = posed.moves[row]
         if row in arrivals:
             joints[row], sure[row] = arrivals[row], True
+        elif may_be_led_by_wrist(known, robot):
+            arrival = _end_of_led(posed, ends, robot, base_from_world, row, joints, sure)
+            if arrival is not None:
+                joints[row], sure[row] = arrival, True
         elif posed.to_axes[row] or (ends.stored_works[row] and is_monitored(known, robot)):
             joints[row], sure[row] = ends.stored[row], ends.stored_works[row]
         elif known.previous is not None and sure[known.previous] and ends.reachable[row]:
@@ -128,7 +141,7 @@ def is_monitored(known: KnownMove, robot: Robot) -> bool:
     """Whether the controller insists on the stored configuration at the end of a move for sure."""
     field = "conf_l" if known.move.interpolation in _CURVES else "conf_j"
     monitored = bool(getattr(known.settings, field)) and field not in known.uncertain
-    return monitored and told_apart(robot.kinematics)
+    return monitored and told_apart(robot.kinematics) and not led_by_wrist(known, robot)
 
 
 def is_free(known: KnownMove) -> bool:
@@ -148,6 +161,30 @@ def _confdata(moves: Sequence[KnownMove], rows: list[int]) -> Array:
     return np.array([stored_confdata(moves[row]) for row in rows], dtype=np.float64)
 
 
+def _end_of_led(
+    posed: PosedMoves,
+    ends: Ends,
+    robot: Robot,
+    base_from_world: Transform,
+    row: int,
+    joints: Array,
+    sure: Mask,
+) -> Array | None:
+    """Joints (n,) [rad] at the end of an arc that two wrist axes lead; None if not known."""
+    known = posed.moves[row]
+    before = known.previous
+    starts = before is not None and sure[before] and ends.looked_at[row]
+    if not starts or not led_by_wrist(known, robot):
+        return None
+    (segment,) = segments_of(posed, joints, robot, base_from_world, [row])
+    if circle_fault(segment) is not None:
+        return None
+    led = led_by_pair(robot.kinematics, segment)
+    if led is None or limit_excess(robot, led.arrival).any():
+        return None
+    return led.arrival
+
+
 def _end_of_chain(
     posed: PosedMoves, ends: Ends, robot: Robot, settled: AbstractSet[int], row: int
 ) -> int:
@@ -158,6 +195,7 @@ def _end_of_chain(
         and (known := posed.moves[stop]).previous == stop - 1
         and known.move.interpolation in _CURVES
         and stop not in settled
+        and not may_be_led_by_wrist(known, robot)
         and ends.reachable[stop]
         and not (ends.stored_works[stop] and is_monitored(known, robot))
     ):

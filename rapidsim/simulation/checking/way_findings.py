@@ -27,6 +27,7 @@ from rapidsim.motion.robot import Robot, RobotError
 from rapidsim.motion.segments import Segment, Waypoint
 from rapidsim.motion.violations import CircleUncertain
 from rapidsim.motion.ways import HoldUp, SurveyedWay, survey_ways
+from rapidsim.motion.wrist_circle import findings_on_pair, led_by_pair
 from rapidsim.simulation.checking.end_findings import conf_text
 from rapidsim.simulation.checking.poses import PosedMoves
 from rapidsim.simulation.checking.segments_of_moves import segments_of
@@ -112,7 +113,7 @@ class WayFinder:
     def _surveyed(self, strays: Mapping[int, Array], lost: frozenset[int]) -> Ways:
         robot = self.robot
         arrivals = {**self.known_joints, **strays}
-        stances = stances_of(self.posed, self.ends, robot, arrivals, lost)
+        stances = stances_of(self.posed, self.ends, robot, self.base_from_world, arrivals, lost)
         if not told_apart(robot.kinematics):
             return Ways(stances, {}, {}, {}, strays)
         rows = [
@@ -126,7 +127,7 @@ class WayFinder:
             and known.settings.singular_area is SingularArea.OFF
             and not {"singular_area", "circle_path"} & known.uncertain
         ]
-        segments = segments_of(self.posed, stances, robot, self.base_from_world, rows)
+        segments = segments_of(self.posed, stances.joints, robot, self.base_from_world, rows)
         faults = {
             row: fault
             for row, segment in zip(rows, segments, strict=True)
@@ -157,6 +158,7 @@ class WayFinder:
                 if fault_found is not None:
                     yield self._finding(row, fault_found)
                 continue
+            yield from self._led(row, ways)
             if row in ways.strays and self.ends.stored_works[row]:
                 yield self._changed(row, ways.strays[row])
             if way.hold_up is not None and not self._speed_unknown(row):
@@ -169,6 +171,16 @@ class WayFinder:
             reduced = self._reduced_zone(row, ways, following)
             if reduced is not None:
                 yield self._finding(row, reduced)
+
+    def _led(self, row: int, ways: Ways) -> Iterator[Diagnostic]:
+        """What is worth a word of an arc that two wrist axes lead."""
+        segment = ways.segments[row]
+        if segment.wrist_pair is None:
+            return
+        led = led_by_pair(self.robot.kinematics, segment)
+        name = target_text(self.program, self.posed.moves[row])
+        for violation in () if led is None else findings_on_pair(led, segment, name):
+            yield self._finding(row, violation)
 
     def _finding(self, row: int, violation: Violation) -> Diagnostic:
         known = self.posed.moves[row]
@@ -196,7 +208,9 @@ class WayFinder:
         fault = build_path(self.robot, [replace(segment, zone=None)], self.model)
         if not isinstance(fault, PathFault):
             return None
-        if not self._fails_with_corners(row, segment, ways, following):
+        # A wrist must be able to lead all of an arc, as a run has it.
+        led = segment.wrist_pair is not None
+        if not led and not self._fails_with_corners(row, segment, ways, following):
             return None
         return fault_violation(fault, target_text(self.program, self.posed.moves[row]))
 

@@ -9,10 +9,10 @@ from rapidsim.diagnostics import Edit, Fix, Related, Span
 from rapidsim.interpreter.calls import Given, match_arguments
 from rapidsim.interpreter.paths import bare
 from rapidsim.simulation.checking.moves import KnownMove
+from rapidsim.simulation.target_words import named_target
 from rapidsim.syntax import tree
 
 _TARGETS = ("topoint", "tojointpos")
-_LONGEST = 40
 
 
 def argument(program: Program, known: KnownMove, *keys: str) -> tree.Expression | None:
@@ -25,14 +25,11 @@ def argument(program: Program, known: KnownMove, *keys: str) -> tree.Expression 
 
 
 def target_text(program: Program, known: KnownMove) -> str:
-    """The target of a move as the program writes it; where that is long, what it belongs to.
-
-    So generated programs, whose targets are all literals, have equal findings that can be merged.
-    """
+    """The target of a move as findings name it; else the name of the instruction."""
     written = argument(program, known, *_TARGETS)
-    text = known.move.instruction if written is None else known.module.span(written).text
-    is_short = len(text) <= _LONGEST and "\n" not in text
-    return text if is_short else f"the target of {known.move.instruction}"
+    if written is None:
+        return known.move.instruction
+    return named_target(known.module.span(written).text)
 
 
 def target_span(program: Program, known: KnownMove) -> Span:

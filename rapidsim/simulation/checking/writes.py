@@ -23,6 +23,7 @@ from rapidsim.analysis.walk import clauses, descendants, statements
 from rapidsim.interpreter.calls import Given, match_arguments
 from rapidsim.interpreter.paths import bare, by_reference
 from rapidsim.language.annotations import Mode
+from rapidsim.language.moves import MotionSettings
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.simulation.checking.settings import fields_set_by
 from rapidsim.syntax import tree
@@ -168,13 +169,19 @@ class ProgramEffects:
         return found
 
     def _add_call(self, node: tree.Node, found: _Direct) -> None:
+        callee = self.program.symbol_of.get(node)
+        if self.program.loads_modules and not isinstance(callee, RoutineSymbol | LibrarySymbol):
+            # The routine may be one of a module that is loaded while the program runs.
+            found.writes.update(self._all_data)
+            found.settings.update(MotionSettings.__dataclass_fields__)
+            found.moves = True
         if isinstance(node, tree.LateCall):
             found.calls_anything = True
             for argument in node.arguments:
                 found.writes.update(self._given_data(argument))
             return
         assert isinstance(node, tree.Call | tree.FunctionCall)
-        match self.program.symbol_of.get(node):
+        match callee:
             case RoutineSymbol() as routine:
                 found.calls.add(routine)
                 given = match_arguments(node.arguments, routine.parameters)

@@ -15,11 +15,6 @@ MODULE circle_modes
     CirPathMode \PathFrame;
     arc;
     TPWrite "path frame";     ! -> path frame
-    ! The controller leads the wrist by two axes alone; the tool turns with the path here.
-    CirPathMode \Wrist45;
-    arc;
-    TPWrite "wrist";          ! -> wrist
-                              ! about the run: warning R104
   ENDPROC
 
   PROC arc()
