@@ -3,9 +3,10 @@
     python benchmarks/fidelity.py TRACES.json
 
 Every trace holds a RAPID program and the joint angles a controller logged while it ran. The program
-goes through the whole of rapidsim (parse, check, run, plan) and the two motions are compared twice:
-with the default model, in which nothing is fitted to the arm, and with the accelerations measured
-on that arm. `docs/fidelity.md` says what the columns mean.
+goes through the whole of rapidsim (parse, check, run, plan) and the two motions are compared: with
+the default model, in which nothing is fitted to the arm, and with the accelerations measured on
+that arm, each with smoothing along the path and of each axis. `docs/fidelity.md` says what the
+columns mean.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ import argparse
 import json
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -63,6 +64,9 @@ class Fidelity:
     """RMS difference of the logged TCP speed in the first 0.2 s."""
     off_path_deg: float
     """RMS distance of axes 3 to 6 from our path."""
+    corner_cut_mm: float
+    """RMS difference of how near the TCP comes to the points passed, on the motor side; NaN without
+    any."""
 
 
 def main() -> None:
@@ -80,14 +84,16 @@ def main() -> None:
     ):
         print(f"\n{title}")
         print(
-            f"{'trace':<22}{'end %':>8}{'time ms':>9}{'vias ms':>9}{'corners %':>11}"
-            f"{'ramp mm/s':>11}{'off path deg':>14}"
+            f"{'trace':<20}{'smoothed':>9}{'end %':>8}{'time ms':>9}{'vias ms':>9}{'corners %':>11}"
+            f"{'ramp mm/s':>11}{'off path deg':>14}{'cut mm':>8}"
         )
-        for f in fidelities(traces, model):
-            print(
-                f"{f.name:<22}{f.end_percent:>+8.2f}{f.time_rms_ms:>9.1f}{f.via_rms_ms:>9.1f}"
-                f"{f.corner_speed_percent:>11.1f}{f.ramp_rms_mm_s:>11.1f}{f.off_path_deg:>14.3f}"
-            )
+        for smoothing in ("path", "axes"):
+            for f in fidelities(traces, replace(model, smoothing=smoothing)):
+                print(
+                    f"{f.name:<20}{smoothing:>9}{f.end_percent:>+8.2f}{f.time_rms_ms:>9.1f}"
+                    f"{f.via_rms_ms:>9.1f}{f.corner_speed_percent:>11.1f}{f.ramp_rms_mm_s:>11.1f}"
+                    f"{f.off_path_deg:>14.3f}{f.corner_cut_mm:>8.2f}"
+                )
 
 
 def read_traces(file: Path) -> list[Mapping[str, Any]]:
@@ -150,6 +156,10 @@ class _Compared:
     ours: Progress
     vias: Array
     """Places (v,) [m] of the programmed points that both pass without stopping."""
+    points: Array
+    """Those points (v, 3) [m], in base."""
+    log: Array
+    """Shape (r, n) [rad]: all logged joints."""
     times: Array
     """Shape (k,) [s] since the first digit of the log changed."""
     place: Array
@@ -180,10 +190,16 @@ def _compare(trace: Mapping[str, Any], model: MotionModel) -> _Compared:
     moving = ours.speed_at(place) > STILL_M_S
     times, place, distance = times[moving], place[moving], distance[moving]
     ends = np.cumsum([move.length_m for move in moves]) + ours.places[0]
-    passed = [end for move, end in zip(moves, ends, strict=True) if move.zone_m > 0.0]
-    vias = [end for end in passed if np.abs(place - end).min() < NEAR_M and end < place[-1]]
+    passed = [
+        (end, move.base_from_tcp.translation)
+        for move, end in zip(moves, ends, strict=True)
+        if move.zone_m > 0.0 and np.abs(place - end).min() < NEAR_M and end < place[-1]
+    ]
+    vias = np.array([end for end, _ in passed])
+    points = np.array([point for _, point in passed]).reshape(-1, 3)
     lead = ours.time_at(place) - times
-    return _Compared(trace, run, ours, np.array(vias), times, place, distance, lead)
+    log = np.radians(rows[:, 1:])
+    return _Compared(trace, run, ours, vias, points, log, times, place, distance, lead)
 
 
 def _fidelity(one: _Compared, offset_s: float) -> Fidelity:
@@ -201,7 +217,29 @@ def _fidelity(one: _Compared, offset_s: float) -> Fidelity:
         corner_speed_percent=100.0 * _rms(our_speed / log_speed - 1.0),
         ramp_rms_mm_s=1e3 * _ramp(one, offset_s),
         off_path_deg=math.degrees(_rms(one.distance)),
+        corner_cut_mm=1e3 * _rms(_cut(one)),
     )
+
+
+def _cut(one: _Compared) -> Array:
+    """How much nearer (v,) [m] ours passes the programmed points than the log does.
+
+    The log is straight between its rows. Both are on the motor side.
+    """
+    tcp_from_flange = one.run.moves[-1].tcp_from_flange
+    logged = (one.run.robot.forward(one.log) @ tcp_from_flange.inverse()).translation
+    ours = _motor_side(one.run, np.arange(one.ours.start_s, one.run.trajectory.duration, 1e-3))
+    nearest = [_distance(point, logged) - _distance(point, ours) for point in one.points]
+    return np.array(nearest)
+
+
+def _distance(point: Array, line: Array) -> float:
+    """Distance [m] of a point (3,) from straight lines between points (k, 3)."""
+    start, step = line[:-1], np.diff(line, axis=0)
+    along = np.einsum("ki,ki->k", point - start, step)
+    share = along / np.maximum(np.einsum("ki,ki->k", step, step), 1e-18)
+    foot = start + np.clip(share, 0.0, 1.0)[:, None] * step
+    return float(np.linalg.norm(foot - point, axis=1).min())
 
 
 def _mean_speed(at: Array, times: Array, place: Array) -> Array:

@@ -3,9 +3,10 @@
     python benchmarks/planning.py [--moves 1000 10000 100000] [--no-run]
 
 Prints moves planned a second, in NumPy alone and with numba, for programs of 2 mm moves with zone
-z1, planned as a run does it, a few thousand moves at a time; how long toppra takes for what we
-solve, on the same rows and the same grid; and where the time of a whole run goes. Times are those
-of the processor, the best of a few; numba is warm, what it costs to load is printed.
+z1, planned as a run does it, a few thousand moves at a time; what a move costs in blocks of one and
+of three, as most robot programs have them; how long toppra takes for what we solve, on the same
+rows and the same grid; and where the time of a whole run goes. Times are those of the processor,
+the best of a few; numba is warm, what it costs to load is printed.
 """
 
 from __future__ import annotations
@@ -38,14 +39,15 @@ from rapidsim.language.data import (
     ZoneData,
 )
 from rapidsim.motion.confdata import confdata_of
+from rapidsim.motion.drive import Division, Drive, drive
 from rapidsim.motion.grid import cells_of
 from rapidsim.motion.limits import Limits, limits_of
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path import Path, build_path
-from rapidsim.motion.problem import problem_of
+from rapidsim.motion.problem import Problem, problem_of
 from rapidsim.motion.robot import Robot, load_robot
 from rapidsim.motion.segments import Geometry, Segment, Speed, Waypoint, Zone
-from rapidsim.motion.solver import solve
+from rapidsim.motion.stages import stages_of
 from rapidsim.motion.trajectory import Trajectory
 from rapidsim.motion.turns import rotation_from_vector
 from rapidsim.simulation.journal import Instant
@@ -66,16 +68,18 @@ Z1 = Zone(0.001, 0.001, np.radians(0.1))
 REPEATS = 3
 RUN_MOVES = 10_000
 BLOCKS = 12
+BLOCK_MOVES = 501
 
 
 def main() -> None:
-    """Print three tables."""
+    """Print four tables."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--moves", type=int, nargs="+", default=[1_000, 10_000, 100_000])
     parser.add_argument("--no-run", action="store_true", help="leave the whole run out")
     options = parser.parse_args()
     robot = load_robot(ROBOT)
     _planning(robot, options.moves)
+    _short_blocks(robot)
     _beside_toppra(robot)
     if not options.no_run:
         _whole_run(robot)
@@ -125,8 +129,42 @@ def print_moves(robot: Robot, count: int, speed_m_s: float) -> list[Segment]:
     ]
 
 
+def pick_moves(robot: Robot, count: int, moves_a_block: int) -> list[Segment]:
+    """Lines and joint moves by turns between places in a cube of 300 mm.
+
+    The last of each block goes to `fine`, the others have z10.
+    """
+    home = np.radians(HOME_DEG)
+    centre = robot.kinematics.forward(home) @ TOOL
+    random = np.random.default_rng(1)
+    points = random.uniform(-0.15, 0.15, (count + 1, 3))
+    turns = random.uniform(-0.2, 0.2, (count + 1, 3))
+    poses = Transform(rotation_from_vector(turns) @ centre.rotation, centre.translation + points)
+    followed = robot.kinematics.inverse_on_branch(poses @ TOOL.inverse(), 0, home)
+    ends = [Waypoint(followed.joints[i], poses[i]) for i in range(count + 1)]
+    zone, speed = Zone(0.01, 0.015, np.radians(1.0)), Speed(0.5, np.radians(500.0))
+    return [
+        Segment(
+            index=i,
+            geometry=Geometry.JOINT if i % 2 else Geometry.LINE,
+            start=ends[i],
+            end=ends[i + 1],
+            tcp_from_flange=TOOL.inverse(),
+            branch=0,
+            speed=speed,
+            zone=zone if (i + 1) % moves_a_block else None,
+        )
+        for i in range(count)
+    ]
+
+
 def plan_as_a_run(robot: Robot, segments: Sequence[Segment]) -> float:
     """Plan moves as a run does and return how long they take [s]."""
+    return planned(robot, segments).trajectory.command_end
+
+
+def planned(robot: Robot, segments: Sequence[Segment]) -> PathQueue:
+    """Plan moves as a run does; the last one must stop."""
     queue = PathQueue(robot, MotionModel(), Trajectory(segments[0].start, 0.08), segments[0].start)
     move = Move(
         "MoveL",
@@ -139,21 +177,22 @@ def plan_as_a_run(robot: Robot, segments: Sequence[Segment]) -> float:
     )
     place = Place(Span(Source("print.mod", ""), 0, 0), "main")
     conf = ConfData(0, 0, 0, 0)
+    now_s = 0.0
     for segment in segments:
         corner = CornerKind.FLY_BY if segment.zone else CornerKind.STOP
         end, tool = segment.end.base_from_tcp, segment.tcp_from_flange
         queued = QueuedMove(move, place, segment, conf, Instant(), corner, end, tool)
-        queue.append(queued, 0.0 if not queue.moves else -np.inf)
+        queue.append(queued, -np.inf if queue.is_open else now_s)
         if segment.zone is None:
-            return queue.close()
-        if queue.open_moves > MAX_OPEN_MOVES:
+            now_s = queue.close()
+        elif queue.open_moves > MAX_OPEN_MOVES:
             queue.commit_ahead()
-    raise AssertionError("the last move has a zone")
+    return queue
 
 
 def _planning(robot: Robot, counts: Sequence[int]) -> None:
     print(f"{robot.title}: moves of 2 mm, z1, planned {MAX_OPEN_MOVES} at a time\n")
-    print(f"{'moves':>8}{'speed':>8}{'NumPy':>12}{'numba':>12}  moves/s     motion")
+    print(f"{'moves':>8}{'speed':>8}{'NumPy':>12}{'numba':>12}  moves/s     motion  nodes a move")
     with_numba = find_spec("numba") is not None
     if with_numba:
         with numba(use=True):
@@ -172,7 +211,11 @@ def _planning(robot: Robot, counts: Sequence[int]) -> None:
                 spent[use, speed, count] = seconds
                 rates.append(f"{count / seconds:12,.0f}")
             columns = "".join(rates) if with_numba else rates[0] + f"{'-':>12}"
-            print(f"{count:>8}{f'v{speed * 1e3:g}':>8}{columns}{'':>12}{duration:9.2f} s")
+            pieces = planned(robot, segments[-min(count, 5000) :]).trajectory.pieces
+            nodes = sum(len(piece.timing.s) for piece in pieces) / min(count, 5000)
+            print(
+                f"{count:>8}{f'v{speed * 1e3:g}':>8}{columns}{'':>10}{duration:9.2f} s{nodes:10.1f}"
+            )
     for (use, speed, count), seconds in spent.items():
         ten = spent.get((use, speed, 10 * count))
         if ten is not None:
@@ -180,6 +223,19 @@ def _planning(robot: Robot, counts: Sequence[int]) -> None:
             print(
                 f"{way}, v{speed * 1e3:g}: ten times {count} moves cost {ten / seconds:.1f} times"
             )
+
+
+def _short_blocks(robot: Robot) -> None:
+    print(f"\n{BLOCK_MOVES} lines and joint moves of some 200 mm at v500")
+    print(f"{'':>24}{'NumPy':>12}{'numba':>12}  ms a move")
+    for moves_a_block, name in ((1, "each to fine"), (3, "every third to fine")):
+        segments = pick_moves(robot, BLOCK_MOVES, moves_a_block)
+        columns = ""
+        for use in (False, True)[: 1 + (find_spec("numba") is not None)]:
+            with numba(use=use):
+                seconds, _ = _timed(robot, segments, REPEATS)
+            columns += f"{seconds / BLOCK_MOVES * 1e3:12.2f}"
+        print(f"{name:>24}{columns}")
 
 
 def _timed(robot: Robot, segments: Sequence[Segment], repeats: int) -> tuple[float, float]:
@@ -201,30 +257,28 @@ def _beside_toppra(robot: Robot) -> None:
     limits = limits_of(robot, model)
     random = np.random.default_rng(1)
     blocks = [_random_block(robot, random) for _ in range(BLOCKS)]
+    for part in ("", ".algorithm", ".constraint", ".interpolator"):
+        # What it costs to import is none of the solver's.
+        import_module(f"toppra{part}")
     for use in (False, True)[: 1 + (find_spec("numba") is not None)]:
         theirs, ours, nodes, worst = 0.0, 0.0, 0, 0.0
         for segments in blocks:
             path = build_path(robot, segments, model)
             assert isinstance(path, Path), path
             cells = cells_of(path, limits, 0.0)
-            start, middle, end = cells.at.T
-            # Speeds at the middles of cells are our own addition; toppra does not have them.
-            for values in (cells.places.rates.first, cells.places.rates.tcp_rate):
-                values[middle] = 0.5 * np.minimum(np.abs(values[start]), np.abs(values[end]))
             begin = process_time()
             expected = toppra_duration(path, limits, cells)
             theirs += process_time() - begin
             with numba(use=use):
-                best, speeds = np.inf, np.zeros(0)
+                best, found = np.inf, 0.0
                 for _ in range(REPEATS):
                     begin = process_time()
                     problem = problem_of(path, cells, limits, np.full(len(segments), np.nan))
-                    speeds = np.sqrt(solve(problem, 0.0)[0])
+                    found = float(drive_on_cells(problem).times.sum())
                     best = min(best, process_time() - begin)
                 ours += best
-            found = float((2.0 * cells.width / (speeds[1:] + speeds[:-1])).sum())
             worst = max(worst, abs(found / expected - 1.0))
-            nodes += len(cells.nodes)
+            nodes += len(cells.at) + 1
         way = "with numba" if use else "NumPy"
         print(
             f"{way:>12}{nodes:>8}{theirs * 1e3:12.0f}{ours * 1e3:10.1f}{theirs / ours:8.0f}"
@@ -249,13 +303,20 @@ def _random_block(robot: Robot, random: np.random.Generator) -> list[Segment]:
     ]
 
 
+def drive_on_cells(problem: Problem) -> Drive:
+    """The fastest drive from rest with the ends of the cells as its only nodes."""
+    stages = stages_of(problem.cells, problem.accelerations, 1)
+    held = np.zeros(len(stages.cell), dtype=bool)
+    return drive(problem, Division(stages, held, 0), 0.0)
+
+
 def toppra_duration(path: Path, limits: Limits, cells: Any) -> float:
     """Duration [s] that toppra finds for the rows at the nodes of cells."""
     toppra = import_module("toppra")
     algorithm = import_module("toppra.algorithm")
     constraint = import_module("toppra.constraint")
     interpolator = import_module("toppra.interpolator")
-    nodes = cells.nodes
+    nodes = np.append(cells.s[:, 0], cells.s[-1, 2])
     at = np.append(cells.at[:, 0], cells.at[-1, 2])
     rates = cells.places.rates
     first, second, tcp_rate = rates.first[at], rates.second[at], rates.tcp_rate[at]

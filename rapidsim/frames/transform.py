@@ -27,6 +27,9 @@ class Transform:
     def __matmul__(self, other: Transform) -> Transform:
         """a_from_b @ b_from_c = a_from_c."""
         rotation = self.rotation @ other.rotation
+        if self.translation.ndim == other.translation.ndim == 1:
+            # Where there is one of each, this is faster than what broadcasts.
+            return Transform(rotation, self.rotation @ other.translation + self.translation)
         moved = np.einsum("...ij,...j->...i", self.rotation, other.translation)
         return Transform(rotation, moved + self.translation)
 

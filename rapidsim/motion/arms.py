@@ -6,7 +6,8 @@ The flange follows from a curve through whatever holds or carries tool and work 
     base_from_flange = base_from_tool @ object_from_tcp^-1 @ object_from_flange     stationary tool
 
 where tracks and positioners make base_from_curve and base_from_tool move. With SingArea \Wrist the
-wrist turns evenly in joints instead, and the first three axes keep the TCP on its curve.
+wrist turns evenly in joints instead, and the first three axes keep the TCP on its curve. With
+CirPathMode \Wrist45 and its kin two wrist axes lead the tool along an arc (`wrist_pair`).
 
 Joint vectors here are wide: the n joints of the arm, then e external axes.
 """
@@ -25,6 +26,7 @@ from rapidsim.motion.kinematics import Kinematics, Mask
 from rapidsim.motion.moving_frames import Course, Motion, carried
 from rapidsim.motion.segments import Carrier, Geometry, Segment
 from rapidsim.motion.turns import cross, rotate
+from rapidsim.motion.wrist_pair import WristPairs, wrist_pairs_of
 
 Index = npt.NDArray[np.int64]
 
@@ -33,6 +35,7 @@ _SINGULAR_DETERMINANT = 1e-8
 _SINGULAR_VALUE = 1e-7
 _NEWTON_STEPS = 12
 _ON_THE_CURVE = 1e-9
+_BY_MAIN_AXES, _BY_PAIR = -1, -2
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,6 +52,8 @@ class Arms:
     wrist_rate: Array | None = None
     """Shape (m, n - 3): wrist joints per unit of the curve's parameter [rad/m] where the wrist
     turns in joints, NaN elsewhere; None where no curve does."""
+    pairs: WristPairs | None = None
+    """The wrist axes that lead arcs; None where none does."""
 
     @cached_property
     def wrist_rows(self) -> Mask:
@@ -56,6 +61,14 @@ class Arms:
         if self.wrist_rate is None:
             return np.zeros(len(self.branch), dtype=bool)
         return ~np.isnan(self.wrist_rate[:, 0])
+
+    @cached_property
+    def pair_rows(self) -> Mask:
+        """Shape (m,): the arcs that two wrist axes lead."""
+        if self.pairs is None:
+            return np.zeros(len(self.branch), dtype=bool)
+        led: Mask = self.pairs.axes[:, 0] >= 0
+        return led
 
     @cached_property
     def carried_rows(self) -> Mask:
@@ -67,18 +80,20 @@ class Arms:
         """Joints (k, n + e) of TCP poses (k,) on curves (k,), and whether the branch reaches them.
 
         Where it does not, `near` (k, n + e) stands instead. External axes, and wrists that turn in
-        joints, are those of `near`.
+        joints, are those of `near`. Where two wrist axes lead, only the place of the TCP counts.
         """
         n = self.kinematics.joint_count
         base_from_flange = self.base_from_flange(motion, row, near)
         joints = near.copy()
         exists = np.zeros(len(row), dtype=bool)
-        branches = np.where(self.wrist_rows[row], -1, self.branch[row])
+        branches = np.where(self.wrist_rows[row], _BY_MAIN_AXES, self.branch[row])
+        branches = np.where(self.pair_rows[row], _BY_PAIR, branches)
         for branch in np.unique(branches):
             at = np.flatnonzero(branches == branch)
             if branch < 0:
                 tcp = (base_from_flange[at] @ self._flange_from_tcp[row[at]]).translation
-                joints[at, :n], exists[at] = self._reach_with_wrist(tcp, row[at], near[at, :n])
+                reach = self._reach_with_wrist if branch == _BY_MAIN_AXES else self._reach_with_pair
+                joints[at, :n], exists[at] = reach(tcp, row[at], near[at, :n])
                 continue
             followed = self.kinematics.inverse_on_branch(
                 base_from_flange[at], int(branch), near[at, :n]
@@ -97,10 +112,11 @@ class Arms:
         first, second = np.empty_like(joints), np.empty_like(joints)
         first[:, n:], second[:, n:] = course.first, course.second
         flange = self._flange(motion, row, course)
-        wrist = self.wrist_rows[row]
+        wrist, pair = self.wrist_rows[row], self.pair_rows[row]
         for at, solve in (
-            (np.flatnonzero(~wrist), self._rates_of_all),
+            (np.flatnonzero(~(wrist | pair)), self._rates_of_all),
             (np.flatnonzero(wrist), self._rates_with_wrist),
+            (np.flatnonzero(pair), self._rates_with_pair),
         ):
             if len(at):
                 first[at, :n], second[at, :n] = solve(joints[at, :n], flange[at], row[at])
@@ -208,6 +224,12 @@ class Arms:
         second[:, :_MAIN_AXES] = _solve(main, tcp.acceleration - drift)
         return first, second
 
+    def _rates_with_pair(self, joints: Array, flange: Motion, row: Index) -> tuple[Array, Array]:
+        """Joint rates and their change (k, n) where two wrist axes lead the tool along an arc."""
+        assert self.pairs is not None
+        on_arc = flange.before(self._flange_from_tcp[row])
+        return self.pairs.rates(joints, row, on_arc.position, on_arc.velocity, on_arc.acceleration)
+
     def _reach_with_wrist(self, tcp: Array, row: Index, near: Array) -> tuple[Array, Mask]:
         """Joints (k, n) that put the TCP (k, 3) in its place with the wrist as in `near` (k, n)."""
         joints = near.copy()
@@ -221,6 +243,11 @@ class Arms:
         miss = tcp - self.kinematics.forward(joints).apply(tcp_in_flange)
         there = np.linalg.norm(miss, axis=-1) < _ON_THE_CURVE
         return np.where(there[:, None], joints, near), there
+
+    def _reach_with_pair(self, tcp: Array, row: Index, near: Array) -> tuple[Array, Mask]:
+        """Joints (k, n) that aim the z axis of the tool at places (k, 3)."""
+        assert self.pairs is not None
+        return self.pairs.joints(tcp, row, near)
 
     def _point_jacobian(self, joints: Array, row: Index) -> Array:
         """Velocity of the TCP per joint speed, (k, 3, n) [m/rad], in base."""
@@ -259,6 +286,7 @@ def arms_of(
         ),
         carriers if any(carriers) else (),
         np.where(turned[:, None], wrist_rate, np.nan) if turned.any() else None,
+        wrist_pairs_of(segments, kinematics),
     )
 
 

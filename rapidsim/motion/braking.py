@@ -5,20 +5,17 @@ from __future__ import annotations
 import numpy as np
 
 from rapidsim.frames.transform import Array
+from rapidsim.motion.drive import fastest_drive
 from rapidsim.motion.grid import cells_of
 from rapidsim.motion.limits import Limits
 from rapidsim.motion.path import Path
-from rapidsim.motion.problem import Problem, cut, problem_of
-from rapidsim.motion.refinement import ACCELERATION_EXCESS, loads
+from rapidsim.motion.problem import problem_of
 from rapidsim.motion.rows import Limiter, Quantity
-from rapidsim.motion.solver import solve
-from rapidsim.motion.timing import Timing, refined
+from rapidsim.motion.stages import Stages
+from rapidsim.motion.timing import Timing
 
 _STANDSTILL = 1e-9
 """Path speed [m/s] that counts as standing."""
-_ROUNDS = 6
-_SLIVER = 0.01
-"""Share of a cell that is not worth a cell of its own."""
 
 
 def stop_at(path: Path, limits: Limits, s: float, speed: float) -> Timing:
@@ -38,35 +35,23 @@ def stop_at(path: Path, limits: Limits, s: float, speed: float) -> Timing:
         return Timing(np.full(2, s), np.zeros(2), 0.0, nothing)
     pace = np.full(len(path.segments), np.nan)
     problem = problem_of(path, cells_of(path, limits, s), limits, pace)
-    # The same places count as for the plan that had this speed here.
-    problem, _, _ = refined(problem, pace, speed)
-    stands, x = _braked(problem, speed)
-    for _ in range(_ROUNDS):
-        driven = np.arange(len(x) - 1)
-        start, end = problem.cells.s[driven, 0], problem.cells.s[driven, 2]
-        at = 0.5 * (start + end)
-        all_x = np.concatenate([x, np.zeros(len(problem.widest) + 1 - len(x))])
-        rough = loads(problem, all_x, driven)[1] > 1.0 + ACCELERATION_EXCESS
-        # The cell in which the arm comes to rest is not driven to its end.
-        rough[-1] = start[-1] < stands - _SLIVER * (end[-1] - start[-1])
-        rough[-1] &= stands < end[-1] - _SLIVER * (end[-1] - start[-1])
-        at[-1] = stands
-        if not rough.any():
-            break
-        problem = cut(problem, pace, driven[rough], at[rough])
-        stands, x = _braked(problem, speed)
-    nodes = problem.cells.nodes[: len(x)].copy()
+    # The same stages as for the plan that had this speed here.
+    _, motion = fastest_drive(problem, speed)
+    stages = motion.stages
+    stands, x = _braked(stages, motion.x, speed)
+    nodes = stages.nodes[: len(x)].copy()
     nodes[-1] = stands
     return Timing(nodes, np.sqrt(x), 0.0, nothing)
 
 
-def _braked(problem: Problem, speed: float) -> tuple[float, Array]:
-    """Where the arm comes to rest [m], and x at the nodes on the way, the last of them 0."""
-    # What the arm may have at most if it is to come to rest at all; less than that it has.
-    fastest, _ = solve(problem, speed)
+def _braked(stages: Stages, fastest: Array, speed: float) -> tuple[float, Array]:
+    """Where the arm comes to rest [m], and x at the nodes on the way, the last of them 0.
+
+    `fastest` (m + 1,) is the x of the plan at the nodes.
+    """
     x = [speed**2]
-    nodes = problem.cells.nodes.tolist()
-    rows = zip(problem.slack, problem.tilt, fastest[1:].tolist(), strict=True)
+    nodes = stages.nodes.tolist()
+    rows = zip(stages.slack, stages.tilt, fastest[1:].tolist(), strict=True)
     for k, (slack, tilt, most) in enumerate(rows):
         # Every row asks u >= -slack - tilt x. In a corner that may mean to speed up for a moment:
         # an axis that the corner brakes as hard as it can must not be braked more.

@@ -195,6 +195,5 @@ def _by_number(name: str) -> list[tuple[int, str]]:
 def _unknown(name: str) -> str:
     known = (*robot_names(), *aliases())
     near = difflib.get_close_matches(name.lower(), known, n=NEAR_NAMES, cutoff=0.4)
-    if not near:
-        return f"robot `{name}` is not in the catalogue, which holds {', '.join(robot_names())}"
-    return f"robot `{name}` is not in the catalogue; near it are {', '.join(near)}"
+    nearest = f"; near it are {', '.join(near)}" if near else ""
+    return f"robot `{name}` is not in the catalogue{nearest}"

@@ -9,8 +9,10 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from functools import cache
+from hashlib import sha256
 from importlib import import_module
 from importlib.util import find_spec
+from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any
 
@@ -25,7 +27,8 @@ def compiled(module: ModuleType, name: str, rows: int) -> Callable[..., Any] | N
     """A function of a module, compiled; None where numba is not to be used for so many rows.
 
     Args:
-        module: Where the function stands; its `COMPILED` lists all it needs, in order.
+        module: Where the function stands; its `COMPILED` lists all it needs, in order, those of
+            other modules too.
         name: Of the function.
         rows: How many it is asked for now.
     """
@@ -44,10 +47,18 @@ def _functions(module: ModuleType) -> dict[str, Callable[..., Any]]:
     numba = import_module("numba")
 
     functions: Sequence[FunctionType] = module.COMPILED
-    space = dict(vars(module))
+    modules = [import_module(name) for name in dict.fromkeys(f.__module__ for f in functions)]
+    space: dict[str, Any] = {}
+    for one in modules:
+        space.update(vars(one))
+    # numba compiles anew when the file of a function has changed, but does not look at the files of
+    # those that it calls; so the name under which it stores a function tells of all of them.
+    sources = b"".join(Path(one.__file__).read_bytes() for one in modules if one.__file__)
+    digest = sha256(sources).hexdigest()[:16]
     for function in functions:
         # A copy whose globals hold what is compiled already: compiled code calls nothing else.
         own = FunctionType(function.__code__, space, function.__name__)
+        own.__qualname__ = f"{function.__name__}_{digest}"
         try:
             space[function.__name__] = numba.njit(own, cache=True)
         except RuntimeError:

@@ -18,6 +18,7 @@ from math import ceil, floor, isinf, pi
 import numpy as np
 import numpy.typing as npt
 
+from rapidsim.frames import rigid
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics import Kinematics, Mask
 from rapidsim.motion.numerical import Numerical
@@ -68,6 +69,9 @@ def confdata_of(kinematics: Kinematics, joints: Array) -> Integers:
     """cf1, cf4, cf6 and cfx, shape (..., 4), of joint vectors (..., n) [rad]."""
     joints = np.asarray(joints, dtype=np.float64)
     branch = kinematics.branch_of(joints)
+    if joints.ndim == 1:
+        counted = [0 if a is None else joints.item(a) for a in _counted_axes(len(joints))]
+        return np.array([*(floor((angle + SNAP) / QUARTER) for angle in counted), int(branch)])
     return np.concatenate([_counted_quarters(joints), branch[..., None]], axis=-1)
 
 
@@ -133,6 +137,36 @@ def configurations(robot: Robot, base_from_flange: Transform) -> tuple[Configura
         Configuration(joints, _four(confdata))
         for joints, confdata in zip(found, named, strict=True)
     )
+
+
+def named(
+    robot: Robot, base_from_flange: Transform, confdata: tuple[int, int, int, int]
+) -> Configuration | None:
+    """The one of `configurations` that confdata names, found without the others.
+
+    None where there is none, and where only all of them tell: for arms that have no formulas for
+    one pose, and where the pose leaves an axis undetermined.
+    """
+    arm, branch = robot.kinematics, confdata[3]
+    if not isinstance(arm, OrthoParallel) or branch not in range(arm.branch_count):
+        return None
+    found = arm.single.inverse_on_branch(rigid.from_transform(base_from_flange), branch, None)
+    if found is None:
+        return None
+    quarters = dict(zip(_counted_axes(len(found)), confdata, strict=False))
+    joints = []
+    for axis, (angle, limits) in enumerate(zip(found, robot.joints, strict=True)):
+        quarter = quarters.get(axis)
+        for turned in whole_turns(angle, limits.lower, limits.upper):
+            if quarter is None or quarter == floor((turned + SNAP) / QUARTER):
+                joints.append(turned)
+                break
+        else:
+            return None
+    # On a border of branches confdata has the front, the positive one.
+    if arm.single.branch_of(joints) != branch:
+        return None
+    return Configuration(np.array(joints), confdata)
 
 
 def distinct(joints: Array) -> list[Array]:

@@ -11,24 +11,25 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import IntEnum
 from typing import assert_never
 
 import numpy as np
 import numpy.typing as npt
 
-from rapidsim.frames.transform import Array
-from rapidsim.motion.arms import arms_of
-from rapidsim.motion.curves import Curves
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.arms import Arms, arms_of
+from rapidsim.motion.curves import Curves, Index
 from rapidsim.motion.kinematics import Kinematics
-from rapidsim.motion.model import Corner as Shape
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.segments import Segment
 
 _SMALLEST_RADIUS = 1e-6
 _SMALLEST_SHARE = 1e-4
 _ZONE_SAMPLES = 16
+_ZONE_PARTS = 8
+_ZONE_ROUNDS = 4
 
 
 class Limit(IntEnum):
@@ -69,20 +70,8 @@ class Corners:
     """Values of `Limit`."""
 
 
-def shape(corner: Shape, t: Array) -> tuple[Array, Array, Array]:
-    """Phi and its first two derivatives at t (k,) in 0..1."""
-    match corner:
-        case "c2":
-            square = t * t
-            return square * t * (2.0 - t), square * (6.0 - 4.0 * t), 12.0 * t * (1.0 - t)
-        case "parabola":
-            return t * t, 2.0 * t, np.full_like(t, 2.0)
-        case _:
-            assert_never(corner)
-
-
 def corners_of(
-    segments: Sequence[Segment], curves: Curves, kinematics: Kinematics, model: MotionModel
+    segments: Sequence[Segment], curves: Curves, arms: Arms, model: MotionModel
 ) -> Corners:
     """Find the corner between each two consecutive curves.
 
@@ -97,10 +86,10 @@ def corners_of(
     zones = [segment.zone for segment in segments[:count]]
     stop = np.array([zone is None for zone in zones], dtype=bool)
     position = np.array([zone.position if zone else 0.0 for zone in zones])
-    orientation = np.array([zone.orientation if zone else 0.0 for zone in zones])
     programmed = model.orientation_zone == "programmed"
-    if not programmed:
-        orientation = position
+    orientation = position
+    if programmed:
+        orientation = np.array([zone.orientation if zone else 0.0 for zone in zones])
 
     into, out = slice(0, count), slice(1, count + 1)
     turn_only = curves.turns_only[into] != curves.turns_only[out]
@@ -108,7 +97,9 @@ def corners_of(
     widest = np.full((2, count), np.inf)
     for side, rows in enumerate((into, out)):
         length = curves.length[rows]
-        candidates[side, Limit.ZONE] = _zone_on_curve(segments, curves, kinematics, position, side)
+        candidates[side, Limit.ZONE] = _zone_on_curve(
+            segments, curves, arms.kinematics, position, side
+        )
         candidates[side, Limit.HALF] = 0.5 * length
         if programmed:
             share = _share_of_turns(segments, curves, curves.angle, side)
@@ -127,13 +118,30 @@ def corners_of(
     shorter = np.minimum(curves.length[into], curves.length[out])
     none = stop | turn_only | (radius < np.minimum(_SMALLEST_RADIUS, _SMALLEST_SHARE * shorter))
     limit = np.where(stop, Limit.STOP_POINT, np.where(turn_only, Limit.TURN_ONLY, limit))
-    jointed = curves.in_joints | np.array([segment.wrist_in_joints for segment in segments])
-    in_joints = jointed[into] | jointed[out] | _tool_changes(segments)
+    # Where joints tell the pose of the TCP and not the other way round.
+    jointed = curves.in_joints | arms.wrist_rows | arms.pair_rows
+    in_joints = jointed[into] | jointed[out] | _tool_changes(segments, arms.tcp_from_flange)
     return Corners(
         radius=np.where(none, 0.0, radius),
         orientation_radius=np.where(none, 0.0, np.where(in_joints, radius, orientation_radius)),
         in_joints=in_joints,
         limit=limit.astype(np.int64),
+    )
+
+
+def without_skipped(corners: Corners, active: Index) -> Corners:
+    """Take the corner paths away where a segment without length lies in between.
+
+    `active` (m,) are the positions of the curves in the row of all segments.
+    """
+    skipped = np.diff(active) > 1
+    return replace(
+        corners,
+        radius=np.where(skipped, 0.0, corners.radius),
+        orientation_radius=np.where(skipped, 0.0, corners.orientation_radius),
+        limit=np.where(
+            skipped & (corners.limit != Limit.STOP_POINT), Limit.NO_LENGTH, corners.limit
+        ).astype(np.int64),
     )
 
 
@@ -150,10 +158,12 @@ def describe(
         turned: Larger reorientation of the two moves at the corner [rad].
         stops: Whether the arm comes to rest.
     """
+    if limit is Limit.ZONE and not stops:
+        return ""
     reduced = f"zone {programmed * 1e3:g} mm reduced to {radius * 1e3:.3g} mm"
     match limit:
         case Limit.ZONE:
-            text = "zone without size" if stops else ""
+            text = "zone without size"
         case Limit.HALF:
             text = f"{reduced}: half of the shorter move at it"
         case Limit.REORIENTATION:
@@ -249,18 +259,19 @@ def _zone_on_joint_moves(
     low = share[0, np.maximum(first - 1, 0)]
     high = share[0, first]
     # The controller itself converts zones of joint moves only to within 10 %.
-    for _ in range(12):
-        middle = 0.5 * (low + high)
-        within = distance(middle[:, None])[:, 0] <= position
-        low, high = np.where(within, middle, low), np.where(within, high, middle)
+    for _ in range(_ZONE_ROUNDS):
+        step = (high - low) / _ZONE_PARTS
+        inner = low[:, None] + step[:, None] * np.arange(1, _ZONE_PARTS)
+        # How many of the inner places come before the first outside.
+        passed = (distance(inner) <= position[:, None]).cumprod(axis=1).sum(axis=1)
+        low, high = low + step * passed, low + step * (passed + 1)
     zone: Array = np.where(leaves, low, np.inf) * curves.length[row]
     return zone
 
 
-def _tool_changes(segments: Sequence[Segment]) -> npt.NDArray[np.bool_]:
+def _tool_changes(segments: Sequence[Segment], tcp_from_flange: Transform) -> npt.NDArray[np.bool_]:
     """Whether the corner after each segment but the last joins different tools."""
-    rotation = np.array([segment.tcp_from_flange.rotation for segment in segments])
-    translation = np.array([segment.tcp_from_flange.translation for segment in segments])
+    rotation, translation = tcp_from_flange.rotation, tcp_from_flange.translation
     other = (rotation[1:] != rotation[:-1]).any(axis=(1, 2))
     other |= (translation[1:] != translation[:-1]).any(axis=1)
     asked = np.array([segment.joint_corner for segment in segments[:-1]], dtype=bool)

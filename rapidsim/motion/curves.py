@@ -18,7 +18,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.arms import arms_of
 from rapidsim.motion.kinematics import Kinematics
 from rapidsim.motion.moving_frames import Motion as Motion
-from rapidsim.motion.segments import CircleMode, Geometry, Segment, Waypoint
+from rapidsim.motion.segments import TURNS_WITH_PATH, CircleMode, Geometry, Segment
 from rapidsim.motion.turns import cross, rotate, rotation_from_vector, vector_from_rotation
 
 Index = npt.NDArray[np.int64]
@@ -134,38 +134,25 @@ class Curves:
 def curves_of(segments: Sequence[Segment], kinematics: Kinematics) -> Curves:
     """Lay out the curves of segments; arcs must have passed `circle_fault`."""
     m = len(segments)
-    start = _stack([segment.start.base_from_tcp for segment in segments])
-    end = _stack([segment.end.base_from_tcp for segment in segments])
+    start, end, start_joints, end_joints = _ends(segments)
+    joint_travel = end_joints - start_joints
     in_joints = np.array([segment.geometry is Geometry.JOINT for segment in segments])
-    start_joints = _wide([segment.start for segment in segments])
-    joint_travel = _wide([segment.end for segment in segments]) - start_joints
+    arcs = [row for row, segment in enumerate(segments) if segment.geometry is Geometry.ARC]
 
     chord = np.where(in_joints[:, None], 0.0, end.translation - start.translation)
     spoke, frame_turn = np.zeros((m, 3)), np.zeros((m, 3))
-    for row, segment in enumerate(segments):
-        if segment.geometry is Geometry.ARC:
-            chord[row] = 0.0
-            spoke[row], frame_turn[row] = _circle(segment)
+    carried_turn, detour = np.zeros((m, 3)), np.zeros((m, 3))
     turn = vector_from_rotation(end.rotation @ np.swapaxes(start.rotation, -1, -2))
-    turns_with_path = np.array([s.circle_mode is not CircleMode.OBJECT_FRAME for s in segments])
-    carried_turn = np.where(turns_with_path[:, None], frame_turn, 0.0)
-    tool_turn = vector_from_rotation(
-        rotation_from_vector(-carried_turn) @ end.rotation @ np.swapaxes(start.rotation, -1, -2)
-    )
-    detour = np.zeros((m, 3))
-    for row, segment in enumerate(segments):
-        if segment.geometry is Geometry.ARC and segment.via is not None:
-            share = _share_of_circle_point(segment, spoke[row], frame_turn[row])
-            wanted = (
-                rotation_from_vector(-carried_turn[row] * share)
-                @ segment.via.rotation
-                @ segment.start.base_from_tcp.rotation.T
-            )
-            if segment.circle_mode is not CircleMode.OBJECT_FRAME:
-                tool_turn[row] = _turn_by_circle_point(tool_turn[row], share, wanted)
-            if segment.circle_mode is CircleMode.CIRCLE_POINT:
-                away = vector_from_rotation(rotation_from_vector(-tool_turn[row] * share) @ wanted)
-                detour[row] = away / (share * (1.0 - share))
+    tool_turn = turn.copy()
+    for row in arcs:
+        arc = segments[row]
+        chord[row] = 0.0
+        spoke[row], frame_turn[row] = _circle(arc)
+        if arc.circle_mode in TURNS_WITH_PATH:
+            carried_turn[row] = frame_turn[row]
+        tool_turn[row], detour[row] = _turns_on_arc(
+            arc, spoke[row], frame_turn[row], carried_turn[row]
+        )
     angle = np.linalg.norm(turn, axis=-1)
 
     travel = np.linalg.norm(chord, axis=-1)
@@ -266,6 +253,25 @@ def _share_of_circle_point(segment: Segment, spoke: Array, frame_turn: Array) ->
     return (turned % (2.0 * math.pi)) / whole
 
 
+def _turns_on_arc(
+    arc: Segment, spoke: Array, frame_turn: Array, carried_turn: Array
+) -> tuple[Array, Array]:
+    """How the tool turns beside what carries it, and its detour; see `Curves`."""
+    start, detour = arc.start.base_from_tcp.rotation, np.zeros(3)
+    tool_turn = vector_from_rotation(
+        rotation_from_vector(-carried_turn) @ arc.end.base_from_tcp.rotation @ start.T
+    )
+    if arc.via is not None:
+        share = _share_of_circle_point(arc, spoke, frame_turn)
+        wanted = rotation_from_vector(-carried_turn * share) @ arc.via.rotation @ start.T
+        if arc.circle_mode in TURNS_WITH_PATH:
+            tool_turn = _turn_by_circle_point(tool_turn, share, wanted)
+        if arc.circle_mode is CircleMode.CIRCLE_POINT:
+            away = vector_from_rotation(rotation_from_vector(-tool_turn * share) @ wanted)
+            detour = away / (share * (1.0 - share))
+    return tool_turn, detour
+
+
 def _turn_by_circle_point(short_turn: Array, share: float, wanted: Array) -> Array:
     """The tool's turn (3,) relative to the path's frame: the short way, or the long way round.
 
@@ -307,16 +313,19 @@ def _joint_move_travel(
     return travel
 
 
-def _wide(waypoints: Sequence[Waypoint]) -> Array:
-    """Joints and external axes (m, n + e)."""
-    joints = np.array([waypoint.joints for waypoint in waypoints])
-    if not len(waypoints[0].external):
-        return joints
-    return np.concatenate([joints, [waypoint.external for waypoint in waypoints]], axis=1)
-
-
-def _stack(transforms: Sequence[Transform]) -> Transform:
-    return Transform(
-        np.array([transform.rotation for transform in transforms]),
-        np.array([transform.translation for transform in transforms]),
+def _ends(segments: Sequence[Segment]) -> tuple[Transform, Transform, Array, Array]:
+    """Poses (m,) at starts and ends, joints (m, n + e) at starts and ends."""
+    points = [segments[0].start, *(segment.end for segment in segments)]
+    starts, ends = slice(0, -1), slice(1, None)
+    if any(one.start is not point for one, point in zip(segments, points, strict=False)):
+        # Not one row of points, in which each end is the next start.
+        points[:1] = [segment.start for segment in segments]
+        starts, ends = slice(0, len(segments)), slice(len(segments), None)
+    poses = Transform(
+        np.array([point.base_from_tcp.rotation for point in points]),
+        np.array([point.base_from_tcp.translation for point in points]),
     )
+    joints = np.array([point.joints for point in points])
+    if len(points[0].external):
+        joints = np.concatenate([joints, [point.external for point in points]], axis=1)
+    return poses[starts], poses[ends], joints[starts], joints[ends]

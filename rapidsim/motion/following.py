@@ -18,7 +18,9 @@ from rapidsim.motion.arms import Arms, Index
 from rapidsim.motion.external_axes import Axes
 from rapidsim.motion.kinematics import Mask
 from rapidsim.motion.layout import Layout
+from rapidsim.motion.line_rates import Lines
 from rapidsim.motion.segments import Segment
+from rapidsim.motion.wrist_circle import why_not_led
 
 _LONGEST_CELL = 0.05
 _SHORT_PIECE = 0.005
@@ -43,6 +45,8 @@ class FaultKind(Enum):
     """The path goes through it, or so near that a wrist axis would have to jump."""
     CONFIGURATION = "configuration"
     """The branch at the start leads elsewhere than to the end."""
+    WRIST_PAIR = "wrist pair"
+    """Two wrist axes alone cannot lead the tool along the arc, or not within their limits."""
     SET_UP = "set-up"
     """What the move asks for is not simulated, or no geometry at all."""
 
@@ -62,6 +66,8 @@ class PathFault:
     reason: str
     """What is wrong, with numbers."""
     kind: FaultKind = FaultKind.REACH
+    cure: str | None = None
+    """What could be done, where that depends on the numbers."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -76,13 +82,14 @@ class Nodes:
 
 
 def follow(
-    layout: Layout, arms: Arms, segments: Sequence[Segment], axes: Axes
+    layout: Layout, arms: Arms, lines: Lines | None, segments: Sequence[Segment], axes: Axes
 ) -> Nodes | PathFault:
     """Follow every Cartesian curve of a path.
 
     Args:
         layout: The path.
         arms: Branch and tool of each curve.
+        lines: Those that have closed forms.
         segments: The segment of each curve.
         axes: Limits of the arm's joints and the external axes.
 
@@ -92,7 +99,7 @@ def follow(
     """
     n = axes.joint_count
     s, piece = _first_nodes(layout)
-    joints, exists = _raw_joints(layout, arms, s, piece)
+    joints, exists = _raw_joints(layout, arms, lines, s, piece)
     while True:
         row = layout.row[piece]
         step = np.abs(_short_way(np.diff(joints[:, :n], axis=0))).max(axis=-1, initial=0.0)
@@ -103,7 +110,7 @@ def follow(
         if not len(at):
             break
         middle = 0.5 * (s[at] + s[at + 1])
-        new_joints, new_exists = _raw_joints(layout, arms, middle, piece[at])
+        new_joints, new_exists = _raw_joints(layout, arms, lines, middle, piece[at])
         s = np.insert(s, at + 1, middle)
         piece = np.insert(piece, at + 1, piece[at])
         joints = np.insert(joints, at + 1, new_joints, axis=0)
@@ -119,7 +126,10 @@ def follow(
         limit_fault(layout, s[on_path], layout.row[piece[on_path]], joints[on_path], axes),
     )
     faults = [fault for fault in candidates if fault is not None]
-    return min(faults, key=lambda fault: fault.place) if faults else nodes
+    if not faults:
+        return nodes
+    first = min(faults, key=lambda fault: fault.place)
+    return replace(first, kind=FaultKind.WRIST_PAIR) if arms.pair_rows[first.segment] else first
 
 
 def limit_fault(
@@ -166,8 +176,21 @@ def _first_nodes(layout: Layout) -> tuple[Array, Index]:
     return s, pieces[owner].astype(np.int64)
 
 
-def _raw_joints(layout: Layout, arms: Arms, s: Array, piece: Index) -> tuple[Array, Mask]:
+def _raw_joints(
+    layout: Layout, arms: Arms, lines: Lines | None, s: Array, piece: Index
+) -> tuple[Array, Mask]:
     """Joints near the straight way in joint space; whole turns may be off in between."""
+    if lines is None:
+        return _joints_in_general(layout, arms, s, piece)
+    joints, exists = lines.joints(s, piece)
+    others = np.flatnonzero(~exists)
+    if len(others):
+        joints[others], exists[others] = _joints_in_general(layout, arms, s[others], piece[others])
+    return joints, exists
+
+
+def _joints_in_general(layout: Layout, arms: Arms, s: Array, piece: Index) -> tuple[Array, Mask]:
+    """The same for whatever arm and curve."""
     row = layout.row[piece]
     near = layout.curves.joints_at(row, s - layout.places[row])
     near[:, arms.kinematics.joint_count :] = layout.course(s, piece).value
@@ -204,11 +227,16 @@ def _unreached(layout: Layout, arms: Arms, nodes: Nodes, exists: Mask) -> PathFa
         piece = nodes.piece[first - 1 : first]
         for _ in range(30):
             middle = 0.5 * (reached + place)
-            if _raw_joints(layout, arms, np.array([middle]), piece)[1][0]:
+            if _joints_in_general(layout, arms, np.array([middle]), piece)[1][0]:
                 reached = middle
             else:
                 place = middle
     same = missing[row[missing] == row[first]]
+    if arms.pair_rows[row[first]]:
+        refusal = why_not_led(
+            arms, layout.motion(nodes.s[same], nodes.piece[same]).position, row[same]
+        )
+        return replace(_fault(layout, int(row[first]), place, refusal.reason), cure=refusal.cure)
     base_from_flange = arms.base_from_flange(
         layout.motion(nodes.s[same], nodes.piece[same]), row[same], nodes.joints[same]
     )

@@ -1,7 +1,8 @@
-"""The places of a path at which timing looks: cells between nodes, denser where the path bends.
+"""The places of a path at which timing looks: cells, denser where derivatives bend.
 
 Each cell knows derivatives at its start, middle and end, all taken from the piece it lies in, so
-that what jumps at zone edges does not smear. Cells of one piece share the places where they meet.
+that what jumps at zone edges does not smear; between the three they follow a parabola. Cells of one
+piece share the places where they meet.
 """
 
 from __future__ import annotations
@@ -17,11 +18,14 @@ from rapidsim.motion.limits import Limits
 from rapidsim.motion.path import Path, PathRates
 
 _LONGEST_CELL = 0.025
-_LINE_CELLS = 3
-_CORNER_CELLS = 3
+_TCP_CELLS = 8
+"""Cells of half a corner where the acceleration of the TCP is limited: its derivatives are lengths
+of vectors, which bend more than those of joints."""
 _FIRST_DEVIATION = 0.02
-_SECOND_DEVIATION = 0.05
+_SECOND_DEVIATION = 0.2
 _SHORTEST_SHARE = 1e-9
+_DENT = 0.002
+_DROP = 0.15
 _SHORTEST_DENT = 1e-4
 _ROUNDS = 24
 
@@ -34,10 +38,6 @@ class Places:
     piece: Index
     rates: PathRates
 
-    def beyond(self, count: int) -> Places:
-        """Those after the first few."""
-        return Places(self.s[count:], self.piece[count:], self.rates.beyond(count))
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Cells:
@@ -46,8 +46,8 @@ class Cells:
     places: Places
     at: Index
     """Shape (c, 3): which of the places are the start, the middle and the end of each cell."""
-    behind: Cells | None = None
-    """Cells before the first, which are not driven: smoothing still sees their speed limits."""
+    driven: int
+    """The first cell of the motion; smoothing sees the speed limits of those before it."""
 
     @property
     def s(self) -> Array:
@@ -62,11 +62,6 @@ class Cells:
         return width
 
     @property
-    def nodes(self) -> Array:
-        """S of all cell ends, shape (c + 1,)."""
-        return np.append(self.places.s[self.at[:, 0]], self.places.s[self.at[-1, 2]])
-
-    @property
     def piece(self) -> Index:
         """The piece of each cell (c,)."""
         piece: Index = self.places.piece[self.at[:, 0]]
@@ -74,72 +69,71 @@ class Cells:
 
 
 def cells_of(path: Path, limits: Limits, start: float) -> Cells:
-    """Cells from a place to the end of a path, fine enough for its derivatives."""
+    """Cells of a path, fine enough for its derivatives; the motion starts at a place [m] of it."""
     cells = _evaluate(path, *_first_cells(path, start))
-    if start > 0.0:
-        cells = replace(cells, behind=_evaluate(path, *_first_cells_before(path, start)))
     rough = np.arange(len(cells.at))
     for _ in range(_ROUNDS):
         rough = rough[_rough(cells, rough, limits, path.length)]
         if not len(rough):
             break
-        s = cells.places.s[cells.at[rough]]
-        cells = split(path, cells, rough, 0.5 * (s[:, 0] + s[:, 2]))
+        cells = _halved(path, cells, rough)
         # Only the halves can be rough still.
         first = rough + np.arange(len(rough))
         rough = np.stack([first, first + 1], axis=1).ravel()
-    return cells
+    driven = int(np.searchsorted(cells.places.s[cells.at[:, 0]], start))
+    return replace(cells, driven=driven)
 
 
-def split(path: Path, cells: Cells, index: Index, at: Array) -> Cells:
-    """Cut some cells (k,), in increasing order, each at a place (k,) inside it."""
+def _halved(path: Path, cells: Cells, index: Index) -> Cells:
+    """Cut some cells (k,), in increasing order, in the middle."""
     places, cut = cells.places, cells.at[index]
-    start, middle, end = (places.s[cut[:, i]] for i in range(3))
-    piece = places.piece[cut[:, 0]]
-    # A cut in the middle needs no new place but the middles of the two halves.
-    off = np.flatnonzero(at != middle)
-    s = np.concatenate([0.5 * (start + at), 0.5 * (at + end), at[off]])
-    pieces = np.concatenate([piece, piece, piece[off]])
+    start, middle, end = places.s[cut].T
+    s = np.concatenate([0.5 * (start + middle), 0.5 * (middle + end)])
+    pieces = np.tile(places.piece[cut[:, 0]], 2)
     count, k = len(places.s), len(index)
     number = count + np.arange(k)
-    between = cut[:, 1].copy()
-    between[off] = count + 2 * k + np.arange(len(off))
-
     rows = np.repeat(cells.at, 1 + np.bincount(index, minlength=len(cells.at)), axis=0)
     first = index + np.arange(k)
-    rows[first] = np.stack([cut[:, 0], number, between], axis=1)
-    rows[first + 1] = np.stack([between, number + k, cut[:, 2]], axis=1)
+    rows[first] = np.stack([cut[:, 0], number, cut[:, 1]], axis=1)
+    rows[first + 1] = np.stack([cut[:, 1], number + k, cut[:, 2]], axis=1)
     more = Places(
         np.concatenate([places.s, s]),
         np.concatenate([places.piece, pieces]),
         places.rates.and_then(path.rates(s, pieces)),
     )
-    return Cells(more, rows, cells.behind)
+    return Cells(more, rows, cells.driven)
 
 
 def _first_cells(path: Path, start: float) -> tuple[Array, Array, Index]:
     layout = path.layout
     width = np.diff(layout.bounds)
     in_corner = np.maximum(layout.orientation_corner, layout.joint_corner) >= 0
-    least = np.where(in_corner, _CORNER_CELLS, _LINE_CELLS)
+    least = np.where(in_corner & _tcp_is_limited(path), _TCP_CELLS, 1)
     longest = np.maximum(_LONGEST_CELL, path.length * 1e-4)
     count = np.maximum(least, np.ceil(width / longest)).astype(np.int64)
     owner = np.repeat(np.arange(len(width)), count)
     number = np.arange(len(owner)) - np.repeat(np.cumsum(count) - count, count)
     begin = layout.bounds[owner] + width[owner] * (number / count[owner])
     end = np.append(begin[1:], layout.bounds[-1])
-    # A start inside a cell leaves the rest of it; a sliver of a cell would only be rounding.
+    if start <= 0.0:
+        return begin, end, owner.astype(np.int64)
+    # A start inside a cell cuts it; a sliver of a cell would only be rounding.
     kept = end > start + 1e-3 * np.minimum(end - begin, path.length)
     kept[-1] = True
-    begin, end, owner = begin[kept], end[kept], owner[kept]
-    begin[0] = start
-    return begin, end, owner.astype(np.int64)
+    before = begin < start
+    rest = np.maximum(begin[kept], start)
+    rest[0] = start
+    return (
+        np.concatenate([begin[before], rest]),
+        np.concatenate([np.minimum(end[before], start), end[kept]]),
+        np.concatenate([owner[before], owner[kept]]).astype(np.int64),
+    )
 
 
-def _first_cells_before(path: Path, start: float) -> tuple[Array, Array, Index]:
-    begin, end, owner = _first_cells(path, 0.0)
-    kept = begin < start
-    return begin[kept], np.minimum(end[kept], start), owner[kept]
+def _tcp_is_limited(path: Path) -> bool:
+    """Whether PathAccLim or WorldAccLim hold somewhere."""
+    limits = (path.programmed.tcp_acceleration, path.programmed.world_acceleration)
+    return any(np.isfinite(limit).any() for limit in limits)
 
 
 def _evaluate(path: Path, start: Array, end: Array, piece: Index) -> Cells:
@@ -152,7 +146,7 @@ def _evaluate(path: Path, start: Array, end: Array, piece: Index) -> Cells:
     s = np.concatenate([start, 0.5 * (start + end), end[last]])
     pieces = np.concatenate([piece, piece, piece[last]])
     at = np.stack([number, count + number, after], axis=1)
-    return Cells(Places(s, pieces, path.rates(s, pieces)), at)
+    return Cells(Places(s, pieces, path.rates(s, pieces)), at, 0)
 
 
 def _rough(cells: Cells, index: Index, limits: Limits, length: float) -> Mask:
@@ -174,9 +168,11 @@ def _rough(cells: Cells, index: Index, limits: Limits, length: float) -> Mask:
     # What the second derivative does counts as far as it can use up the acceleration.
     fastest = np.minimum(1.0 / np.maximum(curve, 1e-12), 1.0 / np.maximum(scale, 1e-12) ** 2)
     wide = width > _SHORTEST_SHARE * length
-    # The TCP may come to a point and go back: then its rate is a V that a middle can miss.
+    # The TCP may come to a point and go back: then its rate is a V that a middle can miss, and on
+    # the way there an S that three places do not show.
     a, b, c = rates.tcp_rate[start], rates.tcp_rate[middle], rates.tcp_rate[end]
-    dented = np.abs(b - 0.5 * (a + c)) > _FIRST_DEVIATION * np.maximum(np.maximum(a, b), c)
+    most = np.maximum(np.maximum(a, b), c)
+    dented = (np.abs(b - 0.5 * (a + c)) > _DENT * most) | (np.abs(c - a) > _DROP * most)
     dented &= width > _SHORTEST_DENT * length
     bent = (bend > _FIRST_DEVIATION * scale) | (curl * fastest > _SECOND_DEVIATION)
     rough: Mask = (wide & bent) | dented

@@ -15,29 +15,25 @@ from __future__ import annotations
 import numpy as np
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion import solver_loops
+from rapidsim.motion import held_loops
 from rapidsim.motion.compiled import compiled
 from rapidsim.motion.curves import Index
+from rapidsim.motion.held_loops import EVEN, LEVEL, NEXT, STEEP
+from rapidsim.motion.kinematics import Mask
 
 _REACH = 0.5
 """Share of the window that the command is away from the arm at most, to either side."""
-_NEXT = 2
-"""As many places to either side count even if they are out of reach; two may be at one place."""
-_LEVEL = 2e-4
-"""Share of a speed by which it may change over the window and still count as level."""
-_STEEP = 1.0
-"""Share above which lines would go to nothing within the window."""
-_EVEN = 0.25
-"""Share of its rise by which the largest speed may be off the line."""
 _PAIRS = 2_000_000
 
 
-def held_speeds(places: Array, speeds: Array, window: float) -> Array:
+def held_speeds(places: Array, speeds: Array, needed: Mask, window: float) -> Array:
     """Largest speeds of the command.
 
     Args:
         places: Shape (k,) [m], ascending.
         speeds: Shape (k,) [m/s]: largest speeds of the arm there.
+        needed: Shape (k,): where the smoothed motion would exceed them; elsewhere it is enough that
+            the command keeps them.
         window: The filter time [s].
 
     Returns:
@@ -48,37 +44,41 @@ def held_speeds(places: Array, speeds: Array, window: float) -> Array:
     steps = 0.5 * np.diff(places) * (1.0 / speeds[1:] + 1.0 / speeds[:-1])
     times = np.concatenate([[0.0], np.cumsum(steps)])
     reach = _REACH * window
+    kernel = compiled(held_loops, "hold", len(places))
+    if kernel is not None:
+        result = np.empty(len(places))
+        kernel(places, speeds, needed, times, reach, result)
+        return result
     near = first, after = within(times, reach)
     # Where places are farther apart than that, the next ones stand for what lies between.
     own = np.arange(len(places))
-    next_before = np.maximum(own - _NEXT, 0)
-    next_after = np.minimum(own + _NEXT + 1, len(places))
+    next_before = np.maximum(own - NEXT, 0)
+    next_after = np.minimum(own + NEXT + 1, len(places))
     lonely = (first > next_before) | (after < next_after)
     first, after = np.minimum(first, next_before), np.maximum(after, next_after)
-    slopes = _slopes(places, speeds, first, after - 1)
-    lined = lonely | (slopes != 0.0)
-    held = least_around(times, np.where(lined, np.inf, speeds), reach, near)
-    _keep_below_lines(held, places, speeds, slopes, np.flatnonzero(lined), first, after)
-    result: Array = np.minimum(held, speeds)
-    return result
-
-
-def _slopes(places: Array, speeds: Array, first: Index, last: Index) -> Array:
-    """The slope (k,) [1/s] of the line to keep below around each place; 0 for a level one."""
-    way = places[last] - places[first]
-    rise = speeds[last] - speeds[first]
     slopes = np.zeros(len(places))
-    rising = (np.abs(rise) > _LEVEL * speeds) & (np.abs(rise) < _STEEP * speeds) & (way > 0.0)
-    at = np.flatnonzero(rising)
-    if not len(at):
-        return slopes
-    slope = rise[at] / way[at]
+    at = np.flatnonzero(needed)
+    slopes[at] = _slopes(places, speeds, at, first[at], after[at] - 1)
+    lined = lonely | (slopes != 0.0)
+    held = least_around(np.where(lined | ~needed, np.inf, speeds), near)
+    _keep_below_lines(held, places, speeds, slopes, np.flatnonzero(lined & needed), first, after)
+    return np.minimum(held, speeds)
+
+
+def _slopes(places: Array, speeds: Array, at: Index, first: Index, last: Index) -> Array:
+    """The slopes (j,) [1/s] of the lines to keep below around some places (j,), 0 for level ones.
+
+    `first` and `last` (j,) are the places at the ends of their windows.
+    """
+    way, rise = places[last] - places[first], speeds[last] - speeds[first]
+    steepness = np.abs(rise)
+    rising = (steepness > LEVEL * speeds[at]) & (steepness < STEEP * speeds[at]) & (way > 0.0)
+    slopes = np.where(rising, rise / np.where(rising, way, 1.0), 0.0)
     off = np.zeros(len(at))
-    for other in (first[at], (first[at] + at) // 2, (at + last[at]) // 2, last[at]):
-        line = speeds[at] + slope * (places[other] - places[at])
+    for other in (first, (first + at) // 2, (at + last) // 2, last):
+        line = speeds[at] + slopes * (places[other] - places[at])
         np.maximum(off, np.abs(speeds[other] - line), out=off)
-    slopes[at] = np.where(off < _EVEN * np.abs(rise[at]), slope, 0.0)
-    return slopes
+    return np.where(off < EVEN * steepness, slopes, 0.0)
 
 
 def _keep_below_lines(
@@ -110,16 +110,8 @@ def within(times: Array, window: float) -> tuple[Index, Index]:
     return first, np.searchsorted(times, times + window, side="right")
 
 
-def least_around(times: Array, speeds: Array, window: float, near: tuple[Index, Index]) -> Array:
-    """The least of speeds (k,) [m/s] within a window [s] before and after each.
-
-    `near` is what `within` says of these times and this window.
-    """
-    kernel = compiled(solver_loops, "least_around", len(times))
-    if kernel is not None:
-        held = np.empty(len(times))
-        kernel(times, speeds, window, held)
-        return held
+def least_around(speeds: Array, near: tuple[Index, Index]) -> Array:
+    """The least of speeds (k,) [m/s] around each place; `near` is what `within` says of it."""
     # `reduceat` takes the least from each index to the next; every second one is a window.
     bounds = np.stack(near, axis=1).ravel()
     least: Array = np.minimum.reduceat(np.append(speeds, np.inf), bounds)[::2]

@@ -13,7 +13,8 @@ from typing import NamedTuple
 import numpy as np
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion.corners import Corners, shape
+from rapidsim.motion.corner_shape import corner_sides
+from rapidsim.motion.corners import Corners
 from rapidsim.motion.curves import Curves, Index, Motion
 from rapidsim.motion.kinematics import Mask
 from rapidsim.motion.model import Corner
@@ -57,15 +58,9 @@ class Layout:
 
     def sides(self, corner: Index, radius: Array, s: Array) -> Sides:
         """Where places s (k,) within corners (k,) come from on the curves before and after."""
-        t = np.clip((s - self.places[corner + 1] + radius) / (2.0 * radius), 0.0, 1.0)
-        back, back_1, back_2 = shape(self.corner_shape, 1.0 - t)
-        ahead, ahead_1, ahead_2 = shape(self.corner_shape, t)
-        bend = 0.25 / radius
-        length = self.curves.length[corner]
-        return Sides(
-            before=(length - radius * back, 0.5 * back_1, -bend * back_2),
-            after=(radius * ahead, 0.5 * ahead_1, bend * ahead_2),
-        )
+        past = s - self.places[corner + 1]
+        parabolic = self.corner_shape == "parabola"
+        return Sides(*corner_sides(parabolic, past, radius, self.curves.length[corner]))
 
     def motion(self, s: Array, piece: Index) -> Motion:
         """TCP motion at places (k,) of pieces (k,) that are made in Cartesian space.

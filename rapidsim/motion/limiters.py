@@ -5,43 +5,48 @@ from __future__ import annotations
 import numpy as np
 
 from rapidsim.frames.transform import Array
+from rapidsim.motion import solver_loops
+from rapidsim.motion.compiled import compiled
+from rapidsim.motion.curves import Index
 from rapidsim.motion.problem import Problem
 from rapidsim.motion.rows import Limiter, Quantity
+from rapidsim.motion.stages import Stages, rows_along
 
 _REACHED = 0.99
 
 
-def limiters_of(problem: Problem, x: Array) -> tuple[Limiter, ...]:
-    """Find what holds each segment of a path back, given x (c + 1,) at the nodes."""
+def limiters_of(problem: Problem, stages: Stages, x: Array) -> tuple[Limiter, ...]:
+    """Find what holds each segment of a path back, given x (m + 1,) at the nodes of stages."""
     path, cells = problem.path, problem.cells
-    speeds, accelerations = problem.speeds, problem.accelerations
-    segment = path.segment_of(cells.piece)
-    width = cells.width
-    u = np.diff(x) / np.maximum(2.0 * width, 1e-300)
-    places = zip(cells.at.T, (x[:-1], 0.5 * (x[:-1] + x[1:]), x[1:]), strict=True)
-    kind = np.zeros(len(u), dtype=np.int64)
-    most = np.zeros(len(u))
-    held = np.zeros(len(u), dtype=bool)
-    for at, square in places:
-        speed = np.sqrt(square)
-        # A speed that is reached holds back, however much of the acceleration is used.
-        for number in range(len(speeds.limiters)):
-            usage = speeds.rate[at, number] * speed
-            reached = usage > _REACHED
-            better = np.where(held, reached & (usage > most), reached)
-            kind[better], most[better] = number, usage[better]
-            held |= reached
-        for number in range(len(accelerations.limiters)):
-            load = np.abs(
-                accelerations.slope[at, number] * u + accelerations.bend[at, number] * square
-            )
-            better = ~held & (load > most)
-            kind[better], most[better] = len(speeds.limiters) + number, load[better]
-
-    kinds = (*speeds.limiters, *accelerations.limiters, Limiter(Quantity.NOTHING))
-    speed = np.sqrt(x)
-    time = 2.0 * width / np.maximum(speed[:-1] + speed[1:], 1e-300)
-    total = np.zeros((len(path.segments), len(kinds)))
-    np.add.at(total, (segment, kind), time)
+    kind = _most_used(problem, stages, x)
+    kinds = (*problem.speeds.limiters, *problem.accelerations.limiters, Limiter(Quantity.NOTHING))
+    segment = path.segment_of(cells.piece[stages.cell])
+    ends = np.sqrt(x)
+    time = 2.0 * stages.width / np.maximum(ends[:-1] + ends[1:], 1e-300)
+    total = np.bincount(segment * len(kinds) + kind, time, len(path.segments) * len(kinds))
+    total = total.reshape(-1, len(kinds))
     found = np.where(total.any(axis=1), total.argmax(axis=1), len(kinds) - 1)
     return tuple(kinds[number] for number in found.tolist())
+
+
+def _most_used(problem: Problem, stages: Stages, x: Array) -> Index:
+    """The limit (m,) that is used most in the middle of each stage; speeds are counted first."""
+    cells, speeds, accelerations = problem.cells, problem.speeds, problem.accelerations
+    middle = 0.5 * (stages.begin + stages.end)
+    square = 0.5 * (x[:-1] + x[1:])
+    u = np.diff(x) / np.maximum(2.0 * stages.width, 1e-300)
+    kernel = compiled(solver_loops, "held_back_by", len(u))
+    if kernel is not None:
+        kinds = np.empty(len(u), dtype=np.int64)
+        rows = (cells.at, speeds.rate, accelerations.slope, accelerations.bend)
+        kernel(rows, stages.cell, middle, u, square, _REACHED, kinds)
+        return kinds
+    at = cells.at[stages.cell]
+    # A speed that is reached holds back, however much of the acceleration is used.
+    usage = rows_along(speeds.rate, at, middle) * np.sqrt(square)[:, None]
+    slope = rows_along(accelerations.slope, at, middle)
+    bend = rows_along(accelerations.bend, at, middle)
+    load = np.abs(slope * u[:, None] + bend * square[:, None])
+    held = (usage.max(axis=1) > _REACHED) | ~load.any(axis=1)
+    kind: Index = np.where(held, usage.argmax(axis=1), usage.shape[1] + load.argmax(axis=1))
+    return kind

@@ -1,8 +1,8 @@
 """Derivatives of an ortho-parallel arm along lines and their corners, number by number.
 
-Everything here is written once and runs twice: on columns of NumPy arrays, and, where numba is
-installed, compiled, on single numbers (see `line_kernel`). Therefore vectors are tuples of three
-columns and matrices of nine, row by row, and nothing branches on a value.
+Everything here is written once and runs twice: on columns of NumPy arrays (`line_rates`), and,
+where numba is installed, compiled, on single numbers (`line_loops`). Therefore vectors are tuples
+of three columns and matrices of nine, row by row, and nothing branches on a value.
 
 Frames: all is seen in the base of the arm's formulas; rotations are those of the last frame of the
 formulas, whose origin is the wrist centre.
@@ -13,13 +13,16 @@ from __future__ import annotations
 import numpy as np
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion.arms import Index
 from rapidsim.motion.kinematics import Mask
+from rapidsim.motion.whole_turns import TURN
 
+Pair = tuple[Array, Array]
 Vector = tuple[Array, Array, Array]
 Matrix = tuple[Array, Array, Array, Array, Array, Array, Array, Array, Array]
 Six = tuple[Array, Array, Array, Array, Array, Array]
 Lengths = tuple[float, float, float, float, float, float]
+OfJoints = tuple[float, ...]
+"""One a joint."""
 
 TINY = 1e-40
 SMALLEST_ARM = 1e-5
@@ -100,6 +103,21 @@ def rotation(v: Vector) -> Matrix:
     )
 
 
+def turned_twice(
+    turn: tuple[Matrix, Vector, Matrix, Vector], before: Array, after: Array
+) -> tuple[Matrix, Matrix]:
+    """How a corner turns the tool: from the corner back by the line before, on by the one after.
+
+    Args:
+        turn: Rotation at the start of the line before and its turning [rad/m], and after.
+        before: Place on the line before [m].
+        after: Place on the line after.
+    """
+    start, rate, next_start, next_rate = turn
+    backwards = product(product(rotation(scaled(rate, before)), start), transposed(next_start))
+    return backwards, product(rotation(scaled(next_rate, after)), next_start)
+
+
 def turning_on(
     start: Matrix,
     rate: Vector,
@@ -118,8 +136,7 @@ def turning_on(
         before: Place on the line before with both derivatives; see `layout.Sides`.
         after: The same on the line after.
     """
-    backwards = product(product(rotation(scaled(rate, before[0])), start), transposed(next_start))
-    forwards = product(rotation(scaled(next_rate, after[0])), next_start)
+    backwards, forwards = turned_twice((start, rate, next_start, next_rate), before[0], after[0])
     next_turning = turned(backwards, next_rate)
     first, second = scaled(rate, before[1]), scaled(next_turning, after[1])
     change = plus(scaled(rate, before[2]), scaled(next_turning, after[2]))
@@ -164,6 +181,96 @@ def lever_motion(
     )
 
 
+def main_axes(
+    lengths: Lengths, side: Array, bend: Array, centre: Vector
+) -> tuple[Pair, Pair, Pair, Pair, Array, Mask]:
+    """Where axis 1 turns the arm and how lower arm and forearm stand in its vertical plane.
+
+    Nothing here is an angle: derivatives ask for sines and cosines only, and these follow from the
+    triangle of both arms by the law of cosines.
+
+    Args:
+        lengths: a1, a2, b, c1, c2, c3 of `OpwGeometry` [m].
+        side: 1 where the wrist centre is in front of axis 1, -1 where behind.
+        bend: 1 where it is in front of the lower arm, -1 where behind.
+        centre: Wrist centre [m].
+
+    Returns:
+        Cosine and sine of axis 1; lower arm and what is above it, each how far ahead and up [m];
+        cosine and sine of the forearm's angle from straight up; how far forward of axis 1 the wrist
+        centre is [m]; and whether it is within reach and away from axis 1.
+    """
+    a1, a2, b, c1, c2, c3 = lengths
+    x, y, z = centre
+    around = x * x + y * y
+    off = around - b * b
+    forward = side * np.sqrt(np.maximum(off, TINY))
+    around = np.maximum(around, TINY)
+    axis_1 = (x * forward + y * b) / around, (y * forward - x * b) / around
+
+    # The triangle of both arms; see `two_link.close_triangle`.
+    ahead, up = forward - a1, z - c1
+    fore = np.sqrt(a2 * a2 + c3 * c3)
+    square = ahead * ahead + up * up
+    distance = np.sqrt(square)
+    short = (c2 + fore - distance) * (c2 + fore + distance)
+    beyond = square - (c2 - fore) * (c2 - fore)
+    # The end of the forearm, seen along the lower arm and across it.
+    square = np.maximum(square, TINY)
+    along = 0.5 * (square + (c2 - fore) * (c2 + fore)) / square
+    across = 0.5 * bend * np.sqrt(np.maximum(short * beyond, TINY)) / square
+    lower = ahead * along - up * across, up * along + ahead * across
+    upper = ahead - lower[0], up - lower[1]
+    forearm = (
+        (a2 * upper[0] + c3 * upper[1]) / (fore * fore),
+        (c3 * upper[0] - a2 * upper[1]) / (fore * fore),
+    )
+    regular = (off > SMALLEST_ARM * SMALLEST_ARM) & (short > 0.0) & (beyond > 0.0)
+    return axis_1, lower, upper, forearm, forward, regular
+
+
+def forearm_from_base(axis_1: Pair, forearm: Pair) -> Matrix:
+    """Turns what is seen in the base into the frame of the forearm, in which axis 4 is z."""
+    cos1, sin1 = axis_1
+    cos23, sin23 = forearm
+    return (
+        cos1 * cos23,
+        sin1 * cos23,
+        -sin23,
+        -sin1,
+        cos1,
+        0.0 * cos1,
+        cos1 * sin23,
+        sin1 * sin23,
+        cos23,
+    )
+
+
+def angles_of_arm(
+    lengths: Lengths, arm: Vector, centre: Vector, rotation_6: Matrix
+) -> tuple[Six, Mask]:
+    """The angles of the formulas [rad], in no turn in particular, and whether they are regular.
+
+    Args:
+        lengths: See `main_axes`.
+        arm: Side and bend as in `main_axes`; flip is 1 where axis 5 is positive, -1 where negative.
+        centre: Wrist centre [m].
+        rotation_6: Of the last frame.
+    """
+    axis_1, lower, _, forearm, _, regular = main_axes(lengths, arm[0], arm[1], centre)
+    m = product(forearm_from_base(axis_1, forearm), rotation_6)
+    sine = np.sqrt(m[2] * m[2] + m[5] * m[5] + TINY)
+    cos4, sin4 = arm[2] * m[2] / sine, arm[2] * m[5] / sine
+    t1, t2 = np.arctan2(axis_1[1], axis_1[0]), np.arctan2(lower[0], lower[1])
+    t23 = np.arctan2(forearm[1], forearm[0])
+    t5 = np.arctan2(arm[2] * sine, m[8])
+    t6 = np.arctan2(cos4 * m[3] - sin4 * m[0], cos4 * m[4] - sin4 * m[1])
+    return (
+        (t1, t2, t23 - t2, np.arctan2(sin4, cos4), t5, t6),
+        regular & (sine > SMALLEST_WRIST),
+    )
+
+
 def rates_of_arm(
     lengths: Lengths,
     side: Array,
@@ -175,16 +282,16 @@ def rates_of_arm(
     rotation_6: Matrix,
     turning: Vector,
     turning_change: Vector,
-) -> tuple[Six, Six, Array]:
+) -> tuple[Six, Six, Mask]:
     """First and second derivatives of the angles of the formulas, and whether the arm is regular.
 
     The wrist centre gives axes 1 to 3, in the vertical plane of the arm that axis 1 turns; what is
     left of the turning gives axes 4 to 6.
 
     Args:
-        lengths: a1, a2, b, c1, c2, c3 of `OpwGeometry` [m].
-        side: 1 where the wrist centre is in front of axis 1, -1 where behind.
-        bend: 1 where it is in front of the lower arm, -1 where behind.
+        lengths: See `main_axes`.
+        side: Likewise.
+        bend: Likewise.
         flip: 1 where axis 5 is positive, -1 where negative.
         centre: Wrist centre [m], with its derivatives.
         velocity: First.
@@ -193,28 +300,11 @@ def rates_of_arm(
         turning: Its angular velocity.
         turning_change: The derivative of that.
     """
-    a1, a2, b, c1, c2, c3 = lengths
-    x, y, z = centre
-    around = x * x + y * y
-    off = around - b * b
-    forward = side * np.sqrt(np.maximum(off, TINY))
-    t1 = np.arctan2(y, x) - np.arctan2(b, forward)
-    cos1, sin1 = np.cos(t1), np.sin(t1)
-
-    # The triangle of both arms; see `two_link.close_triangle`.
-    ahead, up = forward - a1, z - c1
-    fore = np.sqrt(a2 * a2 + c3 * c3)
-    distance = np.sqrt(ahead * ahead + up * up)
-    short = (c2 + fore - distance) * (c2 + fore + distance)
-    beyond = distance * distance - (c2 - fore) * (c2 - fore)
-    elbow = (
-        2.0 * bend * np.arctan2(np.sqrt(np.maximum(short, TINY)), np.sqrt(np.maximum(beyond, TINY)))
-    )
-    t2 = np.arctan2(ahead, up) - np.arctan2(fore * np.sin(elbow), c2 + fore * np.cos(elbow))
-    t23 = t2 + elbow - np.arctan2(a2, c3)
-    cos23, sin23 = np.cos(t23), np.sin(t23)
-    lower_ahead, lower_up = c2 * np.sin(t2), c2 * np.cos(t2)
-    fore_ahead, fore_up = a2 * cos23 + c3 * sin23, c3 * cos23 - a2 * sin23
+    b = lengths[2]
+    axis_1, lower, upper, forearm, forward, regular = main_axes(lengths, side, bend, centre)
+    cos1, sin1 = axis_1
+    lower_ahead, lower_up = lower
+    fore_ahead, fore_up = upper
     area = lower_ahead * fore_up - lower_up * fore_ahead
 
     out, aside = cos1 * velocity[0] + sin1 * velocity[1], cos1 * velocity[1] - sin1 * velocity[0]
@@ -232,18 +322,7 @@ def rates_of_arm(
     e23 = (lower_up * e_up + lower_ahead * e_ahead) / area
 
     # The wrist, seen in the frame of the forearm.
-    zero = 0.0 * cos1
-    frame = (
-        cos1 * cos23,
-        sin1 * cos23,
-        -sin23,
-        -sin1,
-        cos1,
-        zero,
-        cos1 * sin23,
-        sin1 * sin23,
-        cos23,
-    )
+    frame = forearm_from_base(axis_1, forearm)
     of_arm = (-sin1 * d23, cos1 * d23, d1)
     of_arm_change = (
         -sin1 * e23 - cos1 * d1 * d23,
@@ -265,13 +344,7 @@ def rates_of_arm(
     e6 = (cos4 * rest_change[0] + sin4 * rest_change[1] + d4 * d5 - cos5 * d5 * d6) / sin5
     e4 = rest_change[2] + sin5 * d5 * d6 - cos5 * e6
 
-    regular = (
-        (off > SMALLEST_ARM * SMALLEST_ARM)
-        & (np.abs(area) > SMALLEST_ARM)
-        & (short > 0.0)
-        & (beyond > 0.0)
-        & (sine > SMALLEST_WRIST)
-    )
+    regular = regular & (np.abs(area) > SMALLEST_ARM) & (sine > SMALLEST_WRIST)
     return (d1, d2, d23 - d2, d4, d5, d6), (e1, e2, e23 - e2, e4, e5, e6), regular
 
 
@@ -283,11 +356,11 @@ def rates_on_lines(
     sides: tuple[Vector, Vector],
     turn: tuple[Matrix, Vector, Matrix, Vector],
     turn_sides: tuple[Vector, Vector],
-) -> tuple[Six, Six, Array, Array, Array]:
+) -> tuple[Six, Six, Array, Array, Mask]:
     """All that timing asks of a place on a line or in a corner between two.
 
     Args:
-        lengths: See `rates_of_arm`.
+        lengths: See `main_axes`.
         arm: Side, bend and flip there.
         lever: From the TCP to the wrist centre in the last frame of the formulas [m].
         line: Start and rate of the line before, rate of the line after.
@@ -329,55 +402,60 @@ def rates_on_lines(
     return first, second, tcp_rate, turn_rate, regular
 
 
-def rates_one_by_one(
-    lengths: Lengths,
-    table: Array,
-    row: Index,
-    corners: tuple[Index, Index, Array],
-    turn_corners: tuple[Index, Index, Array],
-    first: Array,
-    second: Array,
-    speeds: Array,
-    regular: Mask,
-) -> None:
-    """The same place after place; this is what is compiled.
+def rates_of_joints(signs: OfJoints, coupling: float, rates: Six) -> Six:
+    """Rates of joints from rates of the angles of the formulas; see `OpwGeometry`."""
+    second = rates[1] * signs[1]
+    return (
+        rates[0] * signs[0],
+        second,
+        rates[2] * signs[2] - coupling * second,
+        rates[3] * signs[3],
+        rates[4] * signs[4],
+        rates[5] * signs[5],
+    )
 
-    Args:
-        lengths: See `rates_of_arm`.
-        table: Shape (m, 24): a row a curve; see `line_rates`.
-        row: The curve (k,) of each place.
-        corners: The line before (k,), the line after (k,), and places on both with both
-            derivatives (6, k).
-        turn_corners: The same for the turning.
-        first: Filled with first derivatives of the angles (k, 6).
-        second: Filled with second derivatives (k, 6).
-        speeds: Filled with TCP travel and turning (k, 2) per unit of the parameter.
-        regular: Filled with where (k,) they hold.
-    """
-    for k in range(len(row)):
-        own, a, b = table[row[k]], table[corners[0][k]], table[corners[1][k]]
-        c, d = table[turn_corners[0][k]], table[turn_corners[1][k]]
-        x, y = corners[2][:, k], turn_corners[2][:, k]
-        q1, q2, tcp_rate, turn_rate, holds = rates_on_lines(
-            lengths,
-            (own[21], own[22], own[23]),
-            (own[18], own[19], own[20]),
-            ((a[0], a[1], a[2]), (a[3], a[4], a[5]), (b[3], b[4], b[5])),
-            ((x[0], x[1], x[2]), (x[3], x[4], x[5])),
-            (
-                (c[9], c[10], c[11], c[12], c[13], c[14], c[15], c[16], c[17]),
-                (c[6], c[7], c[8]),
-                (d[9], d[10], d[11], d[12], d[13], d[14], d[15], d[16], d[17]),
-                (d[6], d[7], d[8]),
-            ),
-            ((y[0], y[1], y[2]), (y[3], y[4], y[5])),
-        )
-        for i in range(6):
-            first[k, i] = q1[i]
-            second[k, i] = q2[i]
-        speeds[k, 0] = tcp_rate
-        speeds[k, 1] = turn_rate
-        regular[k] = holds
+
+def joints_near(
+    signs: OfJoints, offsets: OfJoints, coupling: float, angles: Six, near: tuple[Array, ...]
+) -> Six:
+    """Joints [rad] from angles of the formulas, each in the whole turn that is nearest."""
+    joints = rates_of_joints(
+        signs,
+        coupling,
+        (
+            angles[0] + offsets[0],
+            angles[1] + offsets[1],
+            angles[2] + offsets[2],
+            angles[3] + offsets[3],
+            angles[4] + offsets[4],
+            angles[5] + offsets[5],
+        ),
+    )
+    return (
+        joints[0] + TURN * np.rint((near[0] - joints[0]) / TURN),
+        joints[1] + TURN * np.rint((near[1] - joints[1]) / TURN),
+        joints[2] + TURN * np.rint((near[2] - joints[2]) / TURN),
+        joints[3] + TURN * np.rint((near[3] - joints[3]) / TURN),
+        joints[4] + TURN * np.rint((near[4] - joints[4]) / TURN),
+        joints[5] + TURN * np.rint((near[5] - joints[5]) / TURN),
+    )
+
+
+def joints_on_lines(
+    lengths: Lengths,
+    arm: Vector,
+    lever: Vector,
+    line: tuple[Vector, Vector, Vector],
+    sides: tuple[Vector, Vector],
+    turn: tuple[Matrix, Vector, Matrix, Vector],
+    turn_sides: tuple[Vector, Vector],
+) -> tuple[Six, Mask]:
+    """The angles of the formulas at a place; see `rates_on_lines` and `angles_of_arm`."""
+    backwards, forwards = turned_twice(turn, turn_sides[0][0], turn_sides[1][0])
+    rotation_6 = product(backwards, forwards)
+    way = plus(scaled(line[1], sides[0][0]), scaled(line[2], sides[1][0]))
+    centre = plus(plus(line[0], way), turned(rotation_6, lever))
+    return angles_of_arm(lengths, arm, centre, rotation_6)
 
 
 COMPILED = (
@@ -389,10 +467,16 @@ COMPILED = (
     transposed,
     product,
     rotation,
+    turned_twice,
     turning_on,
     lever_motion,
+    main_axes,
+    forearm_from_base,
+    angles_of_arm,
     rates_of_arm,
     rates_on_lines,
-    rates_one_by_one,
+    rates_of_joints,
+    joints_near,
+    joints_on_lines,
 )
 """All functions, each after those that it calls."""

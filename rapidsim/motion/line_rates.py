@@ -6,19 +6,21 @@ is left to the general way (`Arms.rates`), and so are places where the arm is cl
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion import line_formulas
+from rapidsim.motion import line_formulas, line_loops
 from rapidsim.motion.arms import Arms
 from rapidsim.motion.compiled import compiled
 from rapidsim.motion.curves import STANDSTILL, Index
 from rapidsim.motion.kinematics import Mask
 from rapidsim.motion.layout import Layout
 from rapidsim.motion.opw import OrthoParallel
+from rapidsim.motion.path_rates import PathRates
 from rapidsim.motion.turns import rotate
 
 _CHUNK = 2048
@@ -26,7 +28,7 @@ _POSITION, _RATE, _TURN_RATE = slice(0, 3), slice(3, 6), slice(6, 9)
 _ROTATION, _LEVER, _ARM = slice(9, 18), slice(18, 21), slice(21, 24)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Lines:
     """The lines of a path, in the frame of the formulas of its arm."""
 
@@ -36,43 +38,137 @@ class Lines:
     """Shape (m, 24): a row a curve; its columns are named above."""
     pieces: Mask
     """Shape (p,): the pieces that are lines, or corners between two."""
+    rows: Mask
+    """Shape (m,): the curves that are lines."""
     turns_with_position: bool
     """Whether the tool turns in the same corners as the TCP."""
 
-    def rates(self, s: Array, piece: Index) -> tuple[Array, Array, Array, Mask]:
-        """Derivatives at places s (k,) of pieces (k,) that are lines.
+    @cached_property
+    def alone(self) -> Lines:
+        """The lines as programmed, without corners: each is a piece with the number of its row."""
+        count = len(self.rows)
+        no_corner = np.full(count, -1, dtype=np.int64)
+        layout = replace(
+            self.layout,
+            bounds=self.layout.places,
+            row=np.arange(count),
+            position_corner=no_corner,
+            orientation_corner=no_corner,
+            joint_corner=no_corner,
+        )
+        return replace(self, layout=layout, pieces=self.rows, turns_with_position=True)
 
-        Returns:
-            First and second derivatives of the joints (k, 6), TCP travel and turning (k, 2) per
-            unit of s, and where (k,) they hold: not close to a singularity.
+    def rates(self, s: Array, piece: Index) -> tuple[PathRates, Mask]:
+        """Derivatives at places s (k,) of pieces (k,), and where (k,) they hold.
+
+        They hold on lines where the arm is not close to a singularity; elsewhere they are nothing.
         """
-        count = len(s)
-        first, second, speeds = np.empty((count, 6)), np.empty((count, 6)), np.empty((count, 2))
-        regular = np.empty(count, dtype=bool)
-        kernel = compiled(line_formulas, "rates_one_by_one", count)
-        fill = kernel or _rates_in_columns
-        geometry = self.arm.geometry
-        lengths = (geometry.a1, geometry.a2, geometry.b, geometry.c1, geometry.c2, geometry.c3)
+        in_line = self.pieces[piece]
+        rates = PathRates.not_filled(len(s), 6)
+        if not in_line.all():
+            line = np.flatnonzero(in_line)
+            found, in_line[line] = self.rates(s[line], piece[line])
+            rates.put(line, found)
+            return rates, in_line
+        count, regular = len(s), in_line
+        kernel = compiled(line_loops, "rates_one_by_one", count)
+        if kernel is not None:
+            kernel(
+                *(self._lengths, self._signs, self._coupling, self._parabolic, self._course),
+                *(s, piece, *rates.columns, regular),
+            )
+            return rates, regular
         for begin in range(0, count, _CHUNK):
             part = slice(begin, begin + _CHUNK)
-            at, pieces = s[part], piece[part]
-            corners = self._corners(self.layout.position_corner[pieces], at, pieces, turning=False)
-            turn_corners = corners
-            if not self.turns_with_position:
-                corner = self.layout.orientation_corner[pieces]
-                turn_corners = self._corners(corner, at, pieces, turning=True)
-            fill(
-                lengths,
-                self.table,
-                self.layout.row[pieces],
-                corners,
-                turn_corners,
-                first[part],
-                second[part],
-                speeds[part],
-                regular[part],
+            q1, q2, rates.tcp_rate[part], rates.turn_rate[part], regular[part] = (
+                line_formulas.rates_on_lines(self._lengths, *self._in_columns(s[part], piece[part]))
             )
-        return self._of_joints(first), self._of_joints(second), speeds, regular
+            for rows, angles in ((rates.first, q1), (rates.second, q2)):
+                columns = line_formulas.rates_of_joints(self._signs, self._coupling, angles)
+                for i, column in enumerate(columns):
+                    rows[part, i] = column
+        return rates, regular
+
+    def joints(self, s: Array, piece: Index) -> tuple[Array, Mask]:
+        """Joints (k, 6) [rad] at places s (k,) of pieces (k,), and where they hold; see `rates`.
+
+        Each is in the whole turn that is nearest to the straight way in joint space.
+        """
+        in_line = self.pieces[piece]
+        joints = np.empty((len(s), 6))
+        if not in_line.all():
+            line = np.flatnonzero(in_line)
+            joints[line], in_line[line] = self.joints(s[line], piece[line])
+            return joints, in_line
+        count, regular = len(s), in_line
+        curves, offsets = self.layout.curves, self.arm.geometry.offsets
+        kernel = compiled(line_loops, "joints_one_by_one", count)
+        if kernel is not None:
+            kernel(
+                *(self._lengths, self._signs, offsets, self._coupling, self._parabolic),
+                *(self._course, curves.start_joints, curves.joint_travel),
+                *(s, piece, joints, regular),
+            )
+            return joints, regular
+        for begin in range(0, count, _CHUNK):
+            part = slice(begin, begin + _CHUNK)
+            angles, regular[part] = line_formulas.joints_on_lines(
+                self._lengths, *self._in_columns(s[part], piece[part])
+            )
+            row = self.layout.row[piece[part]]
+            near = curves.joints_at(row, s[part] - self.layout.places[row])
+            columns = line_formulas.joints_near(
+                self._signs, offsets, self._coupling, angles, tuple(near.T)
+            )
+            for i, column in enumerate(columns):
+                joints[part, i] = column
+        return joints, regular
+
+    @cached_property
+    def _lengths(self) -> line_formulas.Lengths:
+        g = self.arm.geometry
+        return g.a1, g.a2, g.b, g.c1, g.c2, g.c3
+
+    @cached_property
+    def _signs(self) -> tuple[float, ...]:
+        return tuple(float(sign) for sign in self.arm.geometry.signs)
+
+    @property
+    def _coupling(self) -> float:
+        return float(self.arm.geometry.coupling)
+
+    @property
+    def _parabolic(self) -> bool:
+        return self.layout.corner_shape == "parabola"
+
+    @cached_property
+    def _course(self) -> line_loops.Course:
+        layout = self.layout
+        return (
+            *(self.table, layout.places, layout.curves.length),
+            *(layout.corners.radius, layout.corners.orientation_radius),
+            *(layout.row, layout.position_corner, layout.orientation_corner),
+        )
+
+    def _in_columns(self, s: Array, piece: Index) -> tuple[Any, ...]:
+        """What the formulas ask of places (k,), in columns; see `line_loops.place_on_lines`."""
+        layout = self.layout
+        into, out, sides = self._corners(layout.position_corner[piece], s, piece, turning=False)
+        own, a, b = (_columns(self.table, index) for index in (layout.row[piece], into, out))
+        c, d, turn_sides = a, b, sides
+        if not self.turns_with_position:
+            corner = layout.orientation_corner[piece]
+            into, out, turn_sides = self._corners(corner, s, piece, turning=True)
+            c, d = _columns(self.table, into), _columns(self.table, out)
+        x, y = sides, turn_sides
+        return (
+            own[_ARM],
+            own[_LEVER],
+            (a[_POSITION], a[_RATE], b[_RATE]),
+            ((x[0], x[1], x[2]), (x[3], x[4], x[5])),
+            (c[_ROTATION], c[_TURN_RATE], d[_ROTATION], d[_TURN_RATE]),
+            ((y[0], y[1], y[2]), (y[3], y[4], y[5])),
+        )
 
     def _corners(
         self, corner: Index, s: Array, piece: Index, *, turning: bool
@@ -94,13 +190,6 @@ class Lines:
             before, after = layout.sides(corner[cut], radius, s[cut])
             sides[:, cut] = np.stack([*before, *after])
         return into, out, sides
-
-    def _of_joints(self, rates: Array) -> Array:
-        """Rates of joints from rates of the angles of the formulas (k, 6)."""
-        rates *= np.array(self.arm.geometry.signs, dtype=np.float64)
-        if self.arm.geometry.coupling:
-            rates[:, 2] -= self.arm.geometry.coupling * rates[:, 1]
-        return rates
 
 
 def lines_of(layout: Layout, arms: Arms) -> Lines | None:
@@ -136,37 +225,7 @@ def lines_of(layout: Layout, arms: Arms) -> Lines | None:
     same = np.array_equal(layout.position_corner, layout.orientation_corner) and np.array_equal(
         corners.radius, corners.orientation_radius
     )
-    return Lines(arm, layout, table, in_line, same)
-
-
-def _rates_in_columns(
-    lengths: line_formulas.Lengths,
-    table: Array,
-    row: Index,
-    corners: tuple[Index, Index, Array],
-    turn_corners: tuple[Index, Index, Array],
-    first: Array,
-    second: Array,
-    speeds: Array,
-    regular: Mask,
-) -> None:
-    """See `line_formulas.rates_one_by_one`: the same for all places at once."""
-    own, a, b = (_columns(table, index) for index in (row, corners[0], corners[1]))
-    c, d = a, b
-    if turn_corners is not corners:
-        c, d = (_columns(table, index) for index in turn_corners[:2])
-    x, y = corners[2], turn_corners[2]
-    q1, q2, speeds[:, 0], speeds[:, 1], regular[:] = line_formulas.rates_on_lines(
-        lengths,
-        own[_ARM],
-        own[_LEVER],
-        (a[_POSITION], a[_RATE], b[_RATE]),
-        ((x[0], x[1], x[2]), (x[3], x[4], x[5])),
-        (c[_ROTATION], c[_TURN_RATE], d[_ROTATION], d[_TURN_RATE]),
-        ((y[0], y[1], y[2]), (y[3], y[4], y[5])),
-    )
-    for i in range(6):
-        first[:, i], second[:, i] = q1[i], q2[i]
+    return Lines(arm, layout, table, in_line, plain, same)
 
 
 def _columns(table: Array, index: Index) -> tuple[Any, ...]:

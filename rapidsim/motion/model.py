@@ -12,6 +12,7 @@ from typing import Literal
 Corner = Literal["c2", "parabola"]
 OrientationZone = Literal["position", "programmed"]
 Keeper = Literal["command", "motion"]
+Smoothing = Literal["path", "axes"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +30,11 @@ class MotionModel:
     payload_acceleration: float = 1.0
     """Share of the accelerations that is left with the rated payload, less of it in proportion."""
     filter_time: float = 0.080
-    """Width [s] of the moving average over the path parameter; 0 switches it off."""
+    """Width [s] of the moving average over the command; 0 switches it off."""
+    smoothing: Smoothing = "path"
+    """What is averaged. `path`: the place on the path, so the arm stays on it. `axes`: each axis by
+    itself, as controllers do it: the arm rounds corners, and what is seen keeps the axis speeds and
+    accelerations that the command keeps. The command is the same, and so are all times."""
     fine_dwell: float = 0.105
     """Time [s] from the end of the command at a stop point to the start of the next command."""
     corner: Corner = "c2"
@@ -45,3 +50,11 @@ class MotionModel:
     smoothed motion exceeds them where it takes the speed of straight stretches into a tight corner,
     which a controller would round. `motion`: the smoothed motion too, by slowing down around such
     corners, at the price of times that no controller was seen to need."""
+
+    @property
+    def slows_for_bends(self) -> bool:
+        """Whether the command goes slower where the path bends, for the motion to keep limits.
+
+        Only smoothing along the path adds to the accelerations there.
+        """
+        return self.accelerations_kept_by == "motion" and self.smoothing == "path"

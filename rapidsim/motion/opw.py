@@ -19,18 +19,18 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 
+from rapidsim.frames import rigid
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion import opw_inverse
 from rapidsim.motion.kinematics import Branches, Followed
-from rapidsim.motion.opw_geometry import JOINT_COUNT, OpwGeometry
+from rapidsim.motion.opw_geometry import JOINT_COUNT, ROUNDING, OpwGeometry
+from rapidsim.motion.opw_single import SinglePose
 from rapidsim.motion.turns import cross
 from rapidsim.motion.whole_turns import in_turn_of, principal
 
 _JOINT = np.arange(JOINT_COUNT)
 _AXIS = np.array([2, 1, 1, 2, 1, 2])
 """Which column of its frame each axis is: z, or y for axes 2, 3 and 5."""
-ROUNDING = 1e-12
-"""Angles [rad] and shares of the arm's length up to this are zero spoiled by rounding."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,6 +75,20 @@ class OrthoParallel:
     def _opw_from_base(self) -> Transform:
         return self.base_from_opw.inverse()
 
+    @cached_property
+    def single(self) -> SinglePose:
+        """The same for one pose, in plain floats."""
+        frames = map(
+            rigid.from_transform,
+            (
+                self.base_from_opw,
+                self._opw_from_base,
+                self.opw6_from_flange,
+                self._flange_from_opw6,
+            ),
+        )
+        return SinglePose(self.geometry, *frames)
+
     def theta_from_joints(self, joints: Array) -> Array:
         """Angles of the formulas (..., 6) [rad] of joint vectors (..., 6) [rad]."""
         serial = np.array(joints, dtype=np.float64)
@@ -89,6 +103,8 @@ class OrthoParallel:
 
     def forward(self, joints: Array) -> Transform:
         """base_from_flange of joint vectors (..., 6) [rad]; the flange is ABB's tool0."""
+        if joints.ndim == 1:
+            return rigid.to_transform(self.single.forward(joints.tolist()))
         return self.base_from_opw @ self._last_opw_frame(joints) @ self.opw6_from_flange
 
     def link_frames(self, joints: Array) -> Transform:
@@ -121,6 +137,11 @@ class OrthoParallel:
     def inverse_on_branch(self, base_from_flange: Transform, branch: int, near: Array) -> Followed:
         """Joints of poses (k,) on one branch; see `Kinematics.inverse_on_branch`."""
         near = np.asarray(near, dtype=np.float64)
+        if near.ndim == 1 and len(base_from_flange) == 1:
+            pose = rigid.from_transform(base_from_flange[0])
+            single = self.single.inverse_on_branch(pose, branch, near.tolist())
+            exists = np.array([single is not None])
+            return Followed(np.array([single or (0.0,) * JOINT_COUNT]), exists)
         theta, exists = opw_inverse.one_branch(
             self.geometry, self._opw6(base_from_flange), branch, self.theta_from_joints(near)
         )
@@ -129,6 +150,8 @@ class OrthoParallel:
 
     def branch_of(self, joints: Array) -> npt.NDArray[np.int64]:
         """The branch of joint vectors (..., 6); on a border it is the front, the positive one."""
+        if joints.ndim == 1:
+            return np.array(self.single.branch_of(joints.tolist()))
         g = self.geometry
         theta = self.theta_from_joints(joints)
         t2, t3, t5 = theta[..., 1], theta[..., 2], theta[..., 4]

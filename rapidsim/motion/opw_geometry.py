@@ -7,10 +7,11 @@ them by a sign, an offset and, for arms that move axis 3 through a rod, by the a
 from __future__ import annotations
 
 from dataclasses import dataclass
-
-import numpy as np
+from math import hypot
 
 JOINT_COUNT = 6
+ROUNDING = 1e-12
+"""Angles [rad] and shares of the arm's length up to this are zero spoiled by rounding."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,4 +41,4 @@ class OpwGeometry:
     @property
     def reach(self) -> float:
         """Longest distance [m] of the wrist centre from axis 2; the scale of every tolerance."""
-        return self.c2 + float(np.hypot(self.a2, self.c3))
+        return self.c2 + hypot(self.a2, self.c3)

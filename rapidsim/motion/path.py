@@ -15,7 +15,7 @@ import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.arms import Arms, arms_of
-from rapidsim.motion.corners import Corner, Corners, Limit, corners_of, describe
+from rapidsim.motion.corners import Corner, Limit, corners_of, describe, without_skipped
 from rapidsim.motion.curves import Index, circle_fault, curves_of
 from rapidsim.motion.external_axes import Axes
 from rapidsim.motion.following import FaultKind, Nodes, follow, limit_fault
@@ -25,54 +25,19 @@ from rapidsim.motion.layout import Layout, layout_of
 from rapidsim.motion.line_rates import Lines, lines_of
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.moving_frames import Course
+from rapidsim.motion.path_rates import PathPoints as PathPoints
+from rapidsim.motion.path_rates import PathRates as PathRates
+from rapidsim.motion.programmed import Programmed, programmed_of, widths_of
 from rapidsim.motion.robot import Robot
 from rapidsim.motion.segments import Geometry, Segment
+from rapidsim.motion.whole_turns import in_turn_of
 
 _KINK = 1e-6
 _CORNER_CHECKS = 8
+_WHILE_WIDENING = 0.9
+"""Share of the accelerations that leaves room for what a widening window adds; measured on random
+programs."""
 _GAUSS_PLACES, _GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(8)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class PathPoints:
-    """The arm at places of a path."""
-
-    joints: Array
-    """Shape (k, n) [rad]."""
-    external: Array
-    """Shape (k, e) [m or rad]: the external axes."""
-    base_from_tcp: Transform
-    """Shape (k,); the tool is that of the segment."""
-    segment: Index
-    """Shape (k,): position in `Path.segments`."""
-    tcp_rate: Array
-    """Shape (k,): TCP travel against the work object per unit of s; below 1 in corners."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class PathRates:
-    """Derivatives with respect to s at places of a path."""
-
-    first: Array
-    """Shape (k, n + e): joints [rad/m], then external axes."""
-    second: Array
-    """Shape (k, n + e): joints [rad/m2], then external axes."""
-    tcp_rate: Array
-    """Shape (k,): TCP travel [m/m]."""
-    turn_rate: Array
-    """Shape (k,): reorientation [rad/m]."""
-
-    def beyond(self, count: int) -> PathRates:
-        """Those after the first few."""
-        names = (field.name for field in dataclasses.fields(PathRates))
-        return PathRates(**{name: getattr(self, name)[count:] for name in names})
-
-    def and_then(self, more: PathRates) -> PathRates:
-        """These places and then some more."""
-        names = (field.name for field in dataclasses.fields(PathRates))
-        return PathRates(
-            **{name: np.concatenate([getattr(self, name), getattr(more, name)]) for name in names}
-        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,6 +53,8 @@ class Path:
     nodes: Nodes
     """Joints along the Cartesian curves: they tell whole turns apart."""
     model: MotionModel
+    lines: Lines | None
+    """The lines, for which joints and derivatives have closed forms; None where there are none."""
 
     @property
     def axis_count(self) -> int:
@@ -100,9 +67,9 @@ class Path:
         return float(self.layout.places[-1])
 
     @cached_property
-    def _lines(self) -> Lines | None:
-        """The lines, for which derivatives have closed forms."""
-        return lines_of(self.layout, self.arms)
+    def programmed(self) -> Programmed:
+        """What each segment asks for."""
+        return programmed_of(self.segments)
 
     @cached_property
     def segment_starts(self) -> Array:
@@ -162,11 +129,12 @@ class Path:
             np.isin(self.layout.places[1:-1], self.stops).tolist(),
             strict=True,
         )
+        limits = tuple(Limit)
         for i, radius, turned, limit, in_joints, bridges, stops in rows:
             zone = self.segments[i].zone
             if zone is not None:
                 reason = describe(
-                    Limit(limit), zone.position, radius, zone.angle, turned, stops=stops
+                    limits[limit], zone.position, radius, zone.angle, turned, stops=stops
                 )
                 if bridges and not stops:
                     # A change of tool, work object or kind of move.
@@ -175,14 +143,26 @@ class Path:
         return tuple(found)
 
     @cached_property
+    def window(self) -> float:
+        """Width [s] of the smoothing, the widest that a ramp of one of the moves makes it."""
+        return self.windows[-1]
+
+    @cached_property
+    def windows(self) -> tuple[float, ...]:
+        """Widths [s] of the smoothing, increasing: one, or some of those while it widens."""
+        return widths_of(self.segments, self.model.filter_time)
+
+    @cached_property
     def acceleration_share(self) -> Array:
         """Share (p,) of the axis accelerations that may be used on each piece."""
-        programmed = np.array([segment.acceleration_share for segment in self.segments])
+        programmed = self.programmed.acceleration_share
         share: Array = programmed[self.active[self.layout.row]]
         if self.model.corner == "parabola":
             layout = self.layout
             in_zone = np.maximum(layout.orientation_corner, layout.joint_corner) >= 0
             share = np.where(in_zone, share * self.model.parabola_acceleration, share)
+        if self.model.slows_for_bends and len(self.windows) > 1:
+            share = share * _WHILE_WIDENING
         return share
 
     def segment_of(self, piece: Index) -> Index:
@@ -221,21 +201,34 @@ class Path:
         pose = Transform(rotation, position)
         return PathPoints(arm, external, pose, self.active[row], tcp_rate)
 
+    def beside(self, s: Array, joints: Array, rates: Array) -> tuple[Transform, Index, Array]:
+        """The arm with joints and rates (k, n + e) that are not those of places s (k,) but near.
+
+        Returns:
+            base_from_tcp, position in `segments`, and the speed of the TCP against the work object.
+        """
+        row = self.layout.row[self.layout.piece_at(np.clip(s, 0.0, self.length))]
+        velocity = self.arms.curve_motion(joints, rates, row).velocity
+        speed: Array = np.linalg.norm(velocity, axis=-1)
+        return self.arms.base_from_tcp(joints, row), self.active[row], speed
+
     def rates(self, s: Array, piece: Index) -> PathRates:
         """Derivatives at places s (k,) of pieces (k,); at breakpoints those of the piece's side."""
+        if self.lines is None:
+            return self._rates_in_general(s, piece)
+        rates, holds = self.lines.rates(s, piece)
+        others = np.flatnonzero(~holds)
+        if len(others):
+            rates.put(others, self._rates_in_general(s[others], piece[others]))
+        return rates
+
+    def _rates_in_general(self, s: Array, piece: Index) -> PathRates:
+        """The same for whatever arm and curve."""
         row = self.layout.row[piece]
         first = np.empty((len(s), self.axis_count))
         second = np.empty_like(first)
         on_curve, in_joints = self._spaces(piece)
         speeds = np.empty((len(s), 2))
-        if self._lines is not None:
-            in_line = self._lines.pieces[piece]
-            line = np.flatnonzero(in_line)
-            first[line], second[line], speeds[line], regular = self._lines.rates(
-                s[line], piece[line]
-            )
-            in_line[line] = regular
-            on_curve = on_curve[~in_line[on_curve]]
         if len(on_curve):
             motion = self.layout.motion(s[on_curve], piece[on_curve])
             course = self.layout.course(s[on_curve], piece[on_curve])
@@ -248,6 +241,9 @@ class Path:
             at, d1, d2 = self._in_joint_space(s[in_joints], piece[in_joints])
             first[in_joints], second[in_joints] = d1, d2
             speeds[in_joints] = _norms(*self._tcp_twist(at, d1, row[in_joints]))
+            # Where two wrist axes lead, the speed is that of what follows the circle, not the TCP.
+            led = self.arms.pair_rows[row] & (self.layout.joint_corner[piece] < 0)
+            speeds[led, 0] = 1.0
         return PathRates(first, second, speeds[:, 0], speeds[:, 1])
 
     def tcp_derivatives(self, s: Array, piece: Index) -> tuple[Array, Array]:
@@ -306,7 +302,8 @@ class Path:
         A wrist that turns in joints counts as joint space: only then do the joints tell the pose.
         """
         row = self.layout.row[piece]
-        joint = self.layout.curves.in_joints[row] | self.arms.wrist_rows[row]
+        joint = self.layout.curves.in_joints[row]
+        joint = joint | self.arms.wrist_rows[row] | self.arms.pair_rows[row]
         joint = joint | (self.layout.joint_corner[piece] >= 0)
         return np.flatnonzero(~joint), np.flatnonzero(joint)
 
@@ -322,21 +319,26 @@ class Path:
         """Joints and derivatives (k, n) on joint moves and in corners made in joint space."""
         row = self.layout.row[piece]
         corner = self.layout.joint_corner[piece]
-        joints, first, second = self._on_curve(row, s - self.layout.places[row])
-        cut = np.flatnonzero(corner >= 0)
-        if len(cut):
-            at = corner[cut]
-            before, after = self.layout.sides(at, self.layout.corners.radius[at], s[cut])
-            into = self._on_curve(at, before[0])
-            out = self._on_curve(at + 1, after[0])
-            joints[cut] = into[0] + out[0] - self.layout.curves.start_joints[at + 1]
-            first[cut] = into[1] * before[1][:, None] + out[1] * after[1][:, None]
-            second[cut] = (
-                into[2] * before[1][:, None] ** 2
-                + into[1] * before[2][:, None]
-                + out[2] * after[1][:, None] ** 2
-                + out[1] * after[2][:, None]
-            )
+        whole, cut = np.flatnonzero(corner < 0), np.flatnonzero(corner >= 0)
+        at = corner[cut]
+        before, after = self.layout.sides(at, self.layout.corners.radius[at], s[cut])
+        # All at once, for few places cost as much as many.
+        on_curves = self._on_curve(
+            np.concatenate([row[whole], at, at + 1]),
+            np.concatenate([s[whole] - self.layout.places[row[whole]], before[0], after[0]]),
+        )
+        joints, first, second = np.empty((3, len(s), on_curves[0].shape[1]))
+        ends = np.cumsum([len(whole), len(cut)])
+        own, into, out = zip(*(np.split(part, ends) for part in on_curves), strict=True)
+        joints[whole], first[whole], second[whole] = own
+        joints[cut] = into[0] + out[0] - self.layout.curves.start_joints[at + 1]
+        first[cut] = into[1] * before[1][:, None] + out[1] * after[1][:, None]
+        second[cut] = (
+            into[2] * before[1][:, None] ** 2
+            + into[1] * before[2][:, None]
+            + out[2] * after[1][:, None] ** 2
+            + out[1] * after[2][:, None]
+        )
         return joints, first, second
 
     def _on_curve(self, row: Index, x: Array) -> tuple[Array, Array, Array]:
@@ -348,12 +350,27 @@ class Path:
         second = np.zeros_like(joints)
         line = np.flatnonzero(~curves.in_joints[row])
         if len(line):
-            motion = curves.at(row[line], x[line])
             n = self.kinematics.joint_count
             course = Course(joints[line, n:], first[line, n:], second[line, n:])
-            near = self._near(self.layout.places[row[line]] + x[line], course.value)
-            joints[line], first[line], second[line] = self.arms.rates(
-                motion, row[line], course, near
+            joints[line], first[line], second[line] = self._on_tcp_curve(row[line], x[line], course)
+        return joints, first, second
+
+    def _on_tcp_curve(self, row: Index, x: Array, course: Course) -> tuple[Array, Array, Array]:
+        """The same on curves that are not straight in joint space; `course` of external axes."""
+        s = self.layout.places[row] + x
+        near = self._near(s, course.value)
+        if self.lines is None:
+            return self.arms.rates(self.layout.curves.at(row, x), row, course, near)
+        rates, holds = self.lines.alone.rates(s, row)
+        joints, first, second = self.lines.alone.joints(s, row)[0], rates.first, rates.second
+        joints = in_turn_of(joints, holds, near)
+        others = np.flatnonzero(~holds)
+        if len(others):
+            joints[others], first[others], second[others] = self.arms.rates(
+                self.layout.curves.at(row[others], x[others]),
+                row[others],
+                Course(*(values[others] for values in course)),
+                near[others],
             )
         return joints, first, second
 
@@ -377,7 +394,9 @@ def build_path(robot: Robot, segments: Sequence[Segment], model: MotionModel) ->
     """
     kinematics, axes = robot.kinematics, robot.axes
     for i, segment in enumerate(segments):
-        reason = circle_fault(segment) or _unsupported(kinematics, segment)
+        if segment.geometry is Geometry.JOINT:
+            continue
+        reason = circle_fault(segment) or _unsupported(kinematics)
         if reason is not None:
             return PathFault(i, 0.0, 0.0, 0.0, reason, FaultKind.SET_UP)
     curves = curves_of(segments, kinematics)
@@ -387,14 +406,14 @@ def build_path(robot: Robot, segments: Sequence[Segment], model: MotionModel) ->
     moving = [segments[int(i)] for i in active]
     if len(active) < len(segments):
         curves = curves_of(moving, kinematics)
-    corners = corners_of(moving, curves, kinematics, model)
-    corners = _without_skipped(corners, active)
-    layout = layout_of(curves, corners, model.corner)
     arms = arms_of(moving, kinematics, curves.joint_travel, curves.length)
-    nodes = follow(layout, arms, moving, axes)
+    corners = without_skipped(corners_of(moving, curves, arms, model), active)
+    layout = layout_of(curves, corners, model.corner)
+    lines = lines_of(layout, arms)
+    nodes = follow(layout, arms, lines, moving, axes)
     if isinstance(nodes, PathFault):
         return dataclasses.replace(nodes, segment=int(active[nodes.segment]))
-    path = Path(tuple(segments), kinematics, layout, arms, active, nodes, model)
+    path = Path(tuple(segments), kinematics, layout, arms, active, nodes, model, lines)
     fault = _joint_space_fault(path, axes)
     if fault is not None:
         return dataclasses.replace(fault, segment=int(active[fault.segment]))
@@ -411,23 +430,11 @@ def describe_stop(limit: Limit) -> str:
     return describe(limit, 0.0, 0.0, 0.0, 0.0, stops=True)
 
 
-def _unsupported(kinematics: Kinematics, segment: Segment) -> str | None:
-    if segment.geometry is not Geometry.JOINT and kinematics.joint_count > 6:
+def _unsupported(kinematics: Kinematics) -> str | None:
+    """Why lines and arcs cannot be simulated, or None."""
+    if kinematics.joint_count > 6:
         return "lines and arcs of arms with more than six axes are not simulated"
     return None
-
-
-def _without_skipped(corners: Corners, active: Index) -> Corners:
-    """Take the corner paths away where a segment without length lies in between."""
-    skipped = np.diff(active) > 1
-    return dataclasses.replace(
-        corners,
-        radius=np.where(skipped, 0.0, corners.radius),
-        orientation_radius=np.where(skipped, 0.0, corners.orientation_radius),
-        limit=np.where(
-            skipped & (corners.limit != Limit.STOP_POINT), Limit.NO_LENGTH, corners.limit
-        ).astype(np.int64),
-    )
 
 
 def _joint_space_fault(path: Path, axes: Axes) -> PathFault | None:

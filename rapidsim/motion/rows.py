@@ -72,10 +72,6 @@ class SpeedRows:
             np.maximum(largest, self.rate[:, column], out=largest)
         return largest
 
-    def and_then(self, more: SpeedRows) -> SpeedRows:
-        """The same limits at some more places."""
-        return SpeedRows(self.limiters, np.concatenate([self.rate, more.rate]))
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AccelerationRows:
@@ -96,11 +92,6 @@ class AccelerationRows:
         for column in range(1, self.bend.shape[1]):
             np.maximum(largest, np.abs(self.bend[:, column]), out=largest)
         return largest
-
-    def and_then(self, more: AccelerationRows) -> AccelerationRows:
-        """The same limits at some more places."""
-        slope = np.concatenate([self.slope, more.slope])
-        return AccelerationRows(self.limiters, slope, np.concatenate([self.bend, more.bend]))
 
 
 def speed_rows(path: Path, places: Places, limits: Limits, pace: Array) -> SpeedRows:
@@ -141,22 +132,17 @@ def _programmed_speeds(path: Path, places: Places, pace: Array) -> SpeedRows:
     """The four programmed speeds, or the pace that gives a segment its programmed time."""
     segment = path.segment_of(places.piece)
     paced = ~np.isnan(pace)
-    tcp = np.where(paced, 0.0, [1.0 / move.speed.tcp for move in path.segments])
-    turn = np.where(paced, 0.0, [1.0 / move.speed.reorientation for move in path.segments])
+    tcp = np.where(paced, 0.0, 1.0 / path.programmed.tcp)
+    turn = np.where(paced, 0.0, 1.0 / path.programmed.reorientation)
     timed = np.where(paced, 1.0 / pace, 0.0)
-    rate = np.stack(
-        [
-            places.rates.tcp_rate * tcp[segment],
-            places.rates.turn_rate * turn[segment],
-            timed[segment],
-        ],
-        axis=-1,
-    )
+    rate = np.empty((len(segment), len(_PROGRAMMED)))
+    rate[:, 0] = places.rates.tcp_rate * tcp[segment]
+    rate[:, 1] = places.rates.turn_rate * turn[segment]
+    rate[:, 2] = timed[segment]
     joint_count = path.kinematics.joint_count
     if path.axis_count == joint_count:
         return SpeedRows(_PROGRAMMED, rate)
-    programmed = np.array([move.external_speeds for move in path.segments])
-    share = np.where(paced[:, None], 0.0, 1.0 / programmed)[segment]
+    share = np.where(paced[:, None], 0.0, 1.0 / path.programmed.external)[segment]
     external = np.abs(places.rates.first[:, joint_count:]) * share
     limiters = _PROGRAMMED + (Limiter(Quantity.EXTERNAL_AXIS_SPEED),) * external.shape[1]
     return SpeedRows(limiters, np.concatenate([rate, external], axis=-1))
@@ -171,7 +157,7 @@ def _axis_accelerations(path: Path, places: Places, limits: Limits) -> Accelerat
 def _path_accelerations(path: Path, places: Places, limits: Limits) -> AccelerationRows | None:
     """PathAccLim. The solver brakes as it accelerates, so the smaller of both limits counts."""
     del limits
-    allowed = np.array([min(s.tcp_acceleration, s.tcp_deceleration) for s in path.segments])
+    allowed = path.programmed.tcp_acceleration
     if np.isinf(allowed).all():
         return None
     along, straight, _ = _tcp_bends(path, places)
@@ -183,7 +169,7 @@ def _path_accelerations(path: Path, places: Places, limits: Limits) -> Accelerat
 def _world_accelerations(path: Path, places: Places, limits: Limits) -> AccelerationRows | None:
     """WorldAccLim: an octagon within the circle of all accelerations along and across the path."""
     del limits
-    allowed = np.array([segment.world_acceleration for segment in path.segments])
+    allowed = path.programmed.world_acceleration
     if np.isinf(allowed).all():
         return None
     along, straight, across = _tcp_bends(path, places)

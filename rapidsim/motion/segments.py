@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 from enum import Enum
+from types import MappingProxyType
 
 import numpy as np
 
@@ -35,6 +36,17 @@ class CircleMode(Enum):
     """Evenly in the work object, as on a line."""
     CIRCLE_POINT = "circle point"
     """As `PATH_FRAME`, through the orientation of the circle point."""
+    WRIST_45 = "axes 4 and 5"
+    """Only these two move, and lead the z axis of the tool along the circle; see `wrist_pair`."""
+    WRIST_46 = "axes 4 and 6"
+    WRIST_56 = "axes 5 and 6"
+
+
+TURNS_WITH_PATH = (CircleMode.PATH_FRAME, CircleMode.CIRCLE_POINT)
+WRIST_PAIRS = MappingProxyType(
+    {CircleMode.WRIST_45: (3, 4), CircleMode.WRIST_46: (3, 5), CircleMode.WRIST_56: (4, 5)}
+)
+"""Positions of the two joints that lead an arc."""
 
 
 def _no_axes() -> Array:
@@ -51,6 +63,9 @@ class Waypoint:
     """With a `Segment.carrier`: the pose as that defines it."""
     external: Array = field(default_factory=_no_axes)
     """Shape (e,) [m or rad]: the external axes."""
+    aim: Array | None = None
+    """Shape (3,) [m] in base: after an arc that two wrist axes led, its programmed end, through
+    which the z axis of the tool passes; the TCP is a little beside."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -120,6 +135,11 @@ class Segment:
     """The corner at the end must run in joint space: tool or work object change there."""
     acceleration_share: float = 1.0
     """AccSet: the share of the axis accelerations that is used."""
+    ramp: float = 1.0
+    """AccSet: how quickly accelerations rise, as a share of what they can; never higher than that
+    of the move before, if the arm does not stop in between."""
+    stop_ramp: float = 1.0
+    """AccSet \\FinePointRamp: the same on the way to a stop point at the end."""
     carrier: Carrier | None = None
     """None where the robot stands still and holds the tool, and the work object stands still."""
     wrist_in_joints: bool = False
@@ -136,3 +156,8 @@ class Segment:
     """Whether each external axis is linear."""
     external_speeds: tuple[float, ...] = ()
     """Speed of each external axis [m/s or rad/s]: what is programmed, or what it can."""
+
+    @property
+    def wrist_pair(self) -> tuple[int, int] | None:
+        """Positions of the two joints that lead an arc while the others stand; None elsewhere."""
+        return WRIST_PAIRS.get(self.circle_mode) if self.geometry is Geometry.ARC else None

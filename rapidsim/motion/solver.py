@@ -1,7 +1,7 @@
 """The fastest motion along a path that keeps every limit, in closed form.
 
 Along the path parameter s, x is the square of the path speed ds/dt and u the path acceleration,
-constant within a cell. Every acceleration row asks |slope u + bend x| <= 1 at both ends of a cell.
+constant within a stage. Every acceleration row asks |slope u + bend x| <= 1 at both ends of one.
 One pass from the end finds the largest x from which the rest can still be braked, one pass from the
 start drives as fast as that allows. Because limits are symmetric, standing still is always
 possible, so no stage is without a solution.
@@ -17,28 +17,26 @@ import numpy as np
 from rapidsim.frames.transform import Array
 from rapidsim.motion import solver_loops
 from rapidsim.motion.compiled import compiled
-from rapidsim.motion.problem import Problem
+from rapidsim.motion.stages import Stages
 from rapidsim.motion.sweep import sweep
 
 _STEEP = 1e-12
 
 
-def solve(problem: Problem, start_speed: float) -> tuple[Array, float]:
+def solve(stages: Stages, caps: Array, start_speed: float) -> tuple[Array, float]:
     """Find the fastest x at the nodes.
 
     Args:
-        problem: What limits it.
+        stages: What limits u.
+        caps: Largest x at the nodes, shape (m + 1,).
         start_speed: Path speed [m/s] at the first node.
 
     Returns:
-        x (c + 1,), and the largest x at the first node from which the rest can be driven.
+        x (m + 1,), and the largest x at the first node from which the rest can be driven.
     """
-    caps = _node_caps(problem.by_speed)
-    caps[:-1] = np.minimum(caps[:-1], problem.widest)
-    caps[-1] = 0.0
-    caps[np.isin(problem.cells.nodes, problem.path.stops)] = 0.0
-    slack, tilt = problem.slack, problem.tilt
-    span = 2.0 * problem.cells.width
+    caps = np.append(np.minimum(caps[:-1], stages.widest), 0.0)
+    slack, tilt = stages.slack, stages.tilt
+    span = 2.0 * stages.width
     kernel = compiled(solver_loops, "both_passes", len(span))
     if kernel is not None:
         x = np.empty(len(caps))
@@ -56,13 +54,3 @@ def solve(problem: Problem, start_speed: float) -> tuple[Array, float]:
     # Forwards: the largest u <= slack - tilt x that stays below.
     x = sweep(start_speed**2, keeps, span[:, None] * slack, largest)
     return x, float(largest[0])
-
-
-def _node_caps(by_speed: Array) -> Array:
-    """Largest x at the nodes (c + 1,); a dip within a cell holds at both of its ends."""
-    x = by_speed
-    dip = np.where(x[:, 1] < np.minimum(x[:, 0], x[:, 2]), x[:, 1], np.inf)
-    caps = np.full(len(x) + 1, np.inf)
-    caps[:-1] = np.minimum(x[:, 0], dip)
-    caps[1:] = np.minimum(caps[1:], np.minimum(x[:, 2], dip))
-    return caps

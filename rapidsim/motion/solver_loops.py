@@ -1,6 +1,6 @@
-"""The solver's loops over cells, written out to be compiled; see `problem` and `solver`.
+"""The solver's loops over cells, written out to be compiled; see `stages` and `solver`.
 
-Without numba the same is done in columns of NumPy arrays (`problem`) and in lanes (`sweep`).
+Without numba the same is done in columns of NumPy arrays (`stages`) and in lanes (`sweep`).
 """
 
 from __future__ import annotations
@@ -8,20 +8,77 @@ from __future__ import annotations
 import numpy as np
 
 from rapidsim.frames.transform import Array
+from rapidsim.motion.curves import Index
 
 
-def widest(slack: Array, tilt: Array, span: Array, largest: float, result: Array) -> None:
-    """Fill in the largest x (c,) for which some u keeps every row (c, r) and stays above zero."""
-    for k in range(len(span)):
-        x = largest
-        for i in range(slack.shape[1]):
-            for j in range(i + 1, slack.shape[1]):
-                room = slack[k, i] + slack[k, j]
-                x = min(x, room / max(abs(tilt[k, i] - tilt[k, j]), room / largest))
-            falls = span[k] * tilt[k, i] - 1.0
-            if falls > 1e-12:
-                x = min(x, span[k] * slack[k, i] / falls)
-        result[k] = x
+def parabola(start: float, middle: float, end: float, share: float) -> float:
+    """See `stages.along`."""
+    rest = 1.0 - share
+    return (
+        start * (rest * (1.0 - 2.0 * share))
+        + middle * (4.0 * share * rest)
+        + end * (share * (2.0 * share - 1.0))
+    )
+
+
+def limit_stages(
+    rows: tuple[Index, Array, Array],
+    parts: tuple[Index, Array, Array, Array],
+    largest: float,
+    slack: Array,
+    tilt: Array,
+    widest: Array,
+) -> None:
+    """Fill in slack and tilt (m, 2 r) and widest (m,) of stages; see `stages`.
+
+    Args:
+        rows: Places (c, 3) of the cells, slopes and bends (k, r) at the places.
+        parts: The cells (m,) of the stages, where they begin and end in them, and span.
+        largest: An x that nothing reaches.
+        slack: Filled in.
+        tilt: Filled in.
+        widest: Filled in.
+    """
+    at, slopes, bends = rows
+    cell, begin, end, span = parts
+    own = slopes.shape[1]
+    for k in range(len(cell)):
+        a, b, c = at[cell[k], 0], at[cell[k], 1], at[cell[k], 2]
+        steepest = 0.0
+        for i in range(own):
+            first = parabola(slopes[a, i], slopes[b, i], slopes[c, i], begin[k])
+            last = parabola(slopes[a, i], slopes[b, i], slopes[c, i], end[k])
+            tilt[k, i] = parabola(bends[a, i], bends[b, i], bends[c, i], begin[k])
+            tilt[k, own + i] = parabola(bends[a, i], bends[b, i], bends[c, i], end[k])
+            slack[k, i], slack[k, own + i] = first, last + span[k] * tilt[k, own + i]
+            steepest = max(steepest, abs(first), abs(slack[k, own + i]))
+        for i in range(2 * own):
+            least = 1e-9 * (steepest + span[k] * abs(tilt[k, i])) + 1e-300
+            slope = slack[k, i] if abs(slack[k, i]) > least else least
+            slack[k, i], tilt[k, i] = 1.0 / abs(slope), tilt[k, i] / slope
+        widest[k] = widest_of(slack[k], tilt[k], span[k], largest)
+
+
+def widest_of(slack: Array, tilt: Array, span: float, largest: float) -> float:
+    """The largest x for which some u keeps every row (r,) and stays above zero."""
+    x = largest
+    while True:
+        above, below = 0, 0
+        for i in range(1, len(slack)):
+            if slack[i] - tilt[i] * x < slack[above] - tilt[above] * x:
+                above = i
+            if slack[i] + tilt[i] * x < slack[below] + tilt[below] * x:
+                below = i
+        room = slack[above] + slack[below]
+        crossing = room / max(tilt[above] - tilt[below], room / largest)
+        if not crossing < x:
+            break
+        x = crossing
+    for i in range(len(slack)):
+        falls = span * tilt[i] - 1.0
+        if falls > 1e-12:
+            x = min(x, span * slack[i] / falls)
+    return x
 
 
 def both_passes(
@@ -51,35 +108,88 @@ def both_passes(
     return fastest
 
 
-def least_around(times: Array, speeds: Array, window: float, result: Array) -> None:
-    """Fill in the least of speeds (k,) [m/s] within a window [s] before and after each.
+def load_stages(
+    rows: tuple[Index, Array, Array],
+    cell: Index,
+    middle: Array,
+    u: Array,
+    square: Array,
+    load: Array,
+) -> None:
+    """Fill in the largest share (m,) of an acceleration in the middle of stages; see `loads`."""
+    at, slopes, bends = rows
+    for k in range(len(cell)):
+        a, b, c = at[cell[k], 0], at[cell[k], 1], at[cell[k], 2]
+        largest = 0.0
+        for i in range(slopes.shape[1]):
+            slope = parabola(slopes[a, i], slopes[b, i], slopes[c, i], middle[k])
+            bend = parabola(bends[a, i], bends[b, i], bends[c, i], middle[k])
+            largest = max(largest, abs(slope * u[k] + bend * square[k]))
+        load[k] = largest
 
-    Times ascend. One that a slower one follows can be the least of no window that holds both, so
-    those that can, kept on a stack, become faster towards its top; once from either side.
+
+def fast_stages(
+    at: Index, slowness: Array, cell: Index, begin: Array, end: Array, speeds: Array
+) -> None:
+    """Fill in largest speeds (m, 3) [m/s] at begin, middle and end of stages; see `fastest`."""
+    for k in range(len(cell)):
+        a, b, c = at[cell[k], 0], at[cell[k], 1], at[cell[k], 2]
+        start, middle, last = slowness[a], slowness[b], slowness[c]
+        for i in range(3):
+            share = begin[k] if i == 0 else end[k] if i == 2 else 0.5 * (begin[k] + end[k])
+            of_end = max(2.0 * share - 1.0, 0.0)
+            of_middle = 2.0 * (share - of_end)
+            straight = start * (1.0 - of_middle - of_end) + middle * of_middle + last * of_end
+            speeds[k, i] = 1.0 / max(parabola(start, middle, last, share), straight)
+
+
+def held_back_by(
+    rows: tuple[Index, Array, Array, Array],
+    cell: Index,
+    middle: Array,
+    u: Array,
+    square: Array,
+    reached: float,
+    kind: Index,
+) -> None:
+    """Fill in which limit (m,) is used most in the middle of stages; see `limiters_of`.
+
+    Args:
+        rows: Places (c, 3) of the cells; rates, slopes and bends (k, ...) at the places.
+        cell: The cells (m,) of the stages.
+        middle: Where in them the middles are.
+        u: Path acceleration (m,).
+        square: Square of the path speed (m,) there.
+        reached: A speed that is used more than this holds back whatever accelerations do.
+        kind: Filled in: speeds are counted first.
     """
-    count = len(times)
-    stack = np.empty(count, np.int64)
-    for direction in (1, -1):
-        height = 0
-        k = 0 if direction == 1 else count - 1
-        for _ in range(count):
-            while height > 0 and speeds[stack[height - 1]] >= speeds[k]:
-                height -= 1
-            stack[height] = k
-            height += 1
-            edge = times[k] - window if direction == 1 else times[k] + window
-            low, high = 0, height - 1
-            while low < high:
-                middle = (low + high) // 2
-                at = times[stack[middle]]
-                if (at >= edge) if direction == 1 else (at <= edge):
-                    high = middle
-                else:
-                    low = middle + 1
-            least = speeds[stack[low]]
-            result[k] = least if direction == 1 else min(least, result[k])
-            k += direction
+    at, rates, slopes, bends = rows
+    for k in range(len(cell)):
+        a, b, c = at[cell[k], 0], at[cell[k], 1], at[cell[k], 2]
+        speed = np.sqrt(square[k])
+        found, most = 0, 0.0
+        for i in range(rates.shape[1]):
+            usage = parabola(rates[a, i], rates[b, i], rates[c, i], middle[k]) * speed
+            if usage > most:
+                found, most = i, usage
+        if most <= reached:
+            most = 0.0
+            for i in range(slopes.shape[1]):
+                slope = parabola(slopes[a, i], slopes[b, i], slopes[c, i], middle[k])
+                bend = parabola(bends[a, i], bends[b, i], bends[c, i], middle[k])
+                load = abs(slope * u[k] + bend * square[k])
+                if load > most:
+                    found, most = rates.shape[1] + i, load
+        kind[k] = found
 
 
-COMPILED = (widest, both_passes, least_around)
+COMPILED = (
+    parabola,
+    widest_of,
+    limit_stages,
+    both_passes,
+    load_stages,
+    fast_stages,
+    held_back_by,
+)
 """All functions, each after those that it calls."""

@@ -7,6 +7,8 @@ Both passes of the solver have this form, so this is the one place that a faster
 
 from __future__ import annotations
 
+from itertools import islice
+
 import numpy as np
 
 from rapidsim.frames.transform import Array
@@ -55,11 +57,22 @@ def sweep(first: float, slopes: Array, offsets: Array, caps: Array) -> Array:
 
 
 def _one_by_one(first: float, slopes: Array, offsets: Array, caps: Array) -> Array:
+    """The same step by step, for short rows.
+
+    Lines above the cap at both ends of the range of y are never met; most are.
+    """
+    largest = np.append(max(first, 0.0), caps[1:-1])[:, None]
+    met = np.minimum(offsets, slopes * largest + offsets) < caps[1:, None]
+    lines = zip(slopes[met].tolist(), offsets[met].tolist(), strict=True)
     result = [first]
     y = first
-    rows = zip(slopes.tolist(), offsets.tolist(), caps[1:].tolist(), strict=True)
-    for slope, offset, cap in rows:
-        y = min([a * y + b for a, b in zip(slope, offset, strict=True)])
-        y = 0.0 if y < 0.0 else min(y, cap)
+    for count, cap in zip(met.sum(axis=1).tolist(), caps[1:].tolist(), strict=True):
+        reached = cap
+        # Plain comparisons: a list for `min` would cost twice as much.
+        for slope, offset in islice(lines, count):
+            other = slope * y + offset
+            if other < reached:
+                reached = other
+        y = 0.0 if reached < 0.0 else reached
         result.append(y)
     return np.array(result)

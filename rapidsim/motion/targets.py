@@ -16,9 +16,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
+from rapidsim.frames import rigid
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import (
     NO_EXTERNAL_AXES,
@@ -34,6 +36,7 @@ from rapidsim.language.data import (
     WobjData,
 )
 from rapidsim.language.single import single
+from rapidsim.motion import one_pose
 from rapidsim.motion.arms import Arms
 from rapidsim.motion.external_axes import ExternalAxis, screws_of
 from rapidsim.motion.kinematics import Kinematics
@@ -59,7 +62,7 @@ class NotSimulatedFrame:
     reason: str
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Placement:
     """Where a pair of tool and work object puts targets, with all external axes at zero."""
 
@@ -70,9 +73,15 @@ class Placement:
     carrier: Carrier | None = None
     """None for the plain set-up: tool in the hand, robot and work object standing still."""
 
+    @cached_property
+    def _curve_from_object(self) -> rigid.Rigid:
+        return rigid.from_transform(self.curve_from_object)
+
     def curve_from_tcp(self, target: RobTarget) -> Transform:
-        """Where a target puts the TCP on a curve."""
-        return self.curve_from_object @ transform(Pose(target.trans, target.rot))
+        """Where a target puts the TCP on a curve; its orientation is of any length but 0."""
+        x, y, z = target.trans
+        object_from_tcp = rigid.from_quaternion(target.rot, (x * MM, y * MM, z * MM))
+        return rigid.to_transform(rigid.composed(self._curve_from_object, object_from_tcp))
 
     def base_from_flange(
         self, kinematics: Kinematics, curve_from_tcp: Transform, external: Array
@@ -87,7 +96,7 @@ class Placement:
     def standing_at(self, kinematics: Kinematics, joints: Array, external: Array) -> Transform:
         """curve_from_tcp of joints (n,) [rad] and external axes (e,) [m or rad]."""
         if self.carrier is None:
-            return kinematics.forward(joints) @ self.tcp_from_flange.inverse()
+            return one_pose.base_from_tcp(kinematics, joints, self.tcp_from_flange)
         wide = np.concatenate([joints, external])[None]
         return self._arms(kinematics).curve_from_tcp(wide, _ROW)[0]
 

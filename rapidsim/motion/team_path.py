@@ -16,7 +16,7 @@ from functools import cached_property
 
 import numpy as np
 
-from rapidsim.frames.transform import Array
+from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.corners import Corner
 from rapidsim.motion.curves import Index
 from rapidsim.motion.layout import Layout
@@ -129,6 +129,12 @@ class PartPath(SharedPath):
             tcp_rate=points.tcp_rate * self.course.rate(s, piece),
         )
 
+    def beside(self, s: Array, joints: Array, rates: Array) -> tuple[Transform, Index, Array]:
+        """The arm with other joints; see `Path.beside`."""
+        s, piece = self._pieces(s)
+        pose, _, speed = self.course.path.beside(self.course.place(s, piece), joints, rates)
+        return pose, self.segment_of(piece), speed
+
     def rates(self, s: Array, piece: Index) -> PathRates:
         """Derivatives with respect to the common parameter."""
         return self.course.rates(s, piece)
@@ -166,6 +172,7 @@ class TeamPath(SharedPath):
             active,
             own.nodes,
             own.model,
+            None,
             self.starts,
             course,
         )
@@ -252,6 +259,7 @@ def team_path(paths: Sequence[Path]) -> TeamPath:
         np.arange(len(segments)),
         lead.nodes,
         lead.model,
+        None,
         ends[:-1],
         courses,
     )

@@ -1,4 +1,4 @@
-"""When the arm is where on a path: the fastest motion within limits and programmed times."""
+"""When the arm is where on a path: place and speed as exact functions of time."""
 
 from __future__ import annotations
 
@@ -10,19 +10,7 @@ import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.curves import Index
-from rapidsim.motion.grid import cells_of
-from rapidsim.motion.limiters import limiters_of
-from rapidsim.motion.limits import Limits
-from rapidsim.motion.path import Path
-from rapidsim.motion.problem import Problem, at_pace, cut, problem_of
-from rapidsim.motion.refinement import refinement
-from rapidsim.motion.rows import Limiter, Quantity
-from rapidsim.motion.solver import solve
-
-_ROUNDS = 7
-_TIMED_ROUNDS = 4
-_TIMED_HALVINGS = 16
-_TIME_TOLERANCE = 1e-3
+from rapidsim.motion.rows import Limiter
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,11 +97,24 @@ class Timing:
         cubic = since * (
             self.s[k] - self.s[0] + since * (self.speed[k] / 2 + since * self.acceleration[k] / 6)
         )
-        integral: Array = self._integrals[k] + cubic
+        integral: Array = self.integrals[k] + cubic
         return integral
 
+    def smoothed(self, window: float) -> tuple[Array, Array]:
+        """Places [m] and speeds [m/s], (k,) each, of the mean over a window [s] before each node.
+
+        Before the first node the motion is taken to have had the speed that it has there.
+        """
+        early = self.times - window
+        before = np.minimum(early, 0.0)
+        place = self.s_at(early) + self.speed[0] * before
+        integral = self.way_integral(early) + 0.5 * self.speed[0] * before**2
+        mean = self.s[0] + (self.integrals - integral) / window
+        return mean, (self.s - place) / window
+
     @cached_property
-    def _integrals(self) -> Array:
+    def integrals(self) -> Array:
+        """Integral of s - s[0] from time 0 to the nodes, shape (k,) [m s]."""
         step = np.diff(self.times)
         way, speed = self.s[:-1] - self.s[0], self.speed[:-1]
         parts = step * (way + step * (speed / 2 + step * self.acceleration / 6))
@@ -123,124 +124,3 @@ class Timing:
         time = np.clip(np.asarray(t, dtype=np.float64), 0.0, self.times[-1])
         k = np.clip(np.searchsorted(self.times, time, side="right") - 1, 0, len(self.s) - 2)
         return k, time - self.times[k]
-
-
-def plan(path: Path, limits: Limits, *, start: float = 0.0, start_speed: float = 0.0) -> Timing:
-    """Find the fastest motion to rest at the end of a path.
-
-    Args:
-        path: The geometry.
-        limits: Of the axes; the segments bring the limits of the TCP.
-        start: Place [m] where the motion starts.
-        start_speed: Path speed [m/s] there. If it is too fast to brake within the limits, it is
-            kept, the first stretch brakes harder than allowed, and `Timing.start_excess` says so.
-    """
-    if start >= path.length:
-        nothing = Limiter(Quantity.NOTHING)
-        return Timing(
-            s=np.full(2, path.length),
-            speed=np.zeros(2),
-            start_excess=start_speed,
-            limited_by=(nothing,) * len(path.segments),
-        )
-    pace = np.full(len(path.segments), np.nan)
-    timed = _timed(path, start)
-    pace[list(timed)] = np.inf
-    problem = problem_of(path, cells_of(path, limits, start), limits, pace)
-    problem, x, fastest = refined(problem, pace, start_speed)
-    if timed:
-        pace = _paced(problem, pace, start_speed, timed)
-        problem, _, _ = refined(at_pace(problem, pace), pace, start_speed)
-        pace = _paced(problem, pace, start_speed, timed)
-        problem = at_pace(problem, pace)
-        x, fastest = solve(problem, start_speed)
-    nodes, speed = problem.cells.nodes, np.sqrt(x)
-    stops = np.flatnonzero(np.isin(nodes[1:-1], path.stops)) + 1
-    standing = None
-    if len(stops) and path.model.filter_time:
-        # So long that the smoothed motion comes to rest, too: it could not turn a kink on the way.
-        nodes, speed = np.insert(nodes, stops, nodes[stops]), np.insert(speed, stops, 0.0)
-        standing = np.where(np.diff(nodes) == 0.0, path.model.filter_time, 0.0)
-    return Timing(
-        s=nodes,
-        speed=speed,
-        start_excess=max(0.0, start_speed - float(np.sqrt(fastest))),
-        limited_by=limiters_of(problem, x),
-        standing=standing,
-    )
-
-
-def refined(problem: Problem, pace: Array, start_speed: float) -> tuple[Problem, Array, float]:
-    """Cut cells until the limits hold within them and no time is lost at switching points."""
-    among = np.arange(len(problem.widest))
-    x, fastest = solve(problem, start_speed)
-    for _ in range(_ROUNDS):
-        index, at = refinement(problem, x, among)
-        if not len(index):
-            break
-        problem = cut(problem, pace, index, at)
-        # Nodes keep their order, with a new one in each cell that was cut; it counts as changed.
-        before = np.insert(x, index + 1, np.nan)
-        x, fastest = solve(problem, start_speed)
-        changed = x != before
-        among = np.flatnonzero(changed[:-1] | changed[1:])
-    return problem, x, fastest
-
-
-def _timed(path: Path, start: float) -> dict[int, float]:
-    """Programmed time [s] of what is left of each segment that has one."""
-    begins = path.segment_starts
-    ends = np.append(begins[1:], path.length)
-    times = {}
-    for i, segment in enumerate(path.segments):
-        if segment.duration is not None and ends[i] > max(start, begins[i]):
-            share = (ends[i] - max(start, begins[i])) / (ends[i] - begins[i])
-            times[i] = segment.duration * float(share)
-    return times
-
-
-def _paced(
-    problem: Problem,
-    pace: Array,
-    start_speed: float,
-    timed: dict[int, float],
-) -> Array:
-    """The path speed (segments,) that gives each timed segment its time; infinite if too short.
-
-    Neighbours share the ramps between them, so all are halved together, and again around what was
-    found until the times agree.
-    """
-    index = np.array(list(timed))
-    wanted = np.array(list(timed.values()))
-    path, width = problem.path, problem.cells.width
-    segment = path.segment_of(problem.cells.piece)
-    way = np.bincount(segment, width, minlength=len(path.segments))[index]
-
-    def spent(trial: Array) -> Array:
-        """Time of the timed segments at some paces."""
-        attempt = pace.copy()
-        attempt[index] = trial
-        speed = np.sqrt(solve(at_pace(problem, attempt), start_speed)[0])
-        step = 2.0 * width / np.maximum(speed[1:] + speed[:-1], 1e-300)
-        time: Array = np.bincount(segment, step, minlength=len(path.segments))[index]
-        return time
-
-    fastest = spent(np.full(len(index), np.inf))
-    feasible = fastest < wanted * (1.0 - _TIME_TOLERANCE)
-    # Half the mean speed is slow enough even where a fast start has to be braked away first.
-    low = 0.5 * way / wanted
-    high = np.where(feasible, 4.0 * way / fastest + low, np.inf)
-    found = high
-    for _ in range(_TIMED_ROUNDS):
-        for _ in range(_TIMED_HALVINGS):
-            middle = np.where(feasible, 0.5 * (low + high), np.inf)
-            slow = spent(middle) > wanted
-            low, high = np.where(slow, middle, low), np.where(slow, high, middle)
-        found = np.where(feasible, 0.5 * (low + high), np.inf)
-        miss = np.abs(spent(found) - wanted) / wanted
-        if not (feasible & (miss > _TIME_TOLERANCE)).any():
-            break
-        low, high = found / 1.3, found * 1.3
-    paced = pace.copy()
-    paced[index] = found
-    return paced

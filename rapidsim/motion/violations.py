@@ -10,6 +10,9 @@ from typing import ClassVar
 
 from rapidsim.diagnostics import Severity, Violation
 
+_LISTED_CONFIGURATIONS = 4
+"""A pose has up to 32, most of them whole turns of axes away."""
+
 
 @dataclass(frozen=True)
 class UnreachableTarget(Violation):
@@ -113,7 +116,9 @@ class ConfigurationNotReachable(Violation):
         """The configurations that work, the nearest to the arm first."""
         if len(self.working) == 1:
             return f"only {self.working[0]} reaches it with this tool and work object"
-        return f"it is reached, nearest first, by {', '.join(self.working)}"
+        listed = ", ".join(self.working[:_LISTED_CONFIGURATIONS])
+        more = len(self.working) - _LISTED_CONFIGURATIONS
+        return f"it is reached, nearest first, by {listed}{f' and {more} more' if more > 0 else ''}"
 
 
 @dataclass(frozen=True)

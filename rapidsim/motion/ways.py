@@ -15,6 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.arms import Arms, arms_of
 from rapidsim.motion.curves import Curves, curves_of
 from rapidsim.motion.kinematics import Mask
 from rapidsim.motion.opw import OrthoParallel
@@ -104,7 +105,8 @@ def _survey(
     robot: Robot, segments: Sequence[Segment], max_speed: Array | None
 ) -> list[SurveyedWay]:
     curves = curves_of(segments, robot.kinematics)
-    samples = _refined(robot, segments, curves, _first_samples(robot, segments, curves))
+    arms = arms_of(segments, robot.kinematics, curves.joint_travel, curves.length)
+    samples = _refined(curves, arms, _first_samples(curves, arms))
     joints = _continuous(samples)
     row, last = samples.row, np.append(np.flatnonzero(np.diff(samples.row)), len(samples.row) - 1)
     same = row[1:] == row[:-1]
@@ -127,40 +129,23 @@ def _survey(
     ]
 
 
-def _first_samples(robot: Robot, segments: Sequence[Segment], curves: Curves) -> _Samples:
+def _first_samples(curves: Curves, arms: Arms) -> _Samples:
     turn = np.linalg.norm(curves.tool_turn, axis=-1) + np.linalg.norm(curves.frame_turn, axis=-1)
     cells = np.ceil(np.maximum(curves.travel / _LONGEST_CELL, turn / _WIDEST_CELL))
     count = np.clip(cells, 2, _MOST_CELLS).astype(np.int64) + 1
-    row = np.repeat(np.arange(len(segments)), count)
+    row = np.repeat(np.arange(len(count)), count)
     number = np.arange(len(row)) - np.repeat(np.cumsum(count) - count, count)
-    return _sampled(robot, segments, curves, row, number / (count[row] - 1.0))
+    return _sampled(curves, arms, row, number / (count[row] - 1.0))
 
 
-def _sampled(
-    robot: Robot, segments: Sequence[Segment], curves: Curves, row: Index, share: Array
-) -> _Samples:
+def _sampled(curves: Curves, arms: Arms, row: Index, share: Array) -> _Samples:
     """Solve places (k,) of curves (k,) on the branch of each."""
-    tcp_from_flange = Transform(
-        np.array([segment.tcp_from_flange.rotation for segment in segments]),
-        np.array([segment.tcp_from_flange.translation for segment in segments]),
-    )
-    branch = np.array([segment.branch for segment in segments])[row]
-    near = np.array([segment.start.joints for segment in segments])[row]
-    motion = curves.at(row, share * curves.length[row])
-    pose = Transform(motion.rotation, motion.position) @ tcp_from_flange[row]
-    joints, exists = near.copy(), np.zeros(len(row), dtype=bool)
-    for one in np.unique(branch):
-        at = np.flatnonzero(branch == one)
-        followed = robot.kinematics.inverse_on_branch(pose[at], int(one), near[at])
-        reached = at[followed.exists]
-        joints[reached] = followed.joints[followed.exists]
-        exists[reached] = True
-    return _Samples(row, share, pose, joints, exists)
+    motion, near = curves.at(row, share * curves.length[row]), curves.start_joints[row]
+    joints, exists = arms.joints(motion, row, near)
+    return _Samples(row, share, arms.base_from_flange(motion, row, near), joints, exists)
 
 
-def _refined(
-    robot: Robot, segments: Sequence[Segment], curves: Curves, samples: _Samples
-) -> _Samples:
+def _refined(curves: Curves, arms: Arms, samples: _Samples) -> _Samples:
     """Put places between those where the joints turn far."""
     for _ in range(_ROUNDS):
         same = samples.row[1:] == samples.row[:-1]
@@ -170,7 +155,7 @@ def _refined(
         if not at.size:
             break
         middle = 0.5 * (samples.share[at] + samples.share[at + 1])
-        new = _sampled(robot, segments, curves, samples.row[at], middle)
+        new = _sampled(curves, arms, samples.row[at], middle)
         samples = _Samples(
             np.insert(samples.row, at + 1, new.row),
             np.insert(samples.share, at + 1, new.share),

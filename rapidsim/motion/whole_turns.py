@@ -8,6 +8,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.kinematics import Mask
 
 TURN = 2.0 * np.pi
+HALF_TURN = np.pi
 
 
 def principal(joints: Array) -> Array:
@@ -32,3 +33,14 @@ def in_turn_of(joints: Array, exists: Mask, near: Array) -> Array:
         turns = np.round((near - joints) / TURN)
         turned[exists] = (joints + TURN * turns)[exists]
     return turned
+
+
+def turned_towards(before: float, angle: float) -> float:
+    """An angle [rad] in the whole turn that is nearest to another; half a turn stays as it is."""
+    away = angle - before
+    if -HALF_TURN < away < HALF_TURN:
+        return angle
+    short = (away + HALF_TURN) % TURN - HALF_TURN
+    if short == -HALF_TURN and away > 0.0:
+        short = HALF_TURN
+    return angle + (short - away)

@@ -22,9 +22,10 @@ from rapidsim.motion.following import PathFault
 from rapidsim.motion.limits import Limits, limits_of
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path import Path, build_path
+from rapidsim.motion.planning import plan
 from rapidsim.motion.robot import Robot
 from rapidsim.motion.segments import Segment, Waypoint
-from rapidsim.motion.timing import Timing, plan
+from rapidsim.motion.timing import Timing
 from rapidsim.motion.trajectory import Piece, Samples, Trajectory
 from rapidsim.simulation.queued_move import (
     QueuedMove,
@@ -157,11 +158,15 @@ class PathQueue:
             self._commit = Commit(start_s, 0, 0.0, 0.0)
             queued.started.time = start_s
             queued.command_start_s = start_s
-        elif frames_of(self._block[-1]) != frames_of(queued):
-            # Source: RAPID Overview, "Motion and I/O principles": a change of tool or work object
-            # within a zone makes the corner path joint interpolated.
+        else:
             last = self._block[-1]
-            last.segment = replace(last.segment, joint_corner=True)
+            if frames_of(last) != frames_of(queued):
+                # Source: RAPID Overview, "Motion and I/O principles": a change of tool or work
+                # object within a zone makes the corner path joint interpolated.
+                last.segment = replace(last.segment, joint_corner=True)
+            if queued.segment.ramp > last.segment.ramp:
+                # The window of the smoothing becomes narrower only where it is empty.
+                queued.segment = replace(queued.segment, ramp=last.segment.ramp)
         if queued.segment.index != len(self.moves):
             queued.segment = replace(queued.segment, index=len(self.moves))
         self._block.append(queued)
@@ -183,8 +188,11 @@ class PathQueue:
         tentative = self._to_travel()
         end_s = self._travel(tentative, len(self._block), tentative.path.length)
         stop = self._block[-1].move.stop
-        pause_s = self.model.filter_time + stop.seconds if stop else 0.0
-        self._ready_s = end_s + max(self.model.fine_dwell, pause_s)
+        lag_s = self.trajectory.lag_s(end_s)
+        pause_s = lag_s + stop.seconds if stop else 0.0
+        # A window that a ramp has widened takes longer to run empty; the standstill stays as long.
+        dwell_s = self.model.fine_dwell + (lag_s - self.model.filter_time)
+        self._ready_s = end_s + max(dwell_s, pause_s)
         self._closed = True
         self._plan = None
         return end_s
@@ -281,8 +289,10 @@ class PathQueue:
             for index, queued in enumerate(self.moves)
             if queued.ended_s is not None and queued.started.time is not None
         ]
-        places = [[queued.start_place_m, queued.end_place_m] for _, queued in done]
-        seen_s = self.trajectory.time_at_place(np.array(places).reshape(-1)).reshape(-1, 2)
+        both = np.array([[queued.start_place_m, queued.end_place_m] for _, queued in done])
+        # Most moves begin where the one before ends.
+        places, row = np.unique(both.reshape(-1), return_inverse=True)
+        seen_s = self.trajectory.time_at_place(places)[row].reshape(-1, 2)
         return tuple(
             executed_move(index, task, queued, float(start_s), float(end_s))
             for (index, queued), (start_s, end_s) in zip(done, seen_s, strict=True)

@@ -9,6 +9,7 @@ import numpy as np
 from rapidsim.frames.transform import Array
 from rapidsim.motion.curves import Index
 from rapidsim.motion.limits import Limits
+from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path import Path
 from rapidsim.motion.trajectory import Piece, Samples, Trajectory
 
@@ -34,10 +35,18 @@ def command_of(trajectory: Trajectory) -> Trajectory:
     return command
 
 
-def excess_of(trajectory: Trajectory, limits: Limits) -> Excess:
+def with_axes_smoothed(trajectory: Trajectory) -> Trajectory:
+    """The same command, each axis smoothed by itself."""
+    other = Trajectory(trajectory._start, MotionModel().filter_time, "axes")
+    for piece in trajectory.pieces:
+        other.append(piece)
+    return other
+
+
+def excess_of(trajectory: Trajectory, limits: Limits, most: int = MOST_SAMPLES) -> Excess:
     """How much of the limits a motion uses; AccSet and programmed speeds are those of its moves."""
     share, speed = _of_moves(trajectory.pieces)
-    count = min(int(trajectory.duration / STEP) + 5, MOST_SAMPLES)
+    count = min(int(trajectory.duration / STEP) + 5, most)
     samples = trajectory.at(np.linspace(-2.0 * STEP, STEP * (count - 3), count))
     joints = np.concatenate([samples.joints, samples.external], axis=1)
     rates = np.diff(joints, axis=0) / STEP
@@ -55,14 +64,16 @@ def excess_of(trajectory: Trajectory, limits: Limits) -> Excess:
 def _of_moves(pieces: tuple[Piece, ...]) -> tuple[Array, Array]:
     """Share of the axis accelerations and programmed TCP speed [m/s] of each move of a run.
 
-    Moves with a time of their own have no speed; in the middle of a corner speeds change.
+    Moves with a time of their own have no speed, and on arcs that two wrist axes lead it is not the
+    TCP's; in the middle of a corner speeds change.
     """
     count = 1 + max(segment.index for piece in pieces for segment in piece.path.segments)
     share, speed = np.ones(count), np.full(count, np.inf)
     for piece in pieces:
         for segment in piece.path.segments:
             share[segment.index] = segment.acceleration_share
-            speed[segment.index] = segment.speed.tcp if segment.duration is None else np.inf
+            of_tcp = segment.duration is None and segment.wrist_pair is None
+            speed[segment.index] = segment.speed.tcp if of_tcp else np.inf
     return share, speed
 
 
@@ -73,6 +84,7 @@ def _largest_of_neighbours(values: Array) -> Array:
 def off_curve(trajectory: Trajectory) -> float:
     """Largest distance [m] of the TCP from programmed lines and arcs, where no corner cuts them.
 
+    On arcs that two wrist axes lead it is that of the z axis of the tool where it passes the plane.
     The TCP is found from the joints that were sampled, so this measures the arm, not its plan.
     """
     count = min(int(trajectory.duration / STEP) + 1, MOST_SAMPLES)
@@ -98,15 +110,19 @@ def _off_path(path: Path, s: Array, samples: Samples, at: Index) -> float:
         return 0.0
     row = row[on_curve]
     joints = np.concatenate([samples.joints, samples.external], axis=1)[at[on_curve]]
-    tcp = path.arms.curve_from_tcp(joints, row).translation
+    tcp = path.arms.curve_from_tcp(joints, row)
     start, spoke = curves.start.translation[row], curves.spoke[row]
-    to_tcp = tcp - start
+    to_tcp = tcp.translation - start
     chord = curves.chord[row]
     along = chord / np.maximum(np.linalg.norm(chord, axis=-1), 1e-12)[:, None]
     off_line = np.linalg.norm(np.cross(along, to_tcp), axis=-1)
     radius = np.linalg.norm(spoke, axis=-1)
     axis = curves.frame_turn[row]
     axis = axis / np.maximum(np.linalg.norm(axis, axis=-1), 1e-12)[:, None]
+    led = np.flatnonzero(path.arms.pair_rows[row])
+    z = tcp.rotation[led, :, 2]
+    height, fall = (np.einsum("ki,ki->k", part, axis[led]) for part in (to_tcp[led], z))
+    to_tcp[led] -= (height / fall)[:, None] * z
     from_centre = to_tcp + spoke
     off_plane = np.einsum("ki,ki->k", from_centre, axis)
     off_arc = np.hypot(np.linalg.norm(from_centre, axis=-1) - radius, off_plane)

@@ -8,7 +8,8 @@ from motion_programs import LIMITS, Programmer, path_of, zone
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.path import Path
-from rapidsim.motion.timing import Timing, plan
+from rapidsim.motion.planning import plan
+from rapidsim.motion.timing import Timing
 
 STEP_S = 2e-3
 

@@ -13,8 +13,8 @@ from motion_programs import LIMITS, Programmer, path_of, path_or_fault, programs
 
 from rapidsim.motion.braking import stop_at
 from rapidsim.motion.following import PathFault
+from rapidsim.motion.planning import plan
 from rapidsim.motion.segments import Speed
-from rapidsim.motion.timing import plan
 from rapidsim.motion.trajectory import Piece, Trajectory
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import sys
+from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 
@@ -27,7 +28,7 @@ def _benchmark() -> ModuleType:
 @pytest.mark.skipif(not TRACES.exists(), reason=f"{TRACES} is not here")
 @pytest.mark.parametrize(
     ("model", "end_percent", "time_ms", "corners_percent"),
-    [("default", 1.5, 25.0, 12.0), ("measured", 0.75, 8.0, 8.0)],
+    [("default", 1.5, 25.0, 12.0), ("measured", 0.6, 8.0, 8.0)],
 )
 def test_a_run_takes_the_time_that_the_controller_took(
     model: str, end_percent: float, time_ms: float, corners_percent: float
@@ -41,3 +42,17 @@ def test_a_run_takes_the_time_that_the_controller_took(
         assert trace.time_rms_ms < time_ms, trace
         assert not trace.corner_speed_percent > corners_percent, trace
         assert trace.off_path_deg < 0.1, trace
+
+
+@pytest.mark.skipif(not TRACES.exists(), reason=f"{TRACES} is not here")
+def test_with_each_axis_smoothed_a_run_rounds_corners_as_the_controller_did() -> None:
+    fidelity = _benchmark()
+    traces = fidelity.read_traces(TRACES)
+    found = fidelity.fidelities(traces, replace(fidelity.measured_model(), smoothing="axes"))
+    assert [trace.corner_cut_mm < 0.8 for trace in found] == [False, True, True, False, True]
+    for trace in found:
+        assert abs(trace.end_percent) < 0.6, trace
+        assert trace.time_rms_ms < 8.0, trace
+        assert trace.off_path_deg < 0.04, trace
+        if "movel_v5000" in trace.name:
+            assert trace.corner_cut_mm < 0.3, trace

@@ -12,6 +12,7 @@ from rapidsim.motion.held_speeds import held_speeds
 
 WINDOW_S = 0.08
 PLACES = np.linspace(0.0, 0.6, 1201)
+EVERYWHERE = np.ones(len(PLACES), dtype=bool)
 
 
 def smoothed(held: Array) -> tuple[Array, Array]:
@@ -28,7 +29,7 @@ def smoothed(held: Array) -> tuple[Array, Array]:
 @given(knots=st.lists(st.floats(0.05, 1.0), min_size=2, max_size=9))
 def test_the_smoothed_motion_keeps_the_largest_speeds(knots: list[float]) -> None:
     speeds = np.interp(PLACES, np.linspace(0.0, 0.6, len(knots)), knots)
-    held = held_speeds(PLACES, speeds, WINDOW_S)
+    held = held_speeds(PLACES, speeds, EVERYWHERE, WINDOW_S)
     assert (held <= speeds).all()
     place, speed = smoothed(held)
     assert (speed <= np.interp(place, PLACES, speeds) * 1.01).all()
@@ -36,7 +37,7 @@ def test_the_smoothed_motion_keeps_the_largest_speeds(knots: list[float]) -> Non
 
 def test_a_dip_is_held_as_long_as_the_window_and_no_longer() -> None:
     speeds = np.where(np.abs(PLACES - 0.3) < 0.005, 0.1, 1.0)
-    held = held_speeds(PLACES, speeds, WINDOW_S)
+    held = held_speeds(PLACES, speeds, EVERYWHERE, WINDOW_S)
     slow = PLACES[held < 0.2]
     # At the full speed of 1 m/s half the window is 40 mm to either side.
     assert slow[0] == pytest.approx(0.3 - 0.045, abs=0.005)
@@ -45,4 +46,4 @@ def test_a_dip_is_held_as_long_as_the_window_and_no_longer() -> None:
 
 def test_an_even_rise_costs_nothing() -> None:
     speeds = 0.2 + 0.5 * PLACES
-    assert held_speeds(PLACES, speeds, WINDOW_S) == pytest.approx(speeds, rel=1e-3)
+    assert held_speeds(PLACES, speeds, EVERYWHERE, WINDOW_S) == pytest.approx(speeds, rel=1e-3)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from types import ModuleType
 
 import numpy as np
 import pytest
@@ -19,16 +20,31 @@ from motion_programs import (
 )
 
 from rapidsim.frames.transform import Transform
-from rapidsim.motion import compiled, line_formulas, line_rates, problem, solver_loops
+from rapidsim.motion import (
+    compiled,
+    corner_shape,
+    following,
+    held_loops,
+    limiters,
+    line_formulas,
+    line_loops,
+    line_rates,
+    solver_loops,
+    stages,
+)
+from rapidsim.motion import held_speeds as held_speeds_module
+from rapidsim.motion.drive import fastest_drive
 from rapidsim.motion.following import PathFault
-from rapidsim.motion.grid import Places
-from rapidsim.motion.held_speeds import least_around, within
+from rapidsim.motion.grid import Places, cells_of
+from rapidsim.motion.held_speeds import held_speeds
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.opw import OrthoParallel
 from rapidsim.motion.path import Path, PathRates, build_path
+from rapidsim.motion.planning import plan
+from rapidsim.motion.problem import problem_of
 from rapidsim.motion.robot import load_robot
+from rapidsim.motion.rows import acceleration_rows
 from rapidsim.motion.segments import Geometry, Segment, Waypoint
-from rapidsim.motion.timing import plan
 from rapidsim.motion.turns import rotation_from_vector
 
 PROGRAMMED_TURNS = MotionModel(orientation_zone="programmed")
@@ -36,11 +52,7 @@ PROGRAMMED_TURNS = MotionModel(orientation_zone="programmed")
 
 def in_general(path: Path, places: Places) -> PathRates:
     """Derivatives as any arm gets them."""
-    other = Path(
-        path.segments, path.kinematics, path.layout, path.arms, path.active, path.nodes, path.model
-    )
-    other.__dict__["_lines"] = None
-    return other.rates(places.s, places.piece)
+    return replace(path, lines=None).rates(places.s, places.piece)
 
 
 def spread(path: Path, count: int = 300) -> Places:
@@ -72,68 +84,130 @@ def test_closed_forms_are_the_general_derivatives(program: Programmer, model: Mo
 def test_all_of_a_program_of_lines_is_closed() -> None:
     program = Programmer().line((0.1, 0, 0), z=zone(10)).line((0, 0.1, 0), (0, 0, 0.2), zone(5))
     path = path_of(program.line((0.1, 0, 0)))
-    lines = line_rates.lines_of(path.layout, path.arms)
-    assert lines is not None
-    assert lines.pieces.all()
+    assert path.lines is not None
+    assert path.lines.pieces.all()
 
 
 def test_joint_moves_and_their_corners_are_not_lines() -> None:
     program = Programmer().line((0.1, 0, 0), z=zone(10)).line((0, 0.1, 0), z=zone(10))
     path = path_of(program.move((0.1, 0.1, 0, 0, 0, 0)))
-    lines = line_rates.lines_of(path.layout, path.arms)
+    lines = path.lines
     assert lines is not None
     joint = path.layout.curves.in_joints[path.layout.row] | (path.layout.joint_corner >= 0)
     assert np.array_equal(lines.pieces, ~joint)
 
 
-def test_loops_do_what_columns_do() -> None:
-    """Not compiled, place after place: the code that numba gets."""
+def some_lines(model: MotionModel = MODEL) -> line_rates.Lines:
+    """Three lines that turn the tool, with corners."""
     program = Programmer().line((0.05, 0, 0), (0, 0.1, 0), zone(10))
-    path = path_of(program.line((0, 0.05, 0), (0.1, 0, 0), zone(5)).line((0, 0, 0.05)))
-    lines = line_rates.lines_of(path.layout, path.arms)
+    program.line((0, 0.05, 0), (0.1, 0, 0), zone(5)).line((0, 0, 0.05))
+    lines = path_of(program, model).lines
     assert lines is not None
-    places = spread(path, 40)
-    columns = lines.rates(places.s, places.piece)
-    count = len(places.s)
-    first, second, speeds = np.empty((count, 6)), np.empty((count, 6)), np.empty((count, 2))
-    regular = np.empty(count, dtype=bool)
-    corners = lines._corners(
-        path.layout.position_corner[places.piece], places.s, places.piece, turning=False
-    )
-    g = lines.arm.geometry
-    line_formulas.rates_one_by_one(
-        (g.a1, g.a2, g.b, g.c1, g.c2, g.c3),
-        lines.table,
-        path.layout.row[places.piece],
-        corners,
-        corners,
-        first,
-        second,
-        speeds,
-        regular,
-    )
-    for ours, theirs in zip((first, second, speeds, regular), columns, strict=True):
+    return lines
+
+
+@pytest.mark.parametrize("model", [MODEL, PROGRAMMED_TURNS, MotionModel(corner="parabola")])
+def test_loops_do_what_columns_do(model: MotionModel, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Not compiled, place after place: the code that numba gets."""
+    lines = some_lines(model)
+    bounds = lines.layout.bounds
+    s = np.concatenate([np.linspace(0.0, bounds[-1], 40), bounds[:-1], bounds[1:]])
+    own = np.arange(len(bounds) - 1)
+    piece = np.concatenate([lines.layout.piece_at(s[:40]), own, own])
+    columns, _ = lines.rates(s, piece)
+    joints, _ = lines.joints(s, piece)
+    monkeypatch.setattr(line_rates, "compiled", lambda module, name, rows: vars(module)[name])
+    loops, regular = lines.rates(s, piece)
+    assert regular.all()
+    for ours, theirs in zip(loops.columns, columns.columns, strict=True):
         assert ours == pytest.approx(theirs, rel=1e-12, abs=1e-12)
+    assert lines.joints(s, piece)[0] == pytest.approx(joints, abs=1e-12)
 
 
-def test_the_least_around_is_found_alike() -> None:
+@settings(max_examples=40)
+@given(program=programs())
+def test_joints_on_lines_are_those_of_inverse_kinematics(program: Programmer) -> None:
+    path = path_or_fault(program, MODEL)
+    if isinstance(path, PathFault) or path.lines is None:
+        return
+    s, piece = path.nodes.s, path.nodes.piece
+    joints, holds = path.lines.joints(s, piece)
+    expected, exists = following._joints_in_general(path.layout, path.arms, s, piece)
+    assert exists[holds].all()
+    assert joints[holds] == pytest.approx(expected[holds], abs=1e-9)
+
+
+def test_speeds_are_held_alike(monkeypatch: pytest.MonkeyPatch) -> None:
     random = np.random.default_rng(1)
-    for _ in range(50):
-        count = int(random.integers(1, 60))
-        places = np.sort(random.integers(0, 40, count) * 0.1)
-        speeds = random.uniform(0.0, 2.0, count)
-        stacked = np.empty(count)
-        solver_loops.least_around(places, speeds, 0.5, stacked)
-        assert np.array_equal(stacked, least_around(places, speeds, 0.5, within(places, 0.5)))
+    for number in range(150):
+        count = int(random.integers(1, 80))
+        places = np.cumsum(random.choice([0.0, 0.01, 0.05, 0.5], count, p=[0.2, 0.4, 0.3, 0.1]))
+        speeds = random.uniform(0.1, 2.0, count)
+        if number % 2:
+            # Even enough for lines.
+            speeds = 0.5 + 0.4 * np.sin(0.5 * places) + 0.001 * speeds
+        needed = random.random(count) < 0.6
+        columns = held_speeds(places, speeds, needed, 0.3)
+        with monkeypatch.context() as patch:
+            patch.setattr(held_speeds_module, "compiled", lambda *_: held_loops.hold)
+            loops = held_speeds(places, speeds, needed, 0.3)
+        assert np.array_equal(loops, columns)
+        assert (columns < speeds).any() or not needed.any() or count < 20
 
 
-def test_loops_of_the_solver_do_what_columns_do() -> None:
-    random = np.random.default_rng(2)
-    slack, tilt = random.uniform(0.1, 5.0, (200, 12)), random.uniform(-50.0, 50.0, (200, 12))
-    span = random.uniform(1e-4, 0.1, 200)
-    loops = np.empty(200)
-    solver_loops.widest(slack, tilt, span, problem.LARGEST_X, loops)
-    assert np.array_equal(loops, problem._widest(slack, tilt, span))
+@settings(max_examples=20)
+@given(program=programs())
+def test_loops_of_the_solver_do_what_columns_do(program: Programmer) -> None:
+    """Not compiled, stage after stage: the code that numba gets."""
+    path = path_or_fault(program, MODEL)
+    if isinstance(path, PathFault):
+        return
+    cells = cells_of(path, LIMITS, 0.0)
+    rows = acceleration_rows(path, cells.places, LIMITS)
+    columns = stages.stages_of(cells, rows, 3)
+    slack, tilt = np.empty_like(columns.slack), np.empty_like(columns.tilt)
+    widest = np.empty_like(columns.widest)
+    span = 2.0 * (columns.end - columns.begin) * cells.width[columns.cell]
+    solver_loops.limit_stages(
+        (cells.at, rows.slope, rows.bend),
+        (columns.cell, columns.begin, columns.end, span),
+        stages.LARGEST_X,
+        slack,
+        tilt,
+        widest,
+    )
+    assert slack == pytest.approx(columns.slack, rel=1e-12)
+    assert tilt == pytest.approx(columns.tilt, rel=1e-12, abs=1e-12)
+    assert widest == pytest.approx(columns.widest, rel=1e-12)
+
+
+@settings(max_examples=20)
+@given(program=programs())
+def test_loops_over_a_motion_do_what_columns_do(program: Programmer) -> None:
+    path = path_or_fault(program, MODEL)
+    if isinstance(path, PathFault):
+        return
+    pace = np.full(len(path.segments), np.nan)
+    problem = problem_of(path, cells_of(path, LIMITS, 0.0), LIMITS, pace)
+    cells, rows = problem.cells, problem.accelerations
+    _, motion = fastest_drive(problem, 0.0)
+    both = []
+    for module in (None, solver_loops):
+        with pytest.MonkeyPatch.context() as patch:
+            if module is not None:
+                patch.setattr(stages, "compiled", lambda _, name, rows: vars(solver_loops)[name])
+                patch.setattr(limiters, "compiled", lambda _, name, rows: vars(solver_loops)[name])
+            both.append(
+                (
+                    stages.loads(motion.stages, cells, rows, motion.x),
+                    stages.fastest(motion.stages, cells, problem.slowness),
+                    limiters.limiters_of(problem, motion.stages, motion.x),
+                )
+            )
+    columns, loops = both
+    assert loops[0] == pytest.approx(columns[0], rel=1e-12, abs=1e-12)
+    assert loops[1] == pytest.approx(columns[1], rel=1e-12)
+    assert loops[2] == columns[2]
 
 
 def long_program() -> Programmer:
@@ -164,20 +238,23 @@ def test_few_rows_and_a_switch_keep_numba_away(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(compiled, "_loaded", False)
     assert compiled.compiled(solver_loops, "widest", 10) is None
     monkeypatch.setenv("RAPIDSIM_NUMBA", "0")
-    assert compiled.compiled(solver_loops, "widest", 10**9) is None
+    assert compiled.compiled(solver_loops, "both_passes", 10**9) is None
     monkeypatch.setenv("RAPIDSIM_NUMBA", "1")
     monkeypatch.setattr(compiled, "find_spec", lambda name: None)
-    assert compiled.compiled(solver_loops, "widest", 10**9) is None
+    assert compiled.compiled(solver_loops, "both_passes", 10**9) is None
 
 
-def test_what_is_listed_to_be_compiled_is_all_there_is() -> None:
-    for module in (line_formulas, solver_loops):
-        functions = {
-            name
-            for name, value in vars(module).items()
-            if callable(value) and getattr(value, "__module__", "") == module.__name__
-        }
-        assert {function.__name__ for function in module.COMPILED} == functions
+@pytest.mark.parametrize(
+    "module", [corner_shape, held_loops, line_formulas, line_loops, solver_loops]
+)
+def test_what_is_listed_to_be_compiled_is_all_there_is(module: ModuleType) -> None:
+    functions = {
+        name
+        for name, value in vars(module).items()
+        if callable(value) and getattr(value, "__module__", "") == module.__name__
+    }
+    listed = {one.__name__ for one in module.COMPILED if one.__module__ == module.__name__}
+    assert listed == functions
 
 
 @pytest.mark.parametrize("name", ["irb2400-10-1.55", "kr10-r900-2", "irb120"])

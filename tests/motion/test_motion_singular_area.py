@@ -11,8 +11,8 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.following import FaultKind, PathFault
 from rapidsim.motion.limits import limits_of
 from rapidsim.motion.path import Path
+from rapidsim.motion.planning import plan
 from rapidsim.motion.segments import CircleMode, Geometry, Segment, Waypoint
-from rapidsim.motion.timing import plan
 from rapidsim.motion.turns import rotation_from_vector, vector_from_rotation
 from rapidsim.motion.wrist_lock import lock_axis_4
 

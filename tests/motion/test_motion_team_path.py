@@ -11,8 +11,9 @@ from motion_programs import MODEL, ROBOT, Programmer, path_of, programs, zone
 from rapidsim.frames.transform import Array
 from rapidsim.motion.limits import Limits, limits_of
 from rapidsim.motion.path import Path
+from rapidsim.motion.planning import plan
 from rapidsim.motion.team_path import TeamPath, team_path
-from rapidsim.motion.timing import Timing, plan
+from rapidsim.motion.timing import Timing
 
 LIMITS = limits_of(ROBOT, MODEL)
 

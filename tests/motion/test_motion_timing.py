@@ -17,10 +17,11 @@ from rapidsim.motion.following import PathFault
 from rapidsim.motion.limits import Limits, limits_of
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path import Path
+from rapidsim.motion.planning import plan
 from rapidsim.motion.robot import RobotError
 from rapidsim.motion.segments import Speed
 from rapidsim.motion.sweep import sweep
-from rapidsim.motion.timing import Timing, plan
+from rapidsim.motion.timing import Timing
 
 PARABOLA = MotionModel(corner="parabola", parabola_acceleration=1.0, filter_time=0.0)
 RAPID = Speed(7.0, math.radians(5000.0))

@@ -24,8 +24,9 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.following import PathFault
 from rapidsim.motion.model import Corner, MotionModel
 from rapidsim.motion.path import Path
+from rapidsim.motion.planning import plan
 from rapidsim.motion.segments import Speed, Waypoint
-from rapidsim.motion.timing import Timing, plan
+from rapidsim.motion.timing import Timing
 from rapidsim.motion.trajectory import Piece, Trajectory
 
 FILTER = 0.08

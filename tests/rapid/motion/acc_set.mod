@@ -14,7 +14,6 @@ MODULE acc_set
     AccSet 100,100;
     TPWrite "slower: "\Bool:=gentle>full+0.1;       ! -> slower: TRUE
     TPWrite "and back: "\Bool:=Abs(took()-full)<0.001;  ! -> and back: TRUE
-                                                    ! about the run: warning R104
   ENDPROC
 
   FUNC num took()

@@ -1,0 +1,76 @@
+"""Where functions that never fall pass zero: many at once, each within its own bracket.
+
+Bracketed inverse quadratic interpolation, halving where that does not pay.
+
+Source:
+    Chandrupatla (1997), A new hybrid quadratic/bisection algorithm for finding the zero of a
+    nonlinear function without using derivatives; in the form of Scherer (2017), Computational
+    Physics, section 6.1.7.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import numpy.typing as npt
+
+from rapidsim.frames.transform import Array
+
+_DIGITS = 4.0 * np.finfo(np.float64).eps
+_MOST_STEPS = 100
+
+
+def first_crossing(
+    function: Callable[[Array, npt.NDArray[np.int64]], Array], early: Array, late: Array
+) -> Array:
+    """Where each function begins not to be negative.
+
+    Args:
+        function: Values (m,) at arguments (m,) of the functions that an index (m,) names.
+        early: Where the search begins (k,).
+        late: Where it ends (k,).
+
+    Returns:
+        Shape (k,), to the last digits; `early` where a function is not negative there, `late` where
+        it is negative all the way.
+    """
+    everything = np.arange(len(early))
+    at_early, at_late = function(early, everything), function(late, everything)
+    found = np.where(at_early >= 0.0, early, late)
+    row = np.flatnonzero((at_early < 0.0) & (at_late >= 0.0))
+    # a and b enclose the zero, c is the end that b or a took the place of.
+    a, b, fa, fb = late[row], early[row], at_late[row], at_early[row]
+    share = np.full(len(row), 0.5)
+    for _ in range(_MOST_STEPS):
+        if not len(row):
+            break
+        x = a + share * (b - a)
+        fx = function(x, row)
+        same = (fx >= 0.0) == (fa >= 0.0)
+        c, fc = np.where(same, a, b), np.where(same, fa, fb)
+        b, fb = np.where(same, b, a), np.where(same, fb, fa)
+        a, fa = x, fx
+        found[row] = np.where(fa >= 0.0, a, b)
+        least = _DIGITS * np.abs(a)
+        width = np.abs(b - a)
+        going = width > 2.0 * least
+        row, least = row[going], least[going] / width[going]
+        a, b, c, fa, fb, fc = (one[going] for one in (a, b, c, fa, fb, fc))
+        share = np.clip(_share(a, b, c, fa, fb, fc), least, 1.0 - least)
+    return found
+
+
+def _share(a: Array, b: Array, c: Array, fa: Array, fb: Array, fc: Array) -> Array:
+    """The next place as a share of the way from a to b."""
+    # Where functions stand still there is no way to interpolate.
+    pays = (fa != 0.0) & (fb != 0.0) & (fc != fa) & (fc != fb)
+    xi = (a - b) / (c - b)
+    phi = (fa - fb) / np.where(pays, fc - fb, 1.0)
+    pays &= (phi**2 < xi) & ((1.0 - phi) ** 2 < 1.0 - xi)
+    share = np.full(len(a), 0.5)
+    a, b, c, fa, fb, fc = (one[pays] for one in (a, b, c, fa, fb, fc))
+    share[pays] = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (
+        fc - fb
+    )
+    return share

@@ -1,0 +1,123 @@
+"""The fastest motion along a path within limits and programmed times."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.drive import Division, drive, fastest_drive
+from rapidsim.motion.grid import cells_of
+from rapidsim.motion.limiters import limiters_of
+from rapidsim.motion.limits import Limits
+from rapidsim.motion.path import Path
+from rapidsim.motion.problem import Problem, at_pace, problem_of
+from rapidsim.motion.rows import Limiter, Quantity
+from rapidsim.motion.timing import Timing
+
+_TIMED_ROUNDS = 4
+_TIMED_HALVINGS = 16
+_TIME_TOLERANCE = 1e-3
+
+
+def plan(path: Path, limits: Limits, *, start: float = 0.0, start_speed: float = 0.0) -> Timing:
+    """Find the fastest motion to rest at the end of a path.
+
+    Args:
+        path: The geometry.
+        limits: Of the axes; the segments bring the limits of the TCP.
+        start: Place [m] where the motion starts.
+        start_speed: Path speed [m/s] there. If it is too fast to brake within the limits, it is
+            kept, the first stretch brakes harder than allowed, and `Timing.start_excess` says so.
+    """
+    if start >= path.length:
+        nothing = Limiter(Quantity.NOTHING)
+        return Timing(
+            s=np.full(2, path.length),
+            speed=np.zeros(2),
+            start_excess=start_speed,
+            limited_by=(nothing,) * len(path.segments),
+        )
+    pace = np.full(len(path.segments), np.nan)
+    timed = _timed(path, start)
+    pace[list(timed)] = np.inf
+    problem = problem_of(path, cells_of(path, limits, start), limits, pace)
+    division, motion = fastest_drive(problem, start_speed)
+    if timed:
+        pace = _paced(problem, division, pace, start_speed, timed)
+        division, _ = fastest_drive(at_pace(problem, pace), start_speed)
+        pace = _paced(problem, division, pace, start_speed, timed)
+        problem = at_pace(problem, pace)
+        motion = drive(problem, division, start_speed)
+    nodes, speed = motion.stages.nodes, np.sqrt(motion.x)
+    stops = np.flatnonzero(np.isin(nodes[1:-1], path.stops)) + 1
+    standing = None
+    if len(stops) and path.window:
+        # So long that the smoothed motion comes to rest, too: it could not turn a kink on the way.
+        nodes, speed = np.insert(nodes, stops, nodes[stops]), np.insert(speed, stops, 0.0)
+        standing = np.where(np.diff(nodes) == 0.0, path.window, 0.0)
+    return Timing(
+        s=nodes,
+        speed=speed,
+        start_excess=max(0.0, start_speed - float(np.sqrt(motion.fastest_start))),
+        limited_by=limiters_of(problem, motion.stages, motion.x),
+        standing=standing,
+    )
+
+
+def _timed(path: Path, start: float) -> dict[int, float]:
+    """Programmed time [s] of what is left of each segment that has one."""
+    begins = path.segment_starts
+    ends = np.append(begins[1:], path.length)
+    times = {}
+    for i, segment in enumerate(path.segments):
+        if segment.duration is not None and ends[i] > max(start, begins[i]):
+            share = (ends[i] - max(start, begins[i])) / (ends[i] - begins[i])
+            times[i] = segment.duration * float(share)
+    return times
+
+
+def _paced(
+    problem: Problem,
+    division: Division,
+    pace: Array,
+    start_speed: float,
+    timed: dict[int, float],
+) -> Array:
+    """The path speed (segments,) that gives each timed segment its time; infinite if too short.
+
+    Neighbours share the ramps between them, so all are halved together, and again around what was
+    found until the times agree.
+    """
+    index = np.array(list(timed))
+    wanted = np.array(list(timed.values()))
+    path, stages = problem.path, division.stages.beyond(division.driven)
+    segment, width = path.segment_of(problem.cells.piece[stages.cell]), stages.width
+    way = np.bincount(segment, width, minlength=len(path.segments))[index]
+
+    def spent(trial: Array) -> Array:
+        """Time of the timed segments at some paces."""
+        attempt = pace.copy()
+        attempt[index] = trial
+        step = drive(at_pace(problem, attempt), division, start_speed).times
+        time: Array = np.bincount(segment, step, minlength=len(path.segments))[index]
+        return time
+
+    fastest = spent(np.full(len(index), np.inf))
+    feasible = fastest < wanted * (1.0 - _TIME_TOLERANCE)
+    # Half the mean speed is slow enough even where a fast start has to be braked away first.
+    low = 0.5 * way / wanted
+    high = np.where(feasible, 4.0 * way / fastest + low, np.inf)
+    found = high
+    for _ in range(_TIMED_ROUNDS):
+        for _ in range(_TIMED_HALVINGS):
+            middle = np.where(feasible, 0.5 * (low + high), np.inf)
+            slow = spent(middle) > wanted
+            low, high = np.where(slow, middle, low), np.where(slow, high, middle)
+        found = np.where(feasible, 0.5 * (low + high), np.inf)
+        miss = np.abs(spent(found) - wanted) / wanted
+        if not (feasible & (miss > _TIME_TOLERANCE)).any():
+            break
+        low, high = found / 1.3, found * 1.3
+    paced = pace.copy()
+    paced[index] = found
+    return paced

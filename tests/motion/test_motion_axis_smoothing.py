@@ -1,0 +1,148 @@
+"""Each axis smoothed by itself: the mean of its command, at the same times, near the path."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from motion_law import STEP, command_of, excess_of, off_curve
+from motion_programs import LIMITS, Programmer, path_or_fault, programs, zone
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.following import PathFault
+from rapidsim.motion.model import MotionModel
+from rapidsim.motion.planning import plan
+from rapidsim.motion.segments import Speed
+from rapidsim.motion.trajectory import Piece, Trajectory
+
+FILTER = MotionModel().filter_time
+AXES = MotionModel(smoothing="axes")
+
+
+def driven(program: Programmer, speed: float, *, pause: float = 0.1) -> Trajectory | None:
+    """A program at one speed, after a pause; None where the arm cannot follow it."""
+    segments = [replace(s, speed=Speed(speed, np.radians(500.0))) for s in program.segments]
+    path = path_or_fault(segments, AXES)
+    if isinstance(path, PathFault):
+        return None
+    trajectory = Trajectory(segments[0].start, FILTER, "axes")
+    trajectory.append(Piece(pause, path, plan(path, LIMITS), 0.0, path.length))
+    return trajectory
+
+
+def corner(speed: float, millimetres: float) -> Trajectory:
+    """A right angle between two lines of 300 mm."""
+    program = Programmer().line((0.15, 0, 0), z=zone(millimetres)).line((0, 0.15, 0))
+    trajectory = driven(program, speed)
+    assert trajectory is not None
+    return trajectory
+
+
+def on_the_path(trajectory: Trajectory) -> Trajectory:
+    """The same command, smoothed along the path."""
+    other = Trajectory(trajectory._start, FILTER)
+    for piece in trajectory.pieces:
+        other.append(piece)
+    return other
+
+
+def mean_command(trajectory: Trajectory, time: float) -> Array:
+    """The mean of the commanded joints over the window, by brute force."""
+    instants = np.linspace(time - FILTER, time, 20_001)
+    joints = command_of(trajectory).at(instants).joints
+    return np.asarray(np.trapezoid(joints, instants, axis=0)) / FILTER
+
+
+@settings(max_examples=15)
+@given(program=programs(), speed=st.sampled_from([0.1, 0.5, 2.0]), share=st.floats(0.0, 1.0))
+def test_each_joint_is_the_mean_of_its_command(
+    program: Programmer, speed: float, share: float
+) -> None:
+    trajectory = driven(program, speed)
+    if trajectory is None:
+        return
+    time = share * trajectory.duration
+    seen = trajectory.at(np.array([time])).joints[0]
+    assert seen == pytest.approx(mean_command(trajectory, time), abs=2e-8)
+
+
+@settings(max_examples=12)
+@given(program=programs(), speed=st.sampled_from([0.1, 0.5, 2.0, 7.0]))
+def test_it_keeps_limits_ends_and_times(program: Programmer, speed: float) -> None:
+    """What is seen keeps what the command keeps; blocks end exactly at their point."""
+    trajectory = driven(program, speed)
+    if trajectory is None:
+        return
+    seen = excess_of(trajectory, LIMITS)
+    assert seen.axis_speed < 1.001
+    assert seen.axis_acceleration < 1.01
+    assert seen.tcp_speed < 1.05
+    times = np.arange(-STEP, trajectory.duration + STEP, 5e-3)
+    samples, other = trajectory.at(times), on_the_path(trajectory).at(times)
+    assert samples.move.tolist() == other.move.tolist()
+    assert trajectory.duration == on_the_path(trajectory).duration
+    rest = trajectory.at(np.array([-1.0, 0.1, trajectory.duration, 99.0]))
+    ends = [trajectory._start.joints] * 2 + [program.joints] * 2
+    assert rest.joints == pytest.approx(np.array(ends), abs=1e-9)
+    assert rest.tcp_speed.tolist() == [0.0] * 4
+
+
+def test_samples_do_not_depend_on_each_other() -> None:
+    """One at a time, in any order, far apart: each is the same, and so is a run in many pieces."""
+    trajectory = corner(0.5, 10)
+    times = np.linspace(-0.1, trajectory.duration + 0.1, 71)
+    at_once = trajectory.at(times).joints
+    alone = np.array([trajectory.at(times[k : k + 1]).joints[0] for k in range(len(times))])
+    assert np.abs(at_once - alone).max() < 1e-12
+    assert np.abs(at_once[::-1] - trajectory.at(times[::-1]).joints).max() < 1e-12
+    (whole,) = trajectory.pieces
+    parts = Trajectory(trajectory._start, FILTER, "axes")
+    for begin, end in ((0.0, 0.1), (0.1, 0.149), (0.149, whole.path.length)):
+        start = whole.start_time + whole.timing.time_at(begin)
+        parts.append(Piece(start, whole.path, whole.timing, begin, end))
+    assert np.abs(at_once - parts.at(times).joints).max() < 1e-9
+
+
+def test_speed_is_that_of_the_tcp() -> None:
+    trajectory = corner(0.5, 10)
+    samples = trajectory.at(np.arange(0.0, trajectory.duration, 5e-4))
+    tcp = samples.base_from_tcp.translation
+    mean = 0.5 * (samples.tcp_speed[1:] + samples.tcp_speed[:-1])
+    assert np.linalg.norm(np.diff(tcp, axis=0), axis=1) / 5e-4 == pytest.approx(mean, abs=3e-3)
+
+
+@pytest.mark.parametrize(("speed", "off_mm"), [(0.25, 0.03), (1.0, 0.4)])
+def test_a_line_is_left_by_little_away_from_corners(speed: float, off_mm: float) -> None:
+    """The square of the way within the window counts: a quarter of the speed, a sixteenth."""
+    line = driven(Programmer().line((0.0, 0.5, 0.0)), speed)
+    assert line is not None
+    off = 1e3 * off_curve(line)
+    assert 0.5 * off_mm < off < off_mm
+    assert 1e3 * off_curve(on_the_path(line)) < 1e-3
+
+
+@pytest.mark.parametrize("millimetres", [1.0, 10.0])
+def test_it_rounds_a_corner_more_and_needs_no_more_acceleration(millimetres: float) -> None:
+    axes = corner(0.5, millimetres)
+    path = on_the_path(axes)
+    times = np.arange(0.0, axes.duration, STEP)
+    vertex = Programmer().line((0.15, 0, 0)).pose.translation
+    nearest = [
+        1e3 * np.linalg.norm(one.at(times).base_from_tcp.translation - vertex, axis=1).min()
+        for one in (axes, path)
+    ]
+    assert nearest[0] > nearest[1] + 1.0
+    assert excess_of(path, LIMITS).axis_acceleration > 1.5
+    assert excess_of(axes, LIMITS).axis_acceleration < 1.01
+
+
+def test_smoothing_each_axis_needs_no_slower_bends() -> None:
+    program = Programmer().line((0.15, 0, 0), z=zone(1)).line((0, 0.15, 0))
+    kept = path_or_fault(program, replace(AXES, accelerations_kept_by="motion"))
+    plain = path_or_fault(program, AXES)
+    assert not isinstance(kept, PathFault)
+    assert not isinstance(plain, PathFault)
+    assert plan(kept, LIMITS).duration == plan(plain, LIMITS).duration

@@ -1,0 +1,147 @@
+"""AccSet's ramps: how wide the window of the smoothing is, and what the arm does with it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from motion_law import STEP, command_of, excess_of, off_curve
+from motion_programs import LIMITS, Programmer, path_of, path_or_fault, programs, zone
+
+from rapidsim.motion.following import PathFault
+from rapidsim.motion.model import Keeper, MotionModel
+from rapidsim.motion.planning import plan
+from rapidsim.motion.segments import Segment, Speed
+from rapidsim.motion.trajectory import Piece, Trajectory
+
+FILTER = MotionModel().filter_time
+
+
+def driven(segments: list[Segment], model: MotionModel, *, start: float = 0.0) -> Trajectory | None:
+    """Segments planned as one block; None where the arm cannot follow them."""
+    path = path_or_fault(segments, model)
+    if isinstance(path, PathFault):
+        return None
+    trajectory = Trajectory(segments[0].start, model.filter_time, model.smoothing)
+    trajectory.append(Piece(start, path, plan(path, LIMITS), 0.0, path.length))
+    return trajectory
+
+
+def line(length: float, **ramps: float) -> Trajectory:
+    """One straight move [m] at 0.5 m/s."""
+    segments = Programmer().line((0.0, length, 0.0)).segments
+    trajectory = driven([replace(segments[0], **ramps)], MotionModel())  # type: ignore[arg-type]
+    assert trajectory is not None
+    return trajectory
+
+
+@st.composite
+def ramped(draw: st.DrawFn) -> list[Segment]:
+    """A block of moves whose ramps fall, at several speeds, with a ramp of its own at the stop."""
+    moves = draw(programs()).segments
+    ramp, segments = 1.0, []
+    for number, segment in enumerate(moves):
+        ramp = min(ramp, draw(st.sampled_from([1.0, 0.9, 0.5, 0.1])))
+        last = number == len(moves) - 1
+        segments.append(
+            replace(
+                segment,
+                speed=Speed(draw(st.sampled_from([0.1, 0.5, 2.0, 7.0])), np.radians(500.0)),
+                zone=None if last else segment.zone or zone(2.0),
+                ramp=ramp,
+                stop_ramp=max(0.1, ramp * draw(st.sampled_from([1.0, 0.5, 0.2]))),
+            )
+        )
+    return segments
+
+
+@settings(max_examples=40)
+@given(segments=ramped(), keeper=st.sampled_from(["command", "motion"]))
+def test_ramps_keep_the_path_and_the_limits(segments: list[Segment], keeper: Keeper) -> None:
+    """It goes forward only, from rest to rest, on its curves; speeds are kept as without ramps."""
+    trajectory = driven(segments, MotionModel(accelerations_kept_by=keeper))
+    if trajectory is None or trajectory.length == 0.0:
+        return
+    seen = excess_of(trajectory, LIMITS)
+    assert max(seen.axis_speed, seen.tcp_speed) < 1.001
+    assert keeper == "command" or seen.axis_acceleration < 1.01
+    assert off_curve(trajectory) < 1e-6
+    times = np.arange(-STEP, trajectory.duration + 2.0 * STEP, STEP)
+    places = trajectory.place_at(times)
+    assert np.diff(places).min() > -1e-12
+    assert places[[0, -1]] == pytest.approx([0.0, trajectory.length], abs=1e-12)
+    assert places[times < trajectory.duration - 0.01][-1] < trajectory.length
+    ends = trajectory.at(np.array([0.0, trajectory.duration]))
+    assert ends.joints[1] == pytest.approx(segments[-1].end.joints, abs=1e-9)
+    assert ends.tcp_speed == pytest.approx([0.0, 0.0], abs=1e-6)
+
+
+@settings(max_examples=30)
+@given(segments=ramped(), share=st.floats(0.0, 1.0))
+def test_the_visible_place_is_the_mean_over_the_window(
+    segments: list[Segment], share: float
+) -> None:
+    trajectory = driven(segments, MotionModel())
+    if trajectory is None:
+        return
+    time = share * trajectory.duration
+    width = float(trajectory._windows.at(np.array([time]))[0][0])
+    assert FILTER <= width <= FILTER / min(min(s.ramp, s.stop_ramp) for s in segments) + 1e-12
+    instants = np.linspace(time - width, time, 20_001)
+    mean = float(np.trapezoid(command_of(trajectory).place_at(instants), instants)) / width
+    assert float(trajectory.place_at(np.array([time]))[0]) == pytest.approx(mean, abs=1e-7)
+    assert trajectory.seen_s(time) == pytest.approx(
+        time + float(trajectory._windows.at(np.array([trajectory.seen_s(time)]))[0][0]), abs=1e-9
+    )
+
+
+@pytest.mark.parametrize(("ramp", "more"), [(1.0, 0.0), (0.5, 0.08), (0.25, 0.24), (0.1, 0.72)])
+def test_a_ramp_adds_its_width_to_a_move_between_stop_points(ramp: float, more: float) -> None:
+    assert line(0.3, ramp=ramp).duration - line(0.3).duration == pytest.approx(more, abs=1e-9)
+
+
+def test_a_ramp_at_the_stop_leaves_the_start_as_it_is() -> None:
+    plain, gentle = line(0.7), line(0.7, stop_ramp=0.5)
+    assert gentle.duration - plain.duration == pytest.approx(0.08, abs=1e-9)
+    early = np.linspace(0.0, 0.3, 61)
+    assert gentle.place_at(early) == pytest.approx(plain.place_at(early), abs=1e-12)
+    # A move that is over before the window is as wide gets less of it.
+    assert 0.0 < line(0.1, stop_ramp=0.5).duration - line(0.1).duration < 0.08
+
+
+def test_a_window_never_reaches_over_a_stop_with_another_width() -> None:
+    """Each block is seen as if there were nothing before it, whatever ramps the others have."""
+    ramps = (0.2, 1.0, 0.5, 1.0)
+    joints = Programmer().joints
+    together: Trajectory | None = None
+    for number, ramp in enumerate(ramps):
+        block = Programmer(joints=joints).line((0.0, 0.2 * (-1.0) ** number, 0.0))
+        joints = block.joints
+        (segment,) = block.segments
+        path = path_of([replace(segment, index=number, ramp=ramp)], MotionModel())
+        together = together or Trajectory(segment.start, FILTER)
+        start = together.seen_s(together.command_end) + 0.025
+        piece = Piece(start, path, plan(path, LIMITS), 0.0, path.length)
+        alone = Trajectory(segment.start, FILTER)
+        alone.append(piece)
+        before = together.length
+        together.append(piece)
+        assert together.duration == pytest.approx(alone.duration, abs=1e-12)
+        times = np.linspace(start, together.duration, 101)
+        assert together.place_at(times) - before == pytest.approx(alone.place_at(times), abs=1e-12)
+
+
+def test_what_is_taken_back_takes_its_ramps_along() -> None:
+    segments = Programmer().line((0.0, 0.3, 0.0), z=zone(10)).line((0.0, 0.0, 0.3)).segments
+    path = path_of([segments[0], replace(segments[1], ramp=0.3)], MotionModel())
+    timing = plan(path, LIMITS)
+    trajectory = Trajectory(segments[0].start, FILTER)
+    trajectory.append(Piece(0.0, path, timing, 0.0, path.length))
+    assert trajectory.has_ramps
+    begins = timing.time_at(float(path.segment_starts[1]))
+    trajectory.cut(begins - 0.1)
+    assert not trajectory.has_ramps
+    assert trajectory.duration == pytest.approx(begins - 0.1 + FILTER)

@@ -1,0 +1,77 @@
+! RAPID Instructions, AccSet: how quickly accelerations rise. A ramp of p % is taken to smooth the
+! motion over 100/p of 0.08 s; it is later at rest by what that is more than 0.08 s.
+MODULE acc_set_ramps
+  CONST robtarget p:=[[850,-350,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST num wide:=0.0015;
+  VAR clock watch;
+  VAR num full;
+
+  PROC main()
+    ConfL \Off;
+    ConfJ \Off;
+    MoveJ p,v500,fine,tool0;
+    ! One straight move of 1.2 s at even speed.
+    full:=one_line();
+    AccSet 100,50;                                                  ! 0.16 s: 0.08 s more
+    TPWrite "half: "\Bool:=is(one_line()-full,0.08);                ! -> half: TRUE
+    AccSet 100,10;                                                  ! 0.80 s: 0.72 s more
+    TPWrite "a tenth: "\Bool:=is(one_line()-full,0.72);             ! -> a tenth: TRUE
+    AccSet 100,3;                                                   ! no lower than 10
+    TPWrite "less: "\Bool:=is(one_line()-full,0.72);                ! -> less: TRUE
+    AccSet 100,100\FinePointRamp:=50;                               ! 0.16 s at the end: 0.08 s more
+    TPWrite "at the end: "\Bool:=is(one_line()-full,0.08);          ! -> at the end: TRUE
+    AccSet 100,50\FinePointRamp:=50;                                ! 25 % together, 0.32 s at the end: 0.24 s more
+    TPWrite "both: "\Bool:=is(one_line()-full,0.24);                ! -> both: TRUE
+    AccSet 100,100;                                                 ! without FinePointRamp there is none
+    TPWrite "as before: "\Bool:=is(one_line()-full,0);              ! -> as before: TRUE
+    ! The robot stands still in between as long as ever, so each of three moves takes 0.08 s more.
+    full:=three_lines();
+    AccSet 100,50;
+    TPWrite "three: "\Bool:=is(three_lines()-full,3*0.08);          ! -> three: TRUE
+    ! On the way a lower ramp acts within a second of its move, a higher one from the next stop on.
+    full:=round_a_corner(100,100);
+    TPWrite "lower: "\Bool:=is(round_a_corner(100,50)-full,0.08);   ! -> lower: TRUE
+    TPWrite "higher: "\Bool:=is(round_a_corner(50,100)-full,0.08);  ! -> higher: TRUE
+    TPWrite "after it: "\Bool:=is(round_a_corner(100,100)-full,0);  ! -> after it: TRUE
+  ENDPROC
+
+  FUNC bool is(num longer,num wanted)
+    RETURN Abs(longer-wanted)<wide;
+  ENDFUNC
+
+  FUNC num one_line()
+    RETURN came(Offs(p,0,600,0));
+  ENDFUNC
+
+  FUNC num came(robtarget there)
+    VAR num seconds;
+    ClkReset watch;
+    ClkStart watch;
+    MoveL there,v500,fine,tool0;
+    seconds:=ClkRead(watch);
+    MoveL p,v1000,fine,tool0;
+    RETURN seconds;
+  ENDFUNC
+
+  FUNC num three_lines()
+    ClkReset watch;
+    ClkStart watch;
+    MoveL Offs(p,0,100,0),v500,fine,tool0;
+    MoveL Offs(p,0,200,0),v500,fine,tool0;
+    MoveL p,v500,fine,tool0;
+    RETURN ClkRead(watch);
+  ENDFUNC
+
+  FUNC num round_a_corner(num before,num after)
+    VAR num seconds;
+    ClkReset watch;
+    ClkStart watch;
+    AccSet 100,before;
+    MoveL Offs(p,0,0,-100),v500,z10,tool0;
+    AccSet 100,after;
+    MoveL Offs(p,0,600,-100),v500,fine,tool0;       ! note: R113
+    seconds:=ClkRead(watch);
+    MoveL p,v1000,fine,tool0;
+    RETURN seconds;
+  ENDFUNC
+ENDMODULE
