@@ -28,6 +28,9 @@ _BYTE_ORDER_MARKS = (
 _ENCODINGS = ("utf-8", "cp1252")
 _LAST_RESORT = "latin-1"
 
+_AS_NEAR = 0.1
+"""Names whose likeness to a given one differs by less are equally near."""
+
 _MODULE_HEADER = re.compile(r"^\s*(MODULE\s+\w|%%%)", re.IGNORECASE | re.MULTILINE)
 
 
@@ -114,6 +117,16 @@ def task_folders(folder: Path) -> tuple[Path, ...]:
     return ()
 
 
+def backup_folders(paths: Iterable[str]) -> tuple[Path, ...]:
+    """The task folders of the first controller backup among some paths; none without one."""
+    for path in paths:
+        folder = Path(path)
+        folders = task_folders(folder) if path != "-" and folder.is_dir() else ()
+        if folders:
+            return folders
+    return ()
+
+
 def neighbours(path: str) -> tuple[str, ...]:
     """Names of the modules beside a module, which it may need; none beside what is no file."""
     file = Path(path)
@@ -141,7 +154,14 @@ def did_you_mean(name: str, known: Iterable[str]) -> str | None:
     near = difflib.get_close_matches(name.lower(), folded, n=3, cutoff=0.6)
     if not near:
         return None
-    return f"did you mean {' or '.join(f'`{folded[candidate]}`' for candidate in near)}?"
+    likeness = difflib.SequenceMatcher(b=name.lower())
+    ratios = []
+    for candidate in near:
+        likeness.set_seq1(candidate)
+        ratios.append(likeness.ratio())
+    # A slip of the finger is nearer to what was meant than to anything else.
+    meant = [one for one, ratio in zip(near, ratios, strict=True) if ratio > ratios[0] - _AS_NEAR]
+    return f"did you mean {' or '.join(f'`{folded[candidate]}`' for candidate in meant)}?"
 
 
 def _read(modules: Iterable[str | Path]) -> tuple[SourceFile, ...]:
@@ -172,18 +192,29 @@ def _read_file(path: Path) -> SourceFile:
     return file
 
 
-def _refuse(path: Path, error: OSError) -> NoReturn:
+def unreadable(path: Path, error: OSError) -> InputError:
+    """The mistake that a file could not be read, with the file that was meant if it is known."""
     if isinstance(error, FileNotFoundError):
-        raise InputError(f"{path} does not exist", _near_file(path)) from error
-    raise InputError(f"{path} cannot be read: {error.strerror or error}") from error
+        return InputError(f"{path} does not exist", _near_file(path))
+    return InputError(f"{path} cannot be read: {error.strerror or error}")
+
+
+def _refuse(path: Path, error: OSError) -> NoReturn:
+    raise unreadable(path, error) from error
 
 
 def _near_file(path: Path) -> str | None:
+    """The help line with the file beside it that was meant, if one is near.
+
+    Compared without the suffix, which makes all modules alike.
+    """
     try:
-        neighbours = sorted(entry.name for entry in path.parent.iterdir())
+        names = sorted(entry.name for entry in path.parent.iterdir())
     except OSError:
         return None
-    return did_you_mean(path.name, neighbours)
+    alike = {Path(one).stem: one for one in names if one.lower().endswith(path.suffix.lower())}
+    near = did_you_mean(path.stem, alike)
+    return near and re.sub("`(.*?)`", lambda stem: f"`{alike[stem[1]]}`", near)
 
 
 def _entries(folder: Path) -> list[Path]:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from rapidsim.files import InputError, decode
+from rapidsim.files import decode, unreadable
 from rapidsim.simulation.options import Answers
 
 
@@ -24,7 +24,7 @@ def answers_from(file: str | None) -> Answers | None:
         try:
             text, _ = decode(Path(file).read_bytes())
         except OSError as error:
-            raise InputError(f"{file} cannot be read: {error.strerror or error}") from error
+            raise unreadable(Path(file), error) from error
         lines = (line.strip() for line in text.splitlines())
         waiting = iter([line for line in lines if line and not line.startswith("#")])
         return lambda _: next(waiting, None)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import sys
 import traceback
@@ -14,8 +15,11 @@ import click
 from rapidsim import __version__
 from rapidsim.cli.commands import commands
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.terminal import Terminal
+from rapidsim.cli.terminal import PLAIN_CHARACTERS, Terminal
 from rapidsim.files import InputError, did_you_mean
+
+_UNWRITABLE = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
+"""What the system answers when standard output goes to a full disk, or one that fails."""
 
 
 def run_commands(arguments: Sequence[str]) -> int:
@@ -27,10 +31,11 @@ def run_commands(arguments: Sequence[str]) -> int:
     Returns:
         The exit code.
     """
+    _require_streams()
     for stream in (sys.stdout, sys.stderr):
         # A terminal that cannot show a character shall not end a run.
         if hasattr(stream, "reconfigure"):
-            stream.reconfigure(errors="backslashreplace")
+            stream.reconfigure(errors=PLAIN_CHARACTERS)
     terminal = Terminal()
     try:
         with commands.make_context("rapidsim", list(arguments), obj=terminal) as context:
@@ -49,14 +54,32 @@ def run_commands(arguments: Sequence[str]) -> int:
         click.echo("interrupted", err=True)
         return ExitCode.INTERRUPTED
     except BrokenPipeError:
-        # Whoever reads has seen enough; Python would complain once more when it closes the stream.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        # Whoever reads has seen enough.
+        _give_up_output()
         return ExitCode.BROKEN_PIPE
     except Exception as error:
+        if isinstance(error, OSError) and error.errno in _UNWRITABLE:
+            # Files have messages of their own; what is left is what was to be printed.
+            _give_up_output()
+            _say(f"the output cannot be written: {error.strerror}", None)
+            return ExitCode.USAGE
         if terminal.verbose:
             traceback.print_exc()
         click.echo(_defect(error), err=True)
         return ExitCode.DEFECT
+
+
+def _require_streams() -> None:
+    """Print into nothing where the caller has closed a stream: what was asked for still happens."""
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:
+            nothing = os.open(os.devnull, os.O_WRONLY)
+            setattr(sys, name, os.fdopen(nothing, "w", encoding="utf-8"))
+
+
+def _give_up_output() -> None:
+    """Keep Python from complaining once more when it closes standard output."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _say(message: str, help: str | None) -> None:

@@ -10,6 +10,7 @@ import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.inputs import choose_robot, choose_station
+from rapidsim.cli.numbers import Number
 from rapidsim.cli.terminal import current_terminal, table_or_json, terminal_options
 from rapidsim.files import MODULE_SUFFIXES, InputError, read_tasks
 
@@ -21,7 +22,8 @@ from rapidsim.files import MODULE_SUFFIXES, InputError, read_tasks
 @click.option("--station", metavar="FILE.toml", help="Where the fit starts from.")
 @click.option(
     "--clock",
-    type=click.FloatRange(0.5, 2.0),
+    metavar="RATIO",
+    type=Number(0.5, 2.0),
     default=1.0,
     show_default=True,
     help="Real seconds per second of the logs.",
@@ -65,7 +67,7 @@ def calibrate(
     if output_format == "json":
         click.echo(json.dumps(as_json(calibration), indent=2, allow_nan=False))
     else:
-        current_terminal().console().print(as_text(calibration), soft_wrap=True)
+        current_terminal().show(as_text(calibration), soft_wrap=True)
     return ExitCode.CLEAN
 
 

@@ -128,14 +128,15 @@ def check(
         chosen = choose_fixes(kept, unsafe=unsafe_fixes)
         if not chosen.edits:
             break
-        files = [file for task in tasks for file in task.files]
-        write_edits(chosen.edits, files, what="fixes")
+        sources = [file for task in tasks for file in task.files]
+        write_edits(chosen.edits, sources, what="fixes")
         fixed += chosen.count
         tasks = all_tasks(paths, cell)
         result, kept = _found(tasks, cell, selection, wanted)
-    new, known = kept, 0
+    new, known, made = kept, 0, None
     if known_file is not None:
-        new, known = without_known(kept, _baseline(known_file, kept, update=update_baseline))
+        made = known_file if update_baseline or not known_file.exists() else None
+        new, known = without_known(kept, _baseline(known_file, kept, anew=made is not None))
     findings = merged(new, merge=not no_merge)
     if counted:
         click.echo(statistics(new, terminal.palette), nl=False)
@@ -144,9 +145,12 @@ def check(
         click.echo(text, nl=False)
     if output_format in SPOKEN_FORMATS and not terminal.quiet:
         seconds = time.perf_counter() - started
-        click.echo(summary_line(findings, files=len(result.files), seconds=seconds))
+        files = len(result.files)
+        click.echo(summary_line(findings, files=files, seconds=seconds, known=known))
         for line in _remarks(paths, kept, fixed=fixed, known=known):
             click.echo(line)
+        if made is not None:
+            click.echo(f"Written: {made} (baseline)")
         if settings.cycle_budget_s is not None and (no_run or no_reach):
             click.echo("The cycle budget was not checked, because main was not run.")
         for line in () if no_reach else coverage_lines(result.coverage, arm_and_reason(choice)):
@@ -176,9 +180,9 @@ def _found(
     return result, selection.kept(unsuppressed)
 
 
-def _baseline(file: Path, found: Sequence[Diagnostic], *, update: bool) -> Counter[Key]:
-    """The findings that are known; what was found now, where a baseline is made or updated."""
-    if update or not file.exists():
+def _baseline(file: Path, found: Sequence[Diagnostic], *, anew: bool) -> Counter[Key]:
+    """The findings that are known; what was found now, where the baseline is written anew."""
+    if anew:
         text = baseline_text(found)
         with whole_file(file) as temporary:
             temporary.write_text(text, encoding="utf-8")

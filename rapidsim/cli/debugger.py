@@ -24,14 +24,16 @@ from rapidsim.interpreter.executable_lines import module_lines
 from rapidsim.interpreter.inspection import (
     NotShownError,
     is_rapid,
+    module_of,
     parameters,
     place_of,
     routine_of,
     shown,
 )
-from rapidsim.interpreter.loader import show_lines_of
+from rapidsim.interpreter.linking import show_lines_of
 from rapidsim.interpreter.recovery import ERRORS
 from rapidsim.language.errors import RapidError
+from rapidsim.syntax import tree
 
 T = TypeVar("T")
 
@@ -88,15 +90,23 @@ class _Debugger(pdb.Pdb):
         super().__init__(readrc=False)
         self.prompt = "(rapid) "
         self._program = program
-        self._sources = {module.source.file: module.source for module in program.modules}
+        self._sources: dict[str, Source] = {}
         self._lines: dict[str, frozenset[int]] = {}
+        self._known: set[tree.Module] = set()
         for module in program.modules:
-            file = module.source.file
-            self._lines[file] = self._lines.get(file, frozenset()) | module_lines(module)
+            self._know(module)
         for source in self._sources.values():
             show_lines_of(source)
         self._greeted = False
         self._failed: tuple[FrameType, int] | None = None
+
+    def _know(self, module: tree.Module) -> None:
+        """Take in a module: one of the program, or one that it has loaded."""
+        if module not in self._known:
+            self._known.add(module)
+            file = module.source.file
+            self._sources[file] = module.source
+            self._lines[file] = self._lines.get(file, frozenset()) | module_lines(module)
 
     def files(self) -> list[str]:
         """The files of the program as the user named them."""
@@ -142,6 +152,7 @@ class _Debugger(pdb.Pdb):
 
     def user_line(self, frame: FrameType) -> None:
         """Stop where a statement begins."""
+        self._know(module_of(frame))
         if self._failed == (frame, frame.f_lineno):
             # Its line is seen again while the ERROR clause is looked for.
             return
@@ -158,6 +169,7 @@ class _Debugger(pdb.Pdb):
         """Stop where an error is seen on its way, as long as the user goes step by step."""
         error = exc_info[1]
         if isinstance(error, ERRORS):
+            self._know(module_of(frame))
             self._failed = (frame, frame.f_lineno)
             self.message(f"error: {error if isinstance(error, RapidError) else 'division by zero'}")
             self.interaction(frame, None)
@@ -226,7 +238,7 @@ class _Debugger(pdb.Pdb):
     def do_p(self, arg: str) -> None:
         """Show data as a program would write it: `p n`, `p p10.trans`, `p a{i}`."""
         try:
-            self.message(shown(arg, self._frame, self._program))
+            self.message(shown(arg, self._frame))
         except NotShownError as error:
             self.error(str(error))
 
@@ -238,7 +250,7 @@ class _Debugger(pdb.Pdb):
         """Show the arguments of the routine."""
         for name in parameters(self._frame):
             try:
-                self.message(f"{name} = {shown(name, self._frame, self._program)}")
+                self.message(f"{name} = {shown(name, self._frame)}")
             except NotShownError as error:
                 self.message(f"{name}: {error}")
 

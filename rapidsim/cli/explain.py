@@ -22,7 +22,8 @@ def explain(code: str | None, everything: bool) -> int:
     such as `K` or `M5`, lists the rules that have it. The number of an event of
     the controller explains the rules that stand for it: `50050`.
     """
-    palette = current_terminal().palette
+    terminal = current_terminal()
+    palette = terminal.palette
     if everything:
         click.echo(rule_list(rules(), palette))
         return ExitCode.CLEAN
@@ -30,7 +31,7 @@ def explain(code: str | None, everything: bool) -> int:
         raise click.UsageError("name a rule, or list them with --all", click.get_current_context())
     meant = [rule for rule in rules() if _means(rule, code)]
     if meant:
-        click.echo("\n\n".join(rule_page(rule, palette) for rule in meant))
+        click.echo("\n\n".join(rule_page(rule, palette, width=terminal.width) for rule in meant))
         return ExitCode.CLEAN
     family = [rule for rule in rules() if rule.code.startswith(code.upper())]
     if family:

@@ -11,10 +11,10 @@ import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.inputs import DEFAULT_ROBOT
-from rapidsim.cli.numbers import numbers
+from rapidsim.cli.numbers import POSITIVE, Number, numbers
 from rapidsim.cli.outputs import new_file
 from rapidsim.cli.terminal import current_terminal, table_or_json, terminal_options
-from rapidsim.files import InputError
+from rapidsim.files import InputError, unreadable
 
 _WAYS = ("line", "spline", "joint", "joint-quintic")
 _PROFILES = ("trapezoid", "scurve", "sigmoid", "quintic")
@@ -54,28 +54,32 @@ _TRACES = (".csv", ".parquet", ".json")
 )
 @click.option(
     "--speed",
-    type=click.FloatRange(min=0.0, min_open=True),
+    metavar="MM/S",
+    type=POSITIVE,
     default=100.0,
     show_default=True,
     help="Of the TCP [mm/s].",
 )
 @click.option(
     "--acceleration",
-    type=click.FloatRange(min=0.0, min_open=True),
+    metavar="MM/S2",
+    type=POSITIVE,
     default=1000.0,
     show_default=True,
     help="Along the path [mm/s2].",
 )
 @click.option(
     "--turn-speed",
-    type=click.FloatRange(min=0.0, min_open=True),
+    metavar="DEG/S",
+    type=POSITIVE,
     default=90.0,
     show_default=True,
     help="Where the tool turns more than it travels [deg/s].",
 )
 @click.option(
     "--ease",
-    type=click.FloatRange(0.0, 0.3),
+    metavar="SHARE",
+    type=Number(0.0, 0.3),
     default=0.2,
     show_default=True,
     help="Share of the time at rest at either end of the sigmoid.",
@@ -88,7 +92,8 @@ _TRACES = (".csv", ".parquet", ".json")
 )
 @click.option(
     "--min-radius",
-    type=click.FloatRange(min=0.0),
+    metavar="MM",
+    type=Number(min=0.0),
     default=0.0,
     help="Distance from the origin of the base that the TCP keeps [mm].",
 )
@@ -112,7 +117,8 @@ _TRACES = (".csv", ".parquet", ".json")
 )
 @click.option(
     "--dt",
-    type=click.FloatRange(0.0001, 0.05),
+    metavar="SECONDS",
+    type=Number(0.0001, 0.05),
     default=0.012,
     show_default=True,
     help="Between samples [s].",
@@ -185,7 +191,7 @@ def follow(
         json_of = compared_json if compare else follow_json
         click.echo(json.dumps(json_of(task.asked, attempts), indent=2, allow_nan=False))
     elif not current_terminal().quiet:
-        current_terminal().console().print(shown(task, attempts, files, compare=compare))
+        current_terminal().show(shown(task, attempts, files, compare=compare))
     clean = task.all_reached and all(attempt.possible for attempt in attempts)
     return ExitCode.CLEAN if clean else ExitCode.FINDINGS
 
@@ -197,4 +203,4 @@ def _text(file: str) -> str:
             return sys.stdin.read()
         return Path(file).read_text(encoding="utf-8-sig", errors="replace")
     except OSError as error:
-        raise InputError(f"cannot read {file}: {error.strerror or error}") from None
+        raise unreadable(Path(file), error) from error

@@ -30,11 +30,13 @@ from rapidsim.report.follow_tables import (
     trajectory_page,
     turns_page,
 )
-from rapidsim.report.summary import Written
+from rapidsim.report.summary import Written, files_text
 
 _DOWN = (0.0, 1.0, 0.0, 0.0)
 """The tool straight down, its x axis forward."""
 _UNIT_TOLERANCE = 1e-3
+_METRES = 10.0
+"""Points that are all nearer to the origin than this [mm] were hardly meant in mm."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,6 +129,9 @@ def unused(task: Task, plan: Plan) -> tuple[str, ...]:
     """What was assumed or given in vain, a line each."""
     points, quintic = task.asked.points, plan.way is Way.JOINT_QUINTIC
     remarks = list(task.remarks)
+    furthest_mm = 1000.0 * float(np.abs(points.positions).max())
+    if furthest_mm < _METRES:
+        remarks.append(f"no coordinate is beyond {furthest_mm:g} mm: x, y and z are mm, not m")
     for values, what in (
         (points.speeds, "joint speeds"),
         (points.accelerations, "joint accelerations"),
@@ -178,13 +183,11 @@ def shown(
         parts += [Text(line, "red") for line in over]
         if over:
             most = max(ratio for ratio in attempt.result.speed_ratios if ratio is not None)
-            parts.append(Text(f" help: about {100.0 / most:.0f} % of the speed would do"))
+            parts.append(Text(f" help: about {100.0 / most:.2g} % of the speed would do"))
         if any(joint.max_speed is None for joint in task.asked.robot.joints):
             parts.append(Text("no source gives the axis speeds of this arm: not checked", "dim"))
     if files:
-        parts += [Text(), *(Text(f"{one.what} {one.path}", "dim") for one in files)]
-    if any(one.what == "recording" for one in files):
-        parts.append(Text(f"rerun {files[0].path}", "bold"))
+        parts += [Text(), files_text(files)]
     return Group(*parts)
 
 

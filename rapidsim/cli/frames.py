@@ -54,5 +54,5 @@ def frames(
     if output_format == "json":
         click.echo(json.dumps({"schema": 1, "root": frame_json(root)}, indent=2, allow_nan=False))
     else:
-        terminal.console().print(frame_text(root))
+        terminal.show(frame_text(root))
     return ExitCode.CLEAN

@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
+
+import click
 
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import (
     InputError,
     SourceFile,
     TaskFiles,
+    backup_folders,
     did_you_mean,
     named_tasks,
     neighbours,
     read_tasks,
 )
-from rapidsim.simulation.station.backup import backup_tasks
 from rapidsim.simulation.station.station import Station, find_station
 
 DEFAULT_ROBOT = "irb1600-6-1.2"
@@ -38,24 +40,40 @@ class RobotChoice:
 def choose_station(paths: Sequence[str], file: str | None) -> Station:
     """The named station file, else the one next to the program or above it, else the defaults.
 
-    Where it names no tasks, they are those that a backup says it has.
+    Where it says nothing of robots, tasks and signals, a backup does; what of that is left out is
+    said on stderr.
     """
+    backup = _backup(paths)
+    for remark in backup.remarks:
+        click.echo(f"note: {remark}", err=True)
     found = Path(file) if file is not None else find_station(paths)
     if found is None:
-        return Station(tasks=backup_tasks(paths))
+        return backup
     from rapidsim.simulation.station.read import read_station
 
-    station = read_station(found)
-    return station if station.tasks else replace(station, tasks=backup_tasks(paths))
+    return read_station(found).and_backup(backup)
+
+
+def _backup(paths: Sequence[str]) -> Station:
+    folders = backup_folders(paths)
+    if not folders:
+        return Station()
+    # Most of what is named is no backup, and does not pay for importing NumPy here.
+    from rapidsim.simulation.station.backup import backup_station
+
+    return backup_station(folders)
 
 
 def choose_robot(robot: str | None, station: Station) -> RobotChoice:
-    """The named robot, else that of the station file, else the default."""
+    """The named robot, else that of the station file or the backup, else the default."""
     if robot is not None:
         return RobotChoice(robot, None)
     if station.robot is not None:
-        return RobotChoice(station.robot, f"from {station.file}")
-    return RobotChoice(DEFAULT_ROBOT, "by default; --robot names another")
+        return RobotChoice(station.robot, f"from {station.robot_source or station.file}")
+    unknown = (
+        f"the catalogue has no {station.unknown_robots[0]}; " if station.unknown_robots else ""
+    )
+    return RobotChoice(DEFAULT_ROBOT, f"by default; {unknown}--robot names another")
 
 
 def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:

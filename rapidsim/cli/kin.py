@@ -80,7 +80,7 @@ def fk(
     if output_format == "json":
         _print_json(forward_json(arm, angles, flange_from_tcp))
     else:
-        current_terminal().console().print(forward_page(arm, angles, flange_from_tcp))
+        current_terminal().show(forward_page(arm, angles, flange_from_tcp))
     return ExitCode.CLEAN
 
 
@@ -154,11 +154,11 @@ def ik(
     if output_format == "json":
         _print_json(inverse_json(arm, name, found, searched))
     else:
-        current_terminal().console().print(inverse_page(arm, name, found, searched))
+        current_terminal().show(inverse_page(arm, name, found, searched))
     return ExitCode.CLEAN if found.why is None else ExitCode.FINDINGS
 
 
-@kin.command()
+@kin.command(short_help="Show how joints move the TCP, and how near singularities are.")
 @click.option("--joints", type=numbers(), required=True, metavar="A,B,...", help="Joints [deg].")
 @click.option(
     "--twist",
@@ -190,7 +190,7 @@ def jacobian(
     if output_format == "json":
         _print_json(jacobian_json(arm, found, wanted))
     else:
-        current_terminal().console().print(jacobian_page(arm, found, wanted))
+        current_terminal().show(jacobian_page(arm, found, wanted))
     return ExitCode.CLEAN
 
 

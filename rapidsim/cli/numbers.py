@@ -4,8 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import isfinite
+from typing import Any
 
 import click
+
+
+class Number(click.FloatRange):
+    """The type of an option that takes one finite number of a range."""
+
+    name = "number"
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> float:
+        """Read it, and refuse what is no number, infinite or outside."""
+        number = _number(str(value), str(value))
+        return float(super().convert(number, param, ctx))
+
+
+POSITIVE = Number(min=0.0, min_open=True)
 
 
 def numbers(*counts: int) -> Callable[[str], tuple[float, ...]]:
@@ -27,10 +44,11 @@ def numbers(*counts: int) -> Callable[[str], tuple[float, ...]]:
 
 
 def _number(part: str, text: str) -> float:
+    within = f" in `{text}`" if part != text else ""
     try:
         number = float(part)
     except ValueError:
-        raise click.BadParameter(f"`{part}` in `{text}` is not a number") from None
+        raise click.BadParameter(f"`{part}`{within} is not a number") from None
     if not isfinite(number):
-        raise click.BadParameter(f"`{part}` in `{text}` is not a finite number")
+        raise click.BadParameter(f"`{part}`{within} is not a finite number")
     return number

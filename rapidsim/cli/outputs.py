@@ -10,6 +10,7 @@ from pathlib import Path
 
 import click
 
+from rapidsim.cli.numbers import POSITIVE
 from rapidsim.cli.viewer import require_screen
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError, SourceFile, did_you_mean
@@ -19,8 +20,6 @@ from rapidsim.simulation.result import Simulation
 TRACE_STEP_S = 0.012
 VALUES = "values of persistents"
 """What was written into files of the program."""
-
-_SECONDS = click.FloatRange(min=0.0, min_open=True)
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +43,7 @@ _OPTIONS = (
     click.option(
         "--record-dt",
         metavar="SECONDS",
-        type=_SECONDS,
+        type=POSITIVE,
         help="Step of the recording; else 0.012, and more where it would get over 100 MB.",
     ),
     click.option("--view", is_flag=True, help="Open the recording when it is written."),
@@ -54,7 +53,7 @@ _OPTIONS = (
     click.option(
         "--dt",
         metavar="SECONDS",
-        type=_SECONDS,
+        type=POSITIVE,
         default=TRACE_STEP_S,
         show_default=True,
         help="Step of the trace.",
@@ -238,5 +237,5 @@ def _require_matplotlib() -> None:
     if find_spec("matplotlib") is None:
         raise InputError(
             "--plots needs matplotlib, which is not installed",
-            "pip install 'rapidsim[plots]'; --report needs nothing more",
+            "pip install matplotlib; --report needs nothing more",
         )

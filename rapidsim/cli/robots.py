@@ -24,14 +24,14 @@ def robots(name: str | None, output_format: str) -> int:
 
     NAME is a name or alias of the catalogue, or a URDF file.
     """
-    console = current_terminal().console()
+    terminal = current_terminal()
     if name is not None:
         robot = open_robot(name)
         short = aliases_of(robot.name)
         if output_format == "json":
             click.echo(json.dumps(_as_json(robot, short), indent=2, allow_nan=False))
         else:
-            console.print(robot_page(robot, short))
+            terminal.show(robot_page(robot, short))
         return ExitCode.CLEAN
     # How each is solved is told where one is used, not in a list of all.
     listed = [(load_robot(robot), aliases_of(robot)) for robot in robot_names()]
@@ -39,7 +39,7 @@ def robots(name: str | None, output_format: str) -> int:
         report = [_as_json(robot, short) for robot, short in listed]
         click.echo(json.dumps({"schema": 1, "robots": report}, indent=2, allow_nan=False))
     else:
-        console.print(catalogue_table(listed))
+        terminal.show(catalogue_table(listed))
     return ExitCode.CLEAN
 
 

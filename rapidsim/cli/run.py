@@ -15,6 +15,7 @@ import click
 
 from rapidsim.analysis.program import Program
 from rapidsim.cli.answers import answers_from
+from rapidsim.cli.dates import Date
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.inputs import (
     RobotChoice,
@@ -25,6 +26,7 @@ from rapidsim.cli.inputs import (
     program_name,
     seen_from_here,
 )
+from rapidsim.cli.numbers import POSITIVE
 from rapidsim.cli.outputs import (
     VALUES,
     Asked,
@@ -66,6 +68,7 @@ _EXIT_CODES = {
     End.TIME_LIMIT: ExitCode.LIMIT,
     End.ERROR: ExitCode.FINDINGS,
 }
+_NAMED_PROCEDURES = 8
 
 
 @click.command()
@@ -93,13 +96,13 @@ _EXIT_CODES = {
 @click.option(
     "--start-time",
     metavar="DATE",
-    type=click.DateTime(["%Y-%m-%d", "%Y-%m-%dT%H:%M:%S", "%Y-%m-%d %H:%M:%S"]),
+    type=Date(),
     help="What the controller's clock shows at the start; else 2000-01-01.",
 )
 @click.option(
     "--max-time",
     metavar="SECONDS",
-    type=click.FloatRange(min=0.0, min_open=True),
+    type=POSITIVE,
     default=3600.0,
     show_default=True,
     help="Simulated time after which the run is cut off.",
@@ -107,7 +110,7 @@ _EXIT_CODES = {
 @click.option(
     "--max-wall",
     metavar="SECONDS",
-    type=click.FloatRange(min=0.0, min_open=True),
+    type=POSITIVE,
     help="Time on the computer's clock after which the run is cut off; else none.",
 )
 @click.option(
@@ -258,7 +261,7 @@ def run(
             if measured:
                 from rapidsim.cli.profiler import costs_table
 
-                terminal.console().print(costs_table(measured.routines))
+                terminal.show(costs_table(measured.routines))
     recording = outputs.recording
     if outputs.view and recording and any(one.path == recording for one in written):
         leave_open(recording)
@@ -314,10 +317,11 @@ def _require_entry(program: Program, name: str) -> None:
         return
     if name.lower() in program.routines:
         raise InputError(f"`{name}` is no procedure that runs without arguments")
-    there = f"there are {', '.join(startable[:8])}" if startable else None
+    named = ", ".join(f"`{one}`" for one in startable[:_NAMED_PROCEDURES])
+    named += ", ..." if len(startable) > _NAMED_PROCEDURES else ""
     raise InputError(
         f"the program has no procedure `{name}`",
-        did_you_mean(name, startable) or (f"{there}; --proc names one" if there else None),
+        did_you_mean(name, startable) or (f"--proc names one: {named}" if startable else None),
     )
 
 
@@ -340,14 +344,14 @@ def _print_findings(findings: Sequence[Diagnostic], terminal: Terminal) -> None:
 def _print_summary(
     simulation: Simulation, choice: RobotChoice, written: Sequence[Written], terminal: Terminal
 ) -> None:
-    console = terminal.console()
-    console.print(
+    plain = not terminal.console().encoding.startswith("utf")
+    terminal.show(
         summary(
             simulation,
             figures(simulation),
             robot_reason=choice.reason,
             written=written,
-            bars=BLOCK_BARS if console.encoding.startswith("utf") else ASCII_BARS,
+            bars=ASCII_BARS if plain else BLOCK_BARS,
         )
     )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import os
 import shutil
 import sys
@@ -15,11 +16,19 @@ from rapidsim import __version__
 from rapidsim.report.palette import COLOURED, PLAIN, Palette
 
 if TYPE_CHECKING:
-    from rich.console import Console
+    from rich.console import Console, RenderableType
 
 _LEAST_COLUMNS = 40
 _MOST_COLUMNS = 120
 _PIPED_COLUMNS = 80
+
+PLAIN_CHARACTERS = "rapidsim.plain"
+"""How a stream writes what its code page lacks: by a like sign, or else by its number."""
+_LIKE = {
+    "\N{BOX DRAWINGS LIGHT HORIZONTAL}": "-",
+    "\N{DEGREE SIGN}": " deg",
+    "\N{HORIZONTAL ELLIPSIS}": "~",
+}
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
@@ -77,6 +86,14 @@ class Terminal:
             markup=False,
         )
 
+    def show(self, renderable: RenderableType, *, soft_wrap: bool = False) -> None:
+        """Print something of rich's on standard output, without the spaces it fills lines with."""
+        console = self.console()
+        with console.capture() as captured:
+            console.print(renderable, crop=False, soft_wrap=soft_wrap)
+        # Not click's echo, which writes UTF-8 where the environment says ASCII.
+        sys.stdout.writelines(f"{line.rstrip()}\n" for line in captured.get().splitlines())
+
 
 def terminal_options(command: Command) -> Command:
     """Give a command the options that stand everywhere; the command itself never sees them."""
@@ -86,7 +103,7 @@ def terminal_options(command: Command) -> Command:
         click.version_option(__version__, message="rapidsim %(version)s"),
         click.option("--no-color", **_setting("no_color"), help="No colours; so does NO_COLOR."),
         click.option("-v", "--verbose", **_setting("verbose"), help="Print more."),
-        click.option("-q", "--quiet", **_setting("quiet"), help="Print nothing but errors."),
+        click.option("-q", "--quiet", **_setting("quiet"), help="Print only what is wrong."),
     ):
         command = option(command)
     return command
@@ -108,3 +125,17 @@ def _setting(name: str) -> dict[str, Any]:
             setattr(terminal, name, True)
 
     return {"is_flag": True, "expose_value": False, "callback": note}
+
+
+def _plain(error: UnicodeError) -> tuple[str, int]:
+    """What to write in place of characters that a code page lacks, and where to go on."""
+    assert isinstance(error, UnicodeEncodeError)
+    lacking = error.object[error.start : error.end]
+    return "".join(_LIKE.get(one) or _number_of(one) for one in lacking), error.end
+
+
+def _number_of(character: str) -> str:
+    return character.encode("ascii", "backslashreplace").decode()
+
+
+codecs.register_error(PLAIN_CHARACTERS, _plain)

@@ -15,7 +15,8 @@ from rerun.chunk import RrdReader
 from rapidsim.output_files import unwritten, whole_file
 
 APPLICATION = "rapidsim"
-_WRITER_STOPPED = "File-writer thread"
+_WRITER_FAILED = ("File-writer thread", "Failed to write")
+"""What rerun says when its writer stopped earlier, and when it fails in the call itself."""
 
 
 @contextmanager
@@ -52,7 +53,7 @@ def _said_by_rerun(path: Path) -> Iterator[None]:
     try:
         yield
     except RuntimeError as error:
-        if _WRITER_STOPPED not in str(error):
+        if not any(words in str(error) for words in _WRITER_FAILED):
             raise
         raise unwritten(path, "the disk is full, or the file too large for it") from error
 

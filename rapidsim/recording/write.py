@@ -131,6 +131,7 @@ def _properties(simulation: Simulation, dt: float) -> rr.AnyValues:
         sample_interval_s=dt,
         acceleration_time_s=model.acceleration_time,
         filter_time_s=model.filter_time,
+        smoothing=model.smoothing,
         fine_dwell_s=model.fine_dwell,
         corner=model.corner,
     )

@@ -24,15 +24,24 @@ def concise(findings: Sequence[Finding], palette: Palette) -> str:
     return "".join(f"{_concise(finding, palette)}\n" for finding in findings)
 
 
-def summary_line(findings: Sequence[Finding], *, files: int, seconds: float | None) -> str:
-    """How much was found in how many files, repeats counted, and how long it took."""
+def summary_line(
+    findings: Sequence[Finding], *, files: int, seconds: float | None, known: int = 0
+) -> str:
+    """How much was found in how many files, repeats counted, and how long it took.
+
+    Args:
+        findings: What is shown.
+        files: How many files were read.
+        seconds: How long it took; None is not told.
+        known: How many more findings a baseline holds back.
+    """
     counts: Counter[Severity] = Counter()
     for finding in findings:
         counts[finding.first.severity] += 1 + len(finding.repeats)
     kinds = [
         _counted(counts[severity], severity.value) for severity in Severity if severity in counts
     ]
-    found = f"Found {_listed(kinds)}" if kinds else "Found nothing wrong"
+    found = f"Found {_listed(kinds)}" if kinds else f"Found nothing {'new' if known else 'wrong'}"
     took = "" if seconds is None else f" ({seconds:.2f} s)"
     return f"{found} in {_counted(files, 'file')}{took}."
 

@@ -13,13 +13,14 @@ import numpy as np
 from rapidsim.frames.transform import Array
 from rapidsim.language.controller import Place
 from rapidsim.motion.limits import limits_of
-from rapidsim.simulation.result import CornerKind, ExecutedMove, RobotRun, Simulation
+from rapidsim.simulation.result import CornerKind, End, ExecutedMove, RobotRun, Simulation
 from rapidsim.simulation.sensitivity import extra_time_s
 
 _SAMPLE_S = 0.012
 _MOST_SAMPLES = 20_000
 _SLOWEST = 5
 _OTHER_ACCELERATIONS = (0.5, 2.0)
+_CUT_SHORT = (End.ERROR, End.TIME_LIMIT)
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +69,10 @@ class Figures:
     """None where nothing moved."""
     singularity: Singularity | None
     otherwise: tuple[OtherTime, ...]
-    """Times of the run with other accelerations; none where nothing moved, or too much."""
+    """Times of the run with other accelerations; none where nothing moved, or too much.
+
+    Nor where the program did not come to its end: that is no cycle time.
+    """
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,7 +101,7 @@ def figures(simulation: Simulation) -> Figures:
         joint_margin=min(margins, key=lambda one: one.degrees, default=None),
         singularity=min(singularities, key=lambda one: one.smallest_singular_value, default=None),
         # What one robot would save, another may wait away.
-        otherwise=_otherwise(simulation) if moves and not simulation.other_robots else (),
+        otherwise=_otherwise(simulation) if moves and _has_cycle_time(simulation) else (),
     )
 
 
@@ -111,6 +115,11 @@ def end_point(move: ExecutedMove) -> str:
     """What the program calls the end of a move; `*` where it is written out in place."""
     text = argument(move, "topoint", "tojointpos") or "*"
     return "*" if text.startswith("[") else text
+
+
+def _has_cycle_time(simulation: Simulation) -> bool:
+    """Whether the time of the run is that of a whole cycle, and of one robot."""
+    return simulation.end not in _CUT_SHORT and not simulation.other_robots
 
 
 def _otherwise(simulation: Simulation) -> tuple[OtherTime, ...]:

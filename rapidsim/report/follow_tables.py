@@ -16,6 +16,7 @@ from rapidsim.motion.trajectories.follow import Followed
 from rapidsim.motion.trajectories.plan import Plan, Refused, Way
 from rapidsim.motion.trajectories.points import Points, linear_turn_rates, turn
 from rapidsim.motion.trajectories.reachable import PointReach
+from rapidsim.report.whole_table import WholeTable
 
 _MOST_ROWS = 30
 """With more points, only those out of reach are listed."""
@@ -214,7 +215,7 @@ def _pitch(point: PointReach) -> tuple[str, str]:
 
 
 def _table(first: str, *others: str) -> Table:
-    table = Table(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
+    table = WholeTable(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
     table.add_column(first, no_wrap=True)
     for name in others:
         table.add_column(name, justify="right", no_wrap=True)

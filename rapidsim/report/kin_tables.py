@@ -16,6 +16,7 @@ from rapidsim.motion.differential import Differential, joint_speeds
 from rapidsim.motion.pose_solutions import PoseSolutions
 from rapidsim.motion.robot import Robot
 from rapidsim.report.kin_json import Searched
+from rapidsim.report.whole_table import WholeTable
 
 _ROWS = ("vx", "vy", "vz", "wx", "wy", "wz")
 _USUAL_JOINTS = 6
@@ -107,7 +108,7 @@ def _title(robot: Robot) -> Text:
 
 
 def _table(first: str, *others: str, padding: int = 2) -> Table:
-    table = Table(box=None, padding=(0, padding, 0, 0), pad_edge=False, header_style="cyan")
+    table = WholeTable(box=None, padding=(0, padding, 0, 0), pad_edge=False, header_style="cyan")
     table.add_column(first, no_wrap=True)
     for name in others:
         table.add_column(name, justify="right", no_wrap=True)

@@ -12,6 +12,7 @@ from rich.table import Table
 from rich.text import Text
 
 from rapidsim.motion.robot import Robot
+from rapidsim.report.whole_table import WholeTable
 
 _UNKNOWN = "?"
 _MEANING = (
@@ -22,12 +23,12 @@ _MEANING = (
 
 def catalogue_table(robots: Sequence[tuple[Robot, Sequence[str]]]) -> RenderableType:
     """One row a robot with its short names, maker by maker."""
-    table = Table(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
+    table = WholeTable(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
     table.add_column("name", style="bold", no_wrap=True)
     table.add_column("short", no_wrap=True)
     table.add_column("payload", justify="right", no_wrap=True)
     table.add_column("reach", justify="right", no_wrap=True)
-    table.add_column("axes", justify="right")
+    table.add_column("axes", justify="right", no_wrap=True)
     table.add_column("axis speeds", justify="right", no_wrap=True)
     by_maker = sorted(robots, key=_maker)
     for maker, group in groupby(by_maker, key=_maker):
@@ -64,14 +65,14 @@ def robot_page(robot: Robot, aliases: Sequence[str]) -> RenderableType:
     ):
         for number, line in enumerate(lines):
             facts.add_row("" if number else label, line)
-    axes = Table(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
-    axes.add_column("axis", style="bold")
-    axes.add_column("from", justify="right")
-    axes.add_column("to", justify="right")
-    axes.add_column("speed", justify="right")
+    axes = WholeTable(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
+    axes.add_column("axis", style="bold", no_wrap=True)
+    axes.add_column("from", justify="right", no_wrap=True)
+    axes.add_column("to", justify="right", no_wrap=True)
+    axes.add_column("speed", justify="right", no_wrap=True)
     measured = any(joint.max_acceleration is not None for joint in robot.joints)
     if measured:
-        axes.add_column("acceleration, measured", justify="right")
+        axes.add_column("acceleration, measured", justify="right", no_wrap=True)
     for joint in robot.joints:
         speed = _UNKNOWN if joint.max_speed is None else f"{degrees(joint.max_speed):.10g}°/s"
         lower, upper = degrees(joint.lower), degrees(joint.upper)

@@ -63,8 +63,14 @@ def rules() -> tuple[type[Violation], ...]:
     return tuple(sorted(declared, key=lambda rule: rule.code))
 
 
-def rule_page(rule: type[Violation], palette: Palette) -> str:
-    """The page of a rule: headline, explanation, example, fix."""
+def rule_page(rule: type[Violation], palette: Palette, *, width: int) -> str:
+    """The page of a rule: headline, explanation, example, fix.
+
+    Args:
+        rule: The rule.
+        palette: Colours.
+        width: Cells a line of the explanation may take; code is not broken.
+    """
     code = palette.paint(rule.code, palette.of(rule.severity))
     headline = f"{code} {palette.paint(rule.name, palette.strong)} ({rule.severity.value})"
     asked = "" if rule.on_by_default else f"\n\nLooked for with `--extend-select {rule.code}`."
@@ -72,6 +78,7 @@ def rule_page(rule: type[Violation], palette: Palette) -> str:
     page = _FENCED.sub(_indented, inspect.cleandoc(rule.__doc__ or ""))
     page = _HEADING.sub(lambda heading: palette.paint(heading.group(1), palette.strong), page)
     page = _BLANK_LINES.sub("\n\n", page).strip()
+    page = "\n\n".join(_filled(paragraph, width) for paragraph in page.split("\n\n"))
     return f"{headline}\n\n{page}{asked}{compare}"
 
 
@@ -87,6 +94,15 @@ def rule_list(listed: Sequence[type[Violation]], palette: Palette) -> str:
 
 def _indented(code: re.Match[str]) -> str:
     return f"\n{textwrap.indent(code.group(1), '    ')}\n"
+
+
+def _filled(paragraph: str, width: int) -> str:
+    """A paragraph of running text broken anew; code, lists and tables stay as they are."""
+    if paragraph.startswith((" ", "-", "|", "\x1b")):
+        return paragraph
+    return textwrap.fill(
+        " ".join(paragraph.split()), width, break_long_words=False, break_on_hyphens=False
+    )
 
 
 def _first_line(rule: type[Violation]) -> str:

@@ -124,8 +124,20 @@ def models(simulation: Simulation) -> dict[str, object]:
         "corner": model.corner,
         "program_pointer": PROGRAM_POINTER,
         "filter_time_s": model.filter_time,
+        "smoothing": model.smoothing,
         "fine_dwell_s": model.fine_dwell,
+        **_ramps(simulation),
         "robot_not_modelled": list(simulation.robot.not_modelled),
+    }
+
+
+def _ramps(simulation: Simulation) -> dict[str, object]:
+    """What ramps of AccSet were taken to do; nothing where no move has one."""
+    if not any(robot.trajectory.has_ramps for robot in simulation.robots):
+        return {}
+    return {
+        "ramp": "AccSet's ramp of p % smooths over 100 / p of that time, which is assumed and not "
+        "measured"
     }
 
 

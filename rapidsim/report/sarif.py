@@ -66,7 +66,9 @@ def _rule(rule: type[Violation]) -> dict[str, object]:
 
 def _result(diagnostic: Diagnostic, rule: int) -> dict[str, object]:
     violation = diagnostic.violation
-    text = violation.message if violation.help is None else f"{violation.message}. {violation.help}"
+    text = violation.message
+    if help := violation.help:
+        text += f". {help[0].upper()}{help[1:]}"
     result: dict[str, object] = {
         "ruleId": violation.code,
         "ruleIndex": rule,

@@ -18,6 +18,7 @@ from rich.text import Text
 from rapidsim.report.figures import Figures, JointMargin, LineTime, Singularity
 from rapidsim.report.run_json import models
 from rapidsim.report.source_frame import printable
+from rapidsim.report.whole_table import WholeTable
 from rapidsim.simulation.persistents import PersistentChange, parts_of
 from rapidsim.simulation.result import CornerKind, End, EventKind, ExecutedMove, Simulation
 
@@ -29,6 +30,8 @@ _SHOWN_TEXTS = 8
 _SHOWN_PERSISTENTS = 8
 _LOW_MARGIN_DEG = 5.0
 _NEAR_SINGULAR = 0.05
+_BARE = "._-/\\:"
+"""Characters beside letters and digits that need no quotes in a path on a command line."""
 _FACTORS = {0.5: "half", 2.0: "twice"}
 
 _ENDS = {
@@ -85,7 +88,8 @@ def summary(
     if simulation.all_moves:
         parts += [Text(), _models(simulation, figures)]
     if written or simulation.home_files:
-        parts += [Text(), _files(simulation, written)]
+        by_program = [f"{file.path} (by the program)" for file in simulation.home_files]
+        parts += [Text(), files_text(written, by_program)]
     return Group(*parts)
 
 
@@ -220,7 +224,7 @@ def _change(change: PersistentChange) -> str:
 
 
 def _slowest(lines: Sequence[LineTime], bars: Bars) -> Table:
-    table = Table(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
+    table = WholeTable(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
     table.add_column("slowest lines", no_wrap=True)
     table.add_column("routine", no_wrap=True, max_width=_ROUTINE_CELLS)
     table.add_column("move", no_wrap=True, max_width=_MOVE_CELLS)
@@ -248,24 +252,30 @@ def _models(simulation: Simulation, figures: Figures) -> Text:
     )
     behind = models(simulation)
     speeds = f"{behind['axis_speed']}; " if "axis_speed" in behind else ""
+    smoothed = "each axis" if behind["smoothing"] == "axes" else "command"
+    ramps = f"; {behind['ramp']}" if "ramp" in behind else ""
     left_out = "".join(f" Not modelled: {what}." for what in simulation.robot.not_modelled)
     return Text(
-        f"Models behind it: {speeds}{behind['acceleration']}; corners {behind['corner']}; command "
-        f"smoothed over {behind['filter_time_s']} s; {behind['fine_dwell_s']} s at a fine point; "
+        f"Models behind it: {speeds}{behind['acceleration']}; corners {behind['corner']}; "
+        f"{smoothed} smoothed over {behind['filter_time_s']} s{ramps}; {behind['fine_dwell_s']} s "
+        "at a fine point; "
         f"the program pointer {behind['program_pointer']}.{left_out}"
         f"{f' The run takes {others}.' if others else ''}",
         "dim",
     )
 
 
-def _files(simulation: Simulation, written: Sequence[Written]) -> Text:
-    files = [f"{one.path} ({one.what})" for one in written]
-    files += [f"{file.path} (by the program)" for file in simulation.home_files]
-    text = Text(f"Written: {', '.join(files)}")
+def files_text(written: Sequence[Written], others: Sequence[str] = ()) -> Text:
+    """The files that were written, and how to open a recording among them."""
+    text = Text(
+        f"Written: {', '.join([*(f'{one.path} ({one.what})' for one in written), *others])}"
+    )
     for one in written:
         if one.path.suffix == ".rrd":
             text.append("\nOpen the recording with: ")
-            text.append(f"rerun {one.path}", "bold")
+            # Quotes that a shell on any system understands.
+            quote = '"' if any(not (c.isalnum() or c in _BARE) for c in str(one.path)) else ""
+            text.append(f"rerun {quote}{one.path}{quote}", "bold")
     return text
 
 

@@ -16,13 +16,21 @@ from rapidsim.language.controller import SingularArea
 from rapidsim.language.data import ConfData
 from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH, ERR_ROBLIMIT
 from rapidsim.motion.arms import Arms, arms_of
-from rapidsim.motion.confdata import Configuration, confdata_of, configurations, told_apart
+from rapidsim.motion.confdata import (
+    Configuration,
+    confdata_of,
+    configurations,
+    named,
+    told_apart,
+)
 from rapidsim.motion.curves import Curves, circle_fault, curves_of
+from rapidsim.motion.following import PathFault
+from rapidsim.motion.model import MotionModel
+from rapidsim.motion.path import build_path
 from rapidsim.motion.reach import limit_excess, why_unreachable
 from rapidsim.motion.reach_cure import reason_with_lengths
 from rapidsim.motion.robot import Robot
 from rapidsim.motion.segments import Geometry, Segment, Waypoint
-from rapidsim.motion.short_lines import end_of_short_line
 from rapidsim.motion.turns import vector_from_rotation
 from rapidsim.motion.violations import (
     CircleUncertain,
@@ -31,17 +39,20 @@ from rapidsim.motion.violations import (
     OrientationDeviates,
     UnreachableTarget,
 )
+from rapidsim.motion.wrist_circle import findings_on_pair, led_by_pair
 from rapidsim.motion.wrist_lock import AXIS_4, lock_axis_4
 from rapidsim.simulation.asked_move import AskedMove, MoveRefusedError
 from rapidsim.simulation.configuration_choice import (
     by_distance,
     conf_text,
     nearest,
+    nearest_without_switch,
     rounded,
     stored_or_nearest,
 )
-from rapidsim.simulation.failed_moves import refused_move
+from rapidsim.simulation.failed_moves import failed_on_the_way, refused_move
 from rapidsim.simulation.journal import Journal
+from rapidsim.simulation.motion_findings import fault_violation
 from rapidsim.simulation.target_checks import excess_text
 
 CURVE_SAMPLES = 33
@@ -59,21 +70,29 @@ class Arrivals:
     journal: Journal
 
     def of(
-        self, asked: AskedMove, stored: ConfData, segment: Segment
+        self, asked: AskedMove, stored: ConfData, segment: Segment, *, is_short: bool
     ) -> tuple[Segment, Configuration]:
         """A segment to a pose with the joints of its end.
 
         Args:
             asked: The move.
             stored: The configuration in its target.
-            segment: Ends at the pose; the joints there do not count.
+            segment: Ends at the pose.
+            is_short: It is a short line, and the joints of its end are those it arrives with; else
+                they do not count.
 
         Raises:
             MoveRefusedError: When the end cannot be reached, or an arc is no sure circle.
         """
+        if segment.wrist_pair is not None and circle_fault(segment) is None:
+            return self._led(asked, segment)
         try:
             self._require_circle(asked, segment)
-            arrival = self._chosen(asked, stored, segment)
+            if is_short:
+                arrival = self.configuration(segment.end.joints)
+            else:
+                arrival = self._chosen(asked, stored, segment)
+            self._tell_configuration(asked, stored, segment, arrival)
             if asked.settings.singular_area is SingularArea.LOCK_AXIS_4 and _has_axis_4(segment):
                 arrival = self._locked(asked, arrival, segment)
         except MoveRefusedError as refused:
@@ -81,6 +100,8 @@ class Arrivals:
                 violation = refused.violation
                 self.journal.failed_move(refused_move(asked.place, violation, segment, self.robot))
             raise
+        if is_short:
+            return segment, arrival
         pose, external = segment.end.base_from_tcp, segment.end.external
         if segment.wrist_in_joints:
             pose = asked.placed.standing_at(self.robot.kinematics, arrival.joints, external)
@@ -121,37 +142,56 @@ class Arrivals:
                 raise MoveRefusedError(ERR_ROBLIMIT, violation)
 
     def _chosen(self, asked: AskedMove, stored: ConfData, segment: Segment) -> Configuration:
-        """The configuration as stored, where that works; else the nearest, which is told."""
-        name, end = asked.name, segment.end
-        base_from_flange = asked.placed.base_from_flange(
-            self.robot.kinematics, end.base_from_tcp, end.external
-        )
+        """The configuration as stored, where that works; else the nearest."""
         near = segment.start.joints
         in_joints = segment.geometry is Geometry.JOINT
-        monitored = asked.settings.conf_j if in_joints else asked.settings.conf_l
-        monitored = monitored and told_apart(self.robot.kinematics)
-        if in_joints or segment.wrist_in_joints:
-            working = self.working(base_from_flange, name)
-            chosen = (
-                stored_or_nearest(working, stored, near) if monitored else nearest(working, near)
-            )
-        else:
+        if not in_joints and not segment.wrist_in_joints:
             arrived = self._end_of_curve(segment)
-            chosen = arrived or nearest(self.working(base_from_flange, name), near)
-        wanted, key = rounded(stored), ("configuration", name)
-        if monitored and chosen.confdata != wanted and not self.journal.has_found(key):
-            working = self.working(base_from_flange, name)
-            self.journal.finding(
-                ConfigurationNotReachable(
-                    name,
-                    conf_text(wanted),
-                    conf_text(chosen.confdata),
-                    tuple(conf_text(c.confdata) for c in by_distance(working, chosen.joints)),
+            return arrived or nearest(self._working(asked, segment), near)
+        if not self._is_monitored(asked, segment):
+            working = self._working(asked, segment)
+            return nearest_without_switch(working, self.configuration(near))
+        as_stored = named(self.robot, self._base_from_flange(asked, segment), rounded(stored))
+        return as_stored or stored_or_nearest(self._working(asked, segment), stored, near)
+
+    def _tell_configuration(
+        self, asked: AskedMove, stored: ConfData, segment: Segment, chosen: Configuration
+    ) -> None:
+        """Tell of a configuration that is not the stored one, where the controller would stop."""
+        wanted = rounded(stored)
+        if chosen.confdata == wanted or not self._is_monitored(asked, segment):
+            return
+        key = ("configuration", asked.written)
+        if self.journal.has_found(key):
+            return
+        self.journal.finding(
+            ConfigurationNotReachable(
+                asked.name,
+                conf_text(wanted),
+                conf_text(chosen.confdata),
+                tuple(
+                    conf_text(c.confdata)
+                    for c in by_distance(self._working(asked, segment), chosen.joints)
                 ),
-                asked.place,
-                once=key,
-            )
-        return chosen
+            ),
+            asked.place,
+            once=key,
+        )
+
+    def _is_monitored(self, asked: AskedMove, segment: Segment) -> bool:
+        """Whether ConfJ or ConfL is on for a move of an arm whose solutions confdata names."""
+        in_joints = segment.geometry is Geometry.JOINT
+        monitored = asked.settings.conf_j if in_joints else asked.settings.conf_l
+        return monitored and told_apart(self.robot.kinematics)
+
+    def _working(self, asked: AskedMove, segment: Segment) -> tuple[Configuration, ...]:
+        """Every configuration at the end of a segment; raises as `working` does."""
+        return self.working(self._base_from_flange(asked, segment), asked.name)
+
+    def _base_from_flange(self, asked: AskedMove, segment: Segment) -> Transform:
+        """Where the flange must be at the end of a segment."""
+        end = segment.end
+        return asked.placed.base_from_flange(self.robot.kinematics, end.base_from_tcp, end.external)
 
     def _end_of_curve(self, segment: Segment) -> Configuration | None:
         """Where a line or arc arrives: on the branch it starts on, with the turns made on the way.
@@ -159,9 +199,6 @@ class Arrivals:
         None where that branch does not get there, or only past a joint limit; the planner then says
         where the path fails.
         """
-        joints = end_of_short_line(self.robot, segment)
-        if joints is not None:
-            return self.configuration(joints)
         curves, arms = self._curve(segment)
         x = _ALONG * curves.length[0]
         base_from_flange = arms.base_from_flange(
@@ -180,6 +217,29 @@ class Arrivals:
         curves = curves_of((segment,), kinematics)
         return curves, arms_of((segment,), kinematics, curves.joint_travel, curves.length)
 
+    def _led(self, asked: AskedMove, segment: Segment) -> tuple[Segment, Configuration]:
+        """An arc that two wrist axes lead: it ends where they take the tool, whatever is stored.
+
+        Raises:
+            MoveRefusedError: Where they cannot, or not within their limits.
+        """
+        kinematics, end = self.robot.kinematics, segment.end
+        led = led_by_pair(kinematics, segment)
+        aim = end.base_from_tcp.translation
+        taken = segment.start.joints if led is None else led.arrival
+        arrived = replace(segment, end=Waypoint(taken, end.base_from_tcp, end.external, aim))
+        # Such a failure is of this arc alone; with the corners of its neighbours it would be told
+        # only after they have been looked at, and they start from where it ends.
+        fault = build_path(self.robot, [replace(arrived, zone=None)], MotionModel())
+        if isinstance(fault, PathFault):
+            violation = fault_violation(fault, asked.name)
+            way = (asked.place, violation, segment, fault.fraction, self.robot)
+            self.journal.failed_move(failed_on_the_way(*way))
+            raise MoveRefusedError(ERR_OUTSIDE_REACH if fault.cure else ERR_ROBLIMIT, violation)
+        for found in () if led is None else findings_on_pair(led, segment, asked.name):
+            self.journal.finding(found, asked.place, once=(found.code, asked.written))
+        return arrived, self.configuration(taken)
+
     def _locked(self, asked: AskedMove, arrival: Configuration, segment: Segment) -> Configuration:
         r"""The arrival with axis 4 at 0 or half a turn; tells how far that turns the tool."""
         pose = segment.end.base_from_tcp
@@ -196,7 +256,7 @@ class Arrivals:
 
     def _tell_turn_on_the_way(self, asked: AskedMove, segment: Segment) -> None:
         """Tell how far a wrist that turns in joints takes the tool off its orientation."""
-        if self.journal.has_found(("turned on the way to", asked.name)):
+        if self.journal.has_found(("turned on the way to", asked.written)):
             return
         curves, arms = self._curve(segment)
         x = _ALONG * curves.length[0]
@@ -211,7 +271,7 @@ class Arrivals:
     def _tell_turn(self, asked: AskedMove, switch: str, angle: float, where: str) -> None:
         if angle > _TOLD_DEVIATION:
             note = OrientationDeviates(asked.name, switch, np.degrees(angle), where)
-            self.journal.finding(note, asked.place, once=(f"turned {where}", asked.name))
+            self.journal.finding(note, asked.place, once=(f"turned {where}", asked.written))
 
 
 def _has_axis_4(segment: Segment) -> bool:

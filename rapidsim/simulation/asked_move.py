@@ -8,6 +8,7 @@ from rapidsim.diagnostics import Violation
 from rapidsim.language.controller import MotionSettings, Move, Place
 from rapidsim.language.errors import RapidError
 from rapidsim.motion.targets import Placement
+from rapidsim.simulation.target_words import named_target
 
 
 class MoveRefusedError(RapidError):
@@ -31,11 +32,20 @@ class AskedMove:
 
     @property
     def name(self) -> str:
-        """What it goes to, as the program writes it."""
+        """What it goes to, as findings name it."""
         return target_name(self.place, self.move)
+
+    @property
+    def written(self) -> str:
+        """What it goes to, as the program writes it: what is said of a target is said once."""
+        return _target_text(self.place, self.move)
 
 
 def target_name(place: Place, move: Move) -> str:
-    """What a move goes to, as the program writes it; else the name of the instruction."""
+    """What a move goes to, as findings name it; else the name of the instruction."""
+    return named_target(_target_text(place, move))
+
+
+def _target_text(place: Place, move: Move) -> str:
     arguments = place.arguments
     return arguments.get("topoint", arguments.get("tojointpos", move.instruction))

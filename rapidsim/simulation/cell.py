@@ -26,6 +26,7 @@ from rapidsim.simulation.result import EventKind
 from rapidsim.simulation.signals import SignalTable
 from rapidsim.simulation.sockets import SocketTable
 from rapidsim.simulation.stops import WallLimitReached
+from rapidsim.simulation.text_tables import TextTables
 
 OUTSIDE = "cell"
 """Stands for a task's name at events that no task causes."""
@@ -120,6 +121,7 @@ class Cell:
         self.signals = SignalTable(options.io.signals)
         self.home = HomeFolder(options.home)
         self.operator = Operator(options.answers)
+        self.texts = TextTables()
         self.sockets = SocketTable(options.io.sockets, self.happen)
         self.network = options.network
         """None where sockets may not use the network."""

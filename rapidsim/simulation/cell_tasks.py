@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from math import degrees
 
 from rapidsim.files import InputError
 from rapidsim.motion.robot import Robot
@@ -12,6 +13,9 @@ from rapidsim.simulation.station.robot import StationRobot
 from rapidsim.simulation.station.station import Station
 from rapidsim.simulation.task_kind import TaskKind
 from rapidsim.simulation.task_run import TaskSetup
+
+_ROUNDING_DEG = 1e-6
+"""A limit that was written in degrees and kept in radians is still within."""
 
 
 def task_setups(
@@ -34,7 +38,7 @@ def task_setups(
         open_robot: Makes an arm of its name.
 
     Raises:
-        InputError: If a start position has not one value an axis.
+        InputError: If a start position has not one value an axis, or one past its limit.
     """
     known = {task.name.lower(): task for task in station.tasks}
     robots = station.robots or (StationRobot(),)
@@ -65,8 +69,17 @@ def task_setups(
 
 
 def _require_axes(station: Station, arm: Robot, start: tuple[float, ...] | None) -> None:
-    if start is not None and len(start) != len(arm.joints):
+    if start is None:
+        return
+    if len(start) != len(arm.joints):
         raise InputError(
             f"{station.file}: robot.start: {arm.name} has {len(arm.joints)} joints, "
             f"not {len(start)}"
         )
+    for number, (angle, joint) in enumerate(zip(start, arm.joints, strict=True), start=1):
+        lower, upper = degrees(joint.lower), degrees(joint.upper)
+        if not lower - _ROUNDING_DEG <= angle <= upper + _ROUNDING_DEG:
+            raise InputError(
+                f"{station.file}: robot.start: joint {number} of {arm.name} goes from {lower:g} to "
+                f"{upper:g} deg, not to {angle:g}"
+            )

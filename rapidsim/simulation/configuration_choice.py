@@ -13,6 +13,9 @@ from rapidsim.motion.confdata import Configuration
 Quarters = tuple[int, int, int, int]
 """cf1, cf4, cf6, cfx."""
 
+_MAIN_AXES = 0b110
+"""The bits of cfx for the wrist centre: behind axis 1 or not, behind the lower arm or not."""
+
 
 def stored_or_nearest(
     working: Sequence[Configuration], stored: ConfData, near: Array
@@ -24,6 +27,17 @@ def stored_or_nearest(
             return candidate
     same_branch = [candidate for candidate in working if candidate.confdata[3] == wanted[3]]
     return nearest(same_branch or working, near)
+
+
+def nearest_without_switch(working: Sequence[Configuration], start: Configuration) -> Configuration:
+    r"""The nearest that leaves the main axes on their branch, else the nearest.
+
+    Source: TRM, ConfJ \Off: the arm goes to the nearest configuration and does not switch that of
+    its main axes. Where only a switch reaches the target, it is made.
+    """
+    main_axes = start.confdata[3] & _MAIN_AXES
+    kept = [one for one in working if one.confdata[3] & _MAIN_AXES == main_axes]
+    return nearest(kept or working, start.joints)
 
 
 def nearest(working: Sequence[Configuration], near: Array) -> Configuration:

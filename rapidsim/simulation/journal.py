@@ -65,6 +65,7 @@ class Journal:
     _failed_moves: list[FailedMove] = field(default_factory=list)
     _reported: set[object] = field(default_factory=set)
     _unsimulated: dict[tuple[str, str], int] = field(default_factory=dict)
+    _first_met: dict[tuple[str, str], Place] = field(default_factory=dict)
 
     def beside(self, task: str) -> Journal:
         """The journal of another task of the cell, whose events go into the same list.
@@ -109,10 +110,12 @@ class Journal:
         """Whether a finding with this key has been noted, so that its facts need no work."""
         return once in self._reported
 
-    def unsimulated(self, name: str, treated_as: str) -> None:
-        """Count a routine that was not simulated."""
+    def unsimulated(self, name: str, treated_as: str, place: Place | None = None) -> None:
+        """Count a routine that was not simulated, and note where it was first met."""
         key = (name, treated_as)
         self._unsimulated[key] = self._unsimulated.get(key, 0) + 1
+        if place is not None:
+            self._first_met.setdefault(key, place)
 
     def events(self) -> tuple[Event, ...]:
         """All events of the cell in order of time; those at one time in the order of noting."""
@@ -143,3 +146,7 @@ class Journal:
     def not_simulated(self) -> tuple[Unsimulated, ...]:
         """All routines that were not simulated, in the order they were met."""
         return tuple(Unsimulated(n, count, how) for (n, how), count in self._unsimulated.items())
+
+    def first_met(self, one: Unsimulated) -> Place | None:
+        """Where a routine that was not simulated was met first; None where nobody noted it."""
+        return self._first_met.get((one.name, one.treated_as))

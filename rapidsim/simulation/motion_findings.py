@@ -12,6 +12,7 @@ from rapidsim.motion.violations import (
     PathThroughSingularity,
     TooLittleTime,
 )
+from rapidsim.motion.wrist_circle_violations import WristCircleFails
 from rapidsim.simulation.path_queue import MotionError
 from rapidsim.simulation.queued_move import QueuedMove
 
@@ -28,6 +29,9 @@ def path_violation(error: MotionError) -> Violation:
 
 def fault_violation(fault: PathFault, target: str) -> Violation:
     """What is wrong with the way to a target."""
+    if fault.kind is FaultKind.WRIST_PAIR:
+        percent, distance_mm = 100.0 * fault.fraction, 1000.0 * fault.distance
+        return WristCircleFails(target, percent, distance_mm, fault.reason, fault.cure)
     of_kind = {
         FaultKind.SINGULARITY: PathThroughSingularity,
         FaultKind.CONFIGURATION: PathConfiguration,

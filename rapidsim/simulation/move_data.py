@@ -11,6 +11,7 @@ from rapidsim.language.controller import (
     MotionSettings,
     Move,
 )
+from rapidsim.library.motion_settings import LEAST_RAMP_PERCENT
 from rapidsim.motion.external_axes import ExternalAxis
 from rapidsim.motion.segments import CircleMode, Geometry, Speed, Zone
 from rapidsim.motion.targets import MM
@@ -26,8 +27,10 @@ CIRCLE_MODES = {
     CirclePathMode.PATH_FRAME: CircleMode.PATH_FRAME,
     CirclePathMode.OBJECT_FRAME: CircleMode.OBJECT_FRAME,
     CirclePathMode.CIR_POINT_ORI: CircleMode.CIRCLE_POINT,
+    CirclePathMode.WRIST45: CircleMode.WRIST_45,
+    CirclePathMode.WRIST46: CircleMode.WRIST_46,
+    CirclePathMode.WRIST56: CircleMode.WRIST_56,
 }
-"""The modes that are simulated; the others turn the tool as `PATH_FRAME` does."""
 
 _SLOWEST_M_S = 1e-5
 _SLOWEST_RAD_S = 1e-4
@@ -66,6 +69,21 @@ def acceleration_share_of(
         return share
     load = min(1.0, max(0.0, move.tool.tload.mass + settings.grip_load_kg) / rated_kg)
     return share * (1.0 - (1.0 - with_rated) * load)
+
+
+def stop_ramp_of(settings: MotionSettings) -> float:
+    r"""How quickly braking rises at stop points, as a share of what the arm can.
+
+    That is AccSet's Ramp times its \FinePointRamp, and no less than one of them may be.
+    """
+    both = settings.ramp_percent * settings.fine_ramp_percent / 100.0
+    return max(both, LEAST_RAMP_PERCENT) / 100.0
+
+
+def circle_mode_of(move: Move, settings: MotionSettings) -> CircleMode:
+    """How the tool turns on an arc, as CirPathMode asks; of other moves it says nothing."""
+    on_arc = move.interpolation is Interpolation.CIRCLE
+    return CIRCLE_MODES[settings.circle_path] if on_arc else CircleMode.PATH_FRAME
 
 
 def external_speeds_of(

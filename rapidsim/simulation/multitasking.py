@@ -46,7 +46,6 @@ def run_together(runs: Sequence[TaskRun], cell: Cell, options: RunOptions) -> li
         outcomes[run.setup.name] = outcome
         if outcome.end in (End.ERROR, End.TIME_LIMIT):
             scheduler.stop()
-        if outcome.end is End.ERROR:
             stopped_s = run.controller.pointer_s()
             for other in runs:
                 if other is not run:

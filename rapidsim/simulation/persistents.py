@@ -12,11 +12,10 @@ import re
 from dataclasses import dataclass
 
 from rapidsim.analysis.operators import has_value
-from rapidsim.analysis.program import DataSymbol
 from rapidsim.diagnostics import Span
 from rapidsim.interpreter.loader import Task
+from rapidsim.interpreter.saved_text import declared_value
 from rapidsim.library.text import source_text
-from rapidsim.syntax import tree
 
 _LEAF = re.compile(
     r'(?P<leaf>"(?:[^"]|"")*"|[+-]?\s*(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?|TRUE\b|FALSE\b)'
@@ -47,7 +46,7 @@ def changed_persistents(task: Task) -> tuple[PersistentChange, ...]:
             change.module,
             source_text(change.old, change.symbol.type),
             source_text(change.new, change.symbol.type),
-            _declared_value(change.symbol),
+            declared_value(change.symbol),
         )
         for change in task.persistents()
         if has_value(change.symbol.type)
@@ -76,14 +75,3 @@ def literal_places(text: str) -> tuple[tuple[int, int], ...] | None:
             found.append(match.span())
         at = match.end()
     return tuple(found)
-
-
-def _declared_value(symbol: DataSymbol) -> Span:
-    node, module = symbol.node, symbol.module
-    assert isinstance(node, tree.Data)
-    assert module is not None
-    if node.value is not None:
-        return module.span(node.value)
-    semicolon = module.source.text.rfind(";", node.start, node.end + 1)
-    at = semicolon if semicolon >= 0 else node.end
-    return Span(module.source, at, at)

@@ -8,7 +8,7 @@ from os import PathLike, fspath
 from pathlib import Path
 
 from rapidsim.diagnostics import Diagnostic, Severity
-from rapidsim.files import named_tasks, read_tasks
+from rapidsim.files import backup_folders, named_tasks, read_tasks
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.motion.robot import Robot, load_robot
 from rapidsim.simulation.cell_io import without_declared
@@ -18,7 +18,7 @@ from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.result import Simulation
 from rapidsim.simulation.simulate import simulate as simulate_program
 from rapidsim.simulation.simulate import simulate_tasks
-from rapidsim.simulation.station.backup import backup_tasks
+from rapidsim.simulation.station.backup import backup_station
 from rapidsim.simulation.station.read import read_io
 from rapidsim.simulation.station.station import Station
 
@@ -46,7 +46,7 @@ def simulate(
 
     Args:
         paths: What is run, as one task, but for the tasks of a backup: each of them that has moves
-            gets an arm of its own.
+            gets an arm of its own, and its signals are those of the backup.
         robot: An arm, or its name in the catalogue.
         io: A file of signals and what happens to inputs; adds to that of the options.
         max_time: Virtual time [s] at which the run ends; replaces that of the options.
@@ -62,7 +62,9 @@ def simulate(
     """
     options = options or RunOptions()
     names = [fspath(path) for path in paths]
-    station = Station(tasks=backup_tasks(names))
+    folders = backup_folders(names)
+    # The arms are the caller's.
+    station = replace(backup_station(folders), robots=()) if folders else Station()
     tasks = named_tasks(read_tasks(names), options.task)
     if len(tasks) == len(station.tasks):
         pairs = zip(tasks, station.tasks, strict=True)
@@ -72,7 +74,7 @@ def simulate(
         raise ProgramRejectedError(loaded.diagnostics)
     arm = load_robot(robot) if isinstance(robot, str) else robot
     files = tuple(file.name for task in tasks for file in task.files)
-    options = replace(options, program_files=files)
+    options = replace(options, program_files=files, io=station.io.and_also(options.io))
     if io is not None:
         options = replace(options, io=options.io.and_also(read_io(Path(io))))
     if max_time is not None:

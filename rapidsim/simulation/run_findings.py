@@ -111,11 +111,14 @@ def motion_finding(error: MotionError) -> Diagnostic:
 
 
 def not_simulated_findings(journal: Journal) -> tuple[Diagnostic, ...]:
-    """One warning for each routine that was met and not simulated."""
-    return tuple(
-        Diagnostic(RoutineNotSimulated(entry.name, entry.treated_as), None)
-        for entry in journal.not_simulated()
-    )
+    """One warning for each routine that was met and not simulated, where it was met first."""
+    findings = []
+    for one in journal.not_simulated():
+        place = journal.first_met(one)
+        span, routine = (place.span, place.routine) if place else (None, None)
+        violation = RoutineNotSimulated(one.name, one.treated_as)
+        findings.append(Diagnostic(violation, span, routine=routine))
+    return tuple(findings)
 
 
 def backward_findings(program: Program) -> tuple[Diagnostic, ...]:

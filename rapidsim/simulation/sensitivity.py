@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rapidsim.motion.limits import Limits
-from rapidsim.motion.timing import plan
+from rapidsim.motion.planning import plan
 from rapidsim.motion.trajectory import Trajectory
 
 MOST_SEGMENTS = 2000

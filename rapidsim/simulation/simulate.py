@@ -29,6 +29,7 @@ from rapidsim.simulation.result import (
 )
 from rapidsim.simulation.run_findings import backward_findings, not_simulated_findings
 from rapidsim.simulation.task_run import Outcome, TaskRun, TaskSetup, prepare, run_to_end
+from rapidsim.syntax.collection import seldom_collected
 
 _WORST_FIRST = (End.ERROR, End.TIME_LIMIT, End.STOPPED, End.CYCLE_LIMIT, End.ENDED)
 
@@ -53,6 +54,7 @@ def simulate(program: Program, robot: Robot, *, options: RunOptions) -> Simulati
     return simulate_tasks((TaskSetup(options.task, program, robot, start, place),), options)
 
 
+@seldom_collected()
 def simulate_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> Simulation:
     """Run the programs of several tasks on one clock.
 
@@ -114,7 +116,7 @@ def _simulation(
             *outcome.findings,
         )
     )
-    motion_s = _motion_s(moves)
+    motion_s = _motion_s(moves, time_s)
     ends = [outcome.end for outcome in outcomes]
     return Simulation(
         program=options.program_files,
@@ -176,14 +178,20 @@ def _require_limits(robot: Robot, options: RunOptions) -> None:
         ) from None
 
 
-def _motion_s(moves: Sequence[ExecutedMove]) -> float:
-    """Time under way: moves that touch or overlap count once, those of several robots too."""
+def _motion_s(moves: Sequence[ExecutedMove], until_s: float) -> float:
+    """Time under way: moves that touch or overlap count once, those of several robots too.
+
+    Args:
+        moves: Of all robots.
+        until_s: The end of the run [s]; a robot that is stopped there comes to rest after it.
+    """
     total_s = 0.0
     reached_s = 0.0
     for move in sorted(moves, key=lambda move: move.start_s):
         start_s = max(move.start_s, reached_s)
-        total_s += max(0.0, move.end_s - start_s)
-        reached_s = max(reached_s, move.end_s)
+        end_s = min(move.end_s, until_s)
+        total_s += max(0.0, end_s - start_s)
+        reached_s = max(reached_s, end_s)
     return total_s
 
 

@@ -47,3 +47,52 @@ class NobodyAnswers(Violation):
     def help(self) -> str:
         """Who may answer."""
         return "say who does in a [[socket]] table of the station, or give `--allow-network`"
+
+
+@dataclass(frozen=True)
+class NobodyConnects(Violation):
+    r"""The program waits for a client, and none comes in time.
+
+    A run has no clients but those that somebody names. Say in the station file who connects: a
+    table `[[socket]]` with `connect = 1025` and `steps` of what it sends and expects. Or let the
+    run use the network with `--allow-network`.
+
+    ## Example
+
+        MODULE example
+          VAR socketdev server;
+          VAR socketdev host;
+          PROC main()
+            SocketCreate server;
+            SocketBind server,"127.0.0.1",1025;
+            SocketListen server;
+            SocketAccept server,host\Time:=2;
+          ENDPROC
+        ENDMODULE
+
+    ## Fix
+
+        MODULE example
+          VAR socketdev server;
+          PROC main()
+            SocketCreate server;
+            SocketBind server,"127.0.0.1",1025;
+            SocketListen server;
+          ENDPROC
+        ENDMODULE
+    """
+
+    code: ClassVar[str] = "R115"
+    name: ClassVar[str] = "nobody-connects"
+    template: ClassVar[str] = "no client came to port {port} in time"
+    severity: ClassVar[Severity] = Severity.WARNING
+
+    port: int
+
+    @property
+    def help(self) -> str:
+        """Who may come."""
+        return (
+            f"say who does: a [[socket]] table with `connect = {self.port}` in rapidsim.toml, or "
+            "give `--allow-network`"
+        )

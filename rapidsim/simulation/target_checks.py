@@ -6,7 +6,7 @@ import numpy as np
 
 from rapidsim.frames.quaternion import norm
 from rapidsim.frames.transform import Array
-from rapidsim.language.data import UNUSED_AXIS, ExtJoint, Orient
+from rapidsim.language.data import NO_EXTERNAL_AXES, UNUSED_AXIS, ExtJoint, Orient
 from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH, ERR_ROBLIMIT
 from rapidsim.language.target_violations import QuaternionNotUnit
 from rapidsim.motion.reach import limit_excess
@@ -33,12 +33,21 @@ def check_orientation(asked: AskedMove, rotation: Orient, journal: Journal) -> N
         MoveRefusedError: When it is far off.
     """
     length = norm(rotation)
-    error = abs(length - 1.0)
-    if error > TOLERATED_NORM_ERROR:
+    if abs(length - 1.0) > TOLERATED_NORM_ERROR:
+        require_orientation(asked.name, rotation)
         violation = QuaternionNotUnit(asked.name, length)
-        if error > REFUSED_NORM_ERROR:
-            raise MoveRefusedError(ERR_OUTSIDE_REACH, violation)
-        journal.finding(violation, asked.place, once=("norm", asked.name))
+        journal.finding(violation, asked.place, once=("norm", asked.written))
+
+
+def require_orientation(name: str, rotation: Orient) -> None:
+    """Refuse a quaternion that is no orientation.
+
+    Raises:
+        MoveRefusedError: When it is far off.
+    """
+    length = norm(rotation)
+    if abs(length - 1.0) > REFUSED_NORM_ERROR:
+        raise MoveRefusedError(ERR_OUTSIDE_REACH, QuaternionNotUnit(name, length))
 
 
 def external_end(
@@ -50,6 +59,8 @@ def external_end(
         MoveImpossible: When an active axis has no value.
     """
     axes = robot.external
+    if not axes and extax == NO_EXTERNAL_AXES:
+        return near
     values, missing = external_values(extax, axes, near)
     inactive = asked.settings.inactive_units
     for axis in missing:
@@ -64,7 +75,7 @@ def external_end(
     ]
     if unknown:
         told = ExternalAxisUnknown(asked.name, ", ".join(unknown))
-        journal.finding(told, asked.place, once=("external", asked.name))
+        journal.finding(told, asked.place, once=("external", asked.written))
     passive = [axis.unit.lower() in inactive for axis in axes]
     return np.where(passive, near, values)
 

@@ -110,7 +110,7 @@ def prepare(
     """
     robot = setup.robot or stand_in
     start = _start_waypoint(robot, setup.start_joints_deg)
-    trajectory = Trajectory(start, options.model.filter_time)
+    trajectory = Trajectory(start, options.model.filter_time, options.model.smoothing)
     queue = RobotPath(robot, options.model, trajectory, start)
     resolver = Resolver(robot, journal, setup.place.inverse(), options.model.payload_acceleration)
     place = _entry_place(setup.program, options.entry)
@@ -154,6 +154,8 @@ def run_to_end(
             failed_on_the_way(error.queued.place, finding.violation, segment, fraction, robot),
         )
     except TimeLimitReached as stop:
+        # What the robot would do after the run is not part of it, but for its coming to rest.
+        controller.stop_robot(controller.pointer_s())
         end, findings = End.TIME_LIMIT, (time_limit_finding(stop, controller.place),)
     except WaitsForever as stop:
         found = endless_wait_finding(stop, (run.setup.name, controller.place), others())

@@ -61,7 +61,7 @@ class _TeamTrajectory(Trajectory):
 
     def __init__(self, robots: Sequence[RobotPath]) -> None:
         own = robots[0]
-        super().__init__(own.end, own.model.filter_time)
+        super().__init__(own.end, own.model.filter_time, own.model.smoothing)
         self._robots = robots
 
     def append(self, piece: Piece) -> float:
@@ -139,10 +139,18 @@ class Team(RobotPath):
         parts = tuple(offer.parts[number] for number in range(len(self.robots)))
         lead = parts[0]
         stops = any(part.corner is CornerKind.STOP for part in parts)
+        # One window of the smoothing for all, or they would not stay together.
+        ramp = min(part.segment.ramp for part in parts)
+        stop_ramp = min(part.segment.stop_ramp for part in parts)
         move = TeamMove(
             lead.move,
             lead.place,
-            replace(lead.segment, zone=None if stops else lead.segment.zone),
+            replace(
+                lead.segment,
+                zone=None if stops else lead.segment.zone,
+                ramp=ramp,
+                stop_ramp=stop_ramp,
+            ),
             lead.conf,
             lead.started,
             CornerKind.STOP if stops else CornerKind.FLY_BY,
@@ -157,7 +165,13 @@ class Team(RobotPath):
         for number, (part, robot) in enumerate(zip(parts, self.robots, strict=True)):
             part.started, part.corner = move.started, move.corner
             zone = None if stops else part.segment.zone
-            part.segment = replace(part.segment, index=len(robot.moves), zone=zone)
+            part.segment = replace(
+                part.segment,
+                index=len(robot.moves),
+                zone=zone,
+                ramp=move.segment.ramp,
+                stop_ramp=stop_ramp,
+            )
             robot.moves.append(part)
             robot.end = part.segment.end
             if continues and isinstance(last, TeamMove):

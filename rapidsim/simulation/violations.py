@@ -174,7 +174,7 @@ class RoutineNotSimulated(Violation):
 
     code: ClassVar[str] = "R104"
     name: ClassVar[str] = "routine-not-simulated"
-    template: ClassVar[str] = "`{routine}` is not simulated: {treated_as}"
+    template: ClassVar[str] = "`{routine}` is not simulated; instead: {treated_as}"
     severity: ClassVar[Severity] = Severity.WARNING
 
     routine: str
@@ -210,7 +210,7 @@ class ProgramStopped(Violation):
 
     code: ClassVar[str] = "R107"
     name: ClassVar[str] = "program-stopped"
-    template: ClassVar[str] = "`{instruction}` stopped the program here, and the run ends"
+    template: ClassVar[str] = "`{instruction}` stopped the program here, and nobody starts it again"
     severity: ClassVar[Severity] = Severity.NOTE
 
     instruction: str

@@ -126,6 +126,26 @@ def test_a_baseline_hides_what_was_there_wherever_it_moves(check: Check, folder:
     assert check.code == 2
 
 
+def test_a_baseline_that_is_made_is_named(check: Check, folder: Path) -> None:
+    told = ("--baseline", "known.json", "--output-format", "concise")
+    check(*told)
+    assert "Found nothing new in 1 file" in check.out
+    assert "3 more are in the baseline.\nWritten: known.json (baseline)\n" in check.out
+    check(*told)
+    assert "Written" not in check.out
+
+
+def test_two_programs_in_one_task_are_told_apart_from_two_names(check: Check, folder: Path) -> None:
+    for name in ("one", "two"):
+        (folder / f"{name}.mod").write_text(
+            f"MODULE {name}\nPROC main()\nENDPROC\nPROC same()\nENDPROC\nENDMODULE\n"
+        )
+    check("one.mod", "two.mod", "--output-format", "full")
+    said = check.out.split("error[")
+    assert all("is one task" in one for one in said if "`main` is declared twice" in one)
+    assert [("LOCAL" in one) for one in said if "`same` is declared twice" in one] == [True]
+
+
 def test_two_equal_findings_need_two_in_the_baseline(check: Check, folder: Path) -> None:
     check("--baseline", "known.json")
     (folder / "bad.mod").write_text(

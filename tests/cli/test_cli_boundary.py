@@ -93,3 +93,76 @@ def test_colours_are_for_terminals_that_want_them(
     assert b"\x1b" not in on_a_terminal(*arguments, TERM="dumb")
     assert b"\x1b" not in on_a_terminal(*arguments, "--no-color")
     assert "\x1b" not in rapidsim(*arguments, cwd=tmp_path).out
+
+
+def printed_to(shell_redirection: str, *arguments: str) -> subprocess.CompletedProcess[bytes]:
+    """A command as a shell starts it with its output led somewhere."""
+    command = f'exec "$0" -m rapidsim {" ".join(arguments)} {shell_redirection}'
+    return subprocess.run(
+        ["sh", "-c", command, sys.executable], stderr=subprocess.PIPE, check=False
+    )
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="this system has no full disk to try")
+def test_output_to_a_full_disk_is_no_defect() -> None:
+    for arguments in (("explain", "K603"), ("robots", "irb120")):
+        done = printed_to("> /dev/full", *arguments)
+        said = b"error: the output cannot be written: No space left on device\n"
+        assert (done.returncode, done.stderr) == (2, said)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="a shell is needed to close the stream")
+def test_a_closed_stream_takes_nothing_and_breaks_nothing() -> None:
+    assert (printed_to(">&-", "explain", "K603").returncode) == 0
+    assert (printed_to("2>&-", "explain", "nothing").returncode) == 2
+
+
+@pytest.mark.parametrize(
+    ("encoding", "degrees", "rule"), [("ascii", " deg", "-"), ("latin-1", "°", "-")]
+)
+def test_signs_a_code_page_lacks_are_replaced_by_like_ones(
+    encoding: str, degrees: str, rule: str, tmp_path: Path
+) -> None:
+    (tmp_path / "a.mod").write_text(
+        "MODULE a\nPROC main()\nMoveAbsJ [[9,0,0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;"
+        "\nENDPROC\nENDMODULE\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-m", "rapidsim", "run", "a.mod", "--no-record"],
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONIOENCODING": encoding, "COLUMNS": "80"},
+        capture_output=True,
+        check=False,
+    )
+    shown = done.stdout.decode(encoding)
+    assert f"{degrees} of its limit" in shown
+    assert rule * 80 in shown
+    assert "\\u" not in shown
+
+
+def test_a_narrow_terminal_costs_no_digit() -> None:
+    pose = ("--position", "800,0,800", "--quaternion", "0,0,1,0")
+    wide = rapidsim("kin", "ik", *pose, columns=120).out
+    narrow = rapidsim("kin", "ik", *pose, columns=40).out
+    rows = [line for line in wide.splitlines() if line.startswith("[")]
+    assert len(rows) == 4
+    assert all(row in narrow for row in rows)
+
+
+def test_lines_end_without_spaces() -> None:
+    for arguments in (("robots",), ("robots", "irb6640"), ("kin", "fk", "--joints", "0,0,0,0,0,0")):
+        assert all(line == line.rstrip() for line in rapidsim(*arguments).out.splitlines())
+
+
+@pytest.mark.parametrize("value", ["nan", "inf", "-inf", "many"])
+def test_what_is_no_finite_number_is_refused(value: str) -> None:
+    for arguments in (("run", "--max-time"), ("run", "--dt"), ("follow", "--acceleration")):
+        ended = rapidsim(arguments[0], "nothing", f"{arguments[1]}={value}")
+        assert (ended.code, "number" in ended.err) == (2, True)
+
+
+def test_no_line_of_help_is_cut() -> None:
+    for command in ((), ("kin",)):
+        listed = rapidsim(*command, "--help").out.partition("Commands:")[2]
+        assert listed
+        assert not [line for line in listed.splitlines() if line.endswith("...")]

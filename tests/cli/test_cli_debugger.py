@@ -171,6 +171,29 @@ def test_an_error_is_seen_and_its_clause_can_be_entered(tmp_path: Path) -> None:
     assert code == 130
 
 
+def test_it_steps_into_a_module_that_the_program_loads(tmp_path: Path) -> None:
+    main = """MODULE cell
+  PROC main()
+    Load "part.mod";
+    %"work"% 2;
+  ENDPROC
+ENDMODULE
+"""
+    part = """MODULE part
+  VAR num n:=5;
+  PROC work(num by)
+    n:=n/(by-by);
+  ENDPROC
+ENDMODULE
+"""
+    (tmp_path / "cell.home").mkdir()
+    (tmp_path / "cell.home" / "part.mod").write_text(part)
+    answers, _, _ = debug(tmp_path, ["3"], *("s", "s", "p n", "p by", "n", "w"), text=main)
+    inside = "> cell.home/part.mod:4 in work\n-> n:=n/(by-by);"
+    assert answers[2:6] == [inside, "5", "2", f"error: division by zero\n{inside}"]
+    assert inside in answers[6]
+
+
 def test_breakpoints_are_set_by_routine_and_by_line(tmp_path: Path) -> None:
     handler = LINE["d := sizes{2};"]
     answers, _, _ = debug(

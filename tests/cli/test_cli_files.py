@@ -100,5 +100,6 @@ def test_any_bytes_become_text(data: bytes) -> None:
 
 
 def test_near_names_ignore_case() -> None:
-    assert did_you_mean("IRB12O", ["irb120", "irb1600"]) == "did you mean `irb120` or `irb1600`?"
+    assert did_you_mean("IRB12O", ["irb120", "irb1600"]) == "did you mean `irb120`?"
+    assert did_you_mean("IRB1X0", ["irb120", "irb140"]) == "did you mean `irb140` or `irb120`?"
     assert did_you_mean("qqq", ["irb120"]) is None

@@ -150,7 +150,7 @@ def test_points_by_lot_can_be_followed() -> None:
     ("arguments", "said"),
     [
         (("-",), "- is empty"),
-        (("nowhere.csv",), "cannot read nowhere.csv: No such file or directory"),
+        (("nowhere.csv",), "nowhere.csv does not exist"),
         ((EXAMPLES / "kr10_row.csv", "--avoid"), "--avoid needs to know the sphere"),
         ((EXAMPLES / "kr10_row.csv", "--via-speed", "1,2"), "--via-speed has 2 numbers"),
         ((EXAMPLES / "kr10_row.csv", "--conf", "0,0,0,9"), "cfx 9 is no branch"),
@@ -188,3 +188,10 @@ def test_the_page_shows_what_is_true(capsys: pytest.CaptureFixture[str]) -> None
     for option in ("--conf", "--start", "--compare", "--via-speed", "--min-radius", "--avoid"):
         assert option in page
         assert option in offered
+
+
+def test_points_in_metres_are_noticed() -> None:
+    table = b"x,y,z\n0.7,0,0.5\n0.7,0.1,0.5\n"
+    ended = rapidsim("follow", "-", stdin=table)
+    assert "no coordinate is beyond 0.7 mm" in ended.err
+    assert "no coordinate" not in rapidsim("follow", "-", stdin=table.replace(b"0.7", b"700")).err

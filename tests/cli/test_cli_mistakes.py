@@ -93,8 +93,8 @@ def test_an_unknown_rule_brings_near_ones(arguments: tuple[str, ...], tmp_path: 
         (("--record", "out.mp4"), "out.mp4 must end in .rrd"),
         (("--record", "out.rrd", "--no-record"), "exclude each other"),
         (("--home", "nowhere"), "nowhere is no folder"),
-        (("--answers", "nowhere.txt"), "nowhere.txt cannot be read"),
-        (("--station", "nowhere.toml"), "nowhere.toml cannot be read"),
+        (("--answers", "nowhere.txt"), "nowhere.txt does not exist"),
+        (("--station", "nowhere.toml"), "nowhere.toml does not exist"),
         (("--proc", "mian"), "did you mean `main`?"),
     ],
 )
@@ -123,3 +123,19 @@ def test_version_stands_everywhere(arguments: tuple[str, ...]) -> None:
     ended = rapidsim(*arguments)
     assert ended.code == 0
     assert ended.out.startswith("rapidsim 0.")
+
+
+@pytest.mark.parametrize("date", ["yesterday", "2025-13-01", "2025-03-01T06:00:00Z"])
+def test_a_date_is_asked_for_by_example(date: str) -> None:
+    refused(rapidsim("run", "a.mod", "--start-time", date), f"`{date}`", "2025-03-01T06:00:00")
+
+
+def test_a_robot_that_is_like_none_does_not_bring_the_whole_catalogue(tmp_path: Path) -> None:
+    ended = rapidsim("robots", "qqq")
+    refused(ended, "`qqq` is not in the catalogue", "`rapidsim robots` lists the catalogue")
+    assert "irb" not in ended.err
+
+
+def test_what_starts_a_program_is_named(tmp_path: Path) -> None:
+    (tmp_path / "a.mod").write_text("MODULE a\nPROC other()\nENDPROC\nENDMODULE\n")
+    refused(rapidsim("run", "a.mod", cwd=tmp_path), "--proc names one: `other`")

@@ -100,7 +100,7 @@ def test_without_main_the_procedures_that_are_there_are_named(tmp_path: Path) ->
     ended = rapidsim("run", tmp_path, "--no-record", cwd=tmp_path)
     assert (ended.code, ended.out) == (2, "")
     assert "the program has no procedure `main`" in ended.err
-    assert "there are pick, place; --proc names one" in ended.err
+    assert "--proc names one: `pick`, `place`" in ended.err
     assert rapidsim("run", tmp_path, "--proc", "place", "--no-record", cwd=tmp_path).code == 0
 
 

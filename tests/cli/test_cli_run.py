@@ -166,3 +166,9 @@ def test_modules_of_the_station_are_loaded_too(tmp_path: Path) -> None:
     loaded = report(tmp_path, "MODULE a\n  PROC main()\n    greet;\n  ENDPROC\nENDMODULE\n")
     assert loaded["program"] == ["a.mod", "lib.mod"]
     assert [event["task"] for event in loaded["events"]] == ["T_X"]  # type: ignore[attr-defined]
+
+
+def test_the_command_that_opens_a_recording_can_be_copied(tmp_path: Path) -> None:
+    (tmp_path / "pick & place.mod").write_text("MODULE a\nPROC main()\nENDPROC\nENDMODULE\n")
+    out = rapidsim("run", "pick & place.mod", cwd=tmp_path).out
+    assert out.splitlines()[-1] == 'Open the recording with: rerun "pick & place.rrd"'

@@ -4,6 +4,7 @@ from math import radians
 from pathlib import Path
 
 import pytest
+from cli_helper import rapidsim
 
 from rapidsim.files import InputError
 from rapidsim.simulation.station.read import read_station
@@ -29,6 +30,7 @@ def test_everything_it_can_say_is_taken(tmp_path: Path) -> None:
             acceleration = [100, 200]
             filter_time = 0
             fine_dwell = 0.2
+            smoothing = "axes"
             corner = "parabola"
             [[task]]
             name = "T_ROB2"
@@ -42,7 +44,7 @@ def test_everything_it_can_say_is_taken(tmp_path: Path) -> None:
     assert station.start_joints_deg == (0.0, 0.0, 0.0, 0.0, 30.0, 0.0)
     assert station.model.acceleration == (radians(100.0), radians(200.0))
     assert (station.model.filter_time, station.model.fine_dwell) == (0.0, 0.2)
-    assert station.model.corner == "parabola"
+    assert (station.model.corner, station.model.smoothing) == ("parabola", "axes")
     assert (station.task, station.modules) == ("T_ROB2", (tmp_path / "Main.mod",))
     assert station.check.ignore == ("S9",)
 
@@ -69,6 +71,7 @@ def test_an_urdf_file_lies_beside_it(tmp_path: Path) -> None:
         ("[motion]\nfine_dwell = nan", "motion.fine_dwell: a number", None),
         ("[motion]\nacceleration = [0]", "above 0", None),
         ('[motion]\ncorner = "round"', "`round` is neither `c2` nor `parabola`", None),
+        ('[motion]\nsmoothing = "joints"', "`joints` is neither `path` nor `axes`", None),
         ("[[task]]\n[[task]]", "there are two tasks T_ROB1", None),
         ("task = 3", "task: they are written as [[task]]", None),
         ("[signals]\ndi1 = 3", "signals.di1: a table is needed", None),
@@ -91,6 +94,20 @@ def test_what_it_cannot_say_is_refused(
     assert part in raised.value.message
     assert "rapidsim.toml" in raised.value.message
     assert help is None or help in (raised.value.help or "")
+
+
+@pytest.mark.parametrize(
+    ("start", "said"),
+    [
+        ("[0, 0, 0]", "irb1600-6-1.2 has 6 joints, not 3"),
+        ("[0, 0, 0, 0, 120, 0]", "joint 5 of irb1600-6-1.2 goes from -115 to 115 deg, not to 120"),
+    ],
+)
+def test_a_start_the_arm_cannot_have_is_refused(start: str, said: str, tmp_path: Path) -> None:
+    station_file(tmp_path, f"[robot]\nstart = {start}\n")
+    (tmp_path / "a.mod").write_text("MODULE a\nPROC main()\nENDPROC\nENDMODULE\n")
+    ended = rapidsim("run", "a.mod", "--no-record", cwd=tmp_path)
+    assert (ended.code, f"robot.start: {said}" in ended.err) == (2, True)
 
 
 def test_all_mistakes_are_told_at_once(tmp_path: Path) -> None:

@@ -4,7 +4,6 @@
     b:=1;               ! error: T301       checking or running reports exactly this on this line
     n:=1/zero;          ! stops: division by zero
     EXIT;               ! ends: stopped     how the run ends, where it is not by reaching the end
-                        ! about the run: warning R104      a finding that stands on no line
 
 A comment on a line of its own belongs to the line of code above it.
 """
@@ -30,10 +29,10 @@ ROBOT = "irb1600-6-1.2"
 MAX_TIME_S = 60.0
 
 _PROMISE = re.compile(
-    r"! (?:(?P<shows>->)|(?P<severity>error|warning|note):|(?P<stops>stops):|(?P<ends>ends):"
-    r"|(?P<run>about the run):) ?(?P<text>.*)"
+    r"! (?:(?P<shows>->)|(?P<severity>error|warning|note):|(?P<stops>stops):|(?P<ends>ends):)"
+    r" ?(?P<text>.*)"
 )
-_NEXT = re.compile(r"\s*(?=! (?:->|error:|warning:|note:|stops:|ends:|about the run:))")
+_NEXT = re.compile(r"\s*(?=! (?:->|error:|warning:|note:|stops:|ends:))")
 
 Fact = tuple[str, int, str, str]
 """File, line (0 for none), kind, text; facts of one line keep their order."""
@@ -81,17 +80,15 @@ def promises(source: Source) -> list[Fact]:
                 facts.append((source.file, comment.line, "shows", text))
             elif match["stops"]:
                 facts.append((source.file, comment.line, "stops", text))
-            elif match["ends"]:
-                facts.append(("", 0, "ends", text))
             else:
-                severity, code = text.split(" ")
-                facts.append(("", 0, severity, code))
+                facts.append(("", 0, "ends", text))
     return facts
 
 
 def sources(task: Path) -> list[Source]:
-    """The modules of a program: one file, or all of a folder."""
-    paths = sorted(task.iterdir()) if task.is_dir() else [task]
+    """The modules of a program: one file, or all of a folder; not what lies in its home folder."""
+    inside = sorted(task.iterdir()) if task.is_dir() else [task]
+    paths = [path for path in inside if path.is_file()]
     return [Source(path.name, decode(path.read_bytes())[0]) for path in paths]
 
 
@@ -100,12 +97,13 @@ def promised(texts: Iterable[Source]) -> list[Fact]:
     return _ordered(fact for source in texts for fact in promises(source))
 
 
-def happened(texts: Sequence[Source]) -> list[Fact]:
+def happened(texts: Sequence[Source], home: Path | None = None) -> list[Fact]:
     """What happens when a program is checked and, if it can be, run."""
     loaded = load([SourceFile(source.file, source.text, "utf-8") for source in texts])
     facts = [_finding(diagnostic) for diagnostic in loaded.diagnostics]
     if loaded.program is not None:
-        facts += _run(simulate(loaded.program, robot(), options=RunOptions(max_time_s=MAX_TIME_S)))
+        options = RunOptions(max_time_s=MAX_TIME_S, home=home)
+        facts += _run(simulate(loaded.program, robot(), options=options))
     return _ordered(facts)
 
 

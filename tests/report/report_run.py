@@ -54,6 +54,8 @@ class StraightTrajectory:
     pieces = ()
     """Nothing of it was planned, so it takes as long with other accelerations."""
 
+    has_ramps = False
+
     def at(self, times: Array) -> Samples:
         share = np.clip(times / self.duration, 0.0, 1.0)
         joints = HOME + share[:, None] * (PICK - HOME)

@@ -34,12 +34,12 @@ def test_codes_and_names_are_not_used_twice() -> None:
 def test_every_rule_has_a_page(rule: type[Violation]) -> None:
     assert re.fullmatch(r"[A-Z]\d{3}", rule.code)
     assert re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*", rule.name)
-    page = rule_page(rule, PLAIN)
+    page = rule_page(rule, PLAIN, width=80)
     assert page.startswith(f"{rule.code} {rule.name} ({rule.severity.value})\n\n")
     assert "##" not in page
     first = page.split("\n\n")[1].replace("\n", " ")
     assert first.endswith((".", ":"))
-    assert "\x1b" in rule_page(rule, COLOURED)
+    assert "\x1b" in rule_page(rule, COLOURED, width=80)
 
 
 def test_the_list_names_every_rule_on_a_line() -> None:

@@ -51,7 +51,9 @@ class Cell:
         self.robot = load_robot("irb1600")
         self.journal = Journal("T_ROB1")
         start = Waypoint(_START, self.robot.forward(_START))
-        self.trajectory = Trajectory(start, self.options.model.filter_time)
+        self.trajectory = Trajectory(
+            start, self.options.model.filter_time, self.options.model.smoothing
+        )
         self.queue = RobotPath(self.robot, self.options.model, self.trajectory, start)
         resolver = Resolver(self.robot, self.journal, Transform.identity())
         self.controller = VirtualController(

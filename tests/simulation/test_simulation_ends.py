@@ -37,7 +37,9 @@ def test_a_program_that_stops_itself_says_where(statement: str, name: str) -> No
     assert len(it.run.moves) == 1
     found = it.only("R107")
     assert found.severity == "note"
-    assert found.violation.message == f"`{name}` stopped the program here, and the run ends"
+    assert (
+        found.violation.message == f"`{name}` stopped the program here, and nobody starts it again"
+    )
     assert (found.routine, found.span and found.span.line) == ("inner", 17)
     assert calls(found) == [("called from main", 8)]
 
@@ -214,7 +216,7 @@ ENDMODULE
         ("AcmeName", 1, 'skipped, "" taken for its value'),
         ("RaiseToUser", 1, "skipped: the error is not passed on"),
     ]
-    assert it.findings == [("R104", 0)] * 5
+    assert it.findings == [("R104", line) for line in (4, 6, 7, 8, 9)]
 
 
 def test_backward_is_mentioned_once() -> None:
@@ -238,3 +240,16 @@ ENDMODULE
     found = it.only("R108")
     assert found.severity == "note"
     assert calls(found) == [("nor is that of inner", 8)]
+
+
+def test_long_literal_targets_have_equal_findings_on_every_line() -> None:
+    lines = "\n".join(
+        f"    MoveL [[700,{y}.25,600],[0,0,1,0],[1,1,1,1],[9E9,9E9,9E9,9E9,9E9,9E9]],v200,z1,tool0;"
+        for y in range(50, 53)
+    )
+    home = "MoveAbsJ [[4,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tool0;"
+    it = ran(f"MODULE cell\n  PROC main()\n{home}\n{lines}\n  ENDPROC\nENDMODULE\n")
+    said = {d.violation.message for d in it.run.diagnostics if d.violation.code == "K603"}
+    assert [line for code, line in it.findings if code == "K603"] == [4, 5, 6]
+    assert len(said) == 1
+    assert "`[[...]]`" in said.pop()

@@ -20,6 +20,7 @@ from rapidsim.motion.trajectory import Samples
 from rapidsim.motion.turns import rotation_from_vector
 from rapidsim.report.figures import figures
 from rapidsim.report.run_json import run_json
+from rapidsim.simulation.cell_io import CellIo, Stimulus
 from rapidsim.simulation.station.read import read_station
 
 TRACK = ExternalAxis(
@@ -272,3 +273,58 @@ def test_the_station_file_declares_axes_in_its_own_units(tmp_path: Path) -> None
 def test_a_wrong_axis_is_told_by_key(tmp_path: Path, changes: dict[str, str], words: str) -> None:
     with pytest.raises(InputError, match=words.replace("[", r"\[")):
         read_station(station_file(tmp_path, **changes))
+
+
+def searched(search: str, data: str = "  VAR jointtarget j;\n") -> Ran:
+    """Search along the track with an input that comes after 2 s and goes after 3 s."""
+    data += "  CONST jointtarget far:=[[0,0,0,0,30,0],[1000,9E9,9E9,9E9,9E9,9E9]];\n"
+    io = CellIo(
+        stimuli=(Stimulus({"diHit": 1.0}, at_s=2.0), Stimulus({"diHit": 0.0}, at_s=3.0)),
+    )
+    text = program(
+        search,
+        'TPWrite "hit "\\Num:=Round(j.extax.eax_a);',
+        "TPWrite ValToStr(j.robax);",
+        data=data,
+    )
+    return ran(
+        text.replace(
+            "  ENDPROC", "  ERROR\n    TPWrite ValToStr(ERRNO=ERR_WHLSEARCH);\n    EXIT;\n  ENDPROC"
+        ),
+        external_axes=(TRACK,),
+        io=io,
+    )
+
+
+def test_a_search_of_external_axes_keeps_where_they_were() -> None:
+    run = searched(r"SearchExtJ\PStop,diHit,j,far,vlin200;")
+    at_hit = run.run.trajectory.at(np.array([2.0])).external[0, 0]
+    assert run.texts == [f"hit {1000 * at_hit:.0f}", "[0,0,0,0,30,0]"]
+    stands = run.run.trajectory.at(np.array([run.run.time_s])).external[0, 0]
+    assert at_hit < stands < at_hit + 0.03
+    assert run.run.unsimulated == ()
+
+
+def test_a_search_of_external_axes_waits_for_its_flank_and_misses() -> None:
+    falling = searched(r"SearchExtJ diHit\NegFlank,j,far,vlin200;")
+    at_hit = falling.run.trajectory.at(np.array([3.0])).external[0, 0]
+    assert falling.texts[0] == f"hit {1000 * at_hit:.0f}"
+    end = falling.run.trajectory.at(np.array([falling.run.time_s])).external[0, 0]
+    assert end == pytest.approx(1.0)  # Without a stop option it goes to the end.
+    assert searched(r"SearchExtJ diOther,j,far,vlin200;").texts == ["TRUE"]
+    twice = searched(r"SearchExtJ\Sup,diHit\Flanks,j,far,vlin200;")
+    assert twice.texts == ["TRUE"]
+
+
+def test_an_active_offset_is_taken_off_what_a_search_finds() -> None:
+    data = "  VAR jointtarget j;\n  PROC offset()\n    EOffsSet [100,0,0,0,0,0];\n  ENDPROC\n"
+    plain, moved = (
+        searched(rf"offset; SearchExtJ\PStop,diHit,j,far{option},vlin200;", data)
+        for option in ("", r"\UseEOffs")
+    )
+    assert (
+        plain.texts[0]
+        == "hit " + f"{1000 * plain.run.trajectory.at(np.array([2.0])).external[0, 0]:.0f}"
+    )
+    found = 1000 * moved.run.trajectory.at(np.array([2.0])).external[0, 0] - 100
+    assert moved.texts[0] == f"hit {found:.0f}"

@@ -90,6 +90,18 @@ steps = [
     assert told(with_peer(SERVER, peer, tmp_path)) == told(it)
 
 
+def test_a_server_that_nobody_may_call_says_so_once(tmp_path: Path) -> None:
+    text = SERVER.replace("WAIT_MAX", "2").replace("ERR_SOCK_CLOSED", "ERR_SOCK_TIMEOUT")
+    it = ran(text)
+    found = it.only("R115")
+    assert found.span is not None
+    assert "SocketAccept" in found.span.text
+    assert "port 1025" in found.violation.message
+    assert "connect = 1025" in (found.violation.help or "")
+    late = '[[socket]]\nconnect = 1025\nafter = 9\nsteps = [{ send = "x" }]\n'
+    assert "R115" not in [code for code, _ in with_peer(text, late, tmp_path).findings]
+
+
 def test_a_camera_answers_each_trigger(tmp_path: Path) -> None:
     peer = r"""
 [[socket]]

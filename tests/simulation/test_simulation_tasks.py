@@ -181,6 +181,20 @@ def test_ipers_hears_what_the_other_task_writes() -> None:
     assert it.texts == [(1.25, "trap")]
 
 
+def test_ipers_hears_another_task_while_the_arm_drives_to_a_stop() -> None:
+    data = 'PERS num x:=0;\nVAR intnum alarm;\nTRAP heard\nTPWrite "trap";\nENDTRAP'
+    moves = (
+        f"MoveAbsJ [[40,0,0,0,30,0],{JOINTS}],v100,z50,tool0;",
+        f"MoveAbsJ [[0,0,0,0,30,0],{JOINTS}],v100,fine,tool0;",
+    )
+    it = both(
+        main("CONNECT alarm WITH heard;", "IPers x,alarm;", *moves, data=data),
+        main("FOR i FROM 1 TO 4 DO", "WaitTime 0.3;", "x:=i;", "ENDFOR", data="PERS num x:=0;"),
+    )
+    assert [text for _, text in it.texts] == ["trap"] * 4
+    assert [time for time, _ in it.texts] == pytest.approx([0.3, 0.6, 0.9, 1.2], abs=0.01)
+
+
 LOCKED = """
 PERS bool lock:=FALSE;
 PERS num inside:=0;

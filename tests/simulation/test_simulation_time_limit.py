@@ -1,10 +1,12 @@
 """A run that is cut off says where the program was."""
 
+import numpy as np
 import pytest
 
 from rapidsim.analysis.checker import check
 from rapidsim.diagnostics import Source
 from rapidsim.motion.robot import load_robot
+from rapidsim.report.figures import figures
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.result import End
 from rapidsim.simulation.simulate import simulate
@@ -45,3 +47,22 @@ def test_the_note_stands_in_the_loop_that_does_not_end(body: str) -> None:
     assert note.span.line in (9, 10)
     assert note.routine == "again"
     assert [related.span.line for related in note.related] == [6]
+
+
+@pytest.mark.parametrize("limit_s", [0.3, 1.0, 2.0])
+def test_what_the_arm_would_do_after_the_limit_is_not_counted(limit_s: float) -> None:
+    source = Source("slow.mod", TEXT.format(body="MoveL Offs(p,0,400,0),v50,fine,tool0;"))
+    program = check((parse(source).file,)).program
+    assert program is not None
+    run = simulate(program, load_robot("irb1600"), options=RunOptions(max_time_s=limit_s))
+    assert run.time_s == limit_s
+    assert run.motion_s + run.wait_s == pytest.approx(limit_s)
+    # The arm brakes where it is when the limit comes, and the smoothing is seen to its end.
+    assert run.trajectory.duration < limit_s + 0.5
+    assert run.moves[-1].end_s < limit_s + 0.5
+    assert figures(run).otherwise == ()
+    whole = simulate(program, load_robot("irb1600"), options=RunOptions(max_time_s=6.0))
+    before_s = limit_s - run.model.filter_time - 0.05
+    assert np.array_equal(run.sample(before_s).joints, whole.sample(before_s).joints), (
+        "the way up to the limit is that of a longer run"
+    )

@@ -11,8 +11,8 @@ import pytest
 from rapidsim.motion.limits import limits_of
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path import Path, build_path
+from rapidsim.motion.planning import plan
 from rapidsim.motion.robot import load_robot
-from rapidsim.motion.timing import plan
 
 
 def benchmark() -> ModuleType:

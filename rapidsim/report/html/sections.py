@@ -221,6 +221,8 @@ def assumptions(simulation: Simulation) -> str:
         "corner": "Shape of corners",
         "program_pointer": "Program pointer",
         "filter_time_s": "Smoothing of the command [s]",
+        "smoothing": "What is smoothed",
+        "ramp": "Ramp",
         "fine_dwell_s": "Time at a fine point [s]",
     }
     facts = [

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from rapidsim.motion.model import Corner, Keeper, MotionModel, OrientationZone
+from rapidsim.motion.model import Corner, Keeper, MotionModel, OrientationZone, Smoothing
 from rapidsim.simulation.station.reader import Reader, Table
 
 _KEYS = (
@@ -13,6 +13,7 @@ _KEYS = (
     "payload_acceleration",
     "axis_speed",
     "filter_time",
+    "smoothing",
     "fine_dwell",
     "corner",
     "parabola_acceleration",
@@ -43,12 +44,22 @@ def read_motion(reader: Reader, motion: Table) -> MotionModel:
         payload_acceleration=payload or default.payload_acceleration,
         max_speed=_radians(axis_speed),
         filter_time=default.filter_time if filter_time is None else filter_time,
+        smoothing=_smoothing(reader, motion, default.smoothing),
         fine_dwell=default.fine_dwell if fine_dwell is None else fine_dwell,
         corner=_corner(reader, motion, default.corner),
         parabola_acceleration=parabola or default.parabola_acceleration,
         orientation_zone=_orientation_zone(reader, motion, default.orientation_zone),
         accelerations_kept_by=_keeper(reader, motion, default.accelerations_kept_by),
     )
+
+
+def _smoothing(reader: Reader, motion: Table, default: Smoothing) -> Smoothing:
+    match reader.text(motion, "motion", "smoothing") or default:
+        case "path" | "axes" as known:
+            return known
+        case other:
+            reader.wrong("motion.smoothing", f"`{other}` is neither `path` nor `axes`")
+            return default
 
 
 def _corner(reader: Reader, motion: Table, default: Corner) -> Corner:

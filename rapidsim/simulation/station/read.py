@@ -37,7 +37,7 @@ def read_station(file: Path) -> Station:
     reader.known("", table, _KEYS)
     robots = read_robots(reader, table)
     model = read_motion(reader, reader.table(table, "motion"))
-    tasks = read_tasks(reader, table, [robot.label for robot in robots])
+    tasks = read_tasks(reader, table, [robot.label for robot in robots] or [None])
     station = Station(
         file=file,
         robots=robots,

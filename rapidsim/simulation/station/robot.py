@@ -26,7 +26,9 @@ class StationRobot:
 
 
 def read_robots(reader: Reader, station: Table) -> tuple[StationRobot, ...]:
-    """Read [robot], or each [[robot]]; one at least. What is wrong is noted."""
+    """Read [robot], or each [[robot]]; none if there is neither. What is wrong is noted."""
+    if "robot" not in station:
+        return ()
     if not isinstance(station.get("robot"), list):
         return (_read_robot(reader, "robot", reader.table(station, "robot"), _KEYS),)
     robots = [

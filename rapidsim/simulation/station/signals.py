@@ -58,7 +58,7 @@ def read_crosses(reader: Reader, tables: Table) -> tuple[CrossConnection, ...]:
         after_s = reader.not_negative(table, path, "after")
         crosses.append(CrossConnection(result, condition, after_s or 0.0))
     for number, cross in enumerate(crosses):
-        if cross.result.lower() in _sources(cross.result.lower(), crosses):
+        if follows_itself(cross, crosses):
             reader.wrong(f"cross {number + 1}", f"`{cross.result}` follows itself")
     return tuple(crosses)
 
@@ -114,6 +114,11 @@ def _limits(
         if key in table and key not in allowed:
             reader.wrong(f"{path}.{key}", f"a {kind.value} has no such key")
     return limits
+
+
+def follows_itself(cross: CrossConnection, crosses: Sequence[CrossConnection]) -> bool:
+    """Whether a signal follows itself through some of the connections."""
+    return cross.result.lower() in _sources(cross.result.lower(), crosses)
 
 
 def _sources(signal: str, crosses: Sequence[CrossConnection]) -> set[str]:

@@ -6,7 +6,7 @@ Most programs that are checked have none, so nothing here needs NumPy; `read.py`
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -41,6 +41,30 @@ class Station:
     """Date and time of day at which a run begins; None where the file does not say."""
     check: CheckSettings = field(default_factory=CheckSettings)
     """What `check` looks for."""
+    robot_source: str | None = None
+    """What names the robots, in words; None where that is the file."""
+    unknown_robots: tuple[str, ...] = ()
+    """Types of robots that are named there and not in the catalogue."""
+    remarks: tuple[str, ...] = ()
+    """What is said of the cell and left out."""
+
+    def and_backup(self, backup: Station) -> Station:
+        """This file, and what a backup says where the file says nothing."""
+        whole = replace(
+            self,
+            tasks=self.tasks or backup.tasks,
+            io=backup.io.and_also(self.io),
+            remarks=backup.remarks,
+        )
+        if self.robot is not None or not backup.robots:
+            return whole
+        named = (replace(self.robots[0], name=backup.robot),) if self.robots else backup.robots
+        return replace(
+            whole,
+            robots=named,
+            robot_source=backup.robot_source,
+            unknown_robots=backup.unknown_robots,
+        )
 
     @property
     def robot(self) -> str | None:

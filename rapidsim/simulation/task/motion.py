@@ -20,6 +20,7 @@ from rapidsim.motion.targets import rob_joint
 from rapidsim.simulation.journal import Instant
 from rapidsim.simulation.path_queue import LOOK_AHEAD_SLACK_S, MAX_OPEN_MOVES, MotionError
 from rapidsim.simulation.queued_move import QueuedMove
+from rapidsim.simulation.ramp_violations import RampWaits
 from rapidsim.simulation.result import CornerKind
 from rapidsim.simulation.task.time import TaskTime
 
@@ -47,7 +48,10 @@ class TaskMotion(TaskTime):
         """
         self._note_line()
         self._count_concurrent(move)
-        queued = self._resolver.resolve(move, self.place, self._queue.end, self.settings)
+        queue = self._queue
+        queued = self._resolver.resolve(
+            move, self.place, queue.end, self.settings, index=len(queue.moves)
+        )
         self._time.settle(self.left)
         if not self._queue.is_open or self._time.offset_s > LOOK_AHEAD_SLACK_S:
             self._observe()
@@ -58,6 +62,7 @@ class TaskMotion(TaskTime):
         if last is not None and last.corner is CornerKind.STOP_CORNER_PATH_FAILURE:
             self._interrupts.error_logged(CORNER_PATH_FAILURE, now_s)
         before(queued)
+        self._note_ramp(queued)
         self._active = (move.tool, move.wobj)
         if queued.corner is CornerKind.STOP and wait and not move.concurrent:
             self._drive_to_stop()
@@ -72,6 +77,12 @@ class TaskMotion(TaskTime):
             or self._queue.open_moves > MAX_OPEN_MOVES
         ):
             self._keep_up()
+
+    def _note_ramp(self, queued: QueuedMove) -> None:
+        """Tell once of a ramp that is higher than that of the moves before, and has to wait."""
+        wanted, kept = self.settings.ramp_percent, queued.segment.ramp
+        if kept < wanted / 100.0:
+            self._journal.finding(RampWaits(wanted, 100.0 * kept), self.place, once=RampWaits)
 
     def _count_concurrent(self, move: Move) -> None:
         r"""Refuse more moves with \Conc in succession than a controller takes.

@@ -1,18 +1,20 @@
-"""What one task says and asks: the FlexPendant, files, and what it does not simulate."""
+"""What one task says and asks: the FlexPendant, files and texts; what it does not simulate."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from datetime import datetime, timedelta
 
+from rapidsim.diagnostics import Source
+from rapidsim.files import decode
 from rapidsim.language.controller import FileMode, OpenFile
 from rapidsim.simulation.result import EventKind
 from rapidsim.simulation.task.time import TaskTime
 
 
 class TaskOperator(TaskTime):
-    """Implements `language.controller.Operator`, `Files` and `Honesty`."""
+    """Implements `language.controller.Operator`, `Files`, `Texts` and `Honesty`."""
 
     def show(self, text: str) -> None:
         """Write a line on the FlexPendant."""
@@ -62,6 +64,16 @@ class TaskOperator(TaskTime):
         self._event(EventKind.FILE, f"opened {path} to {mode.value}", path=path, mode=mode.value)
         return file
 
+    def read_module(self, path: str, most: int) -> Source:
+        """The text of a program file of the home folder.
+
+        Raises:
+            RapidError: See `HomeFolder.read`.
+        """
+        place, data = self._cell.home.read(path, most)
+        self._event(EventKind.FILE, f"opened {path} to load", path=path, mode="load")
+        return Source(str(place), decode(data)[0])
+
     def copy_file(self, old: str, new: str) -> None:
         """Copy a file of the home folder."""
         self._cell.home.copy(old, new)
@@ -103,10 +115,29 @@ class TaskOperator(TaskTime):
         """Bytes of all files below a folder."""
         return self._cell.home.bytes_in(path)
 
+    def install_texts(self, name: str, texts: Mapping[int, str]) -> None:
+        """Keep a table of texts."""
+        self._see_others()
+        self._cell.texts.install(name, texts)
+
+    def text_table(self, name: str) -> int | None:
+        """The number of a table of texts; None if there is none of that name."""
+        self._see_others()
+        return self._cell.texts.number(name)
+
+    def table_text(self, table: float, index: float) -> str | None:
+        """A text of a table; None if there is none of those numbers."""
+        return self._cell.texts.text(table, index)
+
+    def _see_others(self) -> None:
+        """Let what other tasks have installed by now be there."""
+        if self._cell.is_shared:
+            self.come_up()
+
     def date_and_time(self) -> datetime:
         """What the controller's clock shows."""
         return self._cell.starts_at + timedelta(seconds=math.floor(self.now()))
 
     def not_simulated(self, routine: str, treated_as: str) -> None:
         """Report that a routine was not simulated and what was done instead."""
-        self._journal.unsimulated(routine, treated_as)
+        self._journal.unsimulated(routine, treated_as, self.place)

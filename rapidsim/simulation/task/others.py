@@ -124,7 +124,7 @@ class TaskOthers(TaskMotion):
             self.service()
 
     def stop_robot(self, time_s: float) -> None:
-        """Stop the robot at a time [s] because another task has failed."""
+        """Stop the robot at a time [s]: another task has failed, or the run is over."""
         with suppress(MotionError):
             if not self._queue.is_halted:
                 self._queue.halt(time_s)

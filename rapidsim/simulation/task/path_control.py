@@ -50,7 +50,7 @@ class TaskPathControl(TaskMotion):
         now_s = self._observe()
         if not self._queue.is_halted:
             rest_s = self._queue.halt(now_s)
-            self._pass_time(max(now_s, rest_s + self._queue.model.filter_time))
+            self._pass_time(max(now_s, self._queue.trajectory.seen_s(rest_s)))
 
     def start_move(self) -> None:
         """Let the robot go on.

@@ -12,13 +12,14 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 from rapidsim.language.controller import Flank, Move, SearchStop
-from rapidsim.language.data import FINE, RobTarget
+from rapidsim.language.data import FINE, JointTarget, RobTarget
 from rapidsim.language.error_numbers import (
     ERR_PERSSUPSEARCH,
     ERR_SIGSUPSEARCH,
     ERR_WHLSEARCH,
     rapid_error,
 )
+from rapidsim.motion.targets import rob_joint
 from rapidsim.simulation.journal import Instant
 from rapidsim.simulation.task.path_control import TaskPathControl
 
@@ -60,6 +61,28 @@ class TaskSearch(TaskPathControl):
         stop: SearchStop,
     ) -> RobTarget:
         """Make a move to a stop point and watch a signal, or a persistent, on the way."""
+        arm = self._queue.at_past(self._hit_s(move, found, flank, stop))
+        return self._resolver.target(arm.joints[0], arm.external[0], move.tool, move.wobj)
+
+    def search_joints(
+        self,
+        move: Move,
+        found: Callable[[], float] | str,
+        flank: Flank,
+        stop: SearchStop,
+    ) -> JointTarget:
+        """As `search`, but tell where all axes were at the first hit."""
+        arm = self._queue.at_past(self._hit_s(move, found, flank, stop))
+        return JointTarget(rob_joint(arm.joints[0]), self._resolver.ext_joint(arm.external[0]))
+
+    def _hit_s(
+        self,
+        move: Move,
+        found: Callable[[], float] | str,
+        flank: Flank,
+        stop: SearchStop,
+    ) -> float:
+        """Make the move and tell when [s] the first hit was."""
         signal = found.lower() if isinstance(found, str) else ""
         watch = _Watch(signal, flank)
         self._observe()
@@ -77,8 +100,7 @@ class TaskSearch(TaskPathControl):
             )
         if not watch.hits:
             raise rapid_error(ERR_WHLSEARCH, f"{move.instruction} came to its end without a hit")
-        arm = self._queue.at_past(watch.hits[0])
-        return self._resolver.target(arm.joints[0], arm.external[0], move.tool, move.wobj)
+        return watch.hits[0]
 
     def _refuse_at_start(self, move: Move, found: Callable[[], float] | str, flank: Flank) -> None:
         if flank not in _AT_START:
@@ -98,7 +120,7 @@ class TaskSearch(TaskPathControl):
         """Let the robot move until it stands: at the end, or where a hit stops it."""
         while self._queue.is_open:
             self._await_restart()
-            reached_s = self._queue.close() + self._queue.model.filter_time
+            reached_s = self._queue.trajectory.seen_s(self._queue.close())
             while (now_s := self._observe()) < reached_s and not self._queue.is_open:
                 if isinstance(found, str):
                     self._await_event(reached_s)
@@ -113,7 +135,7 @@ class TaskSearch(TaskPathControl):
     def _stop_here(self) -> None:
         """Stop on the path and forget the rest of it."""
         rest_s = self._queue.halt(self._observe())
-        self._pass_time(max(self._observe(), rest_s + self._queue.model.filter_time))
+        self._pass_time(max(self._observe(), self._queue.trajectory.seen_s(rest_s)))
         self._queue.clear()
         self._queue.resume(self._observe())
 

@@ -9,7 +9,7 @@ from rapidsim.language.error_numbers import ERR_SOCK_CLOSED, rapid_error
 from rapidsim.language.sockets import Connection, Listener
 from rapidsim.simulation.network import NetworkConnection, NetworkPort
 from rapidsim.simulation.result import EventKind
-from rapidsim.simulation.socket_violations import NobodyAnswers
+from rapidsim.simulation.socket_violations import NobodyAnswers, NobodyConnects
 from rapidsim.simulation.sockets import Port, StreamEnd
 from rapidsim.simulation.stops import WaitsForever
 from rapidsim.simulation.task.time import TaskTime
@@ -58,6 +58,9 @@ class TaskSockets(TaskTime):
             )
             if self._waited(lambda: bool(waiting), deadline_s, nobody):
                 found = waiting.pop(0)
+            elif not self._cell.sockets.is_scripted(listener.port, serves=False):
+                told = NobodyConnects(listener.port)
+                self._journal.finding(told, self.place, once=told)
         if found is not None:
             self._event(EventKind.SOCKET, f"accepted {found.peer}", peer=found.peer)
         return found
@@ -179,7 +182,7 @@ class TaskSockets(TaskTime):
 
     def _after_network(self, in_time: bool, deadline_s: float) -> None:
         """A wait in vain has taken its time; an answer took none."""
-        self._journal.unsimulated("the network", "answers take no simulated time")
+        self._journal.unsimulated("the network", "answers take no simulated time", self.place)
         self._cell.check_wall_clock()
         if not in_time:
             self._pass_time(max(deadline_s, self._observe()))

@@ -22,6 +22,7 @@ from rapidsim.simulation.team import Offer, Team
 from rapidsim.simulation.team_seat import Seat
 
 _NO_OTHER_LIMITS = "robots that move together keep the limits of their axes and of their TCPs alone"
+_ONE_RAMP = "the lowest ramp since the last stop point counts for all"
 _NO_TRIGGERS = "moved without them: robots that move together have no triggers yet"
 
 
@@ -151,6 +152,9 @@ class TaskTeam(TaskOthers, TaskPathControl):
         if any(math.isfinite(speed) for speed in segment.external_speeds):
             name = f"the programmed speed of external axes with {move.instruction} \\ID"
             self._journal.unsimulated(name, _NO_OTHER_LIMITS)
+
+        if segment.ramp < self.settings.ramp_percent / 100.0:
+            self._journal.unsimulated("different ramps of robots that move together", _ONE_RAMP)
 
     def _in_step(self, seat: Seat, move: Move, sync_id: float) -> QueuedMove:
         """Say a part of the next move of the team and wait until all have said theirs."""

@@ -16,6 +16,7 @@ from collections.abc import Callable
 from rapidsim.language.controller import MotionSettings, Place
 from rapidsim.language.data import TOOL0, WOBJ0, ToolData, WobjData
 from rapidsim.language.error_log import LoggedError
+from rapidsim.language.modules import Modules
 from rapidsim.language.symbols import Symbols
 from rapidsim.simulation.cell import Cause, Cell
 from rapidsim.simulation.interrupts import Due, InterruptTable
@@ -47,6 +48,7 @@ class TaskTime:
         self.intno = 0.0
         self.call_procedure: Callable[[str], None] = _no_procedure
         self.symbols: Symbols
+        self.modules: Modules
         self.place = place
         self.left = 0
         self._cell = cell
@@ -62,7 +64,8 @@ class TaskTime:
         self._marks = PathMarks(queue)
         self._zones = WorldZoneTable(queue, resolver.base_from_world.inverse())
         self._active: tuple[ToolData, WobjData] = (TOOL0, WOBJ0)
-        self._is_looking = False
+        self._looks_at_s: float | None = None
+        """The time [s] at which it looks aside; None while it does not."""
         cell.listeners.append(self._interrupts)
 
     @property
@@ -75,8 +78,11 @@ class TaskTime:
 
         Whoever reads or changes what tasks share does this first.
         """
+        if self._looks_at_s is not None:
+            # The others have come up already, and the program's own time may not be known yet.
+            return self._looks_at_s
         now_s = self._observe()
-        if self._cell.is_shared and not self._is_looking:
+        if self._cell.is_shared:
             while self._cell.turns.until(self, now_s) < now_s:
                 pass
         return now_s
@@ -268,7 +274,7 @@ class TaskTime:
             if self._queue.is_halted:
                 self._await_restart()
                 continue
-            reached_s = self._queue.close(corner) + self._queue.model.filter_time
+            reached_s = self._queue.trajectory.seen_s(self._queue.close(corner))
             self._time.follow(Instant())
             self._pass_time(reached_s)
 
@@ -287,11 +293,11 @@ class TaskTime:
 
     def _look_aside(self, now_s: float) -> None:
         """Notice which persistents another task has changed, without serving the interrupts."""
-        self._is_looking = True
+        self._looks_at_s = now_s
         try:
             self._interrupts.look(now_s)
         finally:
-            self._is_looking = False
+            self._looks_at_s = None
 
     def _cause(self) -> Cause:
         """The statement that runs, for what it changes."""

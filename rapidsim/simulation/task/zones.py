@@ -24,7 +24,9 @@ class TaskZones(TaskTime):
         """Watch a zone, from now on; without a signal it stops the robot."""
         self._note_line()
         if before:
-            self._journal.unsimulated(r"WZDOSet \Before", "set when the TCP is in the zone")
+            self._journal.unsimulated(
+                r"WZDOSet \Before", "set when the TCP is in the zone", self.place
+            )
         now_s = self._observe()
         cause, place = self._cause(), self.place
 

@@ -3,8 +3,8 @@ MODULE unknown_routines
   VAR num n:=1;
 
   PROC main()
-    OpenGripper;                          ! warning: N209 ! about the run: warning R104
-    n:=ReadSensor(3);                     ! warning: N209 ! about the run: warning R104
+    OpenGripper;                          ! warning: N209 ! warning: R104
+    n:=ReadSensor(3);                     ! warning: N209 ! warning: R104
     TPWrite "n is "\Num:=n;               ! -> n is 0
   ENDPROC
 ENDMODULE

@@ -1,0 +1,57 @@
+"""A controller's configuration file, `SYSPAR/*.cfg`: types, and the instances of each.
+
+A type is a line such as `EIO_SIGNAL:`, an instance a line of attributes: `-Name "doGrip"
+-Default 1`. A backslash at the end of a line goes on with the next. An attribute without a value is
+a switch.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TypeAlias
+
+Instance: TypeAlias = Mapping[str, str]
+"""Values by attribute in lower case; that of a switch is "true"."""
+
+SWITCHED_ON = "true"
+
+_CONTINUED = re.compile(r"\\\s*\n\s*")
+_TYPE = re.compile(r"([A-Z]\w*):", re.IGNORECASE)
+_ATTRIBUTE = re.compile(r'-([A-Za-z]\w*)(?:\s+(?:"([^"]*)"|(?!-[A-Za-z])(\S+)))?')
+
+
+def read_configuration(text: str) -> Mapping[str, Sequence[Instance]]:
+    """The instances of each type, by its name in upper case; what is neither is passed over."""
+    found: dict[str, list[Instance]] = {}
+    instances: list[Instance] = []
+    for line in _CONTINUED.sub(" ", text.replace("\r", "")).splitlines():
+        line = line.strip()
+        if header := _TYPE.fullmatch(line):
+            instances = found.setdefault(header[1].upper(), [])
+        elif line.startswith("-"):
+            instances.append(_instance(line))
+    return found
+
+
+def _instance(line: str) -> Instance:
+    values: dict[str, str] = {}
+    for match in _ATTRIBUTE.finditer(line):
+        name, quoted, bare = match.groups()
+        values[name.lower()] = next((v for v in (quoted, bare) if v is not None), SWITCHED_ON)
+    return values
+
+
+def text_in(root: Path, *names: str) -> str:
+    """The text of a file below a folder, whose name may be in any case; empty if there is none."""
+    for name in names:
+        try:
+            entries = sorted(root.iterdir())
+        except OSError:
+            return ""
+        root = next((one for one in entries if one.name.lower() == name.lower()), root / name)
+    try:
+        return root.read_text("latin-1")
+    except OSError:
+        return ""

@@ -1,0 +1,174 @@
+"""What a controller backup says of its robots and signals, and what the station file changes."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rapidsim.files import backup_folders
+from rapidsim.simulation.cell_io import SignalDeclaration, SignalKind
+from rapidsim.simulation.run_files import simulate
+from rapidsim.simulation.signal_history import signal_changes
+from rapidsim.simulation.station.backup import backup_station
+from rapidsim.simulation.station.configuration import read_configuration
+from rapidsim.simulation.station.read import read_station
+from rapidsim.simulation.station.station import Station
+
+EIO = r"""EIO:CFG_1.0:6:1::
+
+#
+EIO_SIGNAL:
+
+      -Name "diPart" -SignalType "DI" -Device "d652" -DeviceMap "0"
+
+      -Name "doGrip" -SignalType "DO"\
+      -Label "closes -Name of no signal" -DeviceMap "3" -Default 1
+
+      -Name "diClosed" -SignalType "DI"
+
+      -Name "goJob" -SignalType "GO" -UnitMap "0-3,8"
+
+      -Name "giFree" -SignalType "GI"
+
+      -Name "giSized" -SignalType "GI" -Size 4
+
+      -Name "aoFlow" -SignalType "AO" -MinLog -2.5 -MaxLog 10
+
+      -Name "aiOpen" -SignalType "AI" -MinLog 0 -MaxLog 0
+
+      -Name "odd" -SignalType "XX"
+#
+EIO_CROSS:
+
+      -Name "c1" -Res "diClosed" -Act1 "doGrip" -Act1_invert -Oper1 "AND"\
+      -Act2 "diPart" -Act2_invert "false"
+
+      -Name "c2" -Res "doMixed" -Act1 "a" -Oper1 "AND" -Act2 "b" -Oper2 "OR" -Act3 "c"
+
+      -Name "c3" -Res "doRing" -Act1 "doRing"
+"""
+MOC = """MOC:CFG_1.0:6:1::
+#
+ROBOT:
+
+      -name "ROB_1" -use_robot_type "{type}"\\
+      -base_frame_pos_x 0.5 -base_frame_pos_z -0.25\\
+      -base_frame_orient_u0 0 -base_frame_orient_u3 1
+"""
+MODULE = """MODULE m
+  PROC main()
+    WaitDI diClosed,1;
+    TPWrite "closed";
+  ENDPROC
+ENDMODULE
+"""
+
+
+def station(folder: Path, configuration: Mapping[str, str]) -> Station:
+    """What a backup with one task says."""
+    for name, text in {"RAPID/TASK1/m.mod": MODULE, **configuration}.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text, newline="\r\n")
+    return backup_station(backup_folders([str(folder)]))
+
+
+def test_signals_are_those_of_the_configuration(tmp_path: Path) -> None:
+    io = station(tmp_path, {"SYSPAR/EIO.cfg": EIO}).io
+    assert io.signals == (
+        SignalDeclaration("diPart", SignalKind.DI, 0.0, 0.0, 1.0),
+        SignalDeclaration("doGrip", SignalKind.DO, 1.0, 0.0, 1.0),
+        SignalDeclaration("diClosed", SignalKind.DI, 0.0, 0.0, 1.0),
+        SignalDeclaration("goJob", SignalKind.GO, 0.0, 0.0, 31.0),
+        SignalDeclaration("giFree", SignalKind.GI, 0.0, 0.0, 2.0**32 - 1.0),
+        SignalDeclaration("giSized", SignalKind.GI, 0.0, 0.0, 15.0),
+        SignalDeclaration("aoFlow", SignalKind.AO, 0.0, -2.5, 10.0),
+        SignalDeclaration("aiOpen", SignalKind.AI, 0.0, None, None),
+    )
+
+
+def test_cross_connections_follow_and_what_is_left_out_is_said(tmp_path: Path) -> None:
+    said = station(tmp_path, {"syspar/eio.CFG": EIO})
+    (cross,) = said.io.crosses
+    assert (cross.result, cross.condition.text) == ("diClosed", "not doGrip and diPart")
+    assert [
+        cross.condition.holds({"doGrip": grip, "diPart": part}.__getitem__)
+        for grip, part in ((0.0, 1.0), (1.0, 1.0), (0.0, 0.0))
+    ] == [True, False, False]
+    assert len(said.remarks) == 2
+    assert "`doMixed`" in said.remarks[0]
+    assert "`doRing`" in said.remarks[1]
+
+
+@pytest.mark.parametrize(
+    ("type_name", "arm"),
+    [
+        ("ROB1_1200_0.9_5_TypeB", "irb1200-5-0.9"),
+        ("ROB1_6700_2.60_200", "irb6700-200-2.6"),
+        ("ROB1_4600_2.55_40", "irb4600-40-2.55"),
+        ("ROB1_120_0.58_3", "irb120-3-0.58"),
+        ("ROB1_6700_LeanID_2.65_220", None),
+        ("ROB1_120_0.58_4", None),
+        ("anything", None),
+    ],
+)
+def test_an_arm_is_known_by_type_reach_and_payload(
+    type_name: str, arm: str | None, tmp_path: Path
+) -> None:
+    said = station(tmp_path, {"SYSPAR/MOC.cfg": MOC.format(type=type_name)})
+    assert said.robot == arm
+    assert said.unknown_robots == (() if arm else (type_name,))
+    place = said.world_from_base
+    assert place is not None
+    assert place.translation.tolist() == [0.5, 0.0, -0.25]
+    assert np.allclose(place.rotation, np.diag([-1.0, -1.0, 1.0]))
+
+
+def test_the_station_file_counts_in_place_of_the_backup(tmp_path: Path) -> None:
+    backup = station(
+        tmp_path,
+        {"SYSPAR/MOC.cfg": MOC.format(type="ROB1_1200_0.9_5"), "SYSPAR/EIO.cfg": EIO},
+    )
+    file = tmp_path / "rapidsim.toml"
+    file.write_text('[signals]\ndoGrip = { type = "do", value = 0 }\n')
+    whole = read_station(file).and_backup(backup)
+    assert whole.robot == "irb1200-5-0.9"
+    assert {one.name: one.value for one in whole.io.signals}["doGrip"] == 0.0
+    assert len(whole.io.signals) == len(backup.io.signals)
+    file.write_text("[robot]\nstart = [0, 0, 0, 0, 30, 0]\n")
+    whole = read_station(file).and_backup(backup)
+    assert whole.robot == "irb1200-5-0.9"
+    assert whole.start_joints_deg == (0, 0, 0, 0, 30, 0)
+    file.write_text('[robot]\nmodel = "irb140"\n')
+    assert read_station(file).and_backup(backup).robot == "irb140"
+
+
+def test_a_run_of_a_backup_has_its_wiring(tmp_path: Path) -> None:
+    wired = EIO.replace("-Default 1", "").replace('"diPart" -S', '"diPart" -Default 1 -S')
+    station(tmp_path, {"SYSPAR/EIO.cfg": wired})
+    run = simulate([tmp_path], robot="irb120")
+    assert [event.message for event in run.events if event.kind == "text"] == ["closed"]
+    assert not [found for found in run.diagnostics if found.violation.code == "I801"]
+
+
+@given(st.text(alphabet='-ABac:"\\\n #_1', max_size=60))
+def test_any_text_is_a_configuration(text: str) -> None:
+    for name, instances in read_configuration(text).items():
+        assert name == name.upper()
+        assert all(key == key.lower() for instance in instances for key in instance)
+
+
+@pytest.mark.parametrize(("spare", "shown"), [(3, 5), (400, 2)])
+def test_a_long_configuration_shows_what_the_run_sets(
+    spare: int, shown: int, tmp_path: Path
+) -> None:
+    signals = [f'-Name "diSpare{number}" -SignalType "DI"' for number in range(spare)]
+    signals += ['-Name "diClosed" -SignalType "DI"', '-Name "doGo" -SignalType "DO"']
+    eio = "EIO_SIGNAL:\n" + "\n".join(signals) + '\nEIO_CROSS:\n-Res "diClosed" -Act1 "doGo"\n'
+    set_first = MODULE.replace("    WaitDI", "    SetDO doGo,1;\n    WaitDI")
+    station(tmp_path, {"SYSPAR/EIO.cfg": eio, "RAPID/TASK1/m.mod": set_first})
+    changes = signal_changes(simulate([tmp_path], robot="irb120"))
+    assert len(changes) == shown
+    assert changes["diClosed"][-1][1] == 1.0
