@@ -1,1 +1,1 @@
-"""Rotations and rigid transforms: scalar quaternions in plain Python, batches in NumPy."""
+"""Rotations and rigid transforms: one at a time in plain Python, batches in NumPy."""

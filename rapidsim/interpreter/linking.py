@@ -57,6 +57,8 @@ class LinkedProgram:
         self._namespaces: dict[tree.Module, dict[str, Any]] = {}
         self.link(program)
 
+    # Until the translation is dropped, so that the collector never walks through it.
+    @uncollected()
     def link(self, program: Program) -> None:
         """Take a program in place of the one so far: make ready what is new, forget what is gone.
 
@@ -68,9 +70,8 @@ class LinkedProgram:
         """
         added = [module for module in program.modules if module not in self._namespaces]
         gone = [module for module in self._namespaces if module not in program.modules]
-        with uncollected():
-            translation = translate(program, added)
-            codes = [_compiled(module) for module in translation.modules]
+        translation = translate(program, added)
+        codes = [_compiled(module) for module in translation.modules]
         before = self.program, self._constants
         self.program, self._constants = program, translation.constants
         try:

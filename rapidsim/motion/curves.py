@@ -108,6 +108,16 @@ class Curves:
             turning_change=orientation.turning_change,
         )
 
+    def velocity(self, row: Index, x: Array) -> Array:
+        """The velocity (k, 3) of `at` alone."""
+        scale = 1.0 / np.maximum(self.length[row], STANDSTILL)
+        velocity: Array = self.chord[row] * scale[:, None]
+        frame_turn = self.frame_turn[row]
+        if frame_turn.any():
+            turned = rotation_from_vector(frame_turn * (x * scale)[:, None])
+            velocity += cross(frame_turn * scale[:, None], rotate(turned, self.spoke[row]))
+        return velocity
+
     def _orientation(self, row: Index, share: Array, scale: Array) -> Motion:
         """How the tool turns on arcs (k,): three turns one within the other."""
         still = np.zeros((len(row), 3))

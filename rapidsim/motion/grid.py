@@ -14,6 +14,7 @@ import numpy as np
 from rapidsim.frames.transform import Array
 from rapidsim.motion.curves import Index
 from rapidsim.motion.kinematics import Mask
+from rapidsim.motion.layout import Layout
 from rapidsim.motion.limits import Limits
 from rapidsim.motion.path import Path, PathRates
 
@@ -21,6 +22,8 @@ _LONGEST_CELL = 0.025
 _TCP_CELLS = 8
 """Cells of half a corner where the acceleration of the TCP is limited: its derivatives are lengths
 of vectors, which bend more than those of joints."""
+_MIXED_CELLS = 4
+"""Cells of half a corner between a joint move and a line: they bend so much that fewer never do."""
 _FIRST_DEVIATION = 0.02
 _SECOND_DEVIATION = 0.2
 _SHORTEST_SHARE = 1e-9
@@ -109,6 +112,7 @@ def _first_cells(path: Path, start: float) -> tuple[Array, Array, Index]:
     width = np.diff(layout.bounds)
     in_corner = np.maximum(layout.orientation_corner, layout.joint_corner) >= 0
     least = np.where(in_corner & _tcp_is_limited(path), _TCP_CELLS, 1)
+    least = np.where(_is_mixed(layout), np.maximum(least, _MIXED_CELLS), least)
     longest = np.maximum(_LONGEST_CELL, path.length * 1e-4)
     count = np.maximum(least, np.ceil(width / longest)).astype(np.int64)
     owner = np.repeat(np.arange(len(width)), count)
@@ -128,6 +132,13 @@ def _first_cells(path: Path, start: float) -> tuple[Array, Array, Index]:
         np.concatenate([np.minimum(end[before], start), end[kept]]),
         np.concatenate([owner[before], owner[kept]]).astype(np.int64),
     )
+
+
+def _is_mixed(layout: Layout) -> Mask:
+    """Which pieces (p,) lie in a corner between a joint move and another curve."""
+    corner, in_joints = layout.joint_corner, layout.curves.in_joints
+    mixed: Mask = (corner >= 0) & ~(in_joints[corner] & in_joints[corner + 1])
+    return mixed
 
 
 def _tcp_is_limited(path: Path) -> bool:
@@ -154,17 +165,8 @@ def _rough(cells: Cells, index: Index, limits: Limits, length: float) -> Mask:
     at, rates = cells.at[index], cells.places.rates
     start, middle, end = at.T
     width = cells.places.s[end] - cells.places.s[start]
-    bend, scale, curl, curve = (np.zeros(len(at)) for _ in range(4))
-    # Axis by axis: rows of a few axes are slow to go along.
-    for axis in range(rates.first.shape[1]):
-        first = rates.first[:, axis] / limits.max_speed[axis]
-        a, b, c = first[start], first[middle], first[end]
-        np.maximum(bend, np.abs(b - 0.5 * (a + c)), out=bend)
-        np.maximum(scale, np.maximum(np.maximum(np.abs(a), np.abs(b)), np.abs(c)), out=scale)
-        second = rates.second[:, axis] / limits.max_acceleration[axis]
-        a, b, c = second[start], second[middle], second[end]
-        np.maximum(curl, np.abs(b - 0.5 * (a + c)), out=curl)
-        np.maximum(curve, np.maximum(np.maximum(np.abs(a), np.abs(b)), np.abs(c)), out=curve)
+    bend, scale = _bend(rates.first[at] / limits.max_speed)
+    curl, curve = _bend(rates.second[at] / limits.max_acceleration)
     # What the second derivative does counts as far as it can use up the acceleration.
     fastest = np.minimum(1.0 / np.maximum(curve, 1e-12), 1.0 / np.maximum(scale, 1e-12) ** 2)
     wide = width > _SHORTEST_SHARE * length
@@ -177,3 +179,14 @@ def _rough(cells: Cells, index: Index, limits: Limits, length: float) -> Mask:
     bent = (bend > _FIRST_DEVIATION * scale) | (curl * fastest > _SECOND_DEVIATION)
     rough: Mask = (wide & bent) | dented
     return rough
+
+
+def _bend(values: Array) -> tuple[Array, Array]:
+    """How far values (k, 3, n) are off a straight line in the middle, and how large they get (k,).
+
+    Of the n columns the largest counts; they come first, for short rows are slow to go along.
+    """
+    columns = np.ascontiguousarray(values.T)
+    off: Array = np.abs(columns[:, 1] - 0.5 * (columns[:, 0] + columns[:, 2])).max(axis=0)
+    largest: Array = np.abs(columns).max(axis=(0, 1))
+    return off, largest

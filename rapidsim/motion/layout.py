@@ -80,6 +80,20 @@ class Layout:
             self._cut_orientation(motion, cut, corner[cut], s[cut])
         return motion
 
+    def velocity(self, s: Array, piece: Index) -> Array:
+        """The velocity (k, 3) of `motion` alone."""
+        row = self.row[piece]
+        x = np.clip(s - self.places[row], 0.0, self.curves.length[row])
+        velocity = self.curves.velocity(row, x)
+        corner = self.position_corner[piece]
+        cut = np.flatnonzero(corner >= 0)
+        if len(cut):
+            at = corner[cut]
+            before, after = self.sides(at, self.corners.radius[at], s[cut])
+            into = self.curves.velocity(at, before[0]) * before[1][:, None]
+            velocity[cut] = into + self.curves.velocity(at + 1, after[0]) * after[1][:, None]
+        return velocity
+
     def course(self, s: Array, piece: Index) -> Course:
         """External axes (k, e) at places (k,) of pieces (k,) that are made in Cartesian space."""
         row, count = self.row[piece], self.curves.external.shape[1]

@@ -10,7 +10,7 @@ from rapidsim.motion.compiled import compiled
 from rapidsim.motion.curves import Index
 from rapidsim.motion.problem import Problem
 from rapidsim.motion.rows import Limiter, Quantity
-from rapidsim.motion.stages import Stages, rows_along
+from rapidsim.motion.stages import Stages, rows_along, weights_of
 
 _REACHED = 0.99
 
@@ -41,11 +41,11 @@ def _most_used(problem: Problem, stages: Stages, x: Array) -> Index:
         rows = (cells.at, speeds.rate, accelerations.slope, accelerations.bend)
         kernel(rows, stages.cell, middle, u, square, _REACHED, kinds)
         return kinds
-    at = cells.at[stages.cell]
+    at, weights = cells.at[stages.cell], weights_of(middle)
     # A speed that is reached holds back, however much of the acceleration is used.
-    usage = rows_along(speeds.rate, at, middle) * np.sqrt(square)[:, None]
-    slope = rows_along(accelerations.slope, at, middle)
-    bend = rows_along(accelerations.bend, at, middle)
+    usage = rows_along(speeds.rate, at, weights) * np.sqrt(square)[:, None]
+    slope = rows_along(accelerations.slope, at, weights)
+    bend = rows_along(accelerations.bend, at, weights)
     load = np.abs(slope * u[:, None] + bend * square[:, None])
     held = (usage.max(axis=1) > _REACHED) | ~load.any(axis=1)
     kind: Index = np.where(held, usage.argmax(axis=1), usage.shape[1] + load.argmax(axis=1))

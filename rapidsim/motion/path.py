@@ -286,8 +286,8 @@ class Path:
         rate = np.empty_like(s)
         count = len(_GAUSS_PLACES)
         if len(on_curve):
-            motion = self.layout.motion(s[on_curve].ravel(), np.repeat(piece[on_curve], count))
-            rate[on_curve] = np.linalg.norm(motion.velocity, axis=-1).reshape(-1, count)
+            velocity = self.layout.velocity(s[on_curve].ravel(), np.repeat(piece[on_curve], count))
+            rate[on_curve] = np.linalg.norm(velocity, axis=-1).reshape(-1, count)
         if len(in_joints):
             pieces = np.repeat(piece[in_joints], count)
             at, first, _ = self._in_joint_space(s[in_joints].ravel(), pieces)

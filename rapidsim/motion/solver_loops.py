@@ -12,7 +12,7 @@ from rapidsim.motion.curves import Index
 
 
 def parabola(start: float, middle: float, end: float, share: float) -> float:
-    """See `stages.along`."""
+    """The value at a share of a cell; see `stages.weights_of`."""
     rest = 1.0 - share
     return (
         start * (rest * (1.0 - 2.0 * share))
@@ -24,39 +24,38 @@ def parabola(start: float, middle: float, end: float, share: float) -> float:
 def limit_stages(
     rows: tuple[Index, Array, Array],
     parts: tuple[Index, Array, Array, Array],
-    largest: float,
-    slack: Array,
-    tilt: Array,
-    widest: Array,
+    which: tuple[float, Index],
+    found: tuple[Array, Array, Array],
 ) -> None:
-    """Fill in slack and tilt (m, 2 r) and widest (m,) of stages; see `stages`.
+    """Fill in slack and tilt (m, 2 r) and widest (m,) of some stages (j,); see `stages`.
 
     Args:
         rows: Places (c, 3) of the cells, slopes and bends (k, r) at the places.
-        parts: The cells (m,) of the stages, where they begin and end in them, and span.
-        largest: An x that nothing reaches.
-        slack: Filled in.
-        tilt: Filled in.
-        widest: Filled in.
+        parts: The cells (j,) of the stages, where they begin and end in them, and span.
+        which: An x that nothing reaches; and which of the stages (m,) they are.
+        found: Slack, tilt and widest, filled in.
     """
     at, slopes, bends = rows
     cell, begin, end, span = parts
+    largest, new = which
+    slack, tilt, widest = found
     own = slopes.shape[1]
-    for k in range(len(cell)):
-        a, b, c = at[cell[k], 0], at[cell[k], 1], at[cell[k], 2]
+    for j in range(len(new)):
+        k = new[j]
+        a, b, c = at[cell[j], 0], at[cell[j], 1], at[cell[j], 2]
         steepest = 0.0
         for i in range(own):
-            first = parabola(slopes[a, i], slopes[b, i], slopes[c, i], begin[k])
-            last = parabola(slopes[a, i], slopes[b, i], slopes[c, i], end[k])
-            tilt[k, i] = parabola(bends[a, i], bends[b, i], bends[c, i], begin[k])
-            tilt[k, own + i] = parabola(bends[a, i], bends[b, i], bends[c, i], end[k])
-            slack[k, i], slack[k, own + i] = first, last + span[k] * tilt[k, own + i]
+            first = parabola(slopes[a, i], slopes[b, i], slopes[c, i], begin[j])
+            last = parabola(slopes[a, i], slopes[b, i], slopes[c, i], end[j])
+            tilt[k, i] = parabola(bends[a, i], bends[b, i], bends[c, i], begin[j])
+            tilt[k, own + i] = parabola(bends[a, i], bends[b, i], bends[c, i], end[j])
+            slack[k, i], slack[k, own + i] = first, last + span[j] * tilt[k, own + i]
             steepest = max(steepest, abs(first), abs(slack[k, own + i]))
         for i in range(2 * own):
-            least = 1e-9 * (steepest + span[k] * abs(tilt[k, i])) + 1e-300
-            slope = slack[k, i] if abs(slack[k, i]) > least else least
-            slack[k, i], tilt[k, i] = 1.0 / abs(slope), tilt[k, i] / slope
-        widest[k] = widest_of(slack[k], tilt[k], span[k], largest)
+            least = 1e-9 * (steepest + span[j] * abs(tilt[k, i])) + 1e-300
+            inverse = 1.0 / (slack[k, i] if abs(slack[k, i]) > least else least)
+            slack[k, i], tilt[k, i] = abs(inverse), tilt[k, i] * inverse
+        widest[k] = widest_of(slack[k], tilt[k], span[j], largest)
 
 
 def widest_of(slack: Array, tilt: Array, span: float, largest: float) -> float:

@@ -69,8 +69,12 @@ def stages_of(cells: Cells, rows: AccelerationRows, parts: int) -> Stages:
     """Each cell in a number of equal stages; `rows` are those of the places of the cells."""
     cell = np.repeat(np.arange(len(cells.at)), parts)
     share = np.arange(parts + 1) / parts
-    count = len(cells.at)
-    return _with_limits(cells, rows, cell, np.tile(share[:-1], count), np.tile(share[1:], count))
+    begin, end = (np.tile(part, len(cells.at)) for part in (share[:-1], share[1:]))
+    count, columns = len(cell), 2 * rows.slope.shape[1]
+    slack, tilt = np.empty((2, count, columns))
+    stages = Stages(cell, begin, end, np.empty(count + 1), slack, tilt, np.empty(count))
+    _fill_in(stages, cells, rows, np.arange(count))
+    return stages
 
 
 def cut(stages: Stages, cells: Cells, rows: AccelerationRows, parts: Index) -> Stages:
@@ -80,40 +84,42 @@ def cut(stages: Stages, cells: Cells, rows: AccelerationRows, parts: Index) -> S
     begin, step = stages.begin[owner], ((stages.end - stages.begin) / parts)[owner]
     # The last one ends exactly where its stage did, for ends are compared with stops.
     last = number + 1 == parts[owner]
-    end = np.where(last, stages.end[owner], begin + step * (number + 1))
-    begin = np.where(number == 0, begin, begin + step * number)
-    new = np.flatnonzero(parts[owner] > 1)
-    of_new = _with_limits(cells, rows, stages.cell[owner[new]], begin[new], end[new])
-    slack, tilt, widest = (values[owner] for values in (stages.slack, stages.tilt, stages.widest))
-    nodes = np.append(stages.nodes[owner], stages.nodes[-1])
-    slack[new], tilt[new], widest[new] = of_new.slack, of_new.tilt, of_new.widest
-    nodes[new] = of_new.nodes[:-1]
-    return Stages(stages.cell[owner], begin, end, nodes, slack, tilt, widest)
+    smaller = Stages(
+        stages.cell[owner],
+        np.where(number == 0, begin, begin + step * number),
+        np.where(last, stages.end[owner], begin + step * (number + 1)),
+        np.append(stages.nodes[owner], stages.nodes[-1]),
+        stages.slack[owner],
+        stages.tilt[owner],
+        stages.widest[owner],
+    )
+    _fill_in(smaller, cells, rows, np.flatnonzero(parts[owner] > 1))
+    return smaller
 
 
-def rows_along(values: Array, at: Index, share: Array) -> Array:
-    """Rows (m, r) at shares (m,) of cells, on the parabolas through three places of each.
+def weights_of(share: Array) -> Array:
+    """What start, middle and end of cells count at shares (m,) of them, shape (m, 3).
+
+    These are the weights of the parabola through three values.
+    """
+    rest = 1.0 - share
+    weights = np.empty((len(share), 3))
+    weights[:, 0] = rest * (1.0 - 2.0 * share)
+    weights[:, 1] = 4.0 * share * rest
+    weights[:, 2] = share * (2.0 * share - 1.0)
+    return weights
+
+
+def rows_along(values: Array, at: Index, weights: Array) -> Array:
+    """Rows (m, r) within cells, on the parabolas through three places of each.
 
     Args:
         values: Shape (k, r), at places.
         at: Shape (m, 3): the start, the middle and the end of each cell among the places.
-        share: Shape (m,), from 0 to 1.
+        weights: Shape (m, 3); see `weights_of`.
     """
-    rows: Array = np.einsum("mp,mpr->mr", _weights(share), values[at])
+    rows: Array = np.einsum("mp,mpr->mr", weights, values[at])
     return rows
-
-
-def along(values: Array, share: Array) -> Array:
-    """The same for values (m, 3) of which each cell has its own."""
-    found: Array = np.einsum("mp,mp->m", _weights(share), values)
-    return found
-
-
-def _weights(share: Array) -> Array:
-    """What start, middle and end of cells count at shares (m,) of them, shape (m, 3)."""
-    rest = 1.0 - share
-    start, end = rest * (1.0 - 2.0 * share), share * (2.0 * share - 1.0)
-    return np.stack([start, 4.0 * share * rest, end], axis=1)
 
 
 def fastest(stages: Stages, cells: Cells, slowness: Array) -> Array:
@@ -134,47 +140,46 @@ def fastest(stages: Stages, cells: Cells, slowness: Array) -> Array:
         of_end = np.maximum(2.0 * share - 1.0, 0.0)
         of_middle = 2.0 * (share - of_end)
         straight = start * (1.0 - of_middle - of_end) + middle * of_middle + end * of_end
-        np.maximum(along(own, share), straight, out=slow[:, i])
+        parabola = np.einsum("mp,mp->m", weights_of(share), own)
+        np.maximum(parabola, straight, out=slow[:, i])
     speeds = 1.0 / slow
     return speeds
 
 
-def _with_limits(
-    cells: Cells, rows: AccelerationRows, cell: Index, begin: Array, end: Array
-) -> Stages:
-    """Stages with their acceleration rows.
+def _fill_in(stages: Stages, cells: Cells, rows: AccelerationRows, new: Index) -> None:
+    """Fill in nodes, slack, tilt and widest of some stages (j,).
 
     At the end of a stage x has grown by span u, so its row there is
     |(slope + span bend) u + bend x| <= 1.
     """
+    cell, begin, end = stages.cell[new], stages.begin[new], stages.end[new]
     s = cells.places.s[cells.at]
-    start, width = s[:, 0], s[:, 2] - s[:, 0]
-    nodes = np.append(start[cell] + width[cell] * begin, s[-1, 2])
-    span = 2.0 * (end - begin) * width[cell]
-    count, own = len(cell), rows.slope.shape[1]
-    slack, tilt = np.empty((count, 2 * own)), np.empty((count, 2 * own))
-    widest = np.empty(count)
-    kernel = compiled(solver_loops, "limit_stages", count)
+    width = (s[:, 2] - s[:, 0])[cell]
+    stages.nodes[new] = s[cell, 0] + width * begin
+    stages.nodes[-1] = s[-1, 2]
+    span = 2.0 * (end - begin) * width
+    kernel = compiled(solver_loops, "limit_stages", len(new))
     if kernel is not None:
         kernel(
             (cells.at, rows.slope, rows.bend),
             (cell, begin, end, span),
-            LARGEST_X,
-            slack,
-            tilt,
-            widest,
+            (LARGEST_X, new),
+            (stages.slack, stages.tilt, stages.widest),
         )
-        return Stages(cell, begin, end, nodes, slack, tilt, widest)
+        return
     at = cells.at[cell]
-    np.concatenate([rows_along(rows.bend, at, share) for share in (begin, end)], axis=1, out=tilt)
-    np.concatenate([rows_along(rows.slope, at, share) for share in (begin, end)], axis=1, out=slack)
-    slack[:, own:] += span[:, None] * tilt[:, own:]
-    steepest = np.abs(slack).max(axis=1)
+    own = rows.slope.shape[1]
+    ends = weights_of(begin), weights_of(end)
+    tilt = np.concatenate([rows_along(rows.bend, at, weights) for weights in ends], axis=1)
+    slope = np.concatenate([rows_along(rows.slope, at, weights) for weights in ends], axis=1)
+    slope[:, own:] += span[:, None] * tilt[:, own:]
+    steepest = np.abs(slope).max(axis=1)
     # Rows that hardly see u get a small share of it instead: their bound on x is then 1 / |bend|.
     least = 1e-9 * (steepest[:, None] + span[:, None] * np.abs(tilt)) + 1e-300
-    slope = np.where(np.abs(slack) > least, slack, least)
-    slack, tilt = 1.0 / np.abs(slope), tilt / slope
-    return Stages(cell, begin, end, nodes, slack, tilt, _widest(slack, tilt, span))
+    inverse = 1.0 / np.where(np.abs(slope) > least, slope, least)
+    slack, tilt = np.abs(inverse), tilt * inverse
+    stages.slack[new], stages.tilt[new] = slack, tilt
+    stages.widest[new] = _widest(slack, tilt, span)
 
 
 def _widest(slack: Array, tilt: Array, span: Array) -> Array:
@@ -221,6 +226,7 @@ def loads(stages: Stages, cells: Cells, rows: AccelerationRows, x: Array) -> Arr
         kernel((cells.at, rows.slope, rows.bend), stages.cell, middle, u, square, found)
         return found
     at = cells.at[stages.cell]
-    slope, bend = rows_along(rows.slope, at, middle), rows_along(rows.bend, at, middle)
+    weights = weights_of(middle)
+    slope, bend = rows_along(rows.slope, at, weights), rows_along(rows.bend, at, weights)
     largest: Array = np.abs(slope * u[:, None] + bend * square[:, None]).max(axis=1)
     return largest

@@ -171,10 +171,8 @@ def test_loops_of_the_solver_do_what_columns_do(program: Programmer) -> None:
     solver_loops.limit_stages(
         (cells.at, rows.slope, rows.bend),
         (columns.cell, columns.begin, columns.end, span),
-        stages.LARGEST_X,
-        slack,
-        tilt,
-        widest,
+        (stages.LARGEST_X, np.arange(len(span))),
+        (slack, tilt, widest),
     )
     assert slack == pytest.approx(columns.slack, rel=1e-12)
     assert tilt == pytest.approx(columns.tilt, rel=1e-12, abs=1e-12)
