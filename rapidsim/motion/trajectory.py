@@ -203,6 +203,10 @@ class Trajectory:
         place: Array = self._command.starts(number)[1] + way
         return place
 
+    def speed_at(self, times: Array) -> Array:
+        """Visible speed dS/dt (k,) [m/s] along the path at times (k,) [s]."""
+        return self._visible(times)[2]
+
     @overload
     def time_at_place(self, place: float) -> float: ...
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import partial
 
 from rapidsim.analysis.program import Program
 from rapidsim.files import InputError
-from rapidsim.interpreter.loader import load
+from rapidsim.interpreter.loader import Task, load
 from rapidsim.motion.limits import limits_of
 from rapidsim.motion.robot import Robot, RobotError
 from rapidsim.simulation.cell import Cell
@@ -28,6 +28,7 @@ from rapidsim.simulation.result import (
     WrittenFile,
 )
 from rapidsim.simulation.run_findings import backward_findings, not_simulated_findings
+from rapidsim.simulation.smoothed_corners import corner_findings
 from rapidsim.simulation.task_run import Outcome, TaskRun, TaskSetup, prepare, run_to_end
 from rapidsim.syntax.collection import seldom_collected
 
@@ -54,8 +55,22 @@ def simulate(program: Program, robot: Robot, *, options: RunOptions) -> Simulati
     return simulate_tasks((TaskSetup(options.task, program, robot, start, place),), options)
 
 
-@seldom_collected()
 def simulate_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> Simulation:
+    """Run the programs of several tasks on one clock; see `run_tasks`."""
+    return run_tasks(setups, options).simulation
+
+
+@dataclass(frozen=True, slots=True)
+class FinishedRun:
+    """A run, and the programs that can still be asked what they have left."""
+
+    simulation: Simulation
+    tasks: Mapping[str, Task]
+    """By name; without those that could not be made ready."""
+
+
+@seldom_collected()
+def run_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> FinishedRun:
     """Run the programs of several tasks on one clock.
 
     Args:
@@ -87,7 +102,12 @@ def simulate_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> Simulati
         time_s = max(run.controller.end_time_s() for run in runs if run.setup.counts)
     finally:
         cell.close()
-    return _simulation(runs, outcomes, cell, time_s, options)
+    cell.end_sharing()
+    named = zip(setups, outcomes, strict=True)
+    return FinishedRun(
+        _simulation(runs, outcomes, cell, time_s, options),
+        {setup.name: outcome.task for setup, outcome in named if outcome.task is not None},
+    )
 
 
 def _simulation(
@@ -115,6 +135,12 @@ def _simulation(
             *hasty_move_findings(run.queue.moves),
             *outcome.findings,
         )
+    )
+    drivers = [run.queue for run in runs if run.setup.robot is not None]
+    findings += tuple(
+        finding
+        for robot, queue in zip(robots, drivers, strict=True)
+        for finding in corner_findings(robot.moves, robot.trajectory, queue.limits, queue.model)
     )
     motion_s = _motion_s(moves, time_s)
     ends = [outcome.end for outcome in outcomes]

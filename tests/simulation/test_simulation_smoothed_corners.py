@@ -1,0 +1,61 @@
+"""A run says where its smoothing asks more of the axes than they have, and how much."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from simulation_program import ran
+
+from rapidsim.diagnostics import Severity
+from rapidsim.motion.model import MotionModel
+from rapidsim.simulation.smoothing_violations import CornerTooFast
+
+DATA = "CONST robtarget p:=[[700,0,700],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];"
+
+
+def corner(zone: str, speed: str = "v500") -> str:
+    moves = "\n".join(
+        (
+            "MoveJ p,v500,fine,tool0;",
+            f"MoveL Offs(p,0,200,0),{speed},{zone},tool0;",
+            f"MoveL Offs(p,150,200,0),{speed},{zone},tool0;",
+            f"MoveL Offs(p,150,0,0),{speed},fine,tool0;",
+        )
+    )
+    return f"MODULE cell\n{DATA}\nPROC main()\n{moves}\nENDPROC\nENDMODULE"
+
+
+def test_a_sharp_corner_is_told_with_what_it_takes() -> None:
+    run = ran(corner("z1"))
+    found = run.only("R116")
+    violation = found.violation
+    assert isinstance(violation, CornerTooFast)
+    assert (violation.severity, violation.others) == (Severity.NOTE, ", and 1 more corner likewise")
+    # By differences of the joints that are seen, a millisecond apart.
+    move = next(move for move in run.run.moves if found.span and move.place.span == found.span)
+    times = move.end_s + 1e-3 * np.arange(-30.0, 31.0)
+    assert times[0] > 0.0
+    joints = run.run.sample(times).joints
+    taken = abs(joints[2:] - 2.0 * joints[1:-1] + joints[:-2]).max(axis=0) / 1e-6
+    limit = run.run.robot.joints[violation.axis - 1].max_speed
+    assert limit is not None
+    assert violation.load == pytest.approx(taken[violation.axis - 1] * 0.16 / limit, rel=0.1)
+
+
+@pytest.mark.parametrize("program", [corner("z50"), corner("fine"), corner("z1", "v50")])
+def test_gentle_corners_are_not_told(program: str) -> None:
+    assert ran(program).findings == []
+
+
+@pytest.mark.parametrize(
+    "model",
+    [
+        replace(MotionModel(), smoothing="axes"),
+        replace(MotionModel(), accelerations_kept_by="motion"),
+        replace(MotionModel(), filter_time=0.0),
+    ],
+)
+def test_what_keeps_the_accelerations_has_nothing_to_tell(model: MotionModel) -> None:
+    assert ran(corner("z1"), model=model).findings == []
