@@ -15,7 +15,7 @@ from types import MappingProxyType
 from typing import TypeAlias
 
 from rapidsim.analysis.context import Analysis, Context
-from rapidsim.analysis.declarations import declare_locals, declare_task
+from rapidsim.analysis.declarations import declare_locals, declare_task, show_local_names
 from rapidsim.analysis.flow import check_flow
 from rapidsim.analysis.initial_values import check_circles, check_initial_value
 from rapidsim.analysis.lenient import check_lenient_marks
@@ -53,20 +53,26 @@ class Checked:
 def check(
     files: Sequence[tree.File],
     rules: Sequence[Find] = (),
+    *,
+    visitor: tree.File | None = None,
 ) -> Checked:
     """Check the modules of one task together.
 
     Args:
         files: The task's files; their order decides which of two equal names is the second.
         rules: What to look for beyond what keeps a program from running: see `rules/table.py`.
+        visitor: A file that looks into the task from outside: it sees what is LOCAL there too.
 
     Returns:
         The program with its symbols and types, and all findings. Never raises on what users write.
     """
+    files = files if visitor is None else (*files, visitor)
     modules = [module for file in files for module in file.modules]
     analysis = Analysis(unread_text=_unread_text(modules), loads_modules=_loads_modules(modules))
     with _deep_recursion():
         homes, user_types = declare_task(modules, analysis)
+        if visitor is not None:
+            show_local_names(visitor.modules, homes)
         data = [
             (symbol, home)
             for home in homes

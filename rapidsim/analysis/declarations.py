@@ -72,6 +72,23 @@ def declare_task(
     return homes, user_types
 
 
+def show_local_names(visitors: Sequence[tree.Module], homes: Sequence[Context]) -> None:
+    """Let modules use the LOCAL names of all others, where one module alone has the name.
+
+    Their own names and the global ones hide them.
+    """
+    by_name: dict[str, list[Symbol]] = {}
+    for home in homes:
+        if home.module not in visitors:
+            for key, symbol in home.scope.names.items():
+                by_name.setdefault(key, []).append(symbol)
+    for home in homes:
+        if home.module in visitors:
+            for key, symbols in by_name.items():
+                if len(symbols) == 1 and home.scope.find(key) is None:
+                    home.scope.names[key] = symbols[0]
+
+
 def declare_data(
     node: tree.Data, context: Context, user_types: UserTypes, *, local: bool = False
 ) -> DataSymbol:

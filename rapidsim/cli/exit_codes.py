@@ -14,7 +14,9 @@ class ExitCode(IntEnum):
     USAGE = 2
     """A wrong option, a missing file, no input."""
     LIMIT = 3
-    """A limit ended the run before the program did."""
+    """A limit ended the run before the program, or the cycles asked for, came to their end."""
+    FAILED = 4
+    """The run ended, and an assertion or the cycle budget does not hold."""
     DEFECT = 70
     """rapidsim itself failed."""
     INTERRUPTED = 130

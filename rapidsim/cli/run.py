@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from datetime import datetime
+from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,6 +16,8 @@ import click
 
 from rapidsim.analysis.program import Program
 from rapidsim.cli.answers import answers_from
+from rapidsim.cli.assertions import judge_assertions, judge_budget, read_assertions
+from rapidsim.cli.check_settings import choose_settings
 from rapidsim.cli.dates import Date
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.inputs import (
@@ -43,18 +46,21 @@ from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import InputError, did_you_mean
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.motion.robot import Robot
+from rapidsim.report.asked_figures import asked_figures
 from rapidsim.report.diagnostics import full, summary_line
-from rapidsim.report.figures import figures
+from rapidsim.report.figures import Figures, figures
 from rapidsim.report.merging import merged
 from rapidsim.report.run_json import rejected_json, run_json
+from rapidsim.report.source_frame import printable
 from rapidsim.report.summary import ASCII_BARS, BLOCK_BARS, Written, summary
+from rapidsim.report.verdicts import Judgement
 from rapidsim.simulation.cell_io import without_declared
 from rapidsim.simulation.cell_tasks import task_setups
 from rapidsim.simulation.load_tasks import load_tasks
 from rapidsim.simulation.network import Network
 from rapidsim.simulation.options import START_OF_TIME, RunOptions
 from rapidsim.simulation.result import End, Simulation
-from rapidsim.simulation.simulate import simulate_tasks
+from rapidsim.simulation.simulate import FinishedRun, run_tasks
 from rapidsim.simulation.station.read import read_io
 from rapidsim.syntax import tree
 
@@ -122,6 +128,13 @@ _NAMED_PROCEDURES = 8
     help="How often the procedure runs.",
 )
 @click.option(
+    "--assert",
+    "asserted",
+    metavar="EXPR",
+    multiple=True,
+    help="A RAPID expression that must hold when the run has ended, such as 'time_s < 12.5'.",
+)
+@click.option(
     "--format",
     "output_format",
     type=click.Choice(["table", "json", "none"]),
@@ -161,6 +174,7 @@ def run(
     max_time: float,
     max_wall: float | None,
     cycles: int,
+    asserted: tuple[str, ...],
     output_format: str,
     write_pers: bool,
     breaks: tuple[str, ...],
@@ -173,7 +187,7 @@ def run(
     station file says which modules belong to which.
 
     Exit codes: 0 the program ended, 1 it has errors or stopped with one, 2 wrong usage, 3 the time
-    limit came first.
+    limit came first, 4 it ended and an --assert or the cycle budget of the station file failed.
     """
     terminal = current_terminal()
     if network_hosts and not allow_network:
@@ -185,6 +199,7 @@ def run(
         raise InputError("--write-pers: standard input cannot be written to")
     outputs = new_outputs(asked, program_name(paths))
     cell = choose_station(paths, station)
+    budget_s = choose_settings(paths, cell.check).cycle_budget_s
     around = cell.io.and_also(read_io(Path(io))) if io else cell.io
     tasks = chosen_tasks(paths, cell, task)
     files = tuple(file for one in tasks for file in one.files)
@@ -199,47 +214,53 @@ def run(
     program = loaded.tasks[0].program
     if len(tasks) > 1 and (breaks or profile):
         raise InputError("--break and --profile follow one task", "name it with --task")
+    programs = {one.name: one.program for one in loaded.tasks}
+    assertions = read_assertions(asserted, programs, around, terminal)
     setups = task_setups(loaded.tasks, cell, arm, open_robot)
     options = RunOptions(
         program_files=names,
         model=cell.model,
         io=around,
         answers=answers_from(answers),
+        answers_are_typed=answers is None,
         home=_home(home, paths),
         network=Network(frozenset(network_hosts)) if allow_network else None,
         starts_at=start_time or cell.starts_at or START_OF_TIME,
         max_time_s=max_time,
         max_wall_s=max_wall,
         max_cycles=cycles,
-        entry=_entry([one.program for one in loaded.tasks], proc),
+        entry=_entry(list(programs.values()), proc),
     )
     measured: Profile | None = None
 
-    def execute() -> Simulation:
-        return simulate_tasks(setups, options)
+    def execute() -> FinishedRun:
+        return run_tasks(setups, options)
 
     try:
         if breaks:
             from rapidsim.cli.debugger import debugged
 
-            simulation = debugged(execute, program, breaks)
+            finished = debugged(execute, program, breaks)
         elif profile_file:
             from rapidsim.cli.profiler import profiled
 
             with _stage("simulating", terminal):
-                simulation, measured = profiled(execute, program)
+                finished, measured = profiled(execute, program)
         else:
             with _stage("simulating", terminal):
-                simulation = execute()
+                finished = execute()
     except NotExecutableError as error:
         findings = (*loaded.diagnostics, error.diagnostic)
         return _reject(findings, names, arm, output_format, terminal)
-    home_files = tuple(
-        replace(file, path=str(seen_from_here(Path(file.path)))) for file in simulation.home_files
+    simulation = _seen_from_here(finished.simulation)
+    findings = (*loaded.diagnostics, *simulation.diagnostics)
+    shown = cache(partial(figures, simulation))
+    asked_for = asked_figures(simulation, shown(), findings) if assertions else {}
+    judgement = Judgement(
+        judge_assertions(assertions, finished, asked_for),
+        judge_budget(budget_s, finished, cycles, proc),
     )
-    simulation = replace(simulation, home_files=home_files)
     with _stage("writing", terminal):
-        findings = (*loaded.diagnostics, *simulation.diagnostics)
         written, refused = write(simulation, findings, outputs)
     if profile_file and measured:
         from rapidsim.cli.profiler import write_profile
@@ -252,23 +273,32 @@ def run(
         except InputError as error:
             refused = refused or error
     if output_format == "json":
-        report = run_json(simulation, figures(simulation), findings, _json_files(written))
+        report = run_json(simulation, shown(), findings, _json_files(written), judgement)
         click.echo(_as_text(report))
     elif output_format == "table":
         _print_findings(findings, terminal)
         if not terminal.quiet:
-            _print_summary(simulation, choice, written, terminal)
+            _print_summary(simulation, shown(), choice, written, terminal)
             if measured:
                 from rapidsim.cli.profiler import costs_table
 
                 terminal.show(costs_table(measured.routines))
+    _print_judgement(judgement, output_format, terminal)
     recording = outputs.recording
     if outputs.view and recording and any(one.path == recording for one in written):
         leave_open(recording)
     if refused is not None:
         # What the run found is not lost over a file that could not be written.
         raise refused
-    return _EXIT_CODES[simulation.end]
+    code = _EXIT_CODES[simulation.end]
+    return ExitCode.FAILED if judgement.failed and code is ExitCode.CLEAN else code
+
+
+def _seen_from_here(simulation: Simulation) -> Simulation:
+    """The run with the files it wrote named as the user would name them here."""
+    files = simulation.home_files
+    seen = (replace(file, path=str(seen_from_here(Path(file.path)))) for file in files)
+    return replace(simulation, home_files=tuple(seen))
 
 
 def _reject(
@@ -341,14 +371,29 @@ def _print_findings(findings: Sequence[Diagnostic], terminal: Terminal) -> None:
     click.echo(full(merged(findings), terminal.palette, width=terminal.width), nl=False)
 
 
+def _print_judgement(judgement: Judgement, output_format: str, terminal: Terminal) -> None:
+    """Say what became of the assertions and the budget; beside JSON only what is amiss."""
+    is_table = output_format == "table"
+    palette = terminal.palette
+    for verdict in judgement.verdicts:
+        if (is_table and not terminal.quiet) or not verdict.holds:
+            colour = {True: palette.help, None: palette.warning, False: palette.error}
+            text = palette.paint(printable(verdict.text), colour[verdict.holds])
+            click.echo(text, err=not is_table)
+
+
 def _print_summary(
-    simulation: Simulation, choice: RobotChoice, written: Sequence[Written], terminal: Terminal
+    simulation: Simulation,
+    shown: Figures,
+    choice: RobotChoice,
+    written: Sequence[Written],
+    terminal: Terminal,
 ) -> None:
     plain = not terminal.console().encoding.startswith("utf")
     terminal.show(
         summary(
             simulation,
-            figures(simulation),
+            shown,
             robot_reason=choice.reason,
             written=written,
             bars=ASCII_BARS if plain else BLOCK_BARS,

@@ -60,6 +60,26 @@ class Task:
         with _fatal_errors(), recursion_limit(RUNNING_DEPTH):
             self._linked.function(symbol)(*_absent(symbol))
 
+    def take(self, program: Program) -> None:
+        """Go on with a program that has other modules; what stays keeps its values.
+
+        Raises:
+            FatalError: If a constant or an initial value of a new module fails.
+            NotExecutableError: If a new module needs something that cannot be simulated.
+        """
+        with _fatal_errors():
+            self._linked.link(program)
+
+    def call(self, function: RoutineSymbol) -> Value:
+        """The value of a function without parameters.
+
+        Raises:
+            FatalError: If an error reaches no ERROR clause.
+        """
+        with _fatal_errors(), recursion_limit(RUNNING_DEPTH):
+            value: Value = self._linked.function(function)()
+            return value
+
     def value(self, name: str, module: str | None = None) -> Value:
         """The value that declared or predefined data have now.
 

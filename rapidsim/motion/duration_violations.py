@@ -13,7 +13,8 @@ class CycleOverBudget(Violation):
     """One cycle of main takes longer than the station file allows.
 
     The budget stands in `rapidsim.toml`, in seconds: `[check] cycle-budget = 12.5`. One cycle is
-    run with inputs as the station file drives them; `rapidsim run` shows which lines cost the time.
+    run with inputs as the station file drives them; `rapidsim run` shows which lines cost the time,
+    and ends with exit code 4 over the budget.
 
     ## Example
 

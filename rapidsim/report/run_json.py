@@ -12,6 +12,7 @@ from rapidsim.motion.external_axes import ExternalAxis
 from rapidsim.report.diagnostics import diagnostic_json
 from rapidsim.report.figures import Figures, JointMargin, LineTime, Singularity, argument
 from rapidsim.report.merging import merged
+from rapidsim.report.verdicts import NOTHING_ASKED, Judgement
 from rapidsim.simulation.event_record import event_record
 from rapidsim.simulation.result import ExecutedMove, Simulation
 
@@ -26,6 +27,7 @@ def run_json(
     figures: Figures,
     findings: Sequence[Diagnostic],
     files: Mapping[str, object],
+    judgement: Judgement = NOTHING_ASKED,
 ) -> dict[str, object]:
     """The object that `rapidsim run --format json` prints.
 
@@ -34,6 +36,7 @@ def run_json(
         figures: Its figures.
         findings: What checking and running found.
         files: Paths of the files written, by what they are; `program` lists those of the program.
+        judgement: What became of assertions and the cycle budget.
     """
     return {
         "schema": SCHEMA,
@@ -63,6 +66,7 @@ def run_json(
             {"name": one.name, "module": one.module, "old": one.old, "new": one.new}
             for one in simulation.persistents
         ],
+        **judgement.as_json(),
         "models": {
             **models(simulation),
             "time_s_with_acceleration_times": {
@@ -97,6 +101,7 @@ def rejected_json(
         "events": [],
         "unsimulated": [],
         "persistents": [],
+        **NOTHING_ASKED.as_json(),
         "models": {},
         "files": {},
     }

@@ -120,7 +120,7 @@ class Cell:
         self._began_s = 0.0 if options.max_wall_s is None else monotonic()
         self.signals = SignalTable(options.io.signals)
         self.home = HomeFolder(options.home)
-        self.operator = Operator(options.answers)
+        self.operator = Operator(options.answers, options.answers_are_typed)
         self.texts = TextTables()
         self.sockets = SocketTable(options.io.sockets, self.happen)
         self.network = options.network
@@ -147,6 +147,10 @@ class Cell:
     def share(self, turns: Turns) -> None:
         """Let several tasks take turns."""
         self.turns, self.is_shared = turns, True
+
+    def end_sharing(self) -> None:
+        """Let whoever looks at what the run has left look without waiting for others."""
+        self.turns, self.is_shared = Alone(), False
 
     def hears(self, name: str) -> bool:
         """Whether anything hangs on a signal, so that a change must have a known time."""

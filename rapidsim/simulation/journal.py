@@ -110,12 +110,11 @@ class Journal:
         """Whether a finding with this key has been noted, so that its facts need no work."""
         return once in self._reported
 
-    def unsimulated(self, name: str, treated_as: str, place: Place | None = None) -> None:
+    def unsimulated(self, name: str, treated_as: str, place: Place) -> None:
         """Count a routine that was not simulated, and note where it was first met."""
         key = (name, treated_as)
         self._unsimulated[key] = self._unsimulated.get(key, 0) + 1
-        if place is not None:
-            self._first_met.setdefault(key, place)
+        self._first_met.setdefault(key, place)
 
     def events(self) -> tuple[Event, ...]:
         """All events of the cell in order of time; those at one time in the order of noting."""
@@ -147,6 +146,6 @@ class Journal:
         """All routines that were not simulated, in the order they were met."""
         return tuple(Unsimulated(n, count, how) for (n, how), count in self._unsimulated.items())
 
-    def first_met(self, one: Unsimulated) -> Place | None:
-        """Where a routine that was not simulated was met first; None where nobody noted it."""
-        return self._first_met.get((one.name, one.treated_as))
+    def first_met(self, one: Unsimulated) -> Place:
+        """Where a routine that was not simulated was met first."""
+        return self._first_met[one.name, one.treated_as]

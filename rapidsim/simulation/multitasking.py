@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 
@@ -55,7 +56,17 @@ def run_together(runs: Sequence[TaskRun], cell: Cell, options: RunOptions) -> li
         scheduler.add(run.controller, partial(execute, run, task), counts=run.setup.counts)
     with recursion_limit(RUNNING_DEPTH):
         scheduler.run()
-    return [outcomes.get(run.setup.name, Outcome(End.ENDED)) for run in runs]
+    return [
+        outcomes.get(run.setup.name) or _left_running(task)
+        for run, task in zip(runs, loaded, strict=True)
+    ]
+
+
+def _left_running(task: Callable[[], Task]) -> Outcome:
+    """What becomes of a task that the end of the run leaves in the middle of its work."""
+    with suppress(FatalError):
+        return Outcome(End.ENDED, task=task())
+    return Outcome(End.ENDED)
 
 
 @dataclass(frozen=True, slots=True)

@@ -37,32 +37,36 @@ class Operator:
     """Asks whoever answers."""
 
     answers: Answers | None
+    can_be_asked_again: bool = False
+    """Whether somebody sits there who can mend an answer; lines of a file cannot."""
 
     def number(self, prompt: str) -> Answer[float]:
         """The answer to a question for a number."""
         text = self._ask(prompt)
         default = f"{DEFAULT_NUMBER:g}"
-        if text is None:
-            return Answer(DEFAULT_NUMBER, (QuestionUnanswered(prompt, default),))
-        try:
-            value = float(text)
-        except ValueError:
-            value = math.nan
-        if not math.isfinite(value):
-            return Answer(DEFAULT_NUMBER, (AnswerNotANumber(prompt, text, default),))
-        return Answer(value)
+        while text is not None:
+            value = _number(text)
+            if value is not None:
+                return Answer(value)
+            if not self.can_be_asked_again:
+                return Answer(DEFAULT_NUMBER, (AnswerNotANumber(prompt, text, default),))
+            text = self._ask(f"`{text}` is no number, such as 12 or -0.5. {prompt}")
+        return Answer(DEFAULT_NUMBER, (QuestionUnanswered(prompt, default),))
 
     def choice(self, prompt: str, choices: Sequence[str]) -> Answer[int]:
         """The index of a key, answered by its text or by its number from 1; "" is no key."""
         keys = [index for index, text in enumerate(choices) if text]
         first = keys[0] if keys else 0
-        text = self._ask(f"{prompt} {' / '.join(choices[index] for index in keys)}")
-        if text is None:
-            return Answer(first, (QuestionUnanswered(prompt, choices[first]),))
-        for index in keys:
-            if text.strip().lower() in (choices[index].strip().lower(), str(index + 1)):
-                return Answer(index)
-        return Answer(first, (AnswerNotAChoice(prompt, text, choices[first]),))
+        offered = f"{prompt} {' / '.join(choices[index] for index in keys)}"
+        text = self._ask(offered)
+        while text is not None:
+            for index in keys:
+                if text.strip().lower() in (choices[index].strip().lower(), str(index + 1)):
+                    return Answer(index)
+            if not self.can_be_asked_again:
+                return Answer(first, (AnswerNotAChoice(prompt, text, choices[first]),))
+            text = self._ask(f"`{text}` is none of the keys. {offered}")
+        return Answer(first, (QuestionUnanswered(prompt, choices[first]),))
 
     def text(self, prompt: str, proposal: str) -> Answer[str]:
         """A text; the proposal where nobody answers."""
@@ -73,3 +77,12 @@ class Operator:
 
     def _ask(self, prompt: str) -> str | None:
         return self.answers(prompt) if self.answers else None
+
+
+def _number(text: str) -> float | None:
+    """The finite number that a text says; None if it says none."""
+    try:
+        value = float(text)
+    except ValueError:
+        return None
+    return value if math.isfinite(value) else None

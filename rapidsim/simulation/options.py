@@ -36,6 +36,8 @@ class RunOptions:
     """Tracks, positioners and other axes beside the arm, in the order of their letters."""
     answers: Answers | None = None
     """None answers every question with its default and a warning."""
+    answers_are_typed: bool = False
+    """Whether a person answers, who is asked again after an answer that is none."""
     io: CellIo = field(default_factory=CellIo)
     """Signals, how they are wired, and what happens to inputs."""
     home: Path | None = None

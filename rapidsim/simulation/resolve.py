@@ -133,9 +133,11 @@ class Resolver:
         """External axes (e,) [m or rad] in RAPID's units."""
         return targets.ext_joint(external, self.robot.external)
 
-    def target(self, joints: Array, external: Array, tool: ToolData, wobj: WobjData) -> RobTarget:
+    def target(
+        self, joints: Array, external: Array, tool: ToolData, wobj: WobjData, place: Place
+    ) -> RobTarget:
         """The target that joints (n,) [rad] and external axes (e,) [m or rad] stand at."""
-        placed = self._placement(tool, wobj)
+        placed = self._placement(tool, wobj, place)
         if isinstance(placed, targets.NotSimulatedFrame):
             placed = self._unmoved()
         curve_from_tcp = placed.standing_at(self.robot.kinematics, joints, external)
@@ -143,13 +145,15 @@ class Resolver:
         conf = ConfData(*map(float, self._arrivals.configuration(joints).confdata))
         return RobTarget(pose.trans, pose.rot, conf, self.ext_joint(external))
 
-    def reach(self, target: RobTarget, tool: ToolData, wobj: WobjData, near: Waypoint) -> Array:
+    def reach(
+        self, target: RobTarget, tool: ToolData, wobj: WobjData, near: Waypoint, place: Place
+    ) -> Array:
         """Joints (n,) [rad] of a target in its configuration, or the nearest that works.
 
         Raises:
             RapidError: ERR_OUTSIDE_REACH or ERR_ROBLIMIT.
         """
-        placed = self._placement(tool, wobj)
+        placed = self._placement(tool, wobj, place)
         if isinstance(placed, targets.NotSimulatedFrame):
             raise MoveRefusedError(ERR_OUTSIDE_REACH, NothingMovesTool(_TARGET, placed.reason))
         require_orientation(_TARGET, target.rot)
@@ -254,7 +258,7 @@ class Resolver:
         return targets.Placement(self.base_from_world, Transform.identity())
 
     def _placement(
-        self, tool: ToolData, wobj: WobjData, place: Place | None = None
+        self, tool: ToolData, wobj: WobjData, place: Place
     ) -> targets.Placement | targets.NotSimulatedFrame:
         """Where a tool and a work object are; `place` asks.
 

@@ -115,9 +115,8 @@ def not_simulated_findings(journal: Journal) -> tuple[Diagnostic, ...]:
     findings = []
     for one in journal.not_simulated():
         place = journal.first_met(one)
-        span, routine = (place.span, place.routine) if place else (None, None)
         violation = RoutineNotSimulated(one.name, one.treated_as)
-        findings.append(Diagnostic(violation, span, routine=routine))
+        findings.append(Diagnostic(violation, place.span, routine=place.routine))
     return tuple(findings)
 
 

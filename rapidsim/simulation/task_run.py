@@ -84,6 +84,8 @@ class Outcome:
     findings: tuple[Diagnostic, ...] = ()
     failed_moves: tuple[FailedMove, ...] = ()
     persistents: tuple[PersistentChange, ...] = ()
+    task: Task | None = None
+    """The program with the values it left; None where it could not be made ready."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -170,7 +172,7 @@ def run_to_end(
     except Stopped as stop:
         controller.abandon()
         end, findings = End.STOPPED, (stopped_finding(stop, controller.place),)
-    return Outcome(end, findings, failed, changed_persistents(task) if task else ())
+    return Outcome(end, findings, failed, changed_persistents(task) if task else (), task)
 
 
 def _run_cycles(task: Task, run: TaskRun, options: RunOptions) -> End:

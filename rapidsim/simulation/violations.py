@@ -91,7 +91,8 @@ class QuestionUnanswered(Violation):
 class AnswerNotANumber(Violation):
     """The program asked the operator for a number and the answer is none.
 
-    A default is taken so that the run goes on.
+    The answer comes from a file, so a default is taken and the run goes on; somebody at a terminal
+    is asked again.
     """
 
     code: ClassVar[str] = "R103"
@@ -110,7 +111,8 @@ class AnswerNotANumber(Violation):
 class AnswerNotAChoice(Violation):
     """The program asked the operator to press a key and the answer names none of them.
 
-    The first key is taken so that the run goes on. Answer with the text on the key or its number.
+    The answer comes from a file, so the first key is taken and the run goes on; somebody at a
+    terminal is asked again. Answer with the text on the key or its number.
     """
 
     code: ClassVar[str] = "R105"
@@ -254,8 +256,9 @@ class BackwardNotExecuted(Violation):
 class CutOff(Violation):
     """The run reached its time limit, and the program was here.
 
-    A cell that works until somebody stops it never ends by itself: `--cycles` or `--max-time` say
-    how much of it to see. A program that should have ended waits here, or goes round.
+    A cell that works until somebody stops it never ends by itself: `--max-time` says how much of it
+    to see. `--cycles` counts runs of main, so it ends a loop without end only where ExitCycle does.
+    A program that should have ended waits here, or goes round.
 
     ## Example
 

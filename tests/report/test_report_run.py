@@ -128,6 +128,8 @@ def test_json_is_the_contract() -> None:
         "events",
         "unsimulated",
         "persistents",
+        "assertions",
+        "cycle_budget",
         "models",
         "files",
     ]

@@ -210,7 +210,14 @@ def test_a_base_off_the_world_is_taken_off_targets() -> None:
 def test_a_unit_that_no_station_declares_is_told() -> None:
     data = target("p", 800, 0, 700, NONE)
     run = ran(program(r"MoveJ p,v500,fine,tool0\WObj:=turntable;", data=data))
-    assert "mechanical unit `TABLE`" in run.only("R104").violation.message
+    found = run.only("R104")
+    assert "mechanical unit `TABLE`" in found.violation.message
+    assert found.span is not None
+    assert found.span.text == r"MoveJ p,v500,fine,tool0\WObj:=turntable"
+    asked = ran(program(r"c:=CRobT(\Tool:=tool0\WObj:=turntable);", data="  VAR robtarget c;\n"))
+    found = asked.only("R104")
+    assert found.span is not None
+    assert found.span.text.startswith("CRobT(")
     assert run.run.moves[0].base_from_tcp.translation == pytest.approx([0.807, 0.007, 0.707])
 
 

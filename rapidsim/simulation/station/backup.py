@@ -7,7 +7,7 @@ of each task and `-MotionTask` for those that move. A task without a type is sem
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from rapidsim.simulation.station.backup_io import backup_io
@@ -17,6 +17,7 @@ from rapidsim.simulation.station.station import Station
 from rapidsim.simulation.station.tasks import StationTask
 from rapidsim.simulation.task_kind import TaskKind
 
+_BOUNDS = ("upper_joint_bound", "lower_joint_bound")
 _FOLDER = re.compile(r"^>>(TASK\d+):\s*\(\s*([^,)\s]+)", re.MULTILINE | re.IGNORECASE)
 
 
@@ -35,8 +36,24 @@ def backup_station(folders: Sequence[Path]) -> Station:
         unknown_robots=unknown,
         tasks=_tasks_of(root, folders),
         io=io,
-        remarks=remarks,
+        remarks=(*remarks, *_not_read(root, len(robots))),
     )
+
+
+def _not_read(root: Path, robots: int) -> Iterator[str]:
+    """What the configuration says of robots and is left out, a remark each."""
+    arms = read_configuration(text_in(root, "SYSPAR", "MOC.cfg")).get("ARM", ())
+    if any(bound in arm for arm in arms for bound in _BOUNDS):
+        yield (
+            "the joint bounds in the backup's MOC.cfg are not read: arms have the limits of the "
+            "catalogue"
+        )
+    groups = read_configuration(text_in(root, "SYSPAR", "SYS.cfg")).get("MECHANICAL_UNIT_GROUP", ())
+    if groups and robots > 1:
+        yield (
+            "the mechanical unit groups in the backup's SYS.cfg are not read: tasks that move get "
+            "the robots in the order of MOC.cfg"
+        )
 
 
 def _tasks_of(root: Path, folders: Sequence[Path]) -> tuple[StationTask, ...]:

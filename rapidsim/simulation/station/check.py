@@ -39,7 +39,7 @@ class CheckSettings:
     baseline: Path | None = None
     """A file of findings that are known."""
     cycle_budget_s: float | None = None
-    """Time that a run of main may take."""
+    """Time that one cycle of main may take; `check` tells, `run` fails."""
 
 
 def read_check(reader: Reader, check: Table, path: str = "check") -> CheckSettings:

@@ -109,7 +109,8 @@ class TaskMotion(TaskTime):
         self._note_line()
         active_tool, active_wobj = self._active
         joints, external = self._stand_now()
-        return self._resolver.target(joints, external, tool or active_tool, wobj or active_wobj)
+        tool, wobj = tool or active_tool, wobj or active_wobj
+        return self._resolver.target(joints, external, tool, wobj, self.place)
 
     def active_tool(self) -> ToolData:
         """The tool of the last move, tool0 before the first."""
@@ -122,7 +123,9 @@ class TaskMotion(TaskTime):
     def target_at(self, joints: JointTarget, tool: ToolData, wobj: WobjData) -> RobTarget:
         """Where the TCP would be with the axes at given positions."""
         external = self._resolver.external(joints.extax)
-        return self._resolver.target(self._resolver.joints(joints), external, tool, wobj)
+        return self._resolver.target(
+            self._resolver.joints(joints), external, tool, wobj, self.place
+        )
 
     def joints_at(self, target: RobTarget, tool: ToolData, wobj: WobjData) -> JointTarget:
         """Axis positions that reach a target in its configuration.
@@ -130,7 +133,7 @@ class TaskMotion(TaskTime):
         Raises:
             RapidError: ERR_OUTSIDE_REACH or ERR_ROBLIMIT.
         """
-        joints = self._resolver.reach(target, tool, wobj, self._queue.end)
+        joints = self._resolver.reach(target, tool, wobj, self._queue.end, self.place)
         return JointTarget(rob_joint(joints), target.extax)
 
     def finish(self) -> None:

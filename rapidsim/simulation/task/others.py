@@ -90,7 +90,8 @@ class TaskOthers(TaskMotion):
         other = self._robot_of(task)
         joints, external = other.stand_at(self.come_up())
         active_tool, active_wobj = other._active
-        return other._resolver.target(joints, external, tool or active_tool, wobj or active_wobj)
+        tool, wobj = tool or active_tool, wobj or active_wobj
+        return other._resolver.target(joints, external, tool, wobj, self.place)
 
     def stand_at(self, time_s: float) -> tuple[Array, Array]:
         """Joints (n,) [rad] and external axes (e,) [m or rad] at a time [s] that has come."""

@@ -62,7 +62,9 @@ class TaskSearch(TaskPathControl):
     ) -> RobTarget:
         """Make a move to a stop point and watch a signal, or a persistent, on the way."""
         arm = self._queue.at_past(self._hit_s(move, found, flank, stop))
-        return self._resolver.target(arm.joints[0], arm.external[0], move.tool, move.wobj)
+        return self._resolver.target(
+            arm.joints[0], arm.external[0], move.tool, move.wobj, self.place
+        )
 
     def search_joints(
         self,

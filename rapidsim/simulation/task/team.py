@@ -132,7 +132,9 @@ class TaskTeam(TaskOthers, TaskPathControl):
         before(queued)
         if self._marks.is_pending:
             self._marks.clear()
-            self._journal.unsimulated(f"{move.instruction} \\ID with triggers", _NO_TRIGGERS)
+            self._journal.unsimulated(
+                f"{move.instruction} \\ID with triggers", _NO_TRIGGERS, self.place
+            )
         self._say_what_a_team_ignores(move, queued)
         self._active = (move.tool, move.wobj)
         if queued.corner is CornerKind.STOP and wait and not move.concurrent:
@@ -148,13 +150,14 @@ class TaskTeam(TaskOthers, TaskPathControl):
         limits = (segment.tcp_acceleration, segment.tcp_deceleration, segment.world_acceleration)
         if math.isfinite(min(limits)):
             name = f"PathAccLim or WorldAccLim with {move.instruction} \\ID"
-            self._journal.unsimulated(name, _NO_OTHER_LIMITS)
+            self._journal.unsimulated(name, _NO_OTHER_LIMITS, self.place)
         if any(math.isfinite(speed) for speed in segment.external_speeds):
             name = f"the programmed speed of external axes with {move.instruction} \\ID"
-            self._journal.unsimulated(name, _NO_OTHER_LIMITS)
+            self._journal.unsimulated(name, _NO_OTHER_LIMITS, self.place)
 
         if segment.ramp < self.settings.ramp_percent / 100.0:
-            self._journal.unsimulated("different ramps of robots that move together", _ONE_RAMP)
+            name = "different ramps of robots that move together"
+            self._journal.unsimulated(name, _ONE_RAMP, self.place)
 
     def _in_step(self, seat: Seat, move: Move, sync_id: float) -> QueuedMove:
         """Say a part of the next move of the team and wait until all have said theirs."""

@@ -1,0 +1,112 @@
+"""What became of the assertions and the cycle budget of a run, as text and as JSON values."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """One assertion."""
+
+    expression: str
+    task: str
+    """Whose data it was about."""
+    holds: bool | None
+    """None where it was not judged."""
+    values: tuple[tuple[str, str], ...] = ()
+    """Text and value of the data and calls in it."""
+    reason: str | None = None
+    """Why it was not judged or could not be evaluated."""
+
+    @property
+    def text(self) -> str:
+        """One line for a person."""
+        if self.holds is None:
+            return f"assertion not judged: {self.expression}, {self.reason}"
+        if self.holds:
+            return f"assertion holds: {self.expression}"
+        parts = [f"{text} is {value}" for text, value in self.values if text != self.expression]
+        if self.reason is not None:
+            parts.insert(0, self.reason)
+        return ", ".join([f"assertion failed: {self.expression}", *parts])
+
+    def as_json(self) -> dict[str, object]:
+        """The values of the JSON report."""
+        return {
+            "expression": self.expression,
+            "task": self.task,
+            "holds": self.holds,
+            "values": dict(self.values),
+            "reason": self.reason,
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class BudgetVerdict:
+    """Whether the cycles of a run kept the time that the station file gives one."""
+
+    budget_s: float
+    cycles: int
+    cycle_s: float | None = None
+    """Mean of the cycles; None where the run does not tell it."""
+    reason: str | None = None
+    """Why it does not."""
+
+    @property
+    def holds(self) -> bool | None:
+        """None where it was not judged."""
+        return None if self.cycle_s is None else self.cycle_s <= self.budget_s
+
+    @property
+    def text(self) -> str:
+        """One line for a person."""
+        budget = f"the budget is {self.budget_s:g} s"
+        if self.cycle_s is None:
+            return f"cycle budget not judged: {self.reason}; {budget}"
+        many = self.cycles > 1
+        took = f"{f'each of {self.cycles} cycles takes' if many else 'the cycle takes'} "
+        took += f"{self.cycle_s:.3f} s{' in the mean' if many else ''}"
+        if self.holds:
+            return f"cycle budget kept: {took}; {budget}"
+        # A cycle may be over by less than the digits of its time show.
+        over = f"{self.cycle_s - self.budget_s:.3g} s over it"
+        return f"cycle budget failed: {took}; {budget}: {over}"
+
+    def as_json(self) -> dict[str, object]:
+        """The values of the JSON report."""
+        return {
+            "budget_s": self.budget_s,
+            "cycle_s": self.cycle_s,
+            "cycles": self.cycles,
+            "holds": self.holds,
+            "reason": self.reason,
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class Judgement:
+    """All that was asked of a run."""
+
+    assertions: tuple[Verdict, ...] = ()
+    budget: BudgetVerdict | None = None
+
+    @property
+    def failed(self) -> bool:
+        """Whether anything does not hold."""
+        return any(one.holds is False for one in self.verdicts)
+
+    def as_json(self) -> dict[str, object]:
+        """The fields `assertions` and `cycle_budget` of the JSON report."""
+        return {
+            "assertions": [one.as_json() for one in self.assertions],
+            "cycle_budget": self.budget.as_json() if self.budget else None,
+        }
+
+    @property
+    def verdicts(self) -> tuple[Verdict | BudgetVerdict, ...]:
+        """All of them, in the order of the command line, the budget last."""
+        return (*self.assertions, *((self.budget,) if self.budget else ()))
+
+
+NOTHING_ASKED = Judgement()
