@@ -118,6 +118,7 @@ _TRACES = (".csv", ".parquet", ".json")
 @click.option(
     "--dt",
     metavar="SECONDS",
+    # With longer steps a jump could not be told from a fast axis.
     type=Number(0.0001, 0.05),
     default=0.012,
     show_default=True,

@@ -8,23 +8,22 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion import solver_loops
 from rapidsim.motion.compiled import compiled
 from rapidsim.motion.curves import Index
+from rapidsim.motion.drive import Drive
 from rapidsim.motion.problem import Problem
 from rapidsim.motion.rows import Limiter, Quantity
-from rapidsim.motion.stages import Stages, rows_along, weights_of
+from rapidsim.motion.stages import Stages, in_the_middle, rows_along, weights_of
 
 _REACHED = 0.99
 
 
-def limiters_of(problem: Problem, stages: Stages, x: Array) -> tuple[Limiter, ...]:
-    """Find what holds each segment of a path back, given x (m + 1,) at the nodes of stages."""
+def limiters_of(problem: Problem, motion: Drive) -> tuple[Limiter, ...]:
+    """Find what holds each segment of a path back."""
     path, cells = problem.path, problem.cells
-    kind = _most_used(problem, stages, x)
+    kind = _most_used(problem, motion.stages, motion.x)
     kinds = (*problem.speeds.limiters, *problem.accelerations.limiters, Limiter(Quantity.NOTHING))
-    segment = path.segment_of(cells.piece[stages.cell])
-    ends = np.sqrt(x)
-    time = 2.0 * stages.width / np.maximum(ends[:-1] + ends[1:], 1e-300)
-    total = np.bincount(segment * len(kinds) + kind, time, len(path.segments) * len(kinds))
-    total = total.reshape(-1, len(kinds))
+    segment = path.segment_of(cells.piece[motion.stages.cell])
+    cases = len(path.segments) * len(kinds)
+    total = np.bincount(segment * len(kinds) + kind, motion.times, cases).reshape(-1, len(kinds))
     found = np.where(total.any(axis=1), total.argmax(axis=1), len(kinds) - 1)
     return tuple(kinds[number] for number in found.tolist())
 
@@ -32,9 +31,7 @@ def limiters_of(problem: Problem, stages: Stages, x: Array) -> tuple[Limiter, ..
 def _most_used(problem: Problem, stages: Stages, x: Array) -> Index:
     """The limit (m,) that is used most in the middle of each stage; speeds are counted first."""
     cells, speeds, accelerations = problem.cells, problem.speeds, problem.accelerations
-    middle = 0.5 * (stages.begin + stages.end)
-    square = 0.5 * (x[:-1] + x[1:])
-    u = np.diff(x) / np.maximum(2.0 * stages.width, 1e-300)
+    middle, u, square = in_the_middle(stages, x)
     kernel = compiled(solver_loops, "held_back_by", len(u))
     if kernel is not None:
         kinds = np.empty(len(u), dtype=np.int64)

@@ -79,6 +79,11 @@ class Path:
         return np.concatenate([[0.0], np.cumsum(lengths)[:-1]])
 
     @cached_property
+    def segment_bounds(self) -> Array:
+        """The same, and then the end of the path: S (segments + 1,)."""
+        return np.append(self.segment_starts, self.length)
+
+    @cached_property
     def lengths(self) -> Array:
         """TCP travel (segments,) [m] along the programmed curves, before corners cut them."""
         travel = np.zeros(len(self.segments))

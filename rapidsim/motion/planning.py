@@ -59,15 +59,14 @@ def plan(path: Path, limits: Limits, *, start: float = 0.0, start_speed: float =
         s=nodes,
         speed=speed,
         start_excess=max(0.0, start_speed - float(np.sqrt(motion.fastest_start))),
-        limited_by=limiters_of(problem, motion.stages, motion.x),
+        limited_by=limiters_of(problem, motion),
         standing=standing,
     )
 
 
 def _timed(path: Path, start: float) -> dict[int, float]:
     """Programmed time [s] of what is left of each segment that has one."""
-    begins = path.segment_starts
-    ends = np.append(begins[1:], path.length)
+    begins, ends = path.segment_bounds[:-1], path.segment_bounds[1:]
     times = {}
     for i, segment in enumerate(path.segments):
         if segment.duration is not None and ends[i] > max(start, begins[i]):

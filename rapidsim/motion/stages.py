@@ -212,14 +212,21 @@ def _widest(slack: Array, tilt: Array, span: Array) -> Array:
     return result
 
 
+def in_the_middle(stages: Stages, x: Array) -> tuple[Array, Array, Array]:
+    """Share of the cell, path acceleration [m/s2] and square of the speed (m,) in mid-stage.
+
+    `x` (m + 1,) is given at the nodes.
+    """
+    u = np.diff(x) / np.maximum(2.0 * stages.width, 1e-300)
+    return 0.5 * (stages.begin + stages.end), u, 0.5 * (x[:-1] + x[1:])
+
+
 def loads(stages: Stages, cells: Cells, rows: AccelerationRows, x: Array) -> Array:
     """The largest share (m,) of an acceleration that is used in the middle of stages.
 
     `x` (m + 1,) is given at the nodes, `rows` are those of the places of the cells.
     """
-    middle = 0.5 * (stages.begin + stages.end)
-    u = np.diff(x) / np.maximum(2.0 * stages.width, 1e-300)
-    square = 0.5 * (x[:-1] + x[1:])
+    middle, u, square = in_the_middle(stages, x)
     kernel = compiled(solver_loops, "load_stages", len(u))
     if kernel is not None:
         found = np.empty(len(u))

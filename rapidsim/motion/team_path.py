@@ -226,7 +226,7 @@ class TeamPath(SharedPath):
 
 def team_path(paths: Sequence[Path]) -> TeamPath:
     """Join the paths of several robots, which have equally many segments."""
-    own_ends = [np.append(path.segment_starts, path.length) for path in paths]
+    own_ends = [path.segment_bounds for path in paths]
     lengths = np.array([np.diff(one) for one in own_ends])
     longest: Array = lengths.max(axis=0)
     slopes = lengths / np.where(longest > 0.0, longest, 1.0)

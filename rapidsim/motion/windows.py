@@ -16,6 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rapidsim.frames.transform import Array
+from rapidsim.motion.crossing import first_crossing
 from rapidsim.motion.path import Path
 from rapidsim.motion.timing import Timing
 
@@ -24,7 +25,6 @@ _STEEPEST = 0.5
 _UNHURRIED_S = 1.0
 """A window takes at least so long to widen. It slows the arm down a little, which takes a share of
 the acceleration: quicker, that would be felt. A last move that is shorter gets less of a ramp."""
-_HALVINGS = 60
 _ROUNDING = 1e-9
 
 
@@ -97,12 +97,12 @@ class Windows:
             return self._steps[last].widest_s
         # The window goes on widening while the arm comes to rest.
         steps = self._table[first : last + 1]
-        early, late = 0.0, self._steps[last].widest_s
-        for _ in range(_HALVINGS):
-            middle = 0.5 * (early + late)
-            gone = middle >= float(_at(steps, np.array([command_s + middle]))[0][0])
-            early, late = (early, middle) if gone else (middle, late)
-        return late
+        run_empty = first_crossing(
+            lambda since, _: since - _at(steps, command_s + since)[0],
+            np.zeros(1),
+            np.array([self._steps[last].widest_s]),
+        )
+        return float(run_empty[0])
 
     def cut(self, time_s: float) -> None:
         """Take back what begins at a time [s] or later."""
@@ -138,7 +138,7 @@ class Windows:
                 continue
             begins_s = max(start_s, shift_s + timing.time_at(float(starts[index])))
             self._widen(begins_s, width_s)
-            end = float(starts[index + 1]) if index + 1 < len(starts) else path.length
+            end = float(path.segment_bounds[index + 1])
             if stop_width_s > width_s and timing.s[-1] >= end - _ROUNDING:
                 ends_s = shift_s + timing.time_at(end)
                 begins_s = max(ends_s - self._lasts(stop_width_s), begins_s)

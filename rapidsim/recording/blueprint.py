@@ -28,6 +28,7 @@ from rapidsim.recording.targets import Target
 from rapidsim.recording.timelines import SIM_TIME
 from rapidsim.recording.transforms import WORLD
 
+_ALL = "+ /**"
 _WIDE = 1.7
 """Width of a picture through its height where the cell has all the room."""
 _OPEN_AXIS = 130.0
@@ -92,7 +93,7 @@ def _spaces(runs: Sequence[SampledRun], shown: Sequence[Target]) -> rrb.Containe
     by_speed = [f"- /{run.entity(speed_path.ENTITY)}/**" for run in runs]
     near = targets.near_targets(shown)
     if len(runs) > 1 or targets.extent(near) == 0.0:
-        return rrb.Horizontal(_space("Cell", cell_camera(runs, wide=_WIDE), 0.1, by_speed))
+        return rrb.Horizontal(space("Cell", cell_camera(runs, wide=_WIDE), 0.1, [_ALL, *by_speed]))
     (run,) = runs
     # From afar the names of neighbours cover each other.
     names = f"- /{run.entity(targets.NAMES_NEAR)}"
@@ -102,21 +103,22 @@ def _spaces(runs: Sequence[SampledRun], shown: Sequence[Target]) -> rrb.Containe
     camera = near_camera(run, near)
     fastest = f"{1000.0 * speed_path.top_speed(run):.0f}"
     return rrb.Horizontal(
-        _space("Cell", cell_camera(runs), 0.1, [names, codes, *by_speed]),
+        space("Cell", cell_camera(runs), 0.1, [_ALL, names, codes, *by_speed]),
         rrb.Tabs(
-            _space("Path", camera, 0.01, [*pins, *by_speed]),
-            _space(f"Speed: blue 0, red {fastest} mm/s", camera, 0.01, [*pins, by_move]),
+            space("Path", camera, 0.01, [_ALL, *pins, *by_speed]),
+            space(f"Speed: blue 0, red {fastest} mm/s", camera, 0.01, [_ALL, *pins, by_move]),
             active_tab=0,
         ),
         column_shares=[5, 4],
     )
 
 
-def _space(name: str, camera: Camera, grid_m: float, hidden: list[str]) -> rrb.Spatial3DView:
+def space(name: str, camera: Camera, grid_m: float, contents: list[str]) -> rrb.Spatial3DView:
+    """A view of the world, looked at by a camera."""
     return rrb.Spatial3DView(
         origin="/",
         name=name,
-        contents=["+ /**", *hidden],
+        contents=contents,
         spatial_information=rrb.SpatialInformation(target_frame=WORLD, show_axes=False),
         eye_controls=rrb.EyeControls3D(
             kind=rrb.Eye3DKind.Orbital,

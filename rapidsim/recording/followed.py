@@ -19,7 +19,7 @@ from rapidsim.motion.trajectories.plan import Way
 from rapidsim.motion.trajectory import Samples
 from rapidsim.recording import palette
 from rapidsim.recording.arm import FLANGE, log_arm
-from rapidsim.recording.blueprint import laid_out
+from rapidsim.recording.blueprint import laid_out, space
 from rapidsim.recording.camera import looking_at
 from rapidsim.recording.legend import emptiest_corner
 from rapidsim.recording.stream import recording_file
@@ -207,26 +207,8 @@ def _blueprint(followed: Followed) -> rrb.Blueprint:
         air=1.15,
     )
     views = [
-        rrb.Spatial3DView(
-            origin="/",
-            name=name,
-            contents=contents,
-            spatial_information=rrb.SpatialInformation(target_frame=WORLD, show_axes=False),
-            eye_controls=rrb.EyeControls3D(
-                kind=rrb.Eye3DKind.Orbital,
-                position=camera.eye,
-                look_target=camera.target,
-                eye_up=[0.0, 0.0, 1.0],
-            ),
-            line_grid=rrb.LineGrid3D(
-                visible=True, spacing=0.1, color=palette.rgba(palette.GRID), stroke_width=0.6
-            ),
-            background=rrb.Background(color=palette.rgba(palette.BACKGROUND)),
-        )
-        for name, camera, contents in (
-            ("Cell", cell, ["+ /**"]),
-            ("Path, seen towards the robot", near, [f"+ /{POINTS}", "+ /path/**"]),
-        )
+        space("Cell", cell, 0.1, ["+ /**"]),
+        space("Path, seen towards the robot", near, 0.1, [f"+ /{POINTS}", "+ /path/**"]),
     ]
     legend = emptiest_corner(samples.times, samples.joints, 0.14, 0.5)
     top = rrb.Corner2D.RightTop

@@ -224,8 +224,8 @@ class PathQueue:
         if plan is None or index < plan.first:
             return queued.start_place_m, queued.end_place_m
         offset = self.trajectory.length - plan.from_m
-        ends = [*plan.path.segment_starts[1:], plan.path.length]
-        return offset + plan.start_of(index), offset + float(ends[index - plan.first])
+        end = float(plan.path.segment_bounds[index - plan.first + 1])
+        return offset + plan.start_of(index), offset + end
 
     def nominal_last_start(self) -> float:
         """About when the robot starts the last move [s]: at programmed speeds, without ramps."""
@@ -412,7 +412,7 @@ class PathQueue:
         self._driven.append(tentative)
         self.version += 1
         count = moves_begun - tentative.first
-        bounds = np.append(tentative.path.segment_starts, tentative.path.length)[: count + 1]
+        bounds = path.segment_bounds[: count + 1]
         times = (tentative.start_s + tentative.timing.time_at(bounds)).tolist()
         places, lengths = bounds.tolist(), tentative.path.lengths.tolist()
         for k, queued in enumerate(self._block[tentative.first : moves_begun]):

@@ -64,7 +64,7 @@ def _too_fast(
     piece: Piece, corners: dict[int, ExecutedMove], trajectory: Trajectory, limits: Limits
 ) -> Iterator[_Corner]:
     path = piece.path
-    middles = np.append(path.segment_starts[1:], path.length)
+    middles = path.segment_bounds[1:]
     passed = [
         (k, corners[segment.index])
         for k, segment in enumerate(path.segments)

@@ -199,7 +199,7 @@ def test_loops_over_a_motion_do_what_columns_do(program: Programmer) -> None:
                 (
                     stages.loads(motion.stages, cells, rows, motion.x),
                     stages.fastest(motion.stages, cells, problem.slowness),
-                    limiters.limiters_of(problem, motion.stages, motion.x),
+                    limiters.limiters_of(problem, motion),
                 )
             )
     columns, loops = both

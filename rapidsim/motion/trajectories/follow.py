@@ -34,8 +34,6 @@ from rapidsim.motion.turns import vector_from_rotation
 
 DEFAULT_DT = 0.012
 """[s]"""
-COARSEST_DT = 0.05
-"""[s]; with longer steps a jump could not be told from a fast axis."""
 MOST_SAMPLES = 200_000
 _NOT_FROM_THERE = "it is reached, but not in the configuration in which the arm comes"
 _SEARCHED_AT_ONCE = 8
