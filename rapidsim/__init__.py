@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
 
+TYPE_CHECKING = False  # Importing typing would take longer than all of this.
 if TYPE_CHECKING:
+    from typing import Any
+
     from rapidsim.motion.robot import load_robot
     from rapidsim.recording.write import record
     from rapidsim.simulation.check_files import check

@@ -1,18 +1,21 @@
 """Find and read RAPID source files: what the user named becomes text, or an `InputError` says why.
 
 Files come from controllers and from careless tools, so reading never fails on their bytes. What a
-path may be: a module, a `.pgf` program file, a folder, a controller backup, or `-`.
+path may be: a module, a `.pgf` program file, a folder, a controller backup, or `-`. A link that
+leads out of a folder is refused: a repository that is checked is not trusted.
 """
 
 from __future__ import annotations
 
 import difflib
+import os
 import re
+import stat
 import sys
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path, PurePosixPath
-from typing import NoReturn
+from typing import BinaryIO
 from xml.parsers import expat
 
 MODULE_SUFFIXES = (".mod", ".modx", ".sys", ".sysx", ".prg")
@@ -27,6 +30,12 @@ _BYTE_ORDER_MARKS = (
 )
 _ENCODINGS = ("utf-8", "cp1252")
 _LAST_RESORT = "latin-1"
+
+MOST_BYTES = 100_000_000
+"""No file that is read is larger; RAPID modules, logs and tables are far smaller."""
+
+# Never wait for a pipe; Windows has none.
+_NEVER_WAIT = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
 
 _AS_NEAR = 0.1
 """Names whose likeness to a given one differs by less are equally near."""
@@ -64,12 +73,13 @@ class TaskFiles:
     files: tuple[SourceFile, ...]
 
 
-def read_tasks(paths: Sequence[str]) -> tuple[TaskFiles, ...]:
+def read_tasks(paths: Sequence[str], rooms: Sequence[Path] = ()) -> tuple[TaskFiles, ...]:
     """Read everything the user named.
 
     Args:
         paths: Files, `.pgf` files, folders, or `-`. Together they are one task, except that each
             task folder of a controller backup is a task of its own.
+        rooms: Folders into which links may lead, besides those among the paths.
 
     Raises:
         InputError: If something is missing, unreadable, or no RAPID.
@@ -83,11 +93,13 @@ def read_tasks(paths: Sequence[str]) -> tuple[TaskFiles, ...]:
         found = Path(path)
         folders = task_folders(found) if found.is_dir() else ()
         if folders:
-            tasks += [TaskFiles(folder.name, _read(_in_folder(folder))) for folder in folders]
+            for folder in folders:
+                listed = require_inside(_in_folder(folder), (found, *rooms))
+                tasks.append(TaskFiles(folder.name, _read(listed)))
         elif found.is_dir():
-            modules += _in_folder(found)
+            modules += require_inside(_in_folder(found), (found, *rooms))
         elif found.suffix.lower() == ".pgf":
-            modules += _in_program_file(found)
+            modules += require_inside(_in_program_file(found), (found.parent, *rooms))
         else:
             modules.append(found)
     if modules:
@@ -135,6 +147,70 @@ def neighbours(path: str) -> tuple[str, ...]:
     return tuple(entry.name for entry in _modules_of(file.parent) if entry.name != file.name)
 
 
+def input_bytes(file: Path) -> bytes:
+    """All of a file that the user named; the one place where such a file is opened.
+
+    Raises:
+        InputError: If it is missing, unreadable, too large, or no file but a folder, pipe or
+            device.
+    """
+    try:
+        mode = file.stat().st_mode
+        if not stat.S_ISREG(mode):
+            kind = "folder" if stat.S_ISDIR(mode) else "pipe" if stat.S_ISFIFO(mode) else "device"
+            raise InputError(f"{file} is no file but a {kind}")
+        with os.fdopen(os.open(file, os.O_RDONLY | _NEVER_WAIT), "rb") as stream:
+            return _bounded(stream, str(file))
+    except OSError as error:
+        raise unreadable(file, error) from error
+    except ValueError as error:
+        raise InputError(f"{str(file)!r} is no file name") from error
+
+
+def standard_input() -> bytes:
+    """All of standard input.
+
+    Raises:
+        InputError: If it is closed or too long.
+    """
+    if sys.stdin is None:
+        raise InputError("standard input is closed")
+    return _bounded(sys.stdin.buffer, "standard input")
+
+
+def input_text(file: Path) -> str:
+    """The text of a file that must be UTF-8; a byte order mark is taken off.
+
+    Raises:
+        InputError: If it is something else; see `input_bytes`.
+    """
+    try:
+        return input_bytes(file).decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        reason = f"{error.reason} at byte {error.start}"
+        raise InputError(f"{file} is not UTF-8 text: {reason}") from error
+
+
+def require_inside(files: Sequence[Path], rooms: Iterable[Path]) -> Sequence[Path]:
+    """The files, if none of them leads out of all rooms, through `..`, a link or a full path.
+
+    A repository that is checked must not have other files of the computer read and shown.
+
+    Raises:
+        InputError: If one does.
+    """
+    rooms = tuple(rooms)
+    held = [os.path.realpath(room) for room in rooms]
+    for file in files:
+        place = Path(os.path.realpath(file))
+        if not any(place.is_relative_to(room) for room in held):
+            raise InputError(
+                f"{file} leads out of {rooms[0]}, to {place}",
+                "what may be read from elsewhere is named on the command line itself",
+            )
+    return files
+
+
 def decode(data: bytes) -> tuple[str, str]:
     """Text of a file's bytes and the encoding they were taken for; takes any bytes."""
     for mark, encoding in _BYTE_ORDER_MARKS:
@@ -167,22 +243,18 @@ def did_you_mean(name: str, known: Iterable[str]) -> str | None:
 def _read(modules: Iterable[str | Path]) -> tuple[SourceFile, ...]:
     read: dict[object, SourceFile] = {}
     for module in modules:
-        key = module if isinstance(module, str) else module.resolve()
+        key = module if isinstance(module, str) else os.path.realpath(module)
         if key not in read:
             read[key] = _read_input() if isinstance(module, str) else _read_file(module)
     return tuple(read.values())
 
 
 def _read_input() -> SourceFile:
-    return SourceFile(STANDARD_INPUT, *decode(sys.stdin.buffer.read()))
+    return SourceFile(STANDARD_INPUT, *decode(standard_input()))
 
 
 def _read_file(path: Path) -> SourceFile:
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        _refuse(path, error)
-    file = SourceFile(str(path), *decode(data))
+    file = SourceFile(str(path), *decode(input_bytes(path)))
     # Modules travel under other names too, but then they must look like one.
     if path.suffix.lower() not in MODULE_SUFFIXES and not _MODULE_HEADER.search(file.text):
         raise InputError(
@@ -199,8 +271,12 @@ def unreadable(path: Path, error: OSError) -> InputError:
     return InputError(f"{path} cannot be read: {error.strerror or error}")
 
 
-def _refuse(path: Path, error: OSError) -> NoReturn:
-    raise unreadable(path, error) from error
+def _bounded(stream: BinaryIO, name: str) -> bytes:
+    """All bytes of a stream, refused if there is no end of them."""
+    data = stream.read(MOST_BYTES + 1)
+    if len(data) > MOST_BYTES:
+        raise InputError(f"{name} has more than {MOST_BYTES // 10**6} MB, which is not read")
+    return data
 
 
 def _near_file(path: Path) -> str | None:
@@ -222,14 +298,14 @@ def _entries(folder: Path) -> list[Path]:
     try:
         return sorted(folder.iterdir(), key=lambda entry: (entry.name.lower(), entry.name))
     except OSError as error:
-        _refuse(folder, error)
+        raise unreadable(folder, error) from error
 
 
 def _modules_of(folder: Path) -> list[Path]:
     return [
         entry
         for entry in _entries(folder)
-        if entry.suffix.lower() in MODULE_SUFFIXES and entry.is_file()
+        if entry.suffix.lower() in MODULE_SUFFIXES and entry.exists() and not entry.is_dir()
     ]
 
 
@@ -250,11 +326,7 @@ def _in_folder(folder: Path) -> list[Path]:
 
 def _in_program_file(path: Path) -> list[Path]:
     """The modules a `.pgf` lists; they lie beside it."""
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        _refuse(path, error)
-    names = _module_names(path, data)
+    names = _module_names(path, input_bytes(path))
     if not names:
         raise InputError(f"{path} lists no module")
     beside = {entry.name.lower(): entry for entry in _entries(path.parent)}

@@ -2,17 +2,51 @@
 
 from __future__ import annotations
 
+import os
 import sys
 
-from rapidsim.cli.exit_codes import ExitCode
+_INTERRUPTED = 130
 
 
 def main() -> None:
-    """Run the command line and end the process with its exit code."""
+    """Run the command line and end the process with its exit code.
+
+    Ctrl-C ends it without a traceback, whenever it comes. Loading takes a tenth of a second, in
+    which an exception could come up in the middle of somebody else's module; nothing is written
+    yet, so the process ends there and then. Commands get an exception and tidy up after themselves.
+    """
     try:
+        import signal
+
+        # A command in the background of a shell is deaf to Ctrl-C, and stays so.
+        hears = signal.getsignal(signal.SIGINT) is signal.default_int_handler
+        if hears:
+            signal.signal(signal.SIGINT, lambda *_: _leave())
+            sys.unraisablehook = _unraisable
         from rapidsim.cli.boundary import run_commands
+
+        if hears:
+            signal.signal(signal.SIGINT, signal.default_int_handler)
+        code = run_commands(sys.argv[1:])
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
     except KeyboardInterrupt:
-        # Ctrl-C while the command line is still being loaded, which takes a tenth of a second.
-        sys.stderr.write("interrupted\n")
-        sys.exit(ExitCode.INTERRUPTED)
-    sys.exit(run_commands(sys.argv[1:]))
+        _leave()
+    sys.exit(code)
+
+
+def _leave() -> NoReturn:
+    os.write(2, b"interrupted\n")
+    os._exit(_INTERRUPTED)
+
+
+def _unraisable(what: UnraisableHookArgs) -> None:
+    """Hear Ctrl-C where Python would only complain of it: while an object is taken down."""
+    if isinstance(what.exc_value, KeyboardInterrupt):
+        _leave()
+    sys.__unraisablehook__(what)
+
+
+TYPE_CHECKING = False  # Importing typing takes longer than all the above.
+if TYPE_CHECKING:
+    from sys import UnraisableHookArgs
+    from typing import NoReturn

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import click
 
-from rapidsim.files import decode, unreadable
+from rapidsim.files import decode, input_bytes
+from rapidsim.report.source_frame import printable_lines
 from rapidsim.simulation.options import Answers
 
 
@@ -21,10 +22,7 @@ def answers_from(file: str | None) -> Answers | None:
         InputError: If the file cannot be read.
     """
     if file is not None:
-        try:
-            text, _ = decode(Path(file).read_bytes())
-        except OSError as error:
-            raise unreadable(Path(file), error) from error
+        text, _ = decode(input_bytes(Path(file)))
         lines = (line.strip() for line in text.splitlines())
         waiting = iter([line for line in lines if line and not line.startswith("#")])
         return lambda _: next(waiting, None)
@@ -32,5 +30,5 @@ def answers_from(file: str | None) -> Answers | None:
 
 
 def _ask(prompt: str) -> str | None:
-    answer = click.prompt(prompt, default="", show_default=False, err=True)
+    answer = click.prompt(printable_lines(prompt), default="", show_default=False, err=True)
     return str(answer) or None

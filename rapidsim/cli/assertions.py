@@ -6,12 +6,10 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-import click
-
 from rapidsim.analysis.name_violations import UndefinedName
 from rapidsim.analysis.program import Program, UnknownSymbol
 from rapidsim.analysis.signal_violations import UnknownSignal
-from rapidsim.cli.terminal import Terminal
+from rapidsim.cli.terminal import Terminal, say
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError, did_you_mean
 from rapidsim.interpreter.questions import NotAskedError, Question, answers, ask, own_names
@@ -148,7 +146,7 @@ def _show_place(finding: Diagnostic, terminal: Terminal) -> None:
     if finding.span is not None:
         palette, width = terminal.palette, terminal.width
         frame = source_frame(finding.span, "", palette, colour=palette.error, width=width)
-        click.echo("\n".join(frame), err=True)
+        say("\n".join(frame), palette=palette, err=True)
 
 
 def _words(finding: Diagnostic) -> str:
@@ -178,7 +176,7 @@ def _say_hidden(expression: str, program: Program) -> None:
     words = {word.lower() for word in re.findall(r"[A-Za-z]\w*", expression)}
     for name in ASKED_FIGURES:
         if name in words & own_names(program):
-            click.echo(
+            say(
                 f"note: {LABEL}: `{name}` is the program's own here, not the figure of the run",
                 err=True,
             )

@@ -15,9 +15,11 @@ import click
 from rapidsim import __version__
 from rapidsim.cli.commands import commands
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.terminal import PLAIN_CHARACTERS, Terminal
+from rapidsim.cli.terminal import PLAIN_CHARACTERS, Terminal, say
 from rapidsim.files import InputError, did_you_mean
 
+_LONGEST = 500
+"""Characters of a line of a message; a name in a file may have millions."""
 _UNWRITABLE = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 """What the system answers when standard output goes to a full disk, or one that fails."""
 
@@ -51,7 +53,7 @@ def run_commands(arguments: Sequence[str]) -> int:
         _say(error.message, error.help)
         return ExitCode.USAGE
     except (KeyboardInterrupt, click.Abort):
-        click.echo("interrupted", err=True)
+        say("interrupted", err=True)
         return ExitCode.INTERRUPTED
     except BrokenPipeError:
         # Whoever reads has seen enough.
@@ -64,8 +66,8 @@ def run_commands(arguments: Sequence[str]) -> int:
             _say(f"the output cannot be written: {error.strerror}", None)
             return ExitCode.USAGE
         if terminal.verbose:
-            traceback.print_exc()
-        click.echo(_defect(error), err=True)
+            say(traceback.format_exc(), err=True)
+        say(_defect(error), err=True)
         return ExitCode.DEFECT
 
 
@@ -83,9 +85,12 @@ def _give_up_output() -> None:
 
 
 def _say(message: str, help: str | None) -> None:
-    click.echo(f"error: {message}", err=True)
+    lines = (
+        line if len(line) <= _LONGEST else f"{line[:_LONGEST]}..." for line in message.split("\n")
+    )
+    say("error: " + "\n".join(lines), err=True)
     if help:
-        click.echo(f" help: {help}", err=True)
+        say(f" help: {help}", err=True)
 
 
 def _usage_error(error: click.ClickException) -> tuple[str, str | None]:

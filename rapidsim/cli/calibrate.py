@@ -11,7 +11,7 @@ import click
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.inputs import choose_robot, choose_station
 from rapidsim.cli.numbers import Number
-from rapidsim.cli.terminal import current_terminal, table_or_json, terminal_options
+from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
 from rapidsim.files import MODULE_SUFFIXES, InputError, read_tasks
 
 
@@ -65,7 +65,7 @@ def calibrate(
         runs.append(LoggedRun(loaded.program, replace(read, times=read.times * clock)))
     calibration = fit(runs, arm, settings.model)
     if output_format == "json":
-        click.echo(json.dumps(as_json(calibration), indent=2, allow_nan=False))
+        say(json.dumps(as_json(calibration), indent=2, allow_nan=False))
     else:
         current_terminal().show(as_text(calibration), soft_wrap=True)
     return ExitCode.CLEAN

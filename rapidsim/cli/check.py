@@ -20,13 +20,13 @@ from rapidsim.cli.check_settings import (
     fails_at,
 )
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.fixes import choose_fixes, difference
+from rapidsim.cli.fixes import cured, difference, harmless_fixes
 from rapidsim.cli.inputs import all_tasks, choose_robot, choose_station, missing_neighbours
 from rapidsim.cli.move_checks import arm_and_reason, choose_move_check
-from rapidsim.cli.terminal import current_terminal, terminal_options
+from rapidsim.cli.terminal import current_terminal, say, terminal_options
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.export.text_edits import write_edits
-from rapidsim.files import InputError, TaskFiles
+from rapidsim.files import InputError, TaskFiles, input_text
 from rapidsim.output_files import whole_file
 from rapidsim.report.baseline import Key, baseline_text, read_baseline, without_known
 from rapidsim.report.coverage import coverage_lines
@@ -39,8 +39,6 @@ from rapidsim.simulation.station.station import Station
 from rapidsim.simulation.undriven_violations import find_never_driven
 
 _SEVERITIES = tuple(Severity)
-_MOST_ROUNDS = 5
-"""One fix may make room for another; after so many the rest is left to the next call."""
 
 
 @click.command(no_args_is_help=False)
@@ -120,41 +118,47 @@ def check(
     tasks = all_tasks(paths, cell)
     result, kept = _found(tasks, cell, selection, wanted)
     if diff:
-        chosen = choose_fixes(kept, unsafe=unsafe_fixes)
-        click.echo(difference(chosen.edits, tasks), nl=False)
+        chosen = harmless_fixes(kept, tasks, unsafe=unsafe_fixes)
+        say(difference(chosen.edits, tasks), nl=False)
         return ExitCode.FINDINGS if chosen.edits else ExitCode.CLEAN
-    fixed = 0
-    for _ in range(_MOST_ROUNDS if fix else 0):
-        chosen = choose_fixes(kept, unsafe=unsafe_fixes)
-        if not chosen.edits:
-            break
-        sources = [file for task in tasks for file in task.files]
-        write_edits(chosen.edits, sources, what="fixes")
-        fixed += chosen.count
-        tasks = all_tasks(paths, cell)
-        result, kept = _found(tasks, cell, selection, wanted)
+    fixed = left_out = 0
+    if fix:
+        cure = cured(
+            tasks,
+            kept,
+            lambda new: _found(new, cell, selection, wanted)[1],
+            unsafe=unsafe_fixes,
+        )
+        fixed, left_out = cure.count, cure.left_out
+        if fixed:
+            sources = [file for task in tasks for file in task.files]
+            write_edits(cure.edits_of(tasks), sources, what="fixes")
+            tasks = all_tasks(paths, cell)
+            result, kept = _found(tasks, cell, selection, wanted)
     new, known, made = kept, 0, None
     if known_file is not None:
-        made = known_file if update_baseline or not known_file.exists() else None
+        # A setting alone writes nothing: the repository that holds it is not trusted.
+        anew = update_baseline or (baseline is not None and not known_file.exists())
+        made = known_file if anew else None
         new, known = without_known(kept, _baseline(known_file, kept, anew=made is not None))
     findings = merged(new, merge=not no_merge)
     if counted:
-        click.echo(statistics(new, terminal.palette), nl=False)
+        say(statistics(new, terminal.palette), palette=terminal.palette, nl=False)
     else:
         text = checked_text(output_format, findings, result, terminal.palette, terminal.width)
-        click.echo(text, nl=False)
+        say(text, palette=terminal.palette, nl=False)
     if output_format in SPOKEN_FORMATS and not terminal.quiet:
         seconds = time.perf_counter() - started
         files = len(result.files)
-        click.echo(summary_line(findings, files=files, seconds=seconds, known=known))
-        for line in _remarks(paths, kept, fixed=fixed, known=known):
-            click.echo(line)
+        say(summary_line(findings, files=files, seconds=seconds, known=known))
+        for line in _remarks(paths, kept, fixed=fixed, left_out=left_out, known=known):
+            say(line)
         if made is not None:
-            click.echo(f"Written: {made} (baseline)")
+            say(f"Written: {made} (baseline)")
         if settings.cycle_budget_s is not None and (no_run or no_reach):
-            click.echo("The cycle budget was not checked, because main was not run.")
+            say("The cycle budget was not checked, because main was not run.")
         for line in () if no_reach else coverage_lines(result.coverage, arm_and_reason(choice)):
-            click.echo(line)
+            say(line)
     failing = _SEVERITIES[: _SEVERITIES.index(fails_at(fail_on, settings)) + 1]
     failed = any(diagnostic.severity in failing for diagnostic in new)
     return ExitCode.FINDINGS if failed else ExitCode.CLEAN
@@ -183,14 +187,16 @@ def _found(
 def _baseline(file: Path, found: Sequence[Diagnostic], *, anew: bool) -> Counter[Key]:
     """The findings that are known; what was found now, where the baseline is written anew."""
     if anew:
+        if file.exists():
+            # What is no baseline is not written over.
+            read_baseline(input_text(file), str(file))
         text = baseline_text(found)
         with whole_file(file) as temporary:
             temporary.write_text(text, encoding="utf-8")
         return read_baseline(text, str(file))
-    try:
-        return read_baseline(file.read_text(encoding="utf-8"), str(file))
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{file} cannot be read: {error}") from error
+    if not file.exists():
+        raise InputError(f"the baseline {file} does not exist", "`--update-baseline` writes it")
+    return read_baseline(input_text(file), str(file))
 
 
 def _remarks(
@@ -198,6 +204,7 @@ def _remarks(
     found: Sequence[Diagnostic],
     *,
     fixed: int,
+    left_out: int,
     known: int,
 ) -> Iterator[str]:
     """What a person wants to know besides the findings, one line each."""
@@ -205,6 +212,8 @@ def _remarks(
         yield f"Fixed {fixed}."
     elif "-" not in paths and (curable := sum(bool(one.fix and one.fix.safe) for one in found)):
         yield f"`--fix` cures {curable} of them."
+    if left_out:
+        yield f"Fixes left out, because they would leave more errors: {left_out}."
     if known:
         yield f"{known} more are in the baseline."
     if hint := missing_neighbours(paths, found):

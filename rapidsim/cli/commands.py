@@ -10,7 +10,7 @@ from typing import cast
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.terminal import terminal_options
+from rapidsim.cli.terminal import say, terminal_options
 from rapidsim.files import InputError, did_you_mean
 from rapidsim.syntax.collection import uncollected
 
@@ -63,6 +63,6 @@ class _Commands(click.Group):
 def commands(context: click.Context) -> int | None:
     """Run and check RAPID programs of ABB robots, without a robot."""
     if context.invoked_subcommand is None:
-        click.echo(context.get_help())
+        say(context.get_help())
         return ExitCode.USAGE
     return None

@@ -18,6 +18,7 @@ from typing import Any, TypeVar
 import click
 
 from rapidsim.analysis.program import Program
+from rapidsim.cli.terminal import say
 from rapidsim.diagnostics import Source
 from rapidsim.files import InputError, did_you_mean
 from rapidsim.interpreter.executable_lines import module_lines
@@ -80,7 +81,7 @@ def _set_break(debugger: _Debugger, text: str) -> None:
     if not line:
         raise InputError(f"--break: {found} has no statement on line {wanted} or below")
     if line != wanted:
-        click.echo(f"{found}:{wanted} holds no statement; stopping at line {line}", err=True)
+        say(f"{found}:{wanted} holds no statement; stopping at line {line}", err=True)
     debugger.set_break(found, line)
 
 
@@ -241,6 +242,10 @@ class _Debugger(pdb.Pdb):
             self.message(shown(arg, self._frame))
         except NotShownError as error:
             self.error(str(error))
+
+    def message(self, msg: str) -> None:
+        """Print, as everything is printed."""
+        say(msg)
 
     def error(self, msg: str) -> None:
         """Say what is wrong with a command; modules are not looked for in Python's places."""

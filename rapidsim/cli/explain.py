@@ -6,7 +6,7 @@ import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.selectors import unknown_rule
-from rapidsim.cli.terminal import current_terminal, terminal_options
+from rapidsim.cli.terminal import current_terminal, say, terminal_options
 from rapidsim.diagnostics import Violation
 from rapidsim.report.rules import rule_list, rule_page, rules
 
@@ -25,17 +25,18 @@ def explain(code: str | None, everything: bool) -> int:
     terminal = current_terminal()
     palette = terminal.palette
     if everything:
-        click.echo(rule_list(rules(), palette))
+        say(rule_list(rules(), palette), palette=palette)
         return ExitCode.CLEAN
     if code is None:
         raise click.UsageError("name a rule, or list them with --all", click.get_current_context())
     meant = [rule for rule in rules() if _means(rule, code)]
     if meant:
-        click.echo("\n\n".join(rule_page(rule, palette, width=terminal.width) for rule in meant))
+        pages = (rule_page(rule, palette, width=terminal.width) for rule in meant)
+        say("\n\n".join(pages), palette=palette)
         return ExitCode.CLEAN
     family = [rule for rule in rules() if rule.code.startswith(code.upper())]
     if family:
-        click.echo(rule_list(family, palette))
+        say(rule_list(family, palette), palette=palette)
         return ExitCode.CLEAN
     raise unknown_rule(code)
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import sys
 from math import radians
 from pathlib import Path
 
@@ -13,8 +12,8 @@ from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.inputs import DEFAULT_ROBOT
 from rapidsim.cli.numbers import POSITIVE, Number, numbers
 from rapidsim.cli.outputs import new_file
-from rapidsim.cli.terminal import current_terminal, table_or_json, terminal_options
-from rapidsim.files import InputError, unreadable
+from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
+from rapidsim.files import InputError, decode, input_bytes, standard_input
 
 _WAYS = ("line", "spline", "joint", "joint-quintic")
 _PROFILES = ("trapezoid", "scurve", "sigmoid", "quintic")
@@ -185,12 +184,12 @@ def follow(
     task = prepared(given, points)
     if not (current_terminal().quiet or compare):
         for remark in unused(task, plan):
-            click.echo(f"note: {remark}", err=True)
+            say(f"note: {remark}", err=True)
     attempts = attempt_all(task, plan, tuple(Way) if compare else (plan.way,))
     files = written(attempts[0].result, points_file, recording, trace_file)
     if output_format == "json":
         json_of = compared_json if compare else follow_json
-        click.echo(json.dumps(json_of(task.asked, attempts), indent=2, allow_nan=False))
+        say(json.dumps(json_of(task.asked, attempts), indent=2, allow_nan=False))
     elif not current_terminal().quiet:
         current_terminal().show(shown(task, attempts, files, compare=compare))
     clean = task.all_reached and all(attempt.possible for attempt in attempts)
@@ -199,9 +198,4 @@ def follow(
 
 def _text(file: str) -> str:
     """The text of a file; `-` is standard input."""
-    try:
-        if file == "-":
-            return sys.stdin.read()
-        return Path(file).read_text(encoding="utf-8-sig", errors="replace")
-    except OSError as error:
-        raise unreadable(Path(file), error) from error
+    return decode(standard_input() if file == "-" else input_bytes(Path(file)))[0]

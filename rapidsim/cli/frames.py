@@ -9,7 +9,7 @@ import click
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.inputs import choose_robot, choose_station, one_task
 from rapidsim.cli.robot_choice import open_robot
-from rapidsim.cli.terminal import current_terminal, table_or_json, terminal_options
+from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
 from rapidsim.language.data import IDENTITY_POSE
 from rapidsim.motion.targets import pose
 from rapidsim.report.diagnostics import full, summary_line
@@ -46,13 +46,14 @@ def frames(
     loaded = load(files)
     if loaded.program is None:
         findings = merged(loaded.diagnostics)
-        click.echo(full(findings, terminal.palette, width=terminal.width), nl=False, err=True)
-        click.echo(summary_line(findings, files=len(files), seconds=None), err=True)
+        text = full(findings, terminal.palette, width=terminal.width)
+        say(text, palette=terminal.palette, nl=False, err=True)
+        say(summary_line(findings, files=len(files), seconds=None), err=True)
         return ExitCode.FINDINGS
     stands = IDENTITY_POSE if cell.world_from_base is None else pose(cell.world_from_base)
     root = frame_tree(loaded.program, start_values(loaded.program), arm.name, stands)
     if output_format == "json":
-        click.echo(json.dumps({"schema": 1, "root": frame_json(root)}, indent=2, allow_nan=False))
+        say(json.dumps({"schema": 1, "root": frame_json(root)}, indent=2, allow_nan=False))
     else:
         terminal.show(frame_text(root))
     return ExitCode.CLEAN

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-import click
-
+from rapidsim.cli.terminal import say
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import (
     InputError,
@@ -18,6 +18,7 @@ from rapidsim.files import (
     named_tasks,
     neighbours,
     read_tasks,
+    require_inside,
 )
 from rapidsim.simulation.station.station import Station, find_station
 
@@ -45,7 +46,7 @@ def choose_station(paths: Sequence[str], file: str | None) -> Station:
     """
     backup = _backup(paths)
     for remark in backup.remarks:
-        click.echo(f"note: {remark}", err=True)
+        say(f"note: {remark}", err=True)
     found = Path(file) if file is not None else find_station(paths)
     if found is None:
         return backup
@@ -86,11 +87,16 @@ def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
     Raises:
         InputError: If something is missing, unreadable, or no RAPID, or a task has no module.
     """
+    # What the station file lists lies in its folder, or in one that the command line names.
+    rooms = (*([station.file.parent] if station.file else ()), *_folders(paths))
+    for listing in station.tasks:
+        require_inside(listing.modules, rooms)
     if len(station.tasks) < 2:
-        return named_tasks(read_tasks((*paths, *_as_typed(station.modules))), station.task)
-    named = read_tasks(paths)
+        everything = (*paths, *_as_typed(station.modules))
+        return named_tasks(read_tasks(everything, rooms), station.task)
+    named = read_tasks(paths, rooms)
     listed = [
-        read_tasks(_as_typed(task.modules))[0].files if task.modules else ()
+        read_tasks(_as_typed(task.modules), rooms)[0].files if task.modules else ()
         for task in station.tasks
     ]
     if len(named) > 1:
@@ -101,8 +107,8 @@ def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
             )
         own = [task.files for task in named]
     else:
-        claimed = {Path(file.name).resolve() for files in listed for file in files}
-        rest = tuple(one for one in named[0].files if Path(one.name).resolve() not in claimed)
+        claimed = {os.path.realpath(file.name) for files in listed for file in files}
+        rest = tuple(one for one in named[0].files if os.path.realpath(one.name) not in claimed)
         own = [rest, *(() for _ in listed[1:])]
     tasks = tuple(
         TaskFiles(task.name, (*mine, *more))
@@ -149,6 +155,12 @@ def one_task(
     return tasks[0].files
 
 
+def _folders(paths: Sequence[str]) -> tuple[Path, ...]:
+    """The folders that a command names, or in which the files lie that it names."""
+    places = [Path(path) for path in paths if path != "-"]
+    return tuple(place if place.is_dir() else place.parent for place in places)
+
+
 def _as_typed(modules: Iterable[Path]) -> tuple[str, ...]:
     return tuple(str(seen_from_here(module)) for module in modules)
 
@@ -161,7 +173,7 @@ def seen_from_here(path: Path) -> Path:
 
 def program_name(paths: Sequence[str]) -> str:
     """What files that belong to the run are called: the first path without its suffix."""
-    return "stdin" if paths[0] == "-" else Path(paths[0]).resolve().stem
+    return "stdin" if paths[0] == "-" else Path(os.path.realpath(paths[0])).stem
 
 
 def missing_neighbours(paths: Sequence[str], diagnostics: Iterable[Diagnostic]) -> str | None:

@@ -12,7 +12,7 @@ import click
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.inputs import DEFAULT_ROBOT
 from rapidsim.cli.numbers import numbers
-from rapidsim.cli.terminal import current_terminal, table_or_json, terminal_options
+from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
 from rapidsim.files import InputError
 
 if TYPE_CHECKING:
@@ -58,7 +58,7 @@ def kin(context: click.Context) -> int | None:
     Positions are in mm in the robot's base frame, angles in degrees, quaternions scalar first.
     """
     if context.invoked_subcommand is None:
-        click.echo(context.get_help())
+        say(context.get_help())
         return ExitCode.USAGE
     return None
 
@@ -208,7 +208,7 @@ def _joints(arm: Robot, degrees: tuple[float, ...]) -> Array:
     for number, excess in enumerate(limit_excess(arm, angles).tolist(), start=1):
         if excess and not current_terminal().quiet:
             message = Unreachable(0.0, joint=number, excess=excess).message
-            click.echo(f"note: {message}", err=True)
+            say(f"note: {message}", err=True)
     return angles
 
 
@@ -261,4 +261,4 @@ def _search(arm: Robot, pose: Transform, method: str) -> tuple[Any, Searched]:
 
 
 def _print_json(report: dict[str, object]) -> None:
-    click.echo(json.dumps(report, indent=2, allow_nan=False))
+    say(json.dumps(report, indent=2, allow_nan=False))

@@ -6,7 +6,7 @@ import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.numbers import numbers
-from rapidsim.cli.terminal import terminal_options
+from rapidsim.cli.terminal import say, terminal_options
 from rapidsim.files import InputError
 
 
@@ -36,7 +36,7 @@ def points(shell: tuple[float, ...], count: int, seed: int) -> int:
     inner, outer = shell
     if not 0.0 <= inner < outer:
         raise InputError(f"--shell {inner:g},{outer:g}: the first radius must be the smaller one")
-    click.echo("x,y,z")
+    say("x,y,z")
     for place in shell_points(inner, outer, count, seed).tolist():
-        click.echo(",".join(f"{value:.3f}" for value in place))
+        say(",".join(f"{value:.3f}" for value in place))
     return ExitCode.CLEAN

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import click
-
+from rapidsim.cli.terminal import say
 from rapidsim.files import InputError
 from rapidsim.motion.catalogue import RobotError
 from rapidsim.motion.robot import Robot, load_robot
@@ -20,5 +19,5 @@ def open_robot(name: str) -> Robot:
     except RobotError as error:
         raise InputError(str(error), "`rapidsim robots` lists the catalogue") from error
     for notice in robot.notices:
-        click.echo(f"note: {notice}", err=True)
+        say(f"note: {notice}", err=True)
     return robot

@@ -9,7 +9,7 @@ import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.robot_choice import open_robot
-from rapidsim.cli.terminal import current_terminal, table_or_json, terminal_options
+from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
 from rapidsim.motion.catalogue import aliases_of, robot_names
 from rapidsim.motion.robot import Robot, load_robot
 from rapidsim.report.robot_tables import catalogue_table, robot_page
@@ -29,7 +29,7 @@ def robots(name: str | None, output_format: str) -> int:
         robot = open_robot(name)
         short = aliases_of(robot.name)
         if output_format == "json":
-            click.echo(json.dumps(_as_json(robot, short), indent=2, allow_nan=False))
+            say(json.dumps(_as_json(robot, short), indent=2, allow_nan=False))
         else:
             terminal.show(robot_page(robot, short))
         return ExitCode.CLEAN
@@ -37,7 +37,7 @@ def robots(name: str | None, output_format: str) -> int:
     listed = [(load_robot(robot), aliases_of(robot)) for robot in robot_names()]
     if output_format == "json":
         report = [_as_json(robot, short) for robot, short in listed]
-        click.echo(json.dumps({"schema": 1, "robots": report}, indent=2, allow_nan=False))
+        say(json.dumps({"schema": 1, "robots": report}, indent=2, allow_nan=False))
     else:
         terminal.show(catalogue_table(listed))
     return ExitCode.CLEAN

@@ -40,7 +40,7 @@ from rapidsim.cli.outputs import (
     write_values,
 )
 from rapidsim.cli.robot_choice import open_robot
-from rapidsim.cli.terminal import Terminal, current_terminal, terminal_options
+from rapidsim.cli.terminal import Terminal, current_terminal, say, terminal_options
 from rapidsim.cli.viewer import leave_open
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import InputError, did_you_mean
@@ -274,7 +274,7 @@ def run(
             refused = refused or error
     if output_format == "json":
         report = run_json(simulation, shown(), findings, _json_files(written), judgement)
-        click.echo(_as_text(report))
+        say(_as_text(report))
     elif output_format == "table":
         _print_findings(findings, terminal)
         if not terminal.quiet:
@@ -311,20 +311,27 @@ def _reject(
 ) -> int:
     """Say why the program does not run."""
     if output_format == "json":
-        click.echo(_as_text(rejected_json(names, arm.name, findings)))
+        say(_as_text(rejected_json(names, arm.name, findings)))
     elif output_format == "table":
         _print_findings(findings, terminal)
         if not terminal.quiet:
-            click.echo(summary_line(merged(findings), files=len(names), seconds=None))
+            say(summary_line(merged(findings), files=len(names), seconds=None))
             if hint:
-                click.echo(hint)
+                say(hint)
     return ExitCode.FINDINGS
 
 
 def _home(home: str | None, paths: Sequence[str]) -> Path:
     """The folder HOME: stands for; the default one comes to be when the program writes to it."""
     if home is None:
-        return Path(f"{program_name(paths)}.home")
+        folder = Path(f"{program_name(paths)}.home")
+        if folder.is_symlink():
+            # A checkout may hold it; then the program, which is not trusted, would choose its room.
+            raise InputError(
+                f"{folder} is a link, and a home folder that is there by default must not be one",
+                "`--home DIR` names any folder",
+            )
+        return folder
     if not Path(home).is_dir():
         raise InputError(f"--home: {home} is no folder")
     return Path(home)
@@ -368,7 +375,8 @@ def _as_text(report: dict[str, object]) -> str:
 def _print_findings(findings: Sequence[Diagnostic], terminal: Terminal) -> None:
     if terminal.quiet:
         findings = [finding for finding in findings if finding.severity is Severity.ERROR]
-    click.echo(full(merged(findings), terminal.palette, width=terminal.width), nl=False)
+    text = full(merged(findings), terminal.palette, width=terminal.width)
+    say(text, palette=terminal.palette, nl=False)
 
 
 def _print_judgement(judgement: Judgement, output_format: str, terminal: Terminal) -> None:
@@ -379,7 +387,7 @@ def _print_judgement(judgement: Judgement, output_format: str, terminal: Termina
         if (is_table and not terminal.quiet) or not verdict.holds:
             colour = {True: palette.help, None: palette.warning, False: palette.error}
             text = palette.paint(printable(verdict.text), colour[verdict.holds])
-            click.echo(text, err=not is_table)
+            say(text, palette=palette, err=not is_table)
 
 
 def _print_summary(

@@ -14,6 +14,7 @@ import click
 
 from rapidsim import __version__
 from rapidsim.report.palette import COLOURED, PLAIN, Palette
+from rapidsim.report.source_frame import printable_lines
 
 if TYPE_CHECKING:
     from rich.console import Console, RenderableType
@@ -88,11 +89,36 @@ class Terminal:
 
     def show(self, renderable: RenderableType, *, soft_wrap: bool = False) -> None:
         """Print something of rich's on standard output, without the spaces it fills lines with."""
+        from rich.segment import Segment, Segments
+
         console = self.console()
+        options = console.options
+        if soft_wrap:
+            options = options.update(no_wrap=True, overflow="ignore")
+        # Before rich adds colours, so that no others stand in it.
+        plain = [
+            Segment(printable_lines(text), style, control)
+            for text, style, control in console.render(renderable, options)
+        ]
         with console.capture() as captured:
-            console.print(renderable, crop=False, soft_wrap=soft_wrap)
+            console.print(Segments(plain), crop=False, soft_wrap=True)
         # Not click's echo, which writes UTF-8 where the environment says ASCII.
         sys.stdout.writelines(f"{line.rstrip()}\n" for line in captured.get().splitlines())
+
+
+def say(text: str, *, palette: Palette = PLAIN, nl: bool = True, err: bool = False) -> None:
+    """Print; the one way, beside `Terminal.show`, in which text reaches a terminal.
+
+    Names of files and texts of programs may hold what moves its cursor, changes its colours or its
+    title, or turns the direction of writing. None of that is let through.
+
+    Args:
+        text: One line or more.
+        palette: The colours that may stand in it.
+        nl: Whether its last line is ended.
+        err: Whether it goes to standard error.
+    """
+    click.echo(palette.outside(printable_lines, text), nl=nl, err=err)
 
 
 def terminal_options(command: Command) -> Command:

@@ -7,7 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from rapidsim.files import InputError
+from rapidsim.files import InputError, unreadable
 
 _MAGIC = b"RRF"
 """What a recording begins with."""
@@ -35,11 +35,15 @@ def require_recording(path: Path) -> None:
     """
     if not path.is_file():
         raise InputError(f"there is no recording {path}")
-    with path.open("rb") as file:
-        if file.read(len(_MAGIC)) != _MAGIC:
-            raise InputError(
-                f"{path} is no recording", "`rapidsim run PROGRAM --record FILE.rrd` writes one"
-            )
+    try:
+        with path.open("rb") as file:
+            begin = file.read(len(_MAGIC))
+    except OSError as error:
+        raise unreadable(path, error) from error
+    if begin != _MAGIC:
+        raise InputError(
+            f"{path} is no recording", "`rapidsim run PROGRAM --record FILE.rrd` writes one"
+        )
 
 
 def show(path: Path) -> int:

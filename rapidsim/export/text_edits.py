@@ -11,7 +11,7 @@ import shutil
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from rapidsim.files import STANDARD_INPUT, InputError, SourceFile, decode
+from rapidsim.files import STANDARD_INPUT, InputError, SourceFile, decode, input_bytes
 from rapidsim.output_files import whole_file
 
 TextEdit = tuple[int, int, str]
@@ -56,10 +56,7 @@ def edited_bytes(file: SourceFile, edits: Iterable[TextEdit], *, what: str) -> b
     """
     if file.name == STANDARD_INPUT:
         raise InputError(f"{what} cannot be written to standard input")
-    try:
-        data = Path(file.name).read_bytes()
-    except OSError as error:
-        raise InputError(f"{file.name} cannot be read again: {error.strerror or error}") from error
+    data = input_bytes(Path(file.name))
     if decode(data) != (file.text, file.encoding):
         raise InputError(f"{file.name} has changed since it was read; {what} were not written")
     if not os.access(file.name, os.W_OK):

@@ -138,6 +138,8 @@ class Operator(Protocol):
 
 DISK_BYTES = 1_000_000_000
 """The size of the controller's disk, which holds the home folder alone."""
+DISK_FILES = 10_000
+"""How many files and folders a run may make there."""
 
 
 class FileMode(Enum):

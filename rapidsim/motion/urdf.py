@@ -6,13 +6,17 @@ for a file.
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, replace
+from io import BytesIO
 from math import inf
 from pathlib import Path
+from xml.parsers import expat
 
 import numpy as np
 import yourdfpy
 
+from rapidsim.files import InputError, input_text
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.axis_row import search_notices
 from rapidsim.motion.catalogue import RobotError
@@ -29,6 +33,11 @@ FLANGE_NAMES = ("tool0", "flange")
 """Links that are the flange, the first that the file has; else the link of the last axis."""
 FEWEST_JOINTS = 2
 TURNING = ("revolute", "continuous")
+_DEEPEST = 100
+"""Tags within tags; a description needs six."""
+_FARTHEST_M = 1000.0
+_MOST_CHARACTERS = 10_000_000
+_DECLARATION = re.compile(r"\s*<\?xml\b.*?\?>", re.DOTALL)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -53,6 +62,7 @@ def robot_parts_from_urdf(file: Path) -> RobotParts:
         RobotError: If the file is no URDF, or its moving joints are not one row of turning axes.
     """
     robot = _read(file)
+    _require_tree(file, robot)
     joints = _moving_joints(file, robot)
     axes = _axes_at_zero(robot, joints)
     limits = tuple(_limits(file, joint) for joint in joints)
@@ -88,19 +98,102 @@ def robot_parts_from_urdf(file: Path) -> RobotParts:
 
 def _read(file: Path) -> yourdfpy.Robot:
     try:
-        text = file.read_bytes()
-    except OSError as failure:
-        raise RobotError(f"{file}: {failure.strerror}") from None
-    if b"<!DOCTYPE" in text or b"<!ENTITY" in text:
-        # Entities can blow a small file up to gigabytes or read others; a URDF needs none.
-        raise RobotError(f"{file}: a robot description must not declare XML entities")
+        # What was decoded is what is read: whatever encoding the declaration names, none is left.
+        text = _DECLARATION.sub("", input_text(file), count=1)
+    except InputError as mistake:
+        raise RobotError(mistake.message) from None
+    _require_plain(file, text)
     try:
         return yourdfpy.URDF.load(
-            str(file), load_meshes=False, build_scene_graph=False, load_collision_meshes=False
+            BytesIO(text.encode()),
+            mesh_dir="",
+            load_meshes=False,
+            build_scene_graph=False,
+            load_collision_meshes=False,
         ).robot
-    except (ValueError, AttributeError, TypeError, SyntaxError) as mistake:
+    except (AttributeError, LookupError, SyntaxError, TypeError, ValueError) as mistake:
         # yourdfpy has no error of its own: it fails wherever a tag or attribute is missing.
+        raise RobotError(f"{file}: not a readable URDF: {_reason(mistake)}") from None
+
+
+def _reason(mistake: Exception) -> str:
+    """What yourdfpy tripped over, in words."""
+    match mistake:
+        case KeyError():
+            return f"the attribute `{mistake.args[0]}` is missing"
+        case AttributeError():
+            return "a tag is missing"
+        case _:
+            return str(mistake)
+
+
+def _require_plain(file: Path, text: str) -> None:
+    """Refuse what is no XML, declares entities, is too large, or is nested too deeply."""
+    if len(text) > _MOST_CHARACTERS:
+        raise RobotError(f"{file}: more than {_MOST_CHARACTERS:g} characters")
+    depth = 0
+
+    def start(*_: object) -> None:
+        nonlocal depth
+        depth += 1
+        if depth > _DEEPEST:
+            raise RobotError(f"{file}: nested too deeply")
+
+    def end(_: str) -> None:
+        nonlocal depth
+        depth -= 1
+
+    def document_type(*_: object) -> None:
+        # Entities can blow a small file up to gigabytes or read others; a URDF needs none.
+        raise RobotError(f"{file}: a robot description must not declare XML entities")
+
+    parser = expat.ParserCreate()
+    parser.StartElementHandler = start
+    parser.EndElementHandler = end
+    parser.StartDoctypeDeclHandler = document_type
+    try:
+        parser.Parse(text, True)
+    except expat.ExpatError as mistake:
         raise RobotError(f"{file}: not a readable URDF: {mistake}") from None
+
+
+def _require_tree(file: Path, robot: yourdfpy.Robot) -> None:
+    """Refuse joints that do not hang together as a tree, or whose numbers are none."""
+    links = {link.name for link in robot.links}
+    joint_to: dict[str, yourdfpy.Joint] = {}
+    for joint in robot.joints:
+        for link in (joint.parent, joint.child):
+            if link not in links:
+                raise RobotError(f"{file}: joint `{joint.name}` is at link `{link}`: there is none")
+        if joint.child in joint_to:
+            other = joint_to[joint.child].name
+            raise RobotError(f"{file}: joints `{other}` and `{joint.name}` carry one link")
+        joint_to[joint.child] = joint
+        _require_numbers(file, joint)
+    grounded: set[str] = set()
+    for joint in robot.joints:
+        way: dict[str, None] = {}
+        link = joint.child
+        while link in joint_to and link not in grounded:
+            if link in way:
+                raise RobotError(f"{file}: the joints go round in a ring through link `{link}`")
+            way[link] = None
+            link = joint_to[link].parent
+        grounded.update(way)
+
+
+def _require_numbers(file: Path, joint: yourdfpy.Joint) -> None:
+    axis, origin = np.asarray(joint.axis), joint.origin
+    if axis.shape != (3,) or not np.isfinite(axis).all() or not 1e-9 < np.abs(axis).max() < 1e9:
+        raise RobotError(f"{file}: the axis of joint `{joint.name}` is no direction")
+    if origin is not None and not (np.abs(origin) <= _FARTHEST_M).all():
+        raise RobotError(f"{file}: the origin of joint `{joint.name}` is no place on a robot")
+    limit = joint.limit
+    stated = (limit.lower, limit.upper, limit.velocity) if limit else ()
+    if not np.isfinite([one for one in stated if one is not None]).all():
+        raise RobotError(f"{file}: the limits of joint `{joint.name}` are not finite")
+    if limit and ((limit.lower or 0.0) > (limit.upper or 0.0) or (limit.velocity or 0.0) < 0.0):
+        raise RobotError(f"{file}: the limits of joint `{joint.name}` are the wrong way round")
 
 
 def _moving_joints(file: Path, robot: yourdfpy.Robot) -> list[yourdfpy.Joint]:

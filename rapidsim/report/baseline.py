@@ -53,9 +53,10 @@ def read_baseline(text: str, file: str) -> Counter[Key]:
                 for row in rows
             }
         )
-    except (ValueError, KeyError, TypeError) as error:
+    except (ValueError, KeyError, TypeError, OverflowError, RecursionError) as error:
+        reason = "it is nested too deeply" if isinstance(error, RecursionError) else error
         help = "remove it, and `rapidsim check --baseline` writes a new one"
-        raise InputError(f"{file} is no baseline of rapidsim: {error}", help) from error
+        raise InputError(f"{file} is no baseline of rapidsim: {reason}", help) from error
 
 
 def without_known(

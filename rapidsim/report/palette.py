@@ -6,7 +6,9 @@ file shall start fast.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, fields
 
 from rapidsim.diagnostics import Severity
 
@@ -28,6 +30,16 @@ class Palette:
     def paint(self, text: str, code: str) -> str:
         """The text in a colour of this palette."""
         return f"{code}{text}{_RESET}" if code and text else text
+
+    def outside(self, change: Callable[[str], str], text: str) -> str:
+        """A painted text with everything changed but the codes of this palette."""
+        codes = {one for field in fields(self) if (one := getattr(self, field.name))}
+        if not codes:
+            return change(text)
+        pieces = re.split(f"({'|'.join(map(re.escape, sorted(codes | {_RESET})))})", text)
+        return "".join(
+            piece if number % 2 else change(piece) for number, piece in enumerate(pieces)
+        )
 
     def of(self, severity: Severity) -> str:
         """The colour of a severity."""

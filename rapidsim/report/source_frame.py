@@ -6,6 +6,7 @@ cells, combining ones none. Long lines are cut around the place.
 
 from __future__ import annotations
 
+import re
 import unicodedata
 from dataclasses import dataclass
 
@@ -16,6 +17,8 @@ _TAB = 4
 _CUT = "..."
 _LEAST_WIDTH = 20
 _REPLACEMENT = "\N{REPLACEMENT CHARACTER}"
+_SUSPECT = re.compile(r"[^\n\t -~]")
+"""What may steer a terminal; looked at one by one, which is slow."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,6 +61,11 @@ def source_frame(span: Span, label: str, palette: Palette, *, colour: str, width
 def printable(text: str) -> str:
     """Text of a program on one line and without anything that steers a terminal."""
     return "".join(_REPLACEMENT if _steers(character) else character for character in text)
+
+
+def printable_lines(text: str) -> str:
+    """Text of several lines without anything else that steers a terminal."""
+    return _SUSPECT.sub(lambda found: printable(found[0]), text)
 
 
 def shown_line(span: Span, width: int) -> ShownLine:

@@ -15,7 +15,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import BinaryIO
 
-from rapidsim.language.controller import DISK_BYTES, FileMode, OpenFile
+from rapidsim.language.controller import DISK_BYTES, DISK_FILES, FileMode, OpenFile
 from rapidsim.language.error_numbers import (
     ERR_FILEACC,
     ERR_FILEEXIST,
@@ -29,6 +29,10 @@ from rapidsim.language.errors import RapidError
 
 # Never wait for a pipe, never follow a link that appeared after the check; Windows has neither.
 _CAUTION = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
+_MOST_OPEN = 100
+"""Files a program has open at one time; what the system allows serves rapidsim's own files too."""
+_LONGEST_LINE = 10_000_000
+"""[bytes]; a home folder may come with a file that has no end."""
 _MODES = {FileMode.READ: "rb", FileMode.WRITE: "wb", FileMode.APPEND: "ab"}
 
 
@@ -38,6 +42,7 @@ class _Disk:
     def __init__(self) -> None:
         """Begin with an empty disk."""
         self._used = 0
+        self._made = 0
 
     def use(self, count: int) -> None:
         """Take so many bytes more.
@@ -50,6 +55,21 @@ class _Disk:
                 ERR_FILEACC, f"the disk is full: a run may write {DISK_BYTES:g} bytes"
             )
         self._used += count
+
+    def make(self, place: Path) -> None:
+        """Take room for a file or folder, and for folders above it, where they are not there yet.
+
+        Raises:
+            RapidError: ERR_FILEACC, if the run has made too many.
+        """
+        for one in (place, *place.parents):
+            if one.exists():
+                break
+            self._made += 1
+        if self._made > DISK_FILES:
+            raise rapid_error(
+                ERR_FILEACC, f"the disk is full: a run may make {DISK_FILES} files and folders"
+            )
 
 
 class HomeFile:
@@ -73,7 +93,7 @@ class HomeFile:
 
     def read_line(self) -> bytes | None:
         """The next line without its end; None at the end of the file."""
-        line = self._open().readline()
+        line = self._open().readline(_LONGEST_LINE)
         return line.rstrip(b"\r\n") if line else None
 
     def read(self, count: int) -> bytes:
@@ -92,6 +112,11 @@ class HomeFile:
     def close(self) -> None:
         """Flush and close; closing twice does nothing."""
         self._stream.close()
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether it was closed."""
+        return self._stream.closed
 
     def _open(self) -> BinaryIO:
         if self._stream.closed:
@@ -113,9 +138,14 @@ class HomeFolder:
         """Open a file named as RAPID names it.
 
         Raises:
-            RapidError: ERR_FILEOPEN, with the reason.
+            RapidError: ERR_FILEOPEN, with the reason; ERR_FILEACC where the disk is full.
         """
         place = self._place(path)
+        self._files = [one for one in self._files if not one.is_closed]
+        if len(self._files) >= _MOST_OPEN:
+            raise RapidError(ERR_FILEOPEN, f"{path}: {_MOST_OPEN} files are open already")
+        if mode is not FileMode.READ:
+            self._disk.make(place)
         try:
             if mode is not FileMode.READ:
                 place.parent.mkdir(parents=True, exist_ok=True)
@@ -169,6 +199,7 @@ class HomeFolder:
         """
         source, target = self._regular(old), self._free(new)
         with _refusals(new):
+            self._disk.make(target)
             target.parent.mkdir(parents=True, exist_ok=True)
             self._disk.use(source.stat().st_size)
             shutil.copyfile(source, target, follow_symlinks=False)
@@ -178,6 +209,7 @@ class HomeFolder:
         """Give a file another name or place; raises as `copy` does."""
         source, target = self._regular(old), self._free(new)
         with _refusals(new):
+            self._disk.make(target)
             target.parent.mkdir(parents=True, exist_ok=True)
             source.rename(target)
         self._written.pop(source, None)
@@ -194,6 +226,7 @@ class HomeFolder:
         """Make a folder that is not there yet."""
         place = self._place(path)
         with _refusals(path):
+            self._disk.make(place)
             place.parent.mkdir(parents=True, exist_ok=True)
             place.mkdir()
 
@@ -253,7 +286,7 @@ class HomeFolder:
         return place
 
     def _root(self) -> Path | None:
-        return None if self._folder is None else self._folder.resolve()
+        return None if self._folder is None else Path(os.path.realpath(self._folder))
 
     def _place(self, path: str, *, or_root: bool = False) -> Path:
         """The place of a RAPID path on our disk; the home folder itself only where it may be."""
@@ -265,7 +298,10 @@ class HomeFolder:
             raise RapidError(ERR_FILEOPEN, f"{path}: only HOME: is simulated")
         if "\0" in rest:
             raise RapidError(ERR_FILEOPEN, f"{path!r} is not a file name")
-        place = (root / rest.lstrip("/")).resolve()
+        place = Path(os.path.realpath(root / rest.lstrip("/")))
+        if place.is_symlink() or os.path.realpath(place) != str(place):
+            # What stands behind a link to itself is not resolved, and could hide one that leaves.
+            raise RapidError(ERR_FILEOPEN, f"{path} is a link to itself")
         if not place.is_relative_to(root) or (place == root and not or_root):
             raise RapidError(ERR_FILEOPEN, f"{path} lies outside the home folder")
         return place

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from rapidsim.files import InputError
+from rapidsim.files import InputError, input_text
 from rapidsim.frames.transform import Array
 
 _TIME = re.compile(r"(time|t|timestamp)(_?(s|sec|ms))?", re.IGNORECASE)
@@ -44,10 +44,7 @@ def read_joint_log(file: Path, axes: int) -> JointLog:
         InputError: If it cannot be read, a column is missing, a value is no finite number, times do
             not ascend, or there are fewer than 10 rows. Lines are named.
     """
-    try:
-        text = file.read_text(encoding="utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{file} cannot be read: {error}") from error
+    text = input_text(file)
     lines = [(number, line) for number, line in enumerate(text.splitlines(), 1) if line.strip()]
     if not lines:
         raise InputError(f"{file} is empty")

@@ -8,6 +8,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from rapidsim.diagnostics import Severity
+from rapidsim.files import input_bytes, require_inside
 from rapidsim.simulation.station.reader import Reader, Table, read_toml
 
 PROJECT_FILE = "pyproject.toml"
@@ -59,7 +60,7 @@ def read_check(reader: Reader, check: Table, path: str = "check") -> CheckSettin
             }
         ),
         fail_on=_severity(reader, check, path),
-        baseline=None if baseline is None else reader.file.parent / baseline,
+        baseline=None if baseline is None else reader.inside(baseline, f"{path}.baseline"),
         cycle_budget_s=reader.positive(check, path, "cycle-budget"),
     )
 
@@ -76,8 +77,9 @@ def find_project_settings(paths: Iterable[str]) -> CheckSettings | None:
         folder = place.resolve() if place.is_dir() else place.resolve().parent
         for candidate in (folder, *folder.parents):
             file = candidate / PROJECT_FILE
-            if not file.is_file() or "rapidsim" not in file.read_text("utf-8", "replace"):
+            if not file.is_file() or b"rapidsim" not in input_bytes(file):
                 continue
+            require_inside([file], [candidate])
             reader = Reader(file)
             tool = reader.table(read_toml(file), "tool")
             table = reader.table(tool, "rapidsim", "tool.rapidsim")

@@ -12,6 +12,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TypeAlias
 
+from rapidsim.files import input_bytes, require_inside
+
 Instance: TypeAlias = Mapping[str, str]
 """Values by attribute in lower case; that of a switch is "true"."""
 
@@ -44,14 +46,19 @@ def _instance(line: str) -> Instance:
 
 
 def text_in(root: Path, *names: str) -> str:
-    """The text of a file below a folder, whose name may be in any case; empty if there is none."""
+    """The text of a file below a folder, whose name may be in any case; empty if there is none.
+
+    Raises:
+        InputError: If it leads out of the folder, or is no file but a pipe or the like.
+    """
+    folder = root
     for name in names:
         try:
             entries = sorted(root.iterdir())
         except OSError:
             return ""
         root = next((one for one in entries if one.name.lower() == name.lower()), root / name)
-    try:
-        return root.read_text("latin-1")
-    except OSError:
+    if not root.exists():
         return ""
+    require_inside([root], [folder])
+    return input_bytes(root).decode("latin-1")

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TypeGuard
 
-from rapidsim.files import InputError, did_you_mean, unreadable
+from rapidsim.files import InputError, did_you_mean, input_text, require_inside
 
 Table = Mapping[str, object]
 
@@ -24,6 +24,16 @@ class Reader:
     def wrong(self, key: str, message: str, help: str | None = None) -> None:
         """Note a mistake."""
         self._mistakes.append((f"{self.file}: {key}: {message}", help))
+
+    def inside(self, name: str, key: str) -> Path | None:
+        """A file named from where this one is; None if that is not in the folder of this one."""
+        folder = self.file.parent
+        try:
+            require_inside([folder / name], [folder])
+        except InputError as error:
+            self.wrong(key, error.message, "only what lies in the folder of this file may be named")
+            return None
+        return folder / name
 
     def finish(self) -> None:
         """End reading.
@@ -131,13 +141,21 @@ def read_toml(file: Path) -> Table:
         InputError: If it is missing or not TOML.
     """
     try:
-        return tomllib.loads(file.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise unreadable(file, error) from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        return tomllib.loads(input_text(file))
+    except tomllib.TOMLDecodeError as error:
         raise InputError(f"{file} is not TOML: {error}") from error
+    except ValueError as error:
+        raise InputError(f"{file} holds a number with too many digits") from error
+    except RecursionError:
+        raise InputError(f"{file} is nested too deeply") from None
 
 
 def is_number(value: object) -> TypeGuard[float]:
     """Whether a TOML value is a finite number."""
-    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return False
+    try:
+        return math.isfinite(value)
+    except OverflowError:
+        # An integer that no float holds.
+        return False

@@ -10,11 +10,14 @@ With `connect = 5000` in place of `accept` the peer is a client of the program's
 
 from __future__ import annotations
 
+import re
+
 from rapidsim.simulation.socket_scripts import SocketScript, SocketStep
 from rapidsim.simulation.station.reader import Reader, Table
 
 _KEYS = ("accept", "connect", "after", "steps", "repeat", "reconnect")
 _STEP_KEYS = ("expect", "after", "send", "close")
+_PORT = re.compile("[0-9]{1,5}")
 _LARGEST_PORT = 65535
 
 
@@ -54,7 +57,8 @@ def _place(reader: Reader, table: Table, path: str, key: str) -> tuple[str, int]
     """Address and port: `5000`, or `"192.168.125.5:5000"`."""
     value = table[key]
     address, _, digits = value.rpartition(":") if isinstance(value, str) else ("", "", str(value))
-    if not digits.isdigit() or not 1 <= int(digits) <= _LARGEST_PORT:
+    # Five digits and no others: int() takes neither a thousand of them nor superscripts.
+    if not _PORT.fullmatch(digits) or not 1 <= int(digits) <= _LARGEST_PORT:
         example = 'a port is needed, as in 5000 or "192.168.125.5:5000"'
         reader.wrong(f"{path}.{key}", f"{example}; ports are 1 to {_LARGEST_PORT}")
         return "", 0

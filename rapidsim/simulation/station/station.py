@@ -11,6 +11,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from rapidsim.files import require_inside
 from rapidsim.motion.model import MotionModel
 from rapidsim.simulation.cell_io import CellIo
 from rapidsim.simulation.station.check import CheckSettings
@@ -103,11 +104,16 @@ class Station:
 
 
 def find_station(paths: Iterable[str]) -> Path | None:
-    """The station file next to the first path that is a file or folder, or above it."""
+    """The station file next to the first path that is a file or folder, or above it.
+
+    Raises:
+        InputError: If it is a link to another folder.
+    """
     for path in paths:
         if path != "-" and (place := Path(path)).exists():
             folder = place.resolve() if place.is_dir() else place.resolve().parent
-            return next((f / FILE_NAME for f in (folder, *folder.parents) if _is_here(f)), None)
+            found = next((f for f in (folder, *folder.parents) if _is_here(f)), None)
+            return found and require_inside([found / FILE_NAME], [found])[0]
     return None
 
 
