@@ -63,5 +63,6 @@ def leave_open(path: Path) -> None:
 
 
 def _command(path: Path) -> list[str]:
-    # The module and not the script: it is there whatever PATH says.
-    return [sys.executable, "-m", "rerun", str(path)]
+    # The module and not the script: it is there whatever PATH says. Without -P Python would look
+    # for modules in the working directory first, which may be a checkout that nobody trusts.
+    return [sys.executable, "-P", "-m", "rerun", str(path)]

@@ -134,7 +134,10 @@ def dressed(theme: Theme) -> Iterator[None]:
         "lines.solid_capstyle": "round",
         "path.simplify": True,
     }
-    with matplotlib.rc_context(settings):
+    with matplotlib.rc_context():
+        # A `matplotlibrc` in the working directory would be obeyed otherwise, whoever put it there.
+        matplotlib.rcdefaults()
+        matplotlib.rcParams.update(settings)
         yield
 
 

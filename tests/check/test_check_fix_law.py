@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from rapidsim.analysis.rules.table import detectors_of
+from rapidsim.cli.boundary import run_commands
 from rapidsim.cli.fixes import choose_fixes, cured, harmless_fixes
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.export.text_edits import edited_text
@@ -83,3 +84,16 @@ def test_a_fix_that_would_do_harm_is_left_out(text: str) -> None:
     assert errors(find(as_task(edited_text(text, all_of_them)))) > errors(found)
     assert harmless_fixes(found, tasks, unsafe=False).left_out == 1
     law(text, unsafe=False)
+
+
+def test_fixes_that_are_left_out_are_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "m.mod"
+    file.write_text(HARMED[1])
+    asked = ("check", str(file), "--fix", "--extend-select", "S905", "--output-format", "concise")
+    run_commands(asked)
+    assert "would leave more errors: 1." in capsys.readouterr().out
+    fixed = file.read_text()
+    run_commands(asked)
+    assert file.read_text() == fixed

@@ -5,13 +5,17 @@
 
 import json
 import os
+import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
+from rapidsim.cli import debugger, viewer
 from rapidsim.cli.boundary import run_commands
+from rapidsim.files import read_tasks
 from rapidsim.simulation import home
+from rapidsim.simulation.load import load
 
 SECRET = "SECRET-OF-ANOTHER-FOLDER"
 PROGRAM = 'MODULE job\n  PROC main()\n    TPWrite "done";\n  ENDPROC\nENDMODULE\n'
@@ -280,3 +284,41 @@ def test_one_place_prints() -> None:
         if any(one in file.read_text(encoding="utf-8") for one in prints)
     }
     assert found <= {"terminal.py"}
+
+
+def test_the_viewer_is_not_looked_for_in_the_working_directory(here: Path) -> None:
+    (here / "rerun.py").write_text("raise SystemExit('obeyed')")
+    done = subprocess.run(viewer._command(Path("--version")), capture_output=True, check=False)
+    assert done.returncode == 0
+    assert b"obeyed" not in done.stderr
+
+
+def test_pictures_do_not_obey_a_file_in_the_working_directory() -> None:
+    matplotlib = pytest.importorskip("matplotlib", reason="pictures need matplotlib")
+    from rapidsim.plots.look import LIGHT, dressed  # noqa: PLC0415
+
+    with matplotlib.rc_context({"text.usetex": True}), dressed(LIGHT):
+        assert not matplotlib.rcParams["text.usetex"]
+
+
+def test_a_pdbrc_is_not_read(here: Path) -> None:
+    (here / ".pdbrc").write_text("import sys; sys.exit('obeyed')\n")
+    loaded = load(read_tasks(["job.mod"])[0].files)
+    assert loaded.program is not None
+    assert debugger._Debugger(loaded.program).rcLines == []
+
+
+def test_a_urdf_shows_nothing_of_a_file_that_is_none(here: Path, call: Call) -> None:
+    urdf = here.parent / "outside" / "secret.urdf"
+    urdf.write_text(BROKEN)
+    (here / "rapidsim.toml").write_text(f'[robot]\nurdf = "{urdf}"\n')
+    refused(call("run", "job.mod", "--no-record"), "not a readable URDF")
+
+
+def test_save_stays_in_the_home_folder(here: Path, call: Call) -> None:
+    (here / "job.mod").write_text(
+        'MODULE job\n  PROC main()\n    Save "job" \\FilePath:="HOME:/../job2.mod";\n'
+        "  ENDPROC\nENDMODULE\n"
+    )
+    assert call("run", "job.mod", "--no-record")[0] == 1
+    assert not (here / "job2.mod").exists()

@@ -228,6 +228,40 @@ def test_joints_that_mimic_otherwise_than_a_rod_are_refused(
         load_robot(written(tmp_path, text.replace(said, instead)))
 
 
+@pytest.mark.parametrize(
+    ("said", "instead", "reason"),
+    [
+        ('parent link="stand"', 'parent link="l6"', "in a ring through link"),
+        ('parent link="stand"', 'parent link="nowhere"', "at link `nowhere`: there is none"),
+        ('child link="l2"', 'child link="l1"', "carry one link"),
+        ('<parent link="stand"/>', "", "a tag is missing"),
+        ('axis xyz="', 'axis xyz="nan ', "no direction"),
+        ('axis xyz="', 'axis xyz="0 0 0" was="', "no direction"),
+        ('origin xyz="', 'origin xyz="1e300 0 0" was="', "no place on a robot"),
+        ('lower="', 'lower="nan" was="', "are not finite"),
+        ('velocity="', 'velocity="-1" was="', "the wrong way round"),
+        ('link name="l1"', "link", "the attribute `name` is missing"),
+        ("<robot", "<a>" * 5000 + "<robot", "nested too deeply"),
+    ],
+)
+def test_joints_that_make_no_arm_are_refused(
+    tmp_path: Path, said: str, instead: str, reason: str
+) -> None:
+    text = odd_arm()
+    assert said in text
+    with pytest.raises(RobotError, match=reason):
+        load_robot(written(tmp_path, text.replace(said, instead, 1)))
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "utf-32", "utf-7"])
+def test_a_urdf_that_hides_its_document_type_is_refused(tmp_path: Path, encoding: str) -> None:
+    text = f'<?xml version="1.0" encoding="{encoding}"?><!DOCTYPE r [<!ENTITY a "b">]>{odd_arm()}'
+    file = tmp_path / "arm.urdf"
+    file.write_bytes(text.encode(encoding))
+    with pytest.raises(RobotError):
+        load_robot(file)
+
+
 def test_a_missing_file_is_named(tmp_path: Path) -> None:
     with pytest.raises(RobotError, match=r"none\.urdf"):
         load_robot(tmp_path / "none.urdf")
