@@ -41,6 +41,10 @@ def device(file: Path) -> None:
     file.symlink_to("/dev/zero")
 
 
+def one_character(file: Path) -> None:
+    file.write_text("a" * MANY)
+
+
 def locked(file: Path) -> None:
     file.write_text("")
     file.chmod(0)
@@ -63,7 +67,7 @@ KINDS: dict[str, Callable[[Path], None]] = {
     "device": device,
     "locked": locked,
     "link to itself": lambda file: file.symlink_to(file),
-    "one character": lambda file: file.write_text("a" * MANY) and None,
+    "one character": one_character,
 }
 OPTIONS: dict[str, tuple[str, ...]] = {
     "module": ("check", "bad.mod"),

@@ -14,6 +14,8 @@ import pytest
 from rapidsim.cli import debugger, viewer
 from rapidsim.cli.boundary import run_commands
 from rapidsim.files import read_tasks
+from rapidsim.language.controller import FileMode
+from rapidsim.language.errors import RapidError
 from rapidsim.simulation import home
 from rapidsim.simulation.load import load
 
@@ -92,8 +94,8 @@ def test_a_link_to_itself_hides_no_way_out(here: Path) -> None:
     (here / "out").symlink_to("../outside")
     folder = home.HomeFolder(here)
     for name in ("loop/../out/secret.mod", "loop", "loop/a", "out/secret.mod"):
-        with pytest.raises(home.RapidError):
-            folder.open_file(name, home.FileMode.READ)
+        with pytest.raises(RapidError):
+            folder.open_file(name, FileMode.READ)
 
 
 def test_a_module_that_leads_out_is_refused_with_its_folder(here: Path, call: Call) -> None:
@@ -260,17 +262,17 @@ def test_a_program_makes_so_many_files_and_no_more(
     code, out, _ = call("run", "job.mod", "--no-record")
     assert (code, "may make 20 files and folders" in out) == (1, True)
     assert len(list((here / "job.home").iterdir())) == 19
-    with pytest.raises(home.RapidError, match="may make 20 files"):
-        home.HomeFolder(here / "new").open_file("/".join("a" * 30), home.FileMode.WRITE)
+    with pytest.raises(RapidError, match="may make 20 files"):
+        home.HomeFolder(here / "new").open_file("/".join("a" * 30), FileMode.WRITE)
 
 
 def test_a_program_has_so_many_files_open_and_no_more(here: Path) -> None:
     folder = home.HomeFolder(here)
-    opened = [folder.open_file(f"{n}.txt", home.FileMode.WRITE) for n in range(100)]
-    with pytest.raises(home.RapidError, match="100 files are open already"):
-        folder.open_file("one more.txt", home.FileMode.WRITE)
+    opened = [folder.open_file(f"{n}.txt", FileMode.WRITE) for n in range(100)]
+    with pytest.raises(RapidError, match="100 files are open already"):
+        folder.open_file("one more.txt", FileMode.WRITE)
     opened[0].close()
-    folder.open_file("one more.txt", home.FileMode.WRITE)
+    folder.open_file("one more.txt", FileMode.WRITE)
     folder.close_all()
 
 
