@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import os
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 from check_helper import HERE, found_in
+from command_line import call
 
 PLANTED = HERE / "planted"
 PROGRAM = PLANTED / "welding_cell.mod"
@@ -37,16 +36,10 @@ def test_all_faults_and_only_those_are_found_where_they_are() -> None:
 
 
 def test_the_text_is_as_beautiful_as_it_was() -> None:
-    done = subprocess.run(
-        [sys.executable, "-m", "rapidsim", "check", PROGRAM.name, "--no-reach"],
-        cwd=PLANTED,
-        env={"PATH": os.environ.get("PATH", ""), "COLUMNS": "100", "PYTHONIOENCODING": "utf-8"},
-        capture_output=True,
-        check=False,
-    )
-    text = re.sub(r"\(\d+\.\d\d s\)", "(0.00 s)", done.stdout.decode())
+    done = call("check", PROGRAM.name, "--no-reach", cwd=PLANTED, columns=100)
+    text = re.sub(r"\(\d+\.\d\d s\)", "(0.00 s)", done.out)
     golden = Path(PLANTED / "welding_cell.txt")
     if os.environ.get("UPDATE_GOLDEN"):
         golden.write_text(text, encoding="utf-8")
-    assert done.returncode == 1
+    assert done.code == 1
     assert text == golden.read_text(encoding="utf-8")

@@ -1,23 +1,16 @@
-"""Call the real command line in a process of its own; compare text with golden files."""
+"""Call the command line beside the programs of this folder; compare text with golden files."""
 
 import os
 import re
-import subprocess
-import sys
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
+
+from command_line import Ended as Ended
+from command_line import call
 
 HERE = Path(__file__).parent
 PROGRAMS = HERE / "programs"
 GOLDEN = HERE / "golden"
-
-
-@dataclass(frozen=True)
-class Ended:
-    code: int
-    out: str
-    err: str
 
 
 def rapidsim(
@@ -28,22 +21,7 @@ def rapidsim(
     environment: Mapping[str, str] | None = None,
 ) -> Ended:
     """Run `rapidsim` with its arguments; output is never a terminal."""
-    done = subprocess.run(
-        [sys.executable, "-W", "error", "-m", "rapidsim", *map(str, arguments)],
-        cwd=cwd,
-        input=stdin,
-        capture_output=True,
-        env={
-            **{name: os.environ[name] for name in ("PATH", "HOME") if name in os.environ},
-            "COLUMNS": str(columns),
-            "PYTHONIOENCODING": "utf-8",
-            **(environment or {}),
-        },
-        check=False,
-    )
-    ended = Ended(done.returncode, done.stdout.decode(), done.stderr.decode())
-    assert "Traceback" not in ended.err
-    return ended
+    return call(*arguments, cwd=cwd, stdin=stdin, columns=columns, environment=environment)
 
 
 def assert_golden(name: str, text: str) -> None:

@@ -28,6 +28,7 @@ def broken(what: str, *arguments: str) -> subprocess.CompletedProcess[str]:
     )
 
 
+@pytest.mark.process
 def test_a_defect_is_one_line_that_says_how_to_report_it() -> None:
     done = broken("KeyError('lost')")
     assert (done.returncode, done.stdout) == (70, "")
@@ -36,6 +37,7 @@ def test_a_defect_is_one_line_that_says_how_to_report_it() -> None:
         assert part in done.stderr
 
 
+@pytest.mark.process
 def test_a_defect_shows_its_traceback_when_asked() -> None:
     done = broken("KeyError('lost')", "-v")
     assert done.returncode == 70
@@ -43,11 +45,13 @@ def test_a_defect_shows_its_traceback_when_asked() -> None:
     assert "please report" in done.stderr.splitlines()[-1]
 
 
+@pytest.mark.process
 def test_an_interruption_is_one_line() -> None:
     done = broken("KeyboardInterrupt")
     assert (done.returncode, done.stdout, done.stderr) == (130, "", "interrupted\n")
 
 
+@pytest.mark.process
 def test_a_closed_pipe_is_quiet() -> None:
     reading, writing = os.pipe()
     os.close(reading)
@@ -82,6 +86,7 @@ def on_a_terminal(*arguments: str, **environment: str) -> bytes:
             return output
 
 
+@pytest.mark.process
 @pytest.mark.parametrize("arguments", [("explain", "N201"), ("robots",), ("check", "wrong.mod")])
 def test_colours_are_for_terminals_that_want_them(
     arguments: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -103,6 +108,7 @@ def printed_to(shell_redirection: str, *arguments: str) -> subprocess.CompletedP
     )
 
 
+@pytest.mark.process
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="this system has no full disk to try")
 def test_output_to_a_full_disk_is_no_defect() -> None:
     for arguments in (("explain", "K603"), ("robots", "irb120")):
@@ -111,12 +117,14 @@ def test_output_to_a_full_disk_is_no_defect() -> None:
         assert (done.returncode, done.stderr) == (2, said)
 
 
+@pytest.mark.process
 @pytest.mark.skipif(os.name != "posix", reason="a shell is needed to close the stream")
 def test_a_closed_stream_takes_nothing_and_breaks_nothing() -> None:
     assert (printed_to(">&-", "explain", "K603").returncode) == 0
     assert (printed_to("2>&-", "explain", "nothing").returncode) == 2
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     ("encoding", "degrees", "rule"), [("ascii", " deg", "-"), ("latin-1", "°", "-")]
 )

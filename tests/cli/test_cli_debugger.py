@@ -102,6 +102,7 @@ def at(statement: str, routine: str) -> str:
     return f"> cell.mod:{LINE[statement]} in {routine}\n-> {statement}"
 
 
+@pytest.mark.process
 def test_it_stops_on_the_line_and_shows_rapid_values(tmp_path: Path) -> None:
     line = LINE["v := v + 1;"]
     answers, _, code = debug(
@@ -137,6 +138,7 @@ def test_it_stops_on_the_line_and_shows_rapid_values(tmp_path: Path) -> None:
     assert code == 130
 
 
+@pytest.mark.process
 def test_steps_go_from_statement_to_statement(tmp_path: Path) -> None:
     start = LINE['bump Own, parts{2}.width \\label := "b";']
     answers, end, code = debug(
@@ -157,6 +159,7 @@ def test_steps_go_from_statement_to_statement(tmp_path: Path) -> None:
     assert code == 0
 
 
+@pytest.mark.process
 def test_an_error_is_seen_and_its_clause_can_be_entered(tmp_path: Path) -> None:
     answers, _, code = debug(
         tmp_path,
@@ -171,6 +174,7 @@ def test_an_error_is_seen_and_its_clause_can_be_entered(tmp_path: Path) -> None:
     assert code == 130
 
 
+@pytest.mark.process
 def test_it_steps_into_a_module_that_the_program_loads(tmp_path: Path) -> None:
     main = """MODULE cell
   PROC main()
@@ -194,6 +198,7 @@ ENDMODULE
     assert inside in answers[6]
 
 
+@pytest.mark.process
 def test_breakpoints_are_set_by_routine_and_by_line(tmp_path: Path) -> None:
     handler = LINE["d := sizes{2};"]
     answers, _, _ = debug(
@@ -242,6 +247,7 @@ ENDMODULE
 """
 
 
+@pytest.mark.process
 def test_a_counter_hides_what_has_its_name(tmp_path: Path) -> None:
     breaks = ["7", "9", "12", "14"]
     commands = ("p k", "c", "p k", "c", "p i", "c", "p i", "p k", "p tool0.mass", "c")
@@ -258,6 +264,7 @@ def test_without_a_terminal_it_is_refused(tmp_path: Path) -> None:
     assert "--break needs a terminal" in ended.err
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     ("place", "message"),
     [

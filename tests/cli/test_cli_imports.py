@@ -33,6 +33,7 @@ def imported(*arguments: str, cwd: Path) -> set[str]:
     return set(modules)
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     ("arguments", "forbidden"),
     [
@@ -65,6 +66,7 @@ def test_other_names_do_not() -> None:
         rapidsim.nonsense  # noqa: B018 - The access is the test.
 
 
+@pytest.mark.process
 def test_importing_the_package_imports_nothing_else() -> None:
     code = "import sys, rapidsim; print([m for m in sys.modules if m.startswith('rapidsim.')])"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

@@ -24,6 +24,7 @@ ENDMODULE
 RUN = ("run", "asks.mod", "--no-record")
 
 
+@pytest.mark.process
 def test_somebody_at_a_terminal_is_asked_again(tmp_path: Path) -> None:
     (tmp_path / "asks.mod").write_text(PROGRAM)
     process, terminal = pty.fork()

@@ -38,6 +38,7 @@ def report(folder: Path, text: str, *arguments: str) -> dict[str, object]:
     return loaded
 
 
+@pytest.mark.process
 @pytest.mark.parametrize(
     ("text", "arguments", "code", "end"),
     [
@@ -66,6 +67,7 @@ def test_the_summary_of_a_cell() -> None:
     assert "Done" in shown
 
 
+@pytest.mark.process  # Each orders its sets in its own way.
 def test_json_is_the_same_each_time() -> None:
     first = rapidsim("run", "cell.mod", "--no-record", "--format", "json")
     assert first.out == rapidsim("run", "cell.mod", "--no-record", "--format", "json").out

@@ -55,6 +55,7 @@ def test_the_step_of_the_recording_can_be_chosen(folder: Path) -> None:
     assert "record-dt" in ended.err
 
 
+@pytest.mark.process
 def test_what_was_found_is_not_lost_over_a_file_that_cannot_be_written(folder: Path) -> None:
     """The recording fits on no disk of 1 MB, the summary does."""
     (folder / "s.html").write_text("older")
@@ -100,6 +101,7 @@ def test_the_viewer_is_given_recordings_only(folder: Path) -> None:
         assert "no screen" in rapidsim("view", "Short.rrd", cwd=folder, environment=NO_SCREEN).err
 
 
+@pytest.mark.process
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such signal")
 def test_ctrl_c_leaves_the_older_recording(folder: Path) -> None:
     (folder / "Long.mod").write_text(LONG)

@@ -193,6 +193,7 @@ def test_a_recording_controller_is_a_controller() -> None:
     assert controller.errno == 0.0
 
 
+@pytest.mark.process
 def test_the_catalogue_needs_no_heavy_package() -> None:
     code = (
         "import sys, rapidsim.library.catalogue as c; c.ROUTINES['socketsend'].signature;"

@@ -52,6 +52,7 @@ def test_aliases_name_the_arms_of_the_books() -> None:
     assert aliases_of("irb1600-6-1.45") == ()
 
 
+@pytest.mark.process
 def test_an_arm_is_found_without_reading_the_others() -> None:
     """Names come from the folders and one file of aliases; only the arm's own entry is opened."""
     script = (

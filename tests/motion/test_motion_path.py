@@ -153,6 +153,20 @@ def test_a_corner_between_a_joint_move_and_a_line_is_made_in_joints() -> None:
     assert 0.001 < np.linalg.norm(tcp - point, axis=1).min() < 0.01
 
 
+@pytest.mark.parametrize("millimetres", [1.0, 10.0, 60.0])
+def test_the_zone_between_long_joint_moves_ends_where_the_tcp_leaves_it(millimetres: float) -> None:
+    """Zones are a small part of most joint moves: here a thousandth to a fifteenth."""
+    program = Programmer().move((1.0, 0.1, 0, 0, 0, 0), zone(millimetres))
+    path = path_of(program.move((0.9, -0.2, 0.1, 0, 0, 0)))
+    corner, radius = path.corners[0], path.corners[0].radius
+    assert corner.in_joints
+    edges = path.evaluate(path.segment_starts[1] + np.array([-radius, radius]))
+    point = program.segments[0].end.base_from_tcp.translation
+    away = np.linalg.norm(edges.base_from_tcp.translation - point, axis=1)
+    assert away.max() <= millimetres / 1e3
+    assert away.max() == pytest.approx(millimetres / 1e3, rel=0.1)
+
+
 def test_another_tool_makes_the_corner_in_joints() -> None:
     program = Programmer().line((0.1, 0, 0), z=zone(10), joint_corner=True)
     program.tool = Transform(np.eye(3), np.array([0.0, 0.0, 0.1]))

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import json
 import struct
-import subprocess
-import sys
 from collections import deque
 from collections.abc import Callable, Iterator
 from math import gcd, sqrt
 from pathlib import Path
+
+from command_line import call
 
 PROGRAM = Path(__file__).parents[2] / "programs" / "algorithms.mod"
 Vector = list[float]
@@ -26,18 +26,9 @@ def shown(x: float) -> str:
 
 
 def screen(folder: Path) -> list[str]:
-    run = subprocess.run(
-        [
-            *(sys.executable, "-m", "rapidsim", "run", str(PROGRAM)),
-            *("--no-record", "--format", "json"),
-        ],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert run.returncode == 0, run.stderr
-    report = json.loads(run.stdout)
+    run = call("run", PROGRAM, "--no-record", "--format", "json", cwd=folder)
+    assert run.code == 0, run.err
+    report = json.loads(run.out)
     assert report["end"] == "ended"
     return [event["message"] for event in report["events"] if event["kind"] == "text"]
 

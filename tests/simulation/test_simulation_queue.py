@@ -14,6 +14,7 @@ from rapidsim.language.data import FINE
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.result import CornerKind, EventKind
 from rapidsim.simulation.stops import TimeLimitReached, WaitsForever
+from rapidsim.simulation.task import motion
 
 CORNERS = [(800.0, 200.0), (1000.0, 200.0), (1000.0, 0.0), (900.0, -100.0)]
 
@@ -175,6 +176,26 @@ def test_an_endless_row_of_fly_by_moves_meets_the_time_limit() -> None:
     with pytest.raises(TimeLimitReached):
         forever()
     assert len(cell.queue.moves) < 5000
+
+
+def test_a_long_row_of_fly_by_moves_is_planned_whenever_enough_are_open(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """What is fixed is no longer open: planning at each move of a long row takes for ever."""
+    monkeypatch.setattr(motion, "MAX_OPEN_MOVES", 20)
+    cell = Cell()
+    cell.approach()
+    pieces, still_open = [], []
+    for k in range(100):
+        cell.move(800.0 + 10.0 * (k % 2), -300.0 + 6.0 * k, 600.0, speed=100.0)
+        pieces.append(len(cell.trajectory.pieces))
+        still_open.append(cell.queue.open_moves)
+    assert max(still_open) == 20
+    planned = np.flatnonzero(np.diff(pieces))
+    assert 5 <= len(planned) <= 10
+    assert np.diff(planned).min() > 10
+    cell.controller.finish()
+    assert {move.corner for move in cell.moves()[1:-1]} == {CornerKind.FLY_BY}
 
 
 def test_waiting_for_a_signal_nobody_sets_ends_the_run() -> None:

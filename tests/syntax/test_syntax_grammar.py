@@ -50,6 +50,7 @@ def test_every_rule_and_kept_terminal_has_its_function() -> None:
     assert set(TERMINALS) <= known
 
 
+@pytest.mark.process
 def test_reading_a_file_does_not_import_lark() -> None:
     code = (
         "import sys\n"

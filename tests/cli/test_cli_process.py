@@ -1,0 +1,42 @@
+"""What the tests call here says what a process says: the promise of `command_line`."""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+
+import pytest
+from cli_helper import PROGRAMS, rapidsim
+from command_line import SWITCH, Ended
+
+
+@pytest.mark.process
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("run", "cell.mod", "--no-record", "--assert", "cycle<0.1"),
+        ("check", "-"),
+        ("check", "weld.mod"),
+        ("robots", "irb120"),
+    ],
+    ids=lambda arguments: " ".join(arguments[:2]),
+)
+def test_a_call_and_a_process_say_the_same(
+    arguments: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    text = (PROGRAMS / "wrong.mod").read_bytes()
+    process = rapidsim(*arguments, stdin=text, columns=60)
+    monkeypatch.delenv(SWITCH)
+    assert timeless(rapidsim(*arguments, stdin=text, columns=60)) == timeless(process)
+
+
+def test_a_call_leaves_no_trace(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NO_COLOR", "kept")
+    before = Path.cwd(), dict(os.environ)
+    rapidsim("robots", environment={"RAPIDSIM_TEST": "1"})
+    assert (Path.cwd(), dict(os.environ)) == before
+
+
+def timeless(ended: Ended) -> Ended:
+    return Ended(ended.code, re.sub(r"\d+\.\d\d s\)", "s)", ended.out), ended.err)

@@ -1,0 +1,85 @@
+"""Call the command line as its user does: arguments in, exit code and text out.
+
+A process for each call would cost most of the suite's time for starting Python. So the calls go to
+the very function that a process calls, with streams, folder, environment and warnings as a process
+has them. Tests of what only a process has carry the mark `process`, which starts a real one;
+`COMMAND_LINE=process` does so for all.
+"""
+
+import contextlib
+import io
+import os
+import subprocess
+import sys
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from unittest.mock import patch
+
+from rapidsim.cli.boundary import run_commands
+
+SWITCH = "COMMAND_LINE"
+PROCESS = "process"
+
+
+@dataclass(frozen=True)
+class Ended:
+    code: int
+    out: str
+    err: str
+
+
+def call(
+    *arguments: object,
+    cwd: Path,
+    stdin: bytes = b"",
+    columns: int = 80,
+    environment: Mapping[str, str] | None = None,
+) -> Ended:
+    """Run `rapidsim` with its arguments; output is never a terminal."""
+    words = [str(argument) for argument in arguments]
+    variables = {
+        **{name: os.environ[name] for name in ("PATH", "HOME") if name in os.environ},
+        "COLUMNS": str(columns),
+        "PYTHONIOENCODING": "utf-8",
+        **(environment or {}),
+    }
+    called = _in_a_process if os.environ.get(SWITCH) == PROCESS else _here
+    code, out, err = called(words, cwd, stdin, variables)
+    ended = Ended(code, out.decode(), err.decode())
+    assert "Traceback" not in ended.err
+    return ended
+
+
+def _in_a_process(
+    arguments: list[str], cwd: Path, stdin: bytes, environment: Mapping[str, str]
+) -> tuple[int, bytes, bytes]:
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-m", "rapidsim", *arguments],
+        cwd=cwd,
+        input=stdin,
+        capture_output=True,
+        env=environment,
+        check=False,
+    )
+    return done.returncode, done.stdout, done.stderr
+
+
+def _here(
+    arguments: list[str], cwd: Path, stdin: bytes, environment: Mapping[str, str]
+) -> tuple[int, bytes, bytes]:
+    given, out, err = io.BytesIO(stdin), io.BytesIO(), io.BytesIO()
+    with (
+        contextlib.chdir(cwd),
+        patch.dict(os.environ, environment, clear=True),
+        warnings.catch_warnings(),
+        patch("sys.stdin", io.TextIOWrapper(given, encoding="utf-8")),
+        patch("sys.stdout", io.TextIOWrapper(out, encoding="utf-8")) as stdout,
+        patch("sys.stderr", io.TextIOWrapper(err, encoding="utf-8")) as stderr,
+    ):
+        warnings.simplefilter("error")
+        code = run_commands(arguments)
+        stdout.flush()
+        stderr.flush()
+        return code, out.getvalue(), err.getvalue()
