@@ -1,18 +1,17 @@
 """What all tests share: the mark `process`, tools first, laws that find the same each time."""
 
-import os
-
 import pytest
 from command_line import PROCESS, SWITCH
 from hypothesis import settings
+from laws import PROFILE
 
 # No deadline: machines differ. Derandomised and without memory: a run must not fail for luck, nor
-# for what stands in somebody's folder. `ci` is what a law asks for, `fast` a fifth of it. To look
-# for new cases, HYPOTHESIS_PROFILE=explore.
+# for what stands in somebody's folder. How many cases, see `laws`; to look for new ones,
+# HYPOTHESIS_PROFILE=explore.
 settings.register_profile("ci", derandomize=True, deadline=None, database=None)
 settings.register_profile("fast", settings.get_profile("ci"))
 settings.register_profile("explore", deadline=None, max_examples=500)
-settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "fast"))
+settings.load_profile(PROFILE)
 
 
 @pytest.fixture(autouse=True)

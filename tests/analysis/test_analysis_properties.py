@@ -4,6 +4,7 @@ from pathlib import Path
 
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from laws import examples
 
 from rapidsim.analysis.checker import Checked, check
 from rapidsim.analysis.rules.table import detectors_of
@@ -36,6 +37,7 @@ def is_without_error(found: Checked) -> bool:
     return all(one.severity is not Severity.ERROR for one in found.diagnostics)
 
 
+@examples()
 @LAW
 @given(st.lists(TOKENS, max_size=60))
 def test_no_soup_of_tokens_makes_check_raise(tokens: list[str]) -> None:
@@ -45,6 +47,7 @@ def test_no_soup_of_tokens_makes_check_raise(tokens: list[str]) -> None:
         assert found.program is None or is_without_error(found)
 
 
+@examples()
 @LAW
 @given(st.data())
 def test_no_damaged_program_makes_check_raise(data: st.DataObject) -> None:

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from interpreter_cell import main, run, texts
+from laws import examples
 
 from rapidsim.language.single import SPLIT, single
 
@@ -92,6 +93,7 @@ def test_the_inline_rounding_keeps_singles(x: float) -> None:
     assert t - (t - x) == x
 
 
+@examples()
 @given(st.floats(min_value=-3e38, max_value=3e38))
 def test_single_is_what_a_store_to_four_bytes_gives(x: float) -> None:
     expected = float(np.float32(x))

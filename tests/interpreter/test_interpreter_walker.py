@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from interpreter_cell import module, run
 from interpreter_walker import Failed, Returned, Slot, Walker
+from laws import examples
 
 from rapidsim.diagnostics import Source
 from rapidsim.syntax.parser import parse
@@ -79,7 +80,7 @@ handlers = st.sampled_from(
 )
 
 
-@settings(max_examples=150)
+@examples(150)
 @given(statements, handlers)
 def test_both_leave_the_same_memory(body: list[str], handler: str) -> None:
     text = module(

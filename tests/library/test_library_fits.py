@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from laws import examples
 from library_controller import CONF, RecordingController, call
 
 from rapidsim.frames import quaternion
@@ -44,6 +45,7 @@ def errors() -> tuple[Cell[float], Cell[float]]:
 CORNERS = ((0.0, 0.0, 0.0), (300.0, 0.0, 0.0), (0.0, 200.0, 0.0), (10.0, 20.0, 150.0))
 
 
+@examples()
 @given(ANGLES, st.floats(-1000.0, 1000.0))
 def test_a_frame_is_found_again_from_positions(angle: float, x: float) -> None:
     rotation = turned((1.0, 2.0, 3.0), angle)

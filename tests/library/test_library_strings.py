@@ -3,6 +3,7 @@
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from laws import examples
 from library_controller import call
 
 from rapidsim.language import error_numbers as errors
@@ -126,6 +127,7 @@ def test_fixed_decimals_of_a_single_read_back(digits: int, decimals: int) -> Non
         assert float(call("NumToStr", value, float(decimals))) == digits / 10.0**decimals
 
 
+@examples()
 @given(st.text(alphabet=st.characters(codec="iso-8859-1"), max_size=20))
 def test_every_string_reads_back(text: str) -> None:
     cell: Cell[str] = Cell("")

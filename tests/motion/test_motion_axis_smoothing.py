@@ -6,8 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from laws import examples
 from motion_law import STEP, command_of, excess_of, off_curve
 from motion_programs import LIMITS, Programmer, path_or_fault, programs, zone
 
@@ -56,7 +57,7 @@ def mean_command(trajectory: Trajectory, time: float) -> Array:
     return np.asarray(np.trapezoid(joints, instants, axis=0)) / FILTER
 
 
-@settings(max_examples=15)
+@examples(15)
 @given(program=programs(), speed=st.sampled_from([0.1, 0.5, 2.0]), share=st.floats(0.0, 1.0))
 def test_each_joint_is_the_mean_of_its_command(
     program: Programmer, speed: float, share: float
@@ -69,7 +70,7 @@ def test_each_joint_is_the_mean_of_its_command(
     assert seen == pytest.approx(mean_command(trajectory, time), abs=2e-8)
 
 
-@settings(max_examples=12)
+@examples(12)
 @given(program=programs(), speed=st.sampled_from([0.1, 0.5, 2.0, 7.0]))
 def test_it_keeps_limits_ends_and_times(program: Programmer, speed: float) -> None:
     """What is seen keeps what the command keeps; blocks end exactly at their point."""

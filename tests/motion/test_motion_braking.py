@@ -6,8 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from laws import examples
 from motion_law import excess_of
 from motion_programs import LIMITS, Programmer, path_of, path_or_fault, programs, zone
 
@@ -31,7 +32,7 @@ def test_a_joint_move_stops_within_its_braking_distance() -> None:
     assert braking.duration == pytest.approx(axis_speed / axis_acceleration, rel=1e-6)
 
 
-@settings(max_examples=40)
+@examples(40)
 @given(program=programs(), share=st.floats(0.02, 0.98), speed=st.sampled_from([0.1, 0.5, 2.0]))
 def test_braking_keeps_the_accelerations_and_ends_before_the_plan(
     program: Programmer, share: float, speed: float

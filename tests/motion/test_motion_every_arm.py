@@ -10,6 +10,7 @@ from collections.abc import Mapping
 
 import numpy as np
 import pytest
+from laws import cases
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.confdata import confdata_of, configurations, select, told_apart
@@ -26,7 +27,7 @@ SAME = 1e-7
 SAME_WHERE_ELBOWS_MEET = 1e-5
 BENT = 0.3
 """Least |sin| of axis 5 [rad] where the wrist shall not blow up what the elbow has lost."""
-VECTORS = 20_000
+VECTORS = cases(20_000)
 SINGULAR_VECTORS = 200
 NUDGES = (0.0, 1e-12, -1e-12, 1e-9, -1e-9)
 CLOSED_FORM = [name for name in robot_names() if told_apart(load_robot(name).kinematics)]
@@ -39,7 +40,7 @@ def robot(request: pytest.FixtureRequest) -> Robot:
 
 
 def test_joints_to_pose_and_confdata_and_back(robot: Robot) -> None:
-    """20,000 random vectors within the limits, and every solution of their poses."""
+    """Random vectors within the limits, and every solution of their poses."""
     rng = np.random.default_rng(1)
     joints = random_joints(robot, VECTORS, rng)
     elsewhere = random_joints(robot, VECTORS, rng)

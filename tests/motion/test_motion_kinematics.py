@@ -4,8 +4,9 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from laws import examples
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.catalogue import arm_from_geometry
@@ -190,7 +191,7 @@ def test_any_shape_of_batch(arm: OrthoParallel) -> None:
 angles = st.floats(-3.0, 3.0)
 
 
-@settings(max_examples=60)
+@examples(60)
 @given(joints=st.tuples(*[angles] * 6))
 def test_forward_undoes_inverse_for_any_joints(joints: tuple[float, ...]) -> None:
     arm = _catalogue_arm("irb120")

@@ -1,12 +1,13 @@
 """Our kinematics against a solver that others made and configurations that others published.
 
-py-opw-kinematics is asked for the same poses of every ortho-parallel arm, 10,000 of each geometry.
+py-opw-kinematics is asked for the same poses of every ortho-parallel arm, thousands of each.
 """
 
 from typing import Any
 
 import numpy as np
 import pytest
+from laws import cases
 from motion_truth import turns_aside
 
 from rapidsim.frames.transform import Array, Transform
@@ -17,7 +18,7 @@ from rapidsim.motion.opw import OrthoParallel
 from rapidsim.motion.opw_geometry import OpwGeometry
 from rapidsim.motion.robot import Robot, load_robot, robot_names
 
-POSES = 10_000
+POSES = cases(10_000)
 OPW_SLOT_OF_BRANCH = [0, 4, 1, 5, 2, 6, 3, 7]
 """py-opw-kinematics numbers wrist, shoulder, elbow; we number shoulder, elbow, wrist."""
 

@@ -6,8 +6,10 @@ from dataclasses import replace
 from pathlib import Path as File
 
 import numpy as np
-from hypothesis import given, settings
+import pytest
+from hypothesis import given
 from hypothesis import strategies as st
+from laws import examples
 from motion_law import Excess, command_of, excess_of, off_curve, with_axes_smoothed
 from motion_programs import LIMITS, ROBOT, Programmer, path_or_fault, programs, zone
 
@@ -27,16 +29,23 @@ _LOOK_AT_AXES = 3_000
 """So many samples of each program with smoothed axes, which take longer."""
 
 
-def programs_with_moves() -> list[File]:
-    """Every program of the repository that moves a robot, but those that wait for a partner."""
+LEAST = {"tests/check/corpus": 8, "tests/check/fixtures": 40, "tests/rapid/motion": 20}
+"""So many programs of a folder at least are run to their moves."""
+
+
+def programs_with_moves() -> dict[str, list[File]]:
+    """The programs of each folder that move a robot, but those that wait for a partner."""
     files = sorted([*ROOT.glob("programs/**/*.mod"), *ROOT.glob("tests/**/*.mod")])
     moves = (b"MoveL", b"MoveJ", b"MoveC", b"MoveAbsJ")
-    texts = [(file, file.read_bytes()) for file in files]
-    return [
-        file
-        for file, text in texts
-        if any(move in text for move in moves) and b"Socket" not in text
-    ]
+    folders: dict[str, list[File]] = {}
+    for file in files:
+        text = file.read_bytes()
+        if any(move in text for move in moves) and b"Socket" not in text:
+            folders.setdefault(file.parent.relative_to(ROOT).as_posix(), []).append(file)
+    return folders
+
+
+FOLDERS = programs_with_moves()
 
 
 def trajectory_of(file: File) -> Trajectory | None:
@@ -49,7 +58,12 @@ def trajectory_of(file: File) -> Trajectory | None:
     return trajectory if trajectory.pieces else None
 
 
-def test_programs_of_the_repository_keep_curves_and_limits() -> None:
+def test_the_folders_with_most_programs_are_looked_at() -> None:
+    assert set(LEAST) <= set(FOLDERS)
+
+
+@pytest.mark.parametrize("folder", FOLDERS)
+def test_programs_of_the_repository_keep_curves_and_limits(folder: str) -> None:
     """The TCP off a line or circle by less than 1 um; speeds over by less than 0.1 %; axis
     accelerations of the command over by less than 1 %.
 
@@ -58,7 +72,7 @@ def test_programs_of_the_repository_keep_curves_and_limits() -> None:
     limits = limits_of(ROBOT, MotionModel())
     looked_at = 0
     broken = []
-    for file in programs_with_moves():
+    for file in FOLDERS[folder]:
         trajectory = trajectory_of(file)
         if trajectory is None:
             continue
@@ -71,7 +85,7 @@ def test_programs_of_the_repository_keep_curves_and_limits() -> None:
         if not (kept and command.axis_acceleration < 1.01 and off < 1e-6):
             broken.append((file.name, seen, command, axes, off))
     assert not broken
-    assert looked_at >= 50
+    assert looked_at >= LEAST.get(folder, 0)
 
 
 def driven(program: Programmer, speed: float, model: MotionModel) -> Trajectory | None:
@@ -88,7 +102,7 @@ def driven(program: Programmer, speed: float, model: MotionModel) -> Trajectory 
     return trajectory
 
 
-@settings(max_examples=60)
+@examples(60)
 @given(
     program=programs(),
     speed=st.sampled_from([0.1, 0.5, 2.0, 7.0]),

@@ -7,7 +7,8 @@ from types import ModuleType
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
+from laws import examples
 from motion_programs import (
     LIMITS,
     MODEL,
@@ -64,7 +65,7 @@ def spread(path: Path, count: int = 300) -> Places:
     return Places(s, pieces, path.rates(s, pieces))
 
 
-@settings(max_examples=40)
+@examples(40)
 @given(program=programs())
 @pytest.mark.parametrize("model", [MODEL, PROGRAMMED_TURNS])
 def test_closed_forms_are_the_general_derivatives(program: Programmer, model: MotionModel) -> None:
@@ -124,7 +125,7 @@ def test_loops_do_what_columns_do(model: MotionModel, monkeypatch: pytest.Monkey
     assert lines.joints(s, piece)[0] == pytest.approx(joints, abs=1e-12)
 
 
-@settings(max_examples=40)
+@examples(40)
 @given(program=programs())
 def test_joints_on_lines_are_those_of_inverse_kinematics(program: Programmer) -> None:
     path = path_or_fault(program, MODEL)
@@ -155,7 +156,7 @@ def test_speeds_are_held_alike(monkeypatch: pytest.MonkeyPatch) -> None:
         assert (columns < speeds).any() or not needed.any() or count < 20
 
 
-@settings(max_examples=20)
+@examples(20)
 @given(program=programs())
 def test_loops_of_the_solver_do_what_columns_do(program: Programmer) -> None:
     """Not compiled, stage after stage: the code that numba gets."""
@@ -179,7 +180,7 @@ def test_loops_of_the_solver_do_what_columns_do(program: Programmer) -> None:
     assert widest == pytest.approx(columns.widest, rel=1e-12)
 
 
-@settings(max_examples=20)
+@examples(20)
 @given(program=programs())
 def test_loops_over_a_motion_do_what_columns_do(program: Programmer) -> None:
     path = path_or_fault(program, MODEL)

@@ -7,8 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from laws import examples
 from motion_programs import MODEL, ROBOT, TOOL, Programmer, path_of, path_or_fault, programs, zone
 
 from rapidsim.frames.transform import Transform
@@ -277,7 +278,7 @@ def test_the_path_does_not_depend_on_speed() -> None:
     assert np.array_equal(a.evaluate(places(a)).joints, b.evaluate(places(b)).joints)
 
 
-@settings(max_examples=40)
+@examples(40)
 @given(program=programs(), model=st.sampled_from([MODEL, PARABOLA]))
 def test_joints_poses_and_rates_agree(program: Programmer, model: MotionModel) -> None:
     path = path_or_fault(program, model)
@@ -309,7 +310,7 @@ def test_joints_poses_and_rates_agree(program: Programmer, model: MotionModel) -
     assert np.abs(second - rates.second).max() < 2e-3 * (1.0 + np.abs(rates.second).max())
 
 
-@settings(max_examples=40)
+@examples(40)
 @given(program=programs())
 def test_waypoints_without_corner_are_met_exactly(program: Programmer) -> None:
     path = path_or_fault(program)
@@ -322,7 +323,7 @@ def test_waypoints_without_corner_are_met_exactly(program: Programmer) -> None:
             assert reached == pytest.approx(segment.end.joints, abs=1e-9)
 
 
-@settings(max_examples=25)
+@examples(25)
 @given(program=programs())
 def test_travel_is_the_sum_of_small_steps(program: Programmer) -> None:
     path = path_or_fault(program)

@@ -4,8 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from laws import examples
 from motion_programs import MODEL, ROBOT, Programmer, path_of, programs, zone
 
 from rapidsim.frames.transform import Array
@@ -82,7 +83,7 @@ def _same_count(a: Programmer, b: Programmer) -> list[Path]:
     return [path_of(one) for one in cut]
 
 
-@settings(max_examples=25)
+@examples(25)
 @given(programs(), programs())
 def test_derivatives_are_those_of_the_places(a: Programmer, b: Programmer) -> None:
     team = team_path(_same_count(a, b))
@@ -103,7 +104,7 @@ def test_derivatives_are_those_of_the_places(a: Programmer, b: Programmer) -> No
         assert own[wide] == pytest.approx(slope[wide], abs=1e-3 * max(1.0, np.abs(slope).max()))
 
 
-@settings(max_examples=25)
+@examples(25)
 @given(programs(), programs(), st.integers(2, 50))
 def test_places_never_go_back_and_reach_both_ends(a: Programmer, b: Programmer, n: int) -> None:
     paths = _same_count(a, b)

@@ -8,8 +8,9 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from laws import examples
 from motion_programs import LIMITS, MODEL, ROBOT, Programmer, path_of, path_or_fault, programs, zone
 
 from rapidsim.frames.transform import Transform
@@ -73,7 +74,7 @@ def test_every_stop_is_a_standstill() -> None:
     assert timing.speed[0] == timing.speed[-1] == 0.0
 
 
-@settings(max_examples=30)
+@examples(30)
 @given(
     program=programs(),
     model=st.sampled_from([MODEL, PARABOLA]),
@@ -96,7 +97,7 @@ def test_limits_are_kept(program: Programmer, model: MotionModel, speed: float) 
     assert (points.tcp_rate * timing.speed_at(t)).max() < speed * 1.001
 
 
-@settings(max_examples=20)
+@examples(20)
 @given(program=programs())
 def test_the_way_back_takes_as_long(program: Programmer) -> None:
     segments = [replace(segment, zone=zone(5)) for segment in program.segments]
@@ -110,7 +111,7 @@ def test_the_way_back_takes_as_long(program: Programmer) -> None:
     assert again.duration == pytest.approx(there.duration, rel=2e-3)
 
 
-@settings(max_examples=20)
+@examples(20)
 @given(program=programs(), share=st.floats(0.3, 0.95))
 def test_stronger_axes_are_never_slower(program: Programmer, share: float) -> None:
     path = path_or_fault(program)
@@ -205,7 +206,7 @@ def test_less_acceleration_takes_longer_ramps() -> None:
     assert half.duration == pytest.approx(full.duration * math.sqrt(2.0), rel=1e-6)
 
 
-@settings(max_examples=20)
+@examples(20)
 @given(program=programs(), share=st.floats(0.05, 0.95), snap=st.booleans())
 def test_a_start_on_the_way_goes_on_as_planned(
     program: Programmer, share: float, snap: bool
@@ -255,7 +256,7 @@ def test_passing_close_to_the_wrist_singularity_keeps_the_limits(
     assert over_acceleration < 1.02
 
 
-@settings(max_examples=10)
+@examples(10)
 @given(seed=st.integers(0, 2**32 - 1))
 def test_lanes_give_what_one_row_gives(seed: int) -> None:
     random = np.random.default_rng(seed)
@@ -284,7 +285,7 @@ def test_limits_come_from_the_robot_and_the_model() -> None:
         limits_of(nameless, MODEL)
 
 
-@settings(max_examples=15)
+@examples(15)
 @given(program=programs(), share=st.floats(0.2, 0.9))
 def test_slower_programs_are_never_quicker(program: Programmer, share: float) -> None:
     path = path_or_fault(program)

@@ -7,8 +7,9 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from laws import examples
 from motion_programs import (
     LIMITS,
     ROBOT,
@@ -75,7 +76,7 @@ def test_without_pieces_the_arm_stands_at_its_start() -> None:
     assert trajectory.time_at_place(0.0) == pytest.approx(0.0, abs=1e-12)
 
 
-@settings(max_examples=30)
+@examples(30)
 @given(
     pauses=st.lists(st.floats(0.0, 0.3), min_size=1, max_size=3),
     share=st.floats(0.0, 1.0),
@@ -87,7 +88,7 @@ def test_the_visible_place_is_the_mean_of_the_commanded(pauses: list[float], sha
     assert place == pytest.approx(mean_command(trajectory, time), abs=1e-8)
 
 
-@settings(max_examples=40)
+@examples(40)
 @given(
     program=programs(),
     corner=st.sampled_from(["c2", "parabola"]),
@@ -144,7 +145,7 @@ def test_without_smoothing_the_arm_is_where_the_command_is() -> None:
     assert trajectory.time_at_place(PATH.length) == pytest.approx(trajectory.duration)
 
 
-@settings(max_examples=25)
+@examples(25)
 @given(cuts=st.lists(st.floats(0.0, 1.0), min_size=1, max_size=12), pause=st.floats(0.0, 0.2))
 def test_cutting_a_command_into_pieces_changes_nothing(cuts: list[float], pause: float) -> None:
     at_once = run(pause)
@@ -208,7 +209,7 @@ def test_speed_is_that_of_the_tcp() -> None:
     assert samples.tcp_speed.max() <= 0.5 * 1.001
 
 
-@settings(max_examples=25)
+@examples(25)
 @given(share=st.floats(0.0, 1.0), pauses=st.lists(st.floats(0.0, 0.2), min_size=1, max_size=3))
 def test_the_time_at_a_place_is_when_the_arm_is_there(share: float, pauses: list[float]) -> None:
     trajectory = run(*pauses)

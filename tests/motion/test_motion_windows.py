@@ -6,8 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from laws import examples
 from motion_law import STEP, command_of, excess_of, off_curve
 from motion_programs import LIMITS, Programmer, path_of, path_or_fault, programs, zone
 
@@ -58,7 +59,7 @@ def ramped(draw: st.DrawFn) -> list[Segment]:
     return segments
 
 
-@settings(max_examples=40)
+@examples(40)
 @given(segments=ramped(), keeper=st.sampled_from(["command", "motion"]))
 def test_ramps_keep_the_path_and_the_limits(segments: list[Segment], keeper: Keeper) -> None:
     """It goes forward only, from rest to rest, on its curves; speeds are kept as without ramps."""
@@ -79,7 +80,7 @@ def test_ramps_keep_the_path_and_the_limits(segments: list[Segment], keeper: Kee
     assert ends.tcp_speed == pytest.approx([0.0, 0.0], abs=1e-6)
 
 
-@settings(max_examples=30)
+@examples(30)
 @given(segments=ramped(), share=st.floats(0.0, 1.0))
 def test_the_visible_place_is_the_mean_over_the_window(
     segments: list[Segment], share: float

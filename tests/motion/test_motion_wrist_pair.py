@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from laws import examples
 from motion_programs import LIMITS, MODEL, zone
 
 from rapidsim.frames.transform import Array, Transform
@@ -193,6 +194,7 @@ def test_derivatives_are_those_of_the_joints(robot: Robot, mode: CircleMode) -> 
     assert bend == pytest.approx(rates.second, rel=1e-5, abs=1e-2)
 
 
+@examples()
 @given(
     mode=st.sampled_from(list(PAIRS)),
     wrist=st.tuples(*[st.floats(-1.5, 1.5)] * 3),

@@ -12,6 +12,7 @@ from PIL import Image
 
 import rapidsim
 from rapidsim.files import InputError
+from rapidsim.plots import write
 from rapidsim.plots.comparison_picture import comparison_picture
 from rapidsim.plots.drawn import drawn, pieces
 from rapidsim.plots.frames_picture import frames_picture
@@ -103,7 +104,10 @@ def test_pieces_join() -> None:
     assert pieces(np.array([True, True, False, True])) == [slice(0, 3), slice(3, 4)]
 
 
-def test_other_robots_have_pictures_of_their_own(simulation: Simulation, tmp_path: Path) -> None:
+def test_other_robots_have_pictures_of_their_own(
+    simulation: Simulation, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(write, "PICTURES", {"path": path_picture})
     other = replace(simulation.robots[0], task="T_ROB2")
     written = write_plots(replace(simulation, other_robots=(other,)), tmp_path / "plots")
     assert {"path.png", "T_ROB2-path.png"} <= {path.name for path in written}

@@ -7,6 +7,7 @@ from typing import ClassVar
 
 from hypothesis import given
 from hypothesis import strategies as st
+from laws import examples
 
 from rapidsim.diagnostics import (
     Diagnostic,
@@ -132,6 +133,7 @@ def test_carets_never_leave_the_width(text: str, start: int, length: int, width:
     assert 0 <= line.caret_start < line.caret_end <= width + 1
 
 
+@examples()
 @given(st.text())
 def test_text_of_a_program_steers_no_terminal(text: str) -> None:
     shown = printable(text)

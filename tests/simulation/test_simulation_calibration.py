@@ -23,11 +23,11 @@ START_DEG = (0.0, 0.0, 0.0, 0.0, 30.0, 0.0)
 TRUTH = MotionModel(acceleration_time=0.22, filter_time=0.056, fine_dwell=0.14)
 
 SHORT_STOPS = """
-    FOR i FROM 1 TO 6 DO
+    FOR i FROM 1 TO 2 DO
       MoveL Offs(home, 0, 30*i, 0), v200, fine, tool0;
     ENDFOR"""
 FAST_CORNERS = """
-    FOR i FROM 1 TO 6 DO
+    FOR i FROM 1 TO 2 DO
       MoveL Offs(home, 0, 60*i, 60), vmax, z5, tool0;
       MoveL Offs(home, 0, 60*i+30, 0), vmax, z5, tool0;
     ENDFOR
@@ -56,8 +56,18 @@ def _logged(moves: str, every_s: float = 0.008) -> LoggedRun:
     return LoggedRun(loaded.program, JointLog("moves.csv", times + 12.3, joints))
 
 
-def test_the_model_that_made_the_logs_is_found() -> None:
-    found = calibrate([_logged(SHORT_STOPS), _logged(FAST_CORNERS)], ROBOT, MotionModel())
+@pytest.fixture(scope="module")
+def stops() -> LoggedRun:
+    return _logged(SHORT_STOPS)
+
+
+@pytest.fixture(scope="module")
+def corners() -> LoggedRun:
+    return _logged(FAST_CORNERS)
+
+
+def test_the_model_that_made_the_logs_is_found(stops: LoggedRun, corners: LoggedRun) -> None:
+    found = calibrate([stops, corners], ROBOT, MotionModel())
     for parameter in found.parameters:
         assert parameter.seen
         truth = getattr(TRUTH, parameter.name)
@@ -65,20 +75,21 @@ def test_the_model_that_made_the_logs_is_found() -> None:
     assert all(log.rms_after_s < 3e-3 < log.rms_before_s for log in found.logs)
 
 
-def test_corners_alone_do_not_show_the_dwell() -> None:
-    found = calibrate([_logged(FAST_CORNERS)], ROBOT, MotionModel())
+def test_corners_alone_do_not_show_the_dwell(corners: LoggedRun) -> None:
+    found = calibrate([corners], ROBOT, MotionModel())
     dwell = found.parameters[2]
     assert not dwell.seen
     assert dwell.value_s == pytest.approx(MotionModel().fine_dwell, abs=0.01)
 
 
-def test_a_log_of_another_path_is_refused() -> None:
-    run = _logged(SHORT_STOPS)
-    joints = run.log.joints.copy()
+def test_a_log_of_another_path_is_refused(stops: LoggedRun) -> None:
+    joints = stops.log.joints.copy()
     joints[len(joints) // 2 :, 0] += math.radians(20.0)
     with pytest.raises(InputError, match=r"20\.\d degrees off the path"):
         calibrate(
-            [LoggedRun(run.program, JointLog("x.csv", run.log.times, joints))], ROBOT, MotionModel()
+            [LoggedRun(stops.program, JointLog("x.csv", stops.log.times, joints))],
+            ROBOT,
+            MotionModel(),
         )
 
 

@@ -6,6 +6,7 @@ keep it. The motion model is pinned, and times may differ by as much as planning
 """
 
 import os
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -49,6 +50,10 @@ def ran(file: Path) -> Simulation:
     return simulate(program, arm(), options=options)
 
 
+ran_once = cache(ran)
+"""The run that tests share as long as none changes what runs it."""
+
+
 def events_of(run: Simulation) -> list[str]:
     """What happened, a line each; times in milliseconds."""
     lines = [
@@ -62,7 +67,7 @@ def events_of(run: Simulation) -> list[str]:
 @pytest.mark.parametrize("file", CELLS, ids=lambda file: file.stem)
 def test_events_come_when_they_should(file: Path) -> None:
     golden = file.with_suffix(".events")
-    events = events_of(ran(file))
+    events = events_of(ran_once(file))
     if os.environ.get("UPDATE_GOLDEN"):
         golden.write_text("\n".join(events) + "\n", encoding="utf-8")
     expected = golden.read_text(encoding="utf-8").splitlines()
@@ -75,7 +80,7 @@ def test_events_come_when_they_should(file: Path) -> None:
 def test_moves_planned_one_at_a_time_give_the_same(
     file: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    lazy, again = ran(file), ran(file)
+    lazy, again = ran_once(file), ran(file)
     assert [event.time_s for event in lazy.events] == [event.time_s for event in again.events]
     assert np.array_equal(lazy.trajectory.joints, again.trajectory.joints)
     monkeypatch.setattr(motion, "MAX_OPEN_MOVES", 0)

@@ -13,8 +13,9 @@ from math import cos, degrees, radians, sin
 import numpy as np
 import numpy.typing as npt
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
+from laws import examples
 from simulation_program import ran
 from simulation_reach import checked
 
@@ -104,7 +105,7 @@ def test_47_mm_out_of_reach_says_so_and_why_and_where_to_move_the_table() -> Non
 
 
 # Higher up, the tool that points down would turn axis 5 past its limit as well.
-@settings(max_examples=12)
+@examples(12)
 @given(st.floats(-60.0, 60.0), st.floats(-10.0, 20.0), st.floats(0.5, 400.0))
 def test_the_cure_is_the_shortest_shift_and_it_works(
     turn: float, rise: float, beyond: float
@@ -195,7 +196,7 @@ def red(shift: tuple[float, float, float]) -> set[int]:
     return {int(one.message.split("`")[1][1:]) for one in found if one.code == "K601"}
 
 
-@settings(max_examples=12)
+@examples(12)
 @given(st.tuples(*(st.floats(-300.0, 300.0).map(lambda x: round(x, 1)),) * 3))
 def test_a_moved_work_object_turns_exactly_the_right_targets_red(
     shift: tuple[float, float, float],

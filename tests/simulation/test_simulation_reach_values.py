@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from laws import examples
 from simulation_program import arm
 from simulation_reach import checked
 
@@ -189,7 +190,7 @@ ENDMODULE
 """.replace("b:=TestDI(di1) OR a=5 ? 1:2;", "IF TestDI(di1) THEN b:=1; ELSE b:=2; ENDIF")
 
 
-@settings(max_examples=60)
+@examples(60)
 @given(main=bodies, go=st.one_of(simple.filter(lambda s: "go" not in s), st.just("")))
 def test_every_move_of_a_run_is_among_those_known(main: str, go: str) -> None:
     loaded = load([SourceFile("cell.mod", PROGRAM.format(main=main, go=go), "utf-8")])

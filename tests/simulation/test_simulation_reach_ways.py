@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from laws import examples
 from simulation_program import ran
 from simulation_reach import checked
 
@@ -61,7 +62,7 @@ def test_what_follows_a_failing_line_is_not_blamed() -> None:
     assert checked(text).codes == [("K604", 9)]
 
 
-@settings(max_examples=25)
+@examples(25)
 @given(
     st.lists(
         st.tuples(

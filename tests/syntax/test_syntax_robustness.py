@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from laws import examples
 
 from rapidsim.diagnostics import Source
 from rapidsim.syntax import tree
@@ -45,7 +46,7 @@ def sound(text: str) -> Parsed:
 
 
 @given(st.one_of(token_soup, statements, characters))
-@settings(max_examples=300)
+@examples(300)
 def test_no_text_makes_it_fail(text: str) -> None:
     sound(text)
 
@@ -60,7 +61,7 @@ def test_a_file_cut_anywhere_is_read_to_the_cut(program: Path) -> None:
 
 
 @given(st.one_of(token_soup, characters))
-@settings(max_examples=200)
+@examples(200)
 def test_tokens_comments_and_blanks_are_the_text(text: str) -> None:
     tokens = lex(text)
     pieces = [(start, end) for start, end in zip(tokens.starts, tokens.ends, strict=True)]
