@@ -18,6 +18,7 @@ from pathlib import Path
 from unittest.mock import patch
 
 from rapidsim.cli.boundary import run_commands
+from rapidsim.cli.exit_codes import ExitCode
 
 SWITCH = "COMMAND_LINE"
 PROCESS = "process"
@@ -82,4 +83,6 @@ def _here(
         code = run_commands(arguments)
         stdout.flush()
         stderr.flush()
+        if code == ExitCode.INTERRUPTED:
+            raise KeyboardInterrupt  # Meant for the tests.
         return code, out.getvalue(), err.getvalue()
