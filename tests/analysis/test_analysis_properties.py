@@ -4,7 +4,7 @@ from pathlib import Path
 
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from laws import examples
+from laws import cases
 
 from rapidsim.analysis.checker import Checked, check
 from rapidsim.analysis.rules.table import detectors_of
@@ -24,7 +24,9 @@ TOKENS = st.sampled_from(
         *("\\", "?", "|", "%", ".", "1", "0", "2.5", "1E400", '"text"', "<SMT>", "<EXP>", "\n"),
     ]
 )
-LAW = settings(derandomize=True, suppress_health_check=[HealthCheck.too_slow], max_examples=150)
+LAW = settings(
+    derandomize=True, suppress_health_check=[HealthCheck.too_slow], max_examples=cases(150)
+)
 
 EVERY_RULE = detectors_of(lambda rule: True)
 
@@ -37,7 +39,6 @@ def is_without_error(found: Checked) -> bool:
     return all(one.severity is not Severity.ERROR for one in found.diagnostics)
 
 
-@examples()
 @LAW
 @given(st.lists(TOKENS, max_size=60))
 def test_no_soup_of_tokens_makes_check_raise(tokens: list[str]) -> None:
@@ -47,7 +48,6 @@ def test_no_soup_of_tokens_makes_check_raise(tokens: list[str]) -> None:
         assert found.program is None or is_without_error(found)
 
 
-@examples()
 @LAW
 @given(st.data())
 def test_no_damaged_program_makes_check_raise(data: st.DataObject) -> None:
