@@ -41,6 +41,7 @@ from rapidsim.interpreter.lending import lent_symbols
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.names import ArrayDimension, LocalNames, ModuleNames
 from rapidsim.interpreter.positions import At, Positions
+from rapidsim.interpreter.rounds import Callees, callees, tick
 from rapidsim.interpreter.statements import Statements
 from rapidsim.syntax import tree
 
@@ -52,6 +53,9 @@ class TranslatedRoutine:
     function: ast.FunctionDef
     numbers: ast.FunctionDef | None
     """Gives the numbers that a long-jump ERROR clause lists."""
+    callees: Callees
+    tick: list[ast.stmt]
+    """What the function begins with if its calls take a tick."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,7 +113,8 @@ class _RoutineTranslation:
             body = [at.attempt(body, at.name("_Leave"), "_l", [value])]
         name = self._context.names.routine(self._symbol)
         function = at.define(name, parameters, [], [*self._prologue(), *clauses, *body])
-        return TranslatedRoutine(function, self._numbers(name))
+        called = callees(self._nodes, self._context.program)
+        return TranslatedRoutine(function, self._numbers(name), called, tick(at))
 
     def _declare(self) -> list[str]:
         """Name the variables, clear of what the routine uses of its module."""

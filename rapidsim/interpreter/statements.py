@@ -25,6 +25,7 @@ from rapidsim.interpreter.jumps import Jumps
 from rapidsim.interpreter.limits import MAX_BRANCHES, MAX_LOOPS, NotExecutableError
 from rapidsim.interpreter.positions import At
 from rapidsim.interpreter.protection import protected
+from rapidsim.interpreter.rounds import tick
 from rapidsim.interpreter.values import literal
 from rapidsim.language.initial import initial_value
 from rapidsim.language.types import NUM, ArrayOf, resolved
@@ -234,16 +235,16 @@ class Statements:
         condition = self.expressions.condition(statement.condition)
         with self.jumps.loop() as loop:
             body = self.body(statement.body)
-        tick = self._tick(at)
+        turn = tick(at)
         if not (self.is_protected and condition.may_raise):
-            return [at.repeat(condition.node, [*tick, *body]), *self.jumps.after(loop, at)]
+            return [at.repeat(condition.node, [*turn, *body]), *self.jumps.after(loop, at)]
         decide = self._guard(
             [at.set("_condition", condition.node)],
             at,
             otherwise=[at.set("_condition", at.constant(False))],
         )
         done = at.when(at.unary(ast.Not(), at.name("_condition")), [at.stop()])
-        return [at.forever([*tick, *decide, done, *body]), *self.jumps.after(loop, at)]
+        return [at.forever([*turn, *decide, done, *body]), *self.jumps.after(loop, at)]
 
     def _for(self, statement: tree.For, at: At) -> list[ast.stmt]:
         self._refuse_depth(statement)
@@ -261,7 +262,7 @@ class Statements:
                 [at.set("_values", values)], at, otherwise=[at.set("_values", at.tuple_of([]))]
             )
             values = at.name("_values")
-        turn = at.each(at.store(name), values, [*self._tick(at), *body])
+        turn = at.each(at.store(name), values, [*tick(at), *body])
         return [*before, turn, *self.jumps.after(loop, at)]
 
     def _counter_values(
@@ -292,13 +293,6 @@ class Statements:
             nodes.append(at.constant(-1))
         return at.call("_range", nodes), interval, may_raise
 
-    def _tick(self, at: At) -> list[ast.stmt]:
-        """Let a little virtual time pass, and see to what is due."""
-        left = at.attribute("_task", "left")
-        due = at.compare(left, (ast.Lt(), at.constant(0)))
-        serve = at.do(at.call(at.attribute("_task", "service")))
-        return [at.decrement(at.store_attribute("_task", "left")), at.when(due, [serve])]
-
     def _machine(self, body: tree.Body) -> list[ast.stmt]:
         """A statement list with labels that GOTOs name: see `jumps`."""
         at = self.expressions.positions.at(body[0])
@@ -318,7 +312,7 @@ class Statements:
                 reached = start.compare(start.name(state), (ast.LtE(), start.constant(number)))
                 guarded.append(start.when(reached, section))
         reset = [at.set("_jump", at.constant(0)), at.set(state, at.constant(0))]
-        turn = at.forever([*self._tick(at), *guarded, starts[-1].stop()])
+        turn = at.forever([*tick(at), *guarded, starts[-1].stop()])
         return [*reset, turn, *self.jumps.after(machine, at)]
 
     def _return(self, value: tree.Expression | None, at: At) -> list[ast.stmt]:

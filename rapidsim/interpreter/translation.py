@@ -23,7 +23,8 @@ from rapidsim.interpreter.limits import (
 from rapidsim.interpreter.memory import initial_literal
 from rapidsim.interpreter.names import Binding, LocalNames, ModuleNames
 from rapidsim.interpreter.positions import Positions
-from rapidsim.interpreter.routines import ModuleContext, translate_routine
+from rapidsim.interpreter.rounds import ticking
+from rapidsim.interpreter.routines import ModuleContext, TranslatedRoutine, translate_routine
 from rapidsim.language.types import ArrayOf, resolved
 from rapidsim.syntax import tree
 
@@ -66,10 +67,13 @@ def translate(program: Program, modules: Sequence[tree.Module] | None = None) ->
     _refuse_huge_arrays(program)
     constants = Constants(program)
     with recursion_limit(TRANSLATING_DEPTH):
+        routines: dict[RoutineSymbol, TranslatedRoutine] = {}
         translated = [
-            _translate_module(module, program, constants)
+            _translate_module(module, program, constants, routines)
             for module in (program.modules if modules is None else modules)
         ]
+    for symbol in ticking({symbol: one.callees for symbol, one in routines.items()}):
+        routines[symbol].function.body[:0] = routines[symbol].tick
     return Translation(tuple(translated), constants)
 
 
@@ -83,8 +87,12 @@ def show_python(program: Program) -> str:
 
 
 def _translate_module(
-    module: tree.Module, program: Program, constants: Constants
+    module: tree.Module,
+    program: Program,
+    constants: Constants,
+    routines: dict[RoutineSymbol, TranslatedRoutine],
 ) -> TranslatedModule:
+    """Translate a module; its routines are added to `routines`."""
     names = ModuleNames(module)
     positions = Positions(module.source)
     context = ModuleContext(program, names, positions, constants.value_of)
@@ -94,7 +102,7 @@ def _translate_module(
     for routine in module.routines:
         symbol = program.symbol_of[routine]
         assert isinstance(symbol, RoutineSymbol)
-        translated = translate_routine(symbol, context)
+        translated = routines[symbol] = translate_routine(symbol, context)
         functions[translated.function.name] = symbol
         body.append(translated.function)
         if translated.numbers is not None:

@@ -14,6 +14,7 @@ import numpy as np
 from rapidsim.frames.transform import Array
 from rapidsim.motion.curves import Index
 from rapidsim.motion.held_speeds import held_speeds
+from rapidsim.motion.interruption import Look, undisturbed
 from rapidsim.motion.kinematics import Mask
 from rapidsim.motion.problem import Problem
 from rapidsim.motion.solver import solve
@@ -71,7 +72,9 @@ class Division:
         return Division(stages, np.repeat(self.needed, parts), int(parts[: self.driven].sum()))
 
 
-def fastest_drive(problem: Problem, start_speed: float) -> tuple[Division, Drive]:
+def fastest_drive(
+    problem: Problem, start_speed: float, look: Look = undisturbed
+) -> tuple[Division, Drive]:
     """Find the fastest motion from a start speed [m/s] to rest at the end of the path."""
     stages = stages_of(problem.cells, problem.accelerations, _FIRST_PARTS)
     first = problem.cells.driven * _FIRST_PARTS
@@ -80,6 +83,7 @@ def fastest_drive(problem: Problem, start_speed: float) -> tuple[Division, Drive
         division = Division(stages, _needed(problem, division, start_speed), first)
     result = drive(problem, division, start_speed)
     for number in range(_ROUNDS + _MORE_ROUNDS):
+        look()
         parts = np.ones(len(division.needed), dtype=np.int64)
         parts[division.driven :] = _parts(problem, result, save_time=number < _ROUNDS)
         if (parts == 1).all():

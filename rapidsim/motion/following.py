@@ -16,6 +16,7 @@ import numpy as np
 from rapidsim.frames.transform import Array
 from rapidsim.motion.arms import Arms, Index
 from rapidsim.motion.external_axes import Axes
+from rapidsim.motion.interruption import Look, undisturbed
 from rapidsim.motion.kinematics import Mask
 from rapidsim.motion.layout import Layout
 from rapidsim.motion.line_rates import Lines
@@ -82,7 +83,12 @@ class Nodes:
 
 
 def follow(
-    layout: Layout, arms: Arms, lines: Lines | None, segments: Sequence[Segment], axes: Axes
+    layout: Layout,
+    arms: Arms,
+    lines: Lines | None,
+    segments: Sequence[Segment],
+    axes: Axes,
+    look: Look = undisturbed,
 ) -> Nodes | PathFault:
     """Follow every Cartesian curve of a path.
 
@@ -92,6 +98,7 @@ def follow(
         lines: Those that have closed forms.
         segments: The segment of each curve.
         axes: Limits of the arm's joints and the external axes.
+        look: Called now and then.
 
     Returns:
         The joints, or the first place where the branch ends, jumps, misses the joints of a
@@ -101,6 +108,7 @@ def follow(
     s, piece = _first_nodes(layout)
     joints, exists = _raw_joints(layout, arms, lines, s, piece)
     while True:
+        look()
         row = layout.row[piece]
         step = np.abs(_short_way(np.diff(joints[:, :n], axis=0))).max(axis=-1, initial=0.0)
         gap = np.diff(s)

@@ -13,6 +13,7 @@ import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.curves import Index
+from rapidsim.motion.interruption import Look, undisturbed
 from rapidsim.motion.kinematics import Mask
 from rapidsim.motion.layout import Layout
 from rapidsim.motion.limits import Limits
@@ -71,11 +72,12 @@ class Cells:
         return piece
 
 
-def cells_of(path: Path, limits: Limits, start: float) -> Cells:
+def cells_of(path: Path, limits: Limits, start: float, look: Look = undisturbed) -> Cells:
     """Cells of a path, fine enough for its derivatives; the motion starts at a place [m] of it."""
     cells = _evaluate(path, *_first_cells(path, start))
     rough = np.arange(len(cells.at))
     for _ in range(_ROUNDS):
+        look()
         rough = rough[_rough(cells, rough, limits, path.length)]
         if not len(rough):
             break

@@ -20,6 +20,7 @@ from rapidsim.motion.curves import Index, circle_fault, curves_of
 from rapidsim.motion.external_axes import Axes
 from rapidsim.motion.following import FaultKind, Nodes, follow, limit_fault
 from rapidsim.motion.following import PathFault as PathFault
+from rapidsim.motion.interruption import Look, undisturbed
 from rapidsim.motion.kinematics import Kinematics
 from rapidsim.motion.layout import Layout, layout_of
 from rapidsim.motion.line_rates import Lines, lines_of
@@ -385,7 +386,9 @@ class Path:
         return motion.velocity, motion.turning
 
 
-def build_path(robot: Robot, segments: Sequence[Segment], model: MotionModel) -> Path | PathFault:
+def build_path(
+    robot: Robot, segments: Sequence[Segment], model: MotionModel, look: Look = undisturbed
+) -> Path | PathFault:
     """Join segments to a path.
 
     Args:
@@ -393,6 +396,7 @@ def build_path(robot: Robot, segments: Sequence[Segment], model: MotionModel) ->
         segments: At least one; each starts with the joints that the one before ends with, and has
             speeds above zero.
         model: Shape of corners.
+        look: Called now and then.
 
     Returns:
         The path, or the first place where the arm cannot follow it.
@@ -411,14 +415,16 @@ def build_path(robot: Robot, segments: Sequence[Segment], model: MotionModel) ->
     moving = [segments[int(i)] for i in active]
     if len(active) < len(segments):
         curves = curves_of(moving, kinematics)
+    look()
     arms = arms_of(moving, kinematics, curves.joint_travel, curves.length)
     corners = without_skipped(corners_of(moving, curves, arms, model), active)
     layout = layout_of(curves, corners, model.corner)
     lines = lines_of(layout, arms)
-    nodes = follow(layout, arms, lines, moving, axes)
+    nodes = follow(layout, arms, lines, moving, axes, look)
     if isinstance(nodes, PathFault):
         return dataclasses.replace(nodes, segment=int(active[nodes.segment]))
     path = Path(tuple(segments), kinematics, layout, arms, active, nodes, model, lines)
+    look()
     fault = _joint_space_fault(path, axes)
     if fault is not None:
         return dataclasses.replace(fault, segment=int(active[fault.segment]))

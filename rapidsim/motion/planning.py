@@ -7,6 +7,7 @@ import numpy as np
 from rapidsim.frames.transform import Array
 from rapidsim.motion.drive import Division, drive, fastest_drive
 from rapidsim.motion.grid import cells_of
+from rapidsim.motion.interruption import Look, undisturbed
 from rapidsim.motion.limiters import limiters_of
 from rapidsim.motion.limits import Limits
 from rapidsim.motion.path import Path
@@ -19,7 +20,14 @@ _TIMED_HALVINGS = 16
 _TIME_TOLERANCE = 1e-3
 
 
-def plan(path: Path, limits: Limits, *, start: float = 0.0, start_speed: float = 0.0) -> Timing:
+def plan(
+    path: Path,
+    limits: Limits,
+    *,
+    start: float = 0.0,
+    start_speed: float = 0.0,
+    look: Look = undisturbed,
+) -> Timing:
     """Find the fastest motion to rest at the end of a path.
 
     Args:
@@ -28,6 +36,7 @@ def plan(path: Path, limits: Limits, *, start: float = 0.0, start_speed: float =
         start: Place [m] where the motion starts.
         start_speed: Path speed [m/s] there. If it is too fast to brake within the limits, it is
             kept, the first stretch brakes harder than allowed, and `Timing.start_excess` says so.
+        look: Called now and then.
     """
     if start >= path.length:
         nothing = Limiter(Quantity.NOTHING)
@@ -40,12 +49,12 @@ def plan(path: Path, limits: Limits, *, start: float = 0.0, start_speed: float =
     pace = np.full(len(path.segments), np.nan)
     timed = _timed(path, start)
     pace[list(timed)] = np.inf
-    problem = problem_of(path, cells_of(path, limits, start), limits, pace)
-    division, motion = fastest_drive(problem, start_speed)
+    problem = problem_of(path, cells_of(path, limits, start, look), limits, pace)
+    division, motion = fastest_drive(problem, start_speed, look)
     if timed:
-        pace = _paced(problem, division, pace, start_speed, timed)
-        division, _ = fastest_drive(at_pace(problem, pace), start_speed)
-        pace = _paced(problem, division, pace, start_speed, timed)
+        pace = _paced(problem, division, pace, start_speed, timed, look)
+        division, _ = fastest_drive(at_pace(problem, pace), start_speed, look)
+        pace = _paced(problem, division, pace, start_speed, timed, look)
         problem = at_pace(problem, pace)
         motion = drive(problem, division, start_speed)
     nodes, speed = motion.stages.nodes, np.sqrt(motion.x)
@@ -81,6 +90,7 @@ def _paced(
     pace: Array,
     start_speed: float,
     timed: dict[int, float],
+    look: Look,
 ) -> Array:
     """The path speed (segments,) that gives each timed segment its time; infinite if too short.
 
@@ -95,6 +105,7 @@ def _paced(
 
     def spent(trial: Array) -> Array:
         """Time of the timed segments at some paces."""
+        look()
         attempt = pace.copy()
         attempt[index] = trial
         step = drive(at_pace(problem, attempt), division, start_speed).times

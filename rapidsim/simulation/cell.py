@@ -12,7 +12,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from time import monotonic
 from typing import Protocol
 
 from rapidsim.language.controller import Place
@@ -25,8 +24,8 @@ from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.result import EventKind
 from rapidsim.simulation.signals import SignalTable
 from rapidsim.simulation.sockets import SocketTable
-from rapidsim.simulation.stops import WallLimitReached
 from rapidsim.simulation.text_tables import TextTables
+from rapidsim.simulation.watchdog import Watchdog
 
 OUTSIDE = "cell"
 """Stands for a task's name at events that no task causes."""
@@ -116,8 +115,7 @@ class Cell:
     def __init__(self, options: RunOptions, journal: Journal) -> None:
         """Set the cell up at time zero; what happens by itself is noted beside `journal`."""
         self.max_time_s = options.max_time_s
-        self._max_wall_s = options.max_wall_s
-        self._began_s = 0.0 if options.max_wall_s is None else monotonic()
+        self.watchdog = Watchdog(options.max_wall_s)
         self.signals = SignalTable(options.io.signals)
         self.home = HomeFolder(options.home)
         self.operator = Operator(options.answers, options.answers_are_typed)
@@ -193,23 +191,6 @@ class Cell:
 
         self._coming.append(_Coming(moment, change, _folded(values)))
         self.tell(moment)
-
-    def wall_left_s(self) -> float:
-        """How long the run may still take on our clock [s]; infinite without a limit."""
-        if self._max_wall_s is None:
-            return math.inf
-        return max(0.0, self._began_s + self._max_wall_s - monotonic())
-
-    def check_wall_clock(self) -> None:
-        """End the run if it takes too long on our clock.
-
-        Raises:
-            WallLimitReached: If it was given a limit and that has passed.
-        """
-        if self.wall_left_s() <= 0.0:
-            raise WallLimitReached(
-                f"the run was cut off after {self._max_wall_s:g} s on the computer's clock"
-            )
 
     def close(self) -> None:
         """Close the files and connections that the program left open."""

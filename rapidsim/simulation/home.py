@@ -115,7 +115,7 @@ class HomeFile:
 
     @property
     def is_closed(self) -> bool:
-        """Whether it was closed."""
+        """Whether the program has closed it."""
         return self._stream.closed
 
     def _open(self) -> BinaryIO:
@@ -131,6 +131,7 @@ class HomeFolder:
         """Confine all paths to `folder`; None means that there is none."""
         self._folder = folder
         self._files: list[HomeFile] = []
+        """Those that were open when the last one was opened."""
         self._written: dict[Path, None] = {}
         self._disk = _Disk()
 
@@ -160,7 +161,7 @@ class HomeFolder:
         if mode is not FileMode.READ:
             self._written[place] = None
         file = HomeFile(stream, path, self._disk)  # type: ignore[arg-type]
-        self._files.append(file)
+        self._files = [one for one in self._files if not one.is_closed] + [file]
         return file
 
     def read(self, path: str, most: int) -> tuple[Path, bytes]:

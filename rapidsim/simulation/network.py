@@ -36,22 +36,31 @@ class NetworkConnection:
     received: bytearray = field(default_factory=bytearray)
     has_ended: bool = False
 
-    def send(self, data: bytes) -> None:
-        """Send bytes.
+    def send(self, data: bytes, seconds: float | None) -> bool:
+        """Send bytes; False if the other end did not take all of them within `seconds`.
 
         Raises:
             RapidError: ERR_SOCK_CLOSED.
         """
         try:
-            self.stream.settimeout(None)
+            self.stream.settimeout(seconds)
             self.stream.sendall(data)
+        except TimeoutError:
+            return False
         except OSError as error:
             raise rapid_error(ERR_SOCK_CLOSED, f"{self.peer}: {_reason(error)}") from None
+        return True
 
-    def wait(self, count: int, seconds: float | None) -> None:
-        """Wait, `seconds` or for ever, until so many bytes are there or no more will come."""
+    def wait(self, count: int, patience: Callable[[], float | None]) -> None:
+        """Wait until so many bytes are there or no more will come.
+
+        Args:
+            count: Of all bytes that are there.
+            patience: Asked each time that some have come: how long [s] to wait for more, or for
+                ever.
+        """
         while len(self.received) < count and not self.has_ended:
-            data = _tried(lambda: self.stream.recv(_AT_ONCE), self.stream, seconds)
+            data = _tried(lambda: self.stream.recv(_AT_ONCE), self.stream, patience())
             if data is None:
                 return
             self.received += data

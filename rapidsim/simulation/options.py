@@ -49,7 +49,7 @@ class RunOptions:
     max_time_s: float = 3600.0
     """Virtual time at which the run ends."""
     max_wall_s: float | None = None
-    """How long the run may take on our clock; the only thing in a run that looks at it."""
+    """How long the run may take on our clock; the only thing in a run that depends on it."""
     max_cycles: int = 1
     """How often main runs."""
     entry: str = "main"

@@ -19,6 +19,7 @@ import numpy as np
 
 from rapidsim.motion.corners import Corner
 from rapidsim.motion.following import PathFault
+from rapidsim.motion.interruption import Look, undisturbed
 from rapidsim.motion.limits import Limits, limits_of
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path import Path, build_path
@@ -96,6 +97,8 @@ class PathQueue:
     trajectory: Trajectory
     end: Waypoint
     """Where the last queued move ends."""
+    look: Look = undisturbed
+    """Called while it plans; raises to end that."""
     moves: list[QueuedMove] = field(default_factory=list)
     version: int = 0
     """Changes whenever what the robot will do may change."""
@@ -326,7 +329,7 @@ class PathQueue:
         if isinstance(path, PathFault):
             raise MotionError(self._block[first + path.segment], path)
         from_m = float(path.segment_starts[commit.move - first]) + commit.distance_m
-        timing = plan(path, self.limits, start=from_m, start_speed=commit.speed_m_s)
+        timing = plan(path, self.limits, start=from_m, start_speed=commit.speed_m_s, look=self.look)
         return Plan(path, timing, first, from_m, commit.time_s, lost_corner)
 
     @property
@@ -352,7 +355,7 @@ class PathQueue:
         segments = [queued.segment for queued in moves]
         if lost_corner is not None:
             segments[lost_corner] = replace(segments[lost_corner], zone=None)
-        return build_path(self.robot, segments, self.model)
+        return build_path(self.robot, segments, self.model, self.look)
 
     def _stop_before(self, index: int) -> None:
         """Let the robot make the moves before one that it cannot make."""

@@ -18,6 +18,11 @@ LONGEST_SLICE = 100_000
 """Ticks after which the controller looks around even when nothing is due."""
 
 
+NO_TICKS = -(1 << 62)
+"""What is left of a slice whose ticks the watchdog has taken away: how many were used is not
+known, at most those of one slice."""
+
+
 class PointerTime:
     """When the statement that runs happens."""
 
@@ -47,8 +52,9 @@ class PointerTime:
 
     def settle(self, left: int) -> None:
         """Turn the ticks that were used into time, given those that are left."""
-        self.offset_s += max(0, self._granted - left) * self.tick_s
-        self._granted = left
+        if left > NO_TICKS // 2:
+            self.offset_s += max(0, self._granted - left) * self.tick_s
+            self._granted = left
 
     def grant(self, until_s: float, slack_s: float) -> int:
         """Ticks that the program may use until a time [s], or for a slack [s] if none is known."""

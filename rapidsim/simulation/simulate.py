@@ -102,6 +102,7 @@ def run_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> FinishedRun:
         time_s = max(run.controller.end_time_s() for run in runs if run.setup.counts)
     finally:
         cell.close()
+        cell.watchdog.rest()
     cell.end_sharing()
     named = zip(setups, outcomes, strict=True)
     return FinishedRun(

@@ -113,7 +113,7 @@ def prepare(
     robot = setup.robot or stand_in
     start = _start_waypoint(robot, setup.start_joints_deg)
     trajectory = Trajectory(start, options.model.filter_time, options.model.smoothing)
-    queue = RobotPath(robot, options.model, trajectory, start)
+    queue = RobotPath(robot, options.model, trajectory, start, cell.watchdog.look)
     resolver = Resolver(robot, journal, setup.place.inverse(), options.model.payload_acceleration)
     place = _entry_place(setup.program, options.entry)
     controller = VirtualController(cell, queue, resolver, journal, place)

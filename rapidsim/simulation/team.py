@@ -230,7 +230,7 @@ class Team(RobotPath):
             segments = [part.segment for part in own]
             if lost_corner is not None:
                 segments[lost_corner] = replace(segments[lost_corner], zone=None)
-            path = build_path(robot.robot, segments, self.model)
+            path = build_path(robot.robot, segments, self.model, self.look)
             if isinstance(path, PathFault):
                 self._faulty = number
                 return path

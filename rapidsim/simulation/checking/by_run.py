@@ -26,6 +26,9 @@ from rapidsim.syntax import tree
 
 LONGEST_RUN_S = 120.0
 """Virtual time after which the run of a check is over."""
+LONGEST_WORK_S = 60.0
+"""Time on the computer's clock after which it is over, too: many times what so much virtual time
+takes in a program that gets on."""
 MOST_MOVES = 4000
 """Move instructions in a text beyond which a check does not run it."""
 _TOLD_BY_RUN = frozenset({"conf_j", "conf_l"})
@@ -88,6 +91,7 @@ def run_for_moves(
             answers=_nobody,
             max_cycles=1,
             max_time_s=min(options.max_time_s, longest_s),
+            max_wall_s=LONGEST_WORK_S,
         )
         try:
             run = simulate(program, robot, options=limited)

@@ -126,6 +126,9 @@ class TaskOthers(TaskMotion):
 
     def stop_robot(self, time_s: float) -> None:
         """Stop the robot at a time [s]: another task has failed, or the run is over."""
+        if self._cell.watchdog.has_ended_the_run:
+            # Stopping would plan what is open, which may be what took too long.
+            return
         with suppress(MotionError):
             if not self._queue.is_halted:
                 self._queue.halt(time_s)

@@ -114,7 +114,8 @@ class TaskSockets(TaskTime):
             sent=data.decode("iso-8859-1"),
         )
         if isinstance(connection, NetworkConnection):
-            connection.send(data)
+            sent = connection.send(data, self._patience(math.inf))
+            self._after_network(sent, math.inf)
         else:
             assert isinstance(connection, StreamEnd)
             connection.send(data, now_s)
@@ -132,7 +133,7 @@ class TaskSockets(TaskTime):
             return connection.has_ended or len(connection.received) >= count
 
         if isinstance(connection, NetworkConnection):
-            connection.wait(count, self._patience(deadline_s))
+            connection.wait(count, lambda: self._patience(deadline_s))
             self._after_network(is_there(), deadline_s)
             there = is_there()
         else:
@@ -177,13 +178,13 @@ class TaskSockets(TaskTime):
     def _patience(self, deadline_s: float) -> float | None:
         """How long the network may take [s]; None for ever."""
         left_s = min(deadline_s, self._cell.max_time_s) - self._observe()
-        left_s = min(left_s, self._cell.wall_left_s())
+        left_s = min(left_s, self._cell.watchdog.left_s)
         return None if math.isinf(left_s) else max(0.0, left_s)
 
     def _after_network(self, in_time: bool, deadline_s: float) -> None:
         """A wait in vain has taken its time; an answer took none."""
         self._journal.unsimulated("the network", "answers take no simulated time", self.place)
-        self._cell.check_wall_clock()
+        self._cell.watchdog.look()
         if not in_time:
             self._pass_time(max(deadline_s, self._observe()))
 

@@ -67,6 +67,7 @@ class TaskTime:
         self._looks_at_s: float | None = None
         """The time [s] at which it looks aside; None while it does not."""
         cell.listeners.append(self._interrupts)
+        cell.watchdog.watch(self)
 
     @property
     def in_trap(self) -> bool:
@@ -104,8 +105,9 @@ class TaskTime:
         """Do what is due and grant the next slice.
 
         Raises:
-            TimeLimitReached: When the time limit is reached.
+            TimeLimitReached: When a time limit is reached.
         """
+        self._cell.watchdog.look()
         if self._interrupts.watches:
             self._look_at_persistents()
         time = self._time
@@ -128,7 +130,7 @@ class TaskTime:
 
     def _grant(self) -> None:
         """Give the program ticks until something is due."""
-        self._cell.check_wall_clock()
+        self._cell.watchdog.look()
         due_s = self._next_due_s()
         until_s = min(self._cell.max_time_s, math.inf if due_s is None else due_s)
         if self._cell.is_shared:
@@ -304,6 +306,7 @@ class TaskTime:
         return Cause(self._journal, self.place)
 
     def _note_line(self) -> None:
+        self._cell.watchdog.look()
         if self._interrupts.watches:
             self._look_at_persistents()
         self._journal.line(self._moment(), self.place)

@@ -1,0 +1,181 @@
+"""`--max-wall` holds, whatever the program is busy with: within 2 s of processor time."""
+
+import time
+from pathlib import Path
+
+import pytest
+
+from rapidsim.cli.boundary import run_commands
+from rapidsim.files import SourceFile
+from rapidsim.motion.robot import load_robot
+from rapidsim.simulation.checking import by_run
+from rapidsim.simulation.load import load
+from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.result import End, Simulation
+from rapidsim.simulation.simulate import simulate, simulate_tasks
+from rapidsim.simulation.task_run import TaskSetup
+
+WALL_S = 0.5
+BEYOND_S = 2.0
+
+DATA = """
+  CONST robtarget p1:=[[800,0,900],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget far:=[[9000,0,900],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  VAR robtarget here;
+  VAR jointtarget joints;
+  VAR iodev file;
+  VAR num n;
+  VAR num many{1000000};
+  VAR num others{1000000};
+"""
+CHAIN = "\n".join(f"  PROC q{i}()\n    q{i + 1};\n    q{i + 1};\n  ENDPROC" for i in range(60))
+
+
+def forever(body: str, *, first: str = "", more: str = "") -> str:
+    """A program that does something again and again without letting time pass."""
+    return (
+        f"MODULE job\n{DATA}\n  PROC main()\n{first}\n    WHILE TRUE DO\n      n:=n+1;\n{body}\n"
+        f"    ENDWHILE\n  ENDPROC\n{more}\nENDMODULE\n"
+    )
+
+
+def once(body: str, more: str) -> str:
+    return f"MODULE job\n{DATA}\n  PROC main()\n{body}\n  ENDPROC\n{more}\nENDMODULE\n"
+
+
+FIB = once(
+    "    n:=fib(60);",
+    "  FUNC num fib(num n)\n    IF n<2 RETURN n;\n    RETURN fib(n-1)+fib(n-2);\n  ENDFUNC",
+)
+UNREACHED = forever(
+    "      attempt;",
+    more="  PROC attempt()\n    MoveL far,v100,fine,tool0;\n  ERROR\n    TRYNEXT;\n  ENDPROC",
+)
+TO_P1 = "    MoveJ p1,v1000,fine,tool0;\n"
+SLOW_FLY_BY = (
+    TO_P1 + "    MoveL Offs(p1,0,300,0),v5,z50,tool0;\n    MoveL Offs(p1,0,-300,0),v5,z50,tool0;"
+)
+FILE = '    Open "m.mod",file\\Write;\n    Write file,"MODULE m";\n    Write file,"ENDMODULE";\n'
+FILE += "    Close file;"
+MODULES = '      Load "m.mod";\n      UnLoad "m.mod";'
+WAYS = {
+    "recursion": FIB,
+    "calls of calls": once("    q0;", CHAIN + "\n  PROC q60()\n    n:=n+1;\n  ENDPROC"),
+    "moves that fail": UNREACHED,
+    "moves of a thousandth of a millimetre": forever(
+        "      MoveL Offs(p1,0.001*n,0,0),v100,z0,tool0;", first=TO_P1
+    ),
+    "the same with stops": forever(
+        "      MoveL Offs(p1,0.001*n,0,0),v100,fine,tool0;", first=TO_P1
+    ),
+    "copies": forever('      CopyFile "m.mod","b"+NumToStr(n,0);', first=FILE),
+    "folders": forever('      MakeDir "b"+NumToStr(n,0);'),
+    "files": forever('      Open "a.txt",file\\Append;\n      Write file,"x";\n      Close file;'),
+    "modules": forever(MODULES, first=FILE),
+    "a position in a fly-by": forever("      here:=CRobT();", first=SLOW_FLY_BY),
+    "a stop and a start": forever("      StopMove;\n      StartMove;", first=SLOW_FLY_BY),
+    "inverse kinematics": forever("      joints:=CalcJointT(p1,tool0);"),
+    "texts": forever('      TPWrite "again";'),
+    "large arrays": forever("      many:=others;"),
+}
+BY_SEARCH = {
+    "moves": forever(
+        "      MoveL Offs(p1,-300-100*Sin(n*7),100*Sin(n),-400),v100,z10,tool0;",
+        first="    MoveJ Offs(p1,-300,0,-400),v1000,fine,tool0;",
+    ),
+    "a position after each move": forever(
+        "      MoveL Offs(p1,-300-100*Sin(n*7),100*Sin(n),-400),v100,z10,tool0;\n"
+        "      here:=CRobT();",
+        first="    MoveJ Offs(p1,-300,0,-400),v1000,fine,tool0;",
+    ),
+}
+
+
+def options(home: Path) -> RunOptions:
+    return RunOptions(home=home, max_time_s=1e7, max_wall_s=WALL_S)
+
+
+def cut_off(text: str, home: Path, robot: str = "irb1600") -> Simulation:
+    """Run until the computer's clock ends it; the processor time is that of this process alone."""
+    loaded = load([SourceFile("job.mod", text, "utf-8")])
+    assert loaded.program is not None, loaded.diagnostics
+    arm = load_robot(robot)
+    began_s = time.process_time()
+    it = simulate(loaded.program, arm, options=options(home))
+    assert time.process_time() - began_s < WALL_S + BEYOND_S
+    assert it.end is End.TIME_LIMIT
+    assert it.diagnostics[-1].violation.message.endswith("after 0.5 s on the computer's clock")
+    return it
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_a_program_that_is_busy(way: str, tmp_path: Path) -> None:
+    cut_off(WAYS[way], tmp_path)
+
+
+@pytest.mark.parametrize("way", BY_SEARCH)
+def test_an_arm_whose_joints_are_searched_for(way: str, tmp_path: Path) -> None:
+    cut_off(BY_SEARCH[way], tmp_path, "crb15000")
+
+
+def test_several_tasks(tmp_path: Path) -> None:
+    texts = (UNREACHED, forever("      here:=CRobT();", first=SLOW_FLY_BY))
+    programs = [load([SourceFile("job.mod", text, "utf-8")]).program for text in texts]
+    setups = [
+        TaskSetup(f"T_ROB{number}", program, load_robot("irb1600"))
+        for number, program in enumerate(programs, 1)
+        if program is not None
+    ]
+    began_s = time.process_time()
+    it = simulate_tasks(setups, options(tmp_path))
+    assert time.process_time() - began_s < WALL_S + BEYOND_S
+    assert it.end is End.TIME_LIMIT
+
+
+def test_what_was_done_before_is_told(tmp_path: Path) -> None:
+    it = cut_off(forever("      here:=CRobT();", first=SLOW_FLY_BY), tmp_path)
+    assert it.moves
+    assert it.time_s > it.moves[0].end_s
+    assert it.trajectory.duration > 0.0
+
+
+def test_a_run_that_ends_in_time_is_the_same(tmp_path: Path) -> None:
+    text = once("    MoveJ p1,v1000,fine,tool0;\n    n:=sum(20);", SUM)
+    loaded = load([SourceFile("job.mod", text, "utf-8")])
+    assert loaded.program is not None
+    arm = load_robot("irb1600")
+    free = simulate(loaded.program, arm, options=RunOptions(home=tmp_path))
+    watched = simulate(loaded.program, arm, options=RunOptions(home=tmp_path, max_wall_s=1e6))
+    assert (watched.time_s, watched.end) == (free.time_s, free.end)
+
+
+SUM = "  FUNC num sum(num n)\n    IF n<1 RETURN 0;\n    RETURN n+sum(n-1);\n  ENDFUNC"
+
+
+def test_a_call_of_oneself_takes_a_tick_as_a_turn_of_a_loop_does(tmp_path: Path) -> None:
+    loaded = load([SourceFile("job.mod", once("    n:=sum(20);", SUM), "utf-8")])
+    assert loaded.program is not None
+    it = simulate(loaded.program, load_robot("irb1600"), options=RunOptions(home=tmp_path))
+    assert it.time_s == pytest.approx(21 * 1e-5)
+
+
+def test_recursion_meets_the_limit_of_virtual_time(tmp_path: Path) -> None:
+    loaded = load([SourceFile("job.mod", FIB, "utf-8")])
+    assert loaded.program is not None
+    it = simulate(
+        loaded.program, load_robot("irb1600"), options=RunOptions(home=tmp_path, max_time_s=1.0)
+    )
+    assert it.end is End.TIME_LIMIT
+    assert it.time_s == pytest.approx(1.0)
+
+
+def test_the_run_of_a_check_is_cut_off_too(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(by_run, "LONGEST_WORK_S", WALL_S)
+    file = tmp_path / "job.mod"
+    file.write_text(UNREACHED, "utf-8")
+    began_s = time.process_time()
+    assert run_commands(["check", str(file)]) == 1
+    assert time.process_time() - began_s < WALL_S + 3.0 * BEYOND_S
+    assert "unreachable" in capsys.readouterr().out
