@@ -82,6 +82,18 @@ class RobotPath(PathQueue):
         self._take_back(index + 1)
         return rest_s
 
+    def leave(self) -> None:
+        """Leave the robot on its way, where its path is fixed up to; nothing is planned any more.
+
+        The move that begins there counts as begun, for it is what the arm is about to make.
+        """
+        if not self.is_open or self._commit is None or not self._driven:
+            return
+        queued = self._block[self._commit.move]
+        if queued.ended_s is None:
+            queued.started.time = queued.ended_s = self._commit.time_s
+            queued.start_place_m = queued.end_place_m = self.trajectory.length
+
     def resume(self, now_s: float) -> None:
         """Let the robot go on from where it was stopped."""
         self.version += 1

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
-from typing import TypeAlias, TypeVar
+from typing import Protocol, TypeAlias, TypeVar
 
 from hypothesis import strategies as st
 
@@ -47,33 +47,85 @@ def shape(node: object) -> object:
 @st.composite
 def modules(draw: st.DrawFn) -> tree.Module:
     """Any module."""
-    return Drawing(draw).module()
+    return Drawing(Hypothesis(draw)).module()
+
+
+class Choice(Protocol):
+    """What decides what is drawn."""
+
+    def of(self, values: Sequence[T]) -> T:
+        """One of several values."""
+        ...
+
+    def literal(self) -> float | str | bool:
+        """The value of a literal."""
+        ...
+
+    def text(self) -> str:
+        """Any characters."""
+        ...
+
+
+@dataclass(frozen=True)
+class Hypothesis:
+    """Leaves the choice to Hypothesis, which looks for the simplest that fails."""
+
+    draw: st.DrawFn
+
+    def of(self, values: Sequence[T]) -> T:
+        return self.draw(st.sampled_from(values))
+
+    def literal(self) -> float | str | bool:
+        return self.draw(st.one_of(numbers, texts, st.booleans()))
+
+    def text(self) -> str:
+        return self.draw(texts)
+
+
+@dataclass
+class Sequence64:
+    """The same choices in every version of everything: a congruential sequence.
+
+    Source: Knuth, The Art of Computer Programming, 3.3.4, the multiplier and increment of MMIX.
+    """
+
+    state: int = 1
+
+    def of(self, values: Sequence[T]) -> T:
+        self.state = (self.state * 6364136223846793005 + 1442695040888963407) % 2**64
+        return values[(self.state >> 33) % len(values)]
+
+    def literal(self) -> float | str | bool:
+        return self.of((0.0, -2.5, 9e9, "", "a", True, False))
+
+    def text(self) -> str:
+        return self.of(("", "a", 'say "x"', "b\\c"))
 
 
 @dataclass(frozen=True)
 class Drawing:
     """Draws node after node; the depth that is left bounds what is inside."""
 
-    draw: st.DrawFn
+    choice: Choice
 
     def one(self, *makers: Callable[[], T]) -> T:
         """What one of several makes."""
-        return self.draw(st.sampled_from(makers))()
+        return self.choice.of(makers)()
 
     def of(self, values: Sequence[T]) -> T:
         """One of several values."""
-        return self.draw(st.sampled_from(values))
+        return self.choice.of(values)
 
     def some(self, make: Callable[[], T], least: int = 0) -> tuple[T, ...]:
         """Several of a kind."""
-        return tuple(make() for _ in range(self.draw(st.integers(least, MOST))))
+        return tuple(make() for _ in range(self.of(range(least, MOST + 1))))
 
     def maybe(self, make: Callable[[], T]) -> T | None:
         """One or none."""
         return make() if self.flag() else None
 
     def flag(self) -> bool:
-        return self.draw(st.booleans())
+        return self.of((False, True))
 
     def name(self, names: Sequence[str] = NAMES) -> tree.Name:
         return tree.Name(0, 0, self.of(names))
@@ -166,7 +218,7 @@ class Drawing:
         return tree.Number(0, 0, text, literals.number(text))
 
     def string(self) -> tree.String:
-        return tree.String(0, 0, self.draw(texts))
+        return tree.String(0, 0, self.choice.text())
 
     def boolean(self) -> tree.Bool:
         return tree.Bool(0, 0, self.flag())
@@ -198,7 +250,7 @@ class Drawing:
     def literal(self, depth: int) -> tree.LiteralValue:
         if depth and self.flag():
             return self.literals(depth - 1)
-        return self.draw(st.one_of(numbers, texts, st.booleans()))
+        return self.choice.literal()
 
     def arguments(self, depth: int) -> tuple[tree.Argument, ...]:
         return self.some(lambda: self.argument(depth))
@@ -367,5 +419,5 @@ class Drawing:
 
     def parameter(self) -> tree.Parameter:
         mode = self.of(("IN", "INOUT", "VAR", "PERS"))
-        stars = self.draw(st.integers(0, 3))
+        stars = self.of(range(4))
         return tree.Parameter(0, 0, mode, self.name(TYPES), self.name(), stars)

@@ -128,6 +128,7 @@ class TaskOthers(TaskMotion):
         """Stop the robot at a time [s]: another task has failed, or the run is over."""
         if self._cell.watchdog.has_ended_the_run:
             # Stopping would plan what is open, which may be what took too long.
+            self._queue.leave()
             return
         with suppress(MotionError):
             if not self._queue.is_halted:
