@@ -16,6 +16,9 @@ from rapidsim.diagnostics import Diagnostic, Related, Span, Violation
 from rapidsim.language.types import Type
 from rapidsim.syntax import tree
 
+MOST_COMPARED = 200
+"""Wrong names for which the nearest known one is looked for."""
+
 
 @dataclass(frozen=True, slots=True)
 class Scope:
@@ -69,6 +72,19 @@ class Analysis:
     """The user's routines as calls see them, made when first called."""
     undeclared: list[tuple[tree.Reference, Context]] = field(default_factory=list)
     """Uses of undeclared names that are signals or may turn out to be, in the order of the text."""
+
+    compared: set[str] = field(default_factory=set)
+    """Folded names that were compared with all known ones, to find which was meant."""
+
+    def may_compare(self, key: str) -> bool:
+        """Whether to look which known name a folded one is meant to be.
+
+        Comparing each of many wrong names with each of many known ones would take for ever.
+        """
+        if key in self.compared or len(self.compared) >= MOST_COMPARED:
+            return key in self.compared
+        self.compared.add(key)
+        return True
 
     def may_be_unread(self, key: str) -> bool:
         """Whether a folded name occurs in text that the parser could not read."""

@@ -211,7 +211,8 @@ def _check_jumps(
                 place = Related(context.module.span(label.name), "the label is here")
                 context.report(GotoTarget(problem), name, place)
             else:
-                known = (one.name.text for one in all_labels.values())
+                compares = context.analysis.may_compare(name.key)
+                known = (one.name.text for one in all_labels.values() if compares)
                 problem = f"this routine has no label `{name.text}`"
                 context.report(GotoTarget(problem, closest(name.text, known)), name)
         for block in blocks(statement):

@@ -97,7 +97,8 @@ def report_undefined(name: tree.Name, context: Context) -> None:
     """Report a name that nothing declares, unless its declaration may be in unread text."""
     if context.analysis.may_be_unread(name.key):
         return
-    nearest = closest(name.text, _known_names(context))
+    compares = context.analysis.may_compare(name.key)
+    nearest = closest(name.text, _known_names(context)) if compares else None
     reserved = nearest in reserved_words()
     loads = context.analysis.loads_modules
     context.report(UndefinedName(name.text, nearest, reserved, loads), name)
@@ -115,7 +116,8 @@ def take_for_signal(reference: tree.Reference, of: Type, context: Context) -> No
 def take_for_unknown(reference: tree.Reference, context: Context) -> None:
     """Let an undeclared name stand in the arguments of a call that is skipped anyway."""
     name = reference.name
-    if slip_of(name.text, _known_names(context)):
+    compares = context.analysis.may_compare(name.key)
+    if compares and slip_of(name.text, _known_names(context)):
         report_undefined(name, context)
     else:
         context.analysis.symbol_of[reference] = context.analysis.unknown_symbol(name.text)
@@ -203,8 +205,10 @@ def _unknown_routine(name: tree.Name, context: Context) -> UnknownSymbol | None:
     analysis = context.analysis
     if analysis.may_be_unread(name.key):
         return None
-    known = [*_routine_names(context), *installed_routine_names()]
-    slip = None if analysis.loads_modules else slip_of(name.text, (*known, *reserved_words()))
+    compares = analysis.may_compare(name.key)
+    known = [*_routine_names(context), *installed_routine_names()] if compares else []
+    meant = (*known, *reserved_words())
+    slip = slip_of(name.text, meant) if compares and not analysis.loads_modules else None
     if slip is not None:
         context.report(UndefinedName(name.text, slip, slip in reserved_words()), name)
         return None

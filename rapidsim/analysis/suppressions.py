@@ -103,10 +103,16 @@ def without_suppressed(
     all_comments = tuple(suppressions(files))
     if not all_comments:
         return tuple(diagnostics)
+    by_line: dict[int | None, list[Suppression]] = {}
+    for one in all_comments:
+        by_line.setdefault(one.line, []).append(one)
     used: set[Suppression] = set()
     kept: list[Diagnostic] = []
     for diagnostic in diagnostics:
-        covering = [one for one in all_comments if one.covers(diagnostic)]
+        span = diagnostic.span
+        lines = {None} if span is None else {None, span.line, span.end_line}
+        near = (one for line in lines for one in by_line.get(line, ()))
+        covering = [one for one in near if one.covers(diagnostic)]
         used.update(covering)
         if not covering:
             kept.append(diagnostic)

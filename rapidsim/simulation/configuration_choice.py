@@ -13,6 +13,8 @@ from rapidsim.motion.confdata import Configuration
 Quarters = tuple[int, int, int, int]
 """cf1, cf4, cf6, cfx."""
 
+_EQUALLY_NEAR = 9
+"""Digits of a distance [rad] that count."""
 _MAIN_AXES = 0b110
 """The bits of cfx for the wrist centre: behind axis 1 or not, behind the lower arm or not."""
 
@@ -46,8 +48,13 @@ def nearest(working: Sequence[Configuration], near: Array) -> Configuration:
 
 
 def by_distance(working: Sequence[Configuration], near: Array) -> list[Configuration]:
-    """Configurations, the nearest to joints (n,) [rad] first."""
-    return sorted(working, key=lambda candidate: float(np.max(np.abs(candidate.joints - near))))
+    """Configurations, the nearest to joints (n,) [rad] first; those equally near as they come.
+
+    Rounded, or the rounding of the machine would choose between turns that are equally far.
+    """
+    return sorted(
+        working, key=lambda one: round(float(np.max(np.abs(one.joints - near))), _EQUALLY_NEAR)
+    )
 
 
 def rounded(conf: ConfData) -> Quarters:

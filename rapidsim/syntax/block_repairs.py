@@ -6,6 +6,8 @@ by the columns of the lines, as a reader would.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from rapidsim.diagnostics import Diagnostic, Related, Span
 from rapidsim.syntax.blocks import (
     CLOSERS,
@@ -26,6 +28,8 @@ from rapidsim.syntax.token_repairs import respelling
 from rapidsim.syntax.violations import StrayBlockWord, UnclosedBlock
 
 _MOST_SLIPS = 2
+_MOST_APART = 8
+"""Blocks open at one place that are looked at one by one; more get one report together."""
 
 
 def unclosed_block(at: Situation) -> Patch | None:
@@ -49,6 +53,8 @@ def unclosed_block(at: Situation) -> Patch | None:
         return None  # no block that is open is meant by this word
     if not inner:
         return None
+    if len(inner) > _MOST_APART:
+        return _closing_all(row, inner[::-1], index)
     return (
         _misspelt_closer(at, inner[0], index)
         or _by_indentation(row, at.module, index, inner)
@@ -86,8 +92,14 @@ def _cut_short(at: Situation, blocks: list[Block]) -> Patch:
         begin, end = row.starts[start], row.place_before(at.index)
         if takes(at.statement_stack, ["BROKEN"]):
             tokens.append(("BROKEN", begin, end))
-    place = row.place_before(at.index)
-    tokens += [(CLOSERS[block.kind], place, place) for block in reversed(blocks)]
+    closing = _closing_all(row, blocks, at.index)
+    return Patch(start, at.index, (*tokens, *closing.tokens), closing.diagnostic)
+
+
+def _closing_all(row: Row, blocks: Sequence[Block], index: int) -> Patch:
+    """Close all of some blocks, outermost first, before a token; one report for them."""
+    place = row.place_before(index)
+    tokens = tuple((CLOSERS[block.kind], place, place) for block in reversed(blocks))
     outermost = blocks[0]
     related = tuple(
         Related(row.span(block.index, block.index + 1), f"this {block.kind} is open")
@@ -95,8 +107,9 @@ def _cut_short(at: Situation, blocks: list[Block]) -> Patch:
     )
     line = row.span(outermost.index, outermost.index + 1).line
     violation = UnclosedBlock(outermost.kind, CLOSERS[outermost.kind], line)
-    span = Span(row.source, place, place)
-    return Patch(start, at.index, tuple(tokens), Diagnostic(violation, span, related))
+    return Patch(
+        index, index, tokens, Diagnostic(violation, Span(row.source, place, place), related)
+    )
 
 
 def _wanted(kind: str) -> frozenset[str] | None:

@@ -73,7 +73,8 @@ def bounded(tokens: Tokens, source: Source) -> tuple[Tokens, tuple[Diagnostic, .
     kinds = tokens.kinds
     gaps: list[tuple[int, int, str]] = []
     stop = 0
-    while (found := _too_deep(kinds, stop)) is not None:
+    blocks: list[int] = []
+    while (found := _too_deep(kinds, stop, blocks)) is not None:
         start, stop, gap = found
         gaps.append(found)
     if not gaps:
@@ -90,12 +91,18 @@ def bounded(tokens: Tokens, source: Source) -> tuple[Tokens, tuple[Diagnostic, .
     return replace(tokens, kinds=row.kinds, starts=row.starts, ends=row.ends), tuple(diagnostics)
 
 
-def _too_deep(kinds: list[str], begin: int) -> tuple[int, int, str] | None:
-    """The next stretch that nests too deep, with the kind of token that shall stand for it."""
-    blocks = 0
+def _too_deep(kinds: list[str], begin: int, blocks: list[int]) -> tuple[int, int, str] | None:
+    """The next stretch that nests too deep, with the kind of token that shall stand for it.
+
+    Args:
+        kinds: Of all tokens.
+        begin: Where to begin.
+        blocks: The tokens that open the blocks around that place; becomes those around the stretch.
+    """
     chains = [0]  # operators so far, for each open bracket
     depth = 0  # of brackets and operators
     part = begin
+    divides = False  # whether the next THEN is that of an ELSEIF
     for index in range(begin, len(kinds)):
         role = _ROLES.get(kinds[index])
         if role is None:
@@ -119,16 +126,18 @@ def _too_deep(kinds: list[str], begin: int) -> tuple[int, int, str] | None:
             depth = 0
             part = index + 1
             if role == "block":
-                # ELSEIF ... THEN counts as one more; a bound need not be exact.
-                blocks += 1
+                if not (divides and kinds[index] == "THEN"):
+                    blocks.append(index)
             elif role == "end":
-                blocks = max(0, blocks - 1)
+                if blocks:
+                    blocks.pop()
             elif role == "routine":
-                blocks = 0
-        if depth + blocks > DEEPEST:
-            if role == "block":
-                return _deep_block(kinds, index)
-            return _deep_expression(kinds, part, index)
+                blocks.clear()
+            divides = kinds[index] == "ELSEIF"
+        if depth + len(blocks) > DEEPEST:
+            if len(blocks) < depth:
+                return _deep_expression(kinds, part, index)
+            return _deep_block(kinds, blocks.pop())
     return None
 
 

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from laws import cases
 
@@ -24,9 +24,7 @@ TOKENS = st.sampled_from(
         *("\\", "?", "|", "%", ".", "1", "0", "2.5", "1E400", '"text"', "<SMT>", "<EXP>", "\n"),
     ]
 )
-LAW = settings(
-    derandomize=True, suppress_health_check=[HealthCheck.too_slow], max_examples=cases(150)
-)
+LAW = settings(max_examples=cases(150))
 
 EVERY_RULE = detectors_of(lambda rule: True)
 
