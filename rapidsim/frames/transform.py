@@ -11,6 +11,8 @@ import numpy.typing as npt
 Array = npt.NDArray[np.float64]
 _ALL = slice(None)
 
+_ROUNDING = 1e-9
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Transform:
@@ -98,9 +100,9 @@ def matrix_from_quaternion(quaternion: Array) -> Array:
 
 
 def quaternion_from_matrix(rotation: Array) -> Array:
-    """Quaternions (..., 4), scalar first and not negative, of rotation matrices (..., 3, 3).
+    """Quaternions (..., 4), scalar first, of rotation matrices (..., 3, 3).
 
-    Each row is found from its largest component, so half turns lose nothing.
+    The scalar is not negative but for rounding. Each row is found from its largest component, so half turns lose nothing.
 
     Source:
         Shepperd (1978), Quaternion from rotation matrix.
@@ -121,7 +123,8 @@ def quaternion_from_matrix(rotation: Array) -> Array:
     largest = np.argmax(np.diagonal(rows, axis1=-2, axis2=-1), axis=-1)
     q = np.take_along_axis(rows, largest[..., None, None], axis=-2)[..., 0, :]
     q = q / np.linalg.norm(q, axis=-1, keepdims=True)
-    positive: Array = np.where(q[..., :1] < 0.0, -q, q)
+    # At a half turn the scalar is zero but for rounding, which shall not choose the sign.
+    positive: Array = np.where(q[..., :1] < -_ROUNDING, -q, q)
     return positive
 
 

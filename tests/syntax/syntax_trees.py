@@ -96,7 +96,8 @@ class Sequence64:
         return values[(self.state >> 33) % len(values)]
 
     def literal(self) -> float | str | bool:
-        return self.of((0.0, -2.5, 9e9, "", "a", True, False))
+        values: tuple[float | str | bool, ...] = (0.0, -2.5, 9e9, "", "a", True, False)
+        return self.of(values)
 
     def text(self) -> str:
         return self.of(("", "a", 'say "x"', "b\\c"))
