@@ -102,7 +102,8 @@ def matrix_from_quaternion(quaternion: Array) -> Array:
 def quaternion_from_matrix(rotation: Array) -> Array:
     """Quaternions (..., 4), scalar first, of rotation matrices (..., 3, 3).
 
-    The scalar is not negative but for rounding. Each row is found from its largest component, so half turns lose nothing.
+    The scalar is not negative but for rounding. Each row is found from its largest component,
+    so half turns lose nothing.
 
     Source:
         Shepperd (1978), Quaternion from rotation matrix.
