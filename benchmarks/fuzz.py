@@ -23,7 +23,7 @@ from rapidsim.analysis.checker import check
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
 from rapidsim.cli.fixes import choose_fixes
-from rapidsim.diagnostics import Severity, Source
+from rapidsim.diagnostics import Severity, Source, all_rules
 from rapidsim.export.text_edits import edited_text
 from rapidsim.files import decode
 from rapidsim.interpreter.limits import NotExecutableError
@@ -34,6 +34,7 @@ from rapidsim.report.github import github
 from rapidsim.report.junit import junit
 from rapidsim.report.merging import merged
 from rapidsim.report.palette import PLAIN
+from rapidsim.report.rules import programs
 from rapidsim.report.sarif import sarif
 from rapidsim.syntax.lexer import lex
 from rapidsim.syntax.parser import parse
@@ -59,14 +60,14 @@ def main() -> None:
     """Run, print, and fail if anything raised."""
     examples = int(sys.argv[1]) if len(sys.argv) > 1 else EXAMPLES
     seed = int(sys.argv[2]) if len(sys.argv) > 2 else 0
-    programs = [decode(path.read_bytes())[0] for path in _programs()]
+    texts = [decode(program)[0] for program in _programs()]
     kinds: dict[str, Callable[[random.Random], str]] = {
         "bytes": _bytes,
         "tokens": _tokens,
         "statements": lambda dice: _inside(_tokens(dice)),
-        "characters changed": lambda dice: _characters_changed(dice.choice(programs), dice),
-        "tokens changed": lambda dice: _tokens_changed(dice.choice(programs), dice),
-        "spliced": lambda dice: _spliced(dice.choice(programs), dice.choice(programs), dice),
+        "characters changed": lambda dice: _characters_changed(dice.choice(texts), dice),
+        "tokens changed": lambda dice: _tokens_changed(dice.choice(texts), dice),
+        "spliced": lambda dice: _spliced(dice.choice(texts), dice.choice(texts), dice),
     }
     failed = loaded = 0
     for kind, make in kinds.items():
@@ -93,9 +94,12 @@ def main() -> None:
     sys.exit(failed > 0)
 
 
-def _programs() -> list[Path]:
-    found = [path for folder in ("programs", "tests") for path in (ROOT / folder).rglob("*.mod")]
-    return sorted(path for path in found if path.stat().st_size < LARGEST)
+def _programs() -> list[bytes]:
+    files = [path for folder in ("programs", "tests") for path in (ROOT / folder).rglob("*.mod")]
+    found = [path.read_bytes() for path in sorted(files)]
+    for rule in all_rules():
+        found += [*programs(rule, "bad.mod"), *programs(rule, "good.mod")]
+    return [text for text in found if 0 < len(text) < LARGEST]
 
 
 def _try(text: str) -> bool:

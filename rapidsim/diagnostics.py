@@ -1,17 +1,25 @@
 """What a finding is: a source text, a place in it, and a mistake with its facts.
 
 A mistake is a `Violation`: one small frozen dataclass a rule, declared next to the code that
-detects it. Its docstring is its manual page. A `Diagnostic` is a violation at a place.
+detects it. What can be said of the rule without the facts is the `Rule`, a folder of text files.
+A `Diagnostic` is a violation at a place.
 """
 
 from __future__ import annotations
 
 import re
 from bisect import bisect_right
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
-from functools import cached_property
-from typing import ClassVar
+from functools import cache, cached_property
+from typing import TYPE_CHECKING, ClassVar, dataclass_transform
+
+if TYPE_CHECKING:
+    from importlib.resources.abc import Traversable
+
+ON_REQUEST = ("F409", "F410", "M514", "S")
+"""Rules and families that `rapidsim check` looks for only when asked, such as house style."""
 
 # Files that went through careless tools end lines in CR CR LF; that is one line end, not two.
 _LINE_END = re.compile(r"\r+\n|\n|\r")
@@ -90,39 +98,126 @@ class Span:
 
 
 @dataclass(frozen=True)
-class Violation:
-    """A mistake of the user with its facts; the subclass is the rule, its docstring the page.
+class Rule:
+    """What is written of a rule: its folder `CODE-name` in `rapidsim/rules`, read when asked for.
 
-    The docstring says what is wrong and why it matters, then holds `## Example` with a module that
-    breaks the rule and `## Fix` with one that does not; both are executed as tests.
+    `rule.toml` holds the message and what else this class gives; `page.md` says what is wrong and
+    why it matters. The programs of `bad.mod` break the rule, those of `good.mod` do not.
     """
 
-    code: ClassVar[str]
+    code: str
     """Family letter and number; its meaning never changes once released."""
-    name: ClassVar[str]
-    """The mistake in kebab case, such as `undefined-name`."""
-    template: ClassVar[str]
-    """The message as a format string over the fields: one line, no full stop, no blame."""
-    severity: ClassVar[Severity] = Severity.ERROR
-    on_by_default: ClassVar[bool] = True
-    """Whether `rapidsim check` looks for it unasked; house style is for those who select it."""
-    cf: ClassVar[str | None] = None
-    """The controller's own event number for the same thing, such as `ABB 50050`."""
+
+    @property
+    def name(self) -> str:
+        """The mistake in kebab case, such as `undefined-name`."""
+        return self._folder.name.partition("-")[2]
+
+    @property
+    def severity(self) -> Severity:
+        """How bad it is."""
+        return Severity(self._table["severity"])
 
     @property
     def message(self) -> str:
-        """The template with the facts filled in."""
-        return self.template.format_map(vars(self))
+        """A format string over the fields of the violation: one line, no full stop, no blame."""
+        return self._table["message"]
+
+    @property
+    def help(self) -> str:
+        """The cure, where it is always the same; a format string over the fields too."""
+        return self._table.get("help", "")
+
+    @property
+    def cf(self) -> str | None:
+        """The controller's own event number for the same thing, such as `ABB 50050`."""
+        return self._table.get("cf")
+
+    @property
+    def on_by_default(self) -> bool:
+        """Whether `rapidsim check` looks for it unasked."""
+        return not self.code.startswith(ON_REQUEST)
+
+    def matches(self, selector: str) -> bool:
+        """Whether a code, the beginning of a code such as `K6`, or a name means this rule."""
+        return self.code.startswith(selector.upper()) or self.name == selector.lower()
+
+    def read(self, file: str) -> bytes:
+        """A file of its folder; empty if the folder has none of that name."""
+        found = self._folder / file
+        return found.read_bytes() if found.is_file() else b""
+
+    @property
+    def _folder(self) -> Traversable:
+        return _rule_folders()[self.code]
+
+    @cached_property
+    def _table(self) -> dict[str, str]:
+        # Like the import below: not for those commands that find nothing.
+        import tomllib  # noqa: PLC0415
+
+        return tomllib.loads(self.read("rule.toml").decode("utf-8"))
+
+
+@cache
+def all_rules() -> tuple[Rule, ...]:
+    """Every rule, ordered by code."""
+    return tuple(map(Rule, sorted(_rule_folders())))
+
+
+@cache
+def _rule_folders() -> Mapping[str, Traversable]:
+    """The folder of each code."""
+    # This takes 3 ms, and a check that finds nothing never comes here.
+    from importlib.resources import files  # noqa: PLC0415
+
+    # Beside the folders there is no name but those of Python.
+    names = (one for one in files("rapidsim.rules").iterdir() if "-" in one.name)
+    return {folder.name.partition("-")[0]: folder for folder in names}
+
+
+@dataclass_transform(frozen_default=True)
+class Violation:
+    """A mistake of the user; a subclass has the facts as fields, and the code of its rule."""
+
+    rule: ClassVar[Rule]
+
+    def __init_subclass__(cls, *, code: str) -> None:
+        """Make the subclass a frozen dataclass."""
+        cls.rule = Rule(code)
+        # Without a docstring a dataclass writes one, which takes longer than all else it does.
+        cls.__doc__ = f"See `rapidsim explain {code}`."
+        dataclass(frozen=True)(cls)
+
+    @property
+    def code(self) -> str:
+        """The code of the rule."""
+        return self.rule.code
+
+    @property
+    def name(self) -> str:
+        """The name of the rule."""
+        return self.rule.name
+
+    @property
+    def severity(self) -> Severity:
+        """How bad it is."""
+        return self.rule.severity
+
+    @property
+    def cf(self) -> str | None:
+        """The controller's own event number for the same thing."""
+        return self.rule.cf
+
+    @property
+    def message(self) -> str:
+        """The message with the facts filled in."""
+        return self.rule.message.format_map(vars(self))
 
     @property
     def help(self) -> str | None:
         """The cure, when it is known."""
-        return None
-
-    @classmethod
-    def matches(cls, selector: str) -> bool:
-        """Whether a code, the beginning of a code such as `K6`, or a name means this rule."""
-        return cls.code.startswith(selector.upper()) or cls.name == selector.lower()
+        return self.rule.help.format_map(vars(self)) or None
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rapidsim.report.rules import rules
+from rapidsim.diagnostics import all_rules
 from rapidsim.report.rules_page import rules_page
 
 PAGE = Path(__file__).parents[1] / "docs" / "rules.md"
@@ -12,7 +12,7 @@ PAGE = Path(__file__).parents[1] / "docs" / "rules.md"
 
 def main() -> None:
     """Write the page."""
-    PAGE.write_text(rules_page(rules()), encoding="utf-8", newline="\n")
+    PAGE.write_text(rules_page(all_rules()), encoding="utf-8", newline="\n")
 
 
 if __name__ == "__main__":

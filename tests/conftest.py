@@ -1,9 +1,16 @@
-"""What all tests share: the mark `process`, tools first, laws that find the same each time."""
+"""What all tests share: the mark `process`, tools first, laws that find the same each time,
+programs of rules.
+"""
+
+from pathlib import Path
 
 import pytest
 from command_line import PROCESS, SWITCH
 from hypothesis import HealthCheck, settings
 from laws import PROFILE
+
+from rapidsim.diagnostics import all_rules
+from rapidsim.report.rules import programs
 
 # No deadline and no verdict about slow examples: machines differ, and so do their loads.
 # Derandomised and without memory: a run must not fail for luck, nor for what stands in somebody's
@@ -29,3 +36,17 @@ def _process(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) ->
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """The tools take long and one core: they start first, and the tests run beside them."""
     items.sort(key=lambda item: item.path.name != "test_tidy.py")
+
+
+@pytest.fixture(scope="session")
+def rule_programs(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """Every program of every rule's folder, as a file of its own."""
+    folder = tmp_path_factory.mktemp("rules")
+    files = []
+    for rule in all_rules():
+        for kind in ("bad", "good"):
+            for number, program in enumerate(programs(rule, f"{kind}.mod")):
+                if program:
+                    files.append(folder / f"{rule.code}-{kind}-{number}.mod")
+                    files[-1].write_bytes(program)
+    return files

@@ -9,9 +9,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from typing import ClassVar
 
-from rapidsim.diagnostics import Diagnostic, Edit, Fix, Severity, Source, Span, Violation
+from rapidsim.diagnostics import Diagnostic, Edit, Fix, Source, Span, Violation
 from rapidsim.syntax import tree
 
 _COMMENT = re.compile(
@@ -19,34 +18,7 @@ _COMMENT = re.compile(
 )
 
 
-@dataclass(frozen=True)
-class UnusedSuppression(Violation):
-    """A comment that takes findings back takes none back.
-
-    What it was written for has been cured, or its code or its line is wrong. `--fix` removes it.
-
-    ## Example
-
-        MODULE example
-          PROC main()
-            WaitTime 1; ! rapidsim: ignore[T309] checked by hand
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          PROC main()
-            WaitTime 1/0; ! rapidsim: ignore[T309] shows what ERR_DIVZERO looks like
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "E160"
-    name: ClassVar[str] = "unused-suppression"
-    template: ClassVar[str] = "nothing to ignore here{codes}"
-    severity: ClassVar[Severity] = Severity.WARNING
-
+class UnusedSuppression(Violation, code="E160"):
     codes: str
 
 
@@ -68,7 +40,7 @@ class Suppression:
         # A finding may be of several lines; the comment stands at its first or its last.
         if self.line is not None and self.line not in (span.line, span.end_line):
             return False
-        return not self.codes or any(diagnostic.violation.matches(code) for code in self.codes)
+        return not self.codes or any(diagnostic.violation.rule.matches(code) for code in self.codes)
 
 
 def suppressions(files: Iterable[tree.File]) -> Iterator[Suppression]:

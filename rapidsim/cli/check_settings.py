@@ -8,7 +8,7 @@ from fnmatch import fnmatch
 from pathlib import Path, PurePath
 
 from rapidsim.cli.selectors import expect_rules
-from rapidsim.diagnostics import Diagnostic, Severity, Violation
+from rapidsim.diagnostics import Diagnostic, Rule, Severity
 from rapidsim.report.merging import is_selected
 from rapidsim.simulation.station.check import CheckSettings, find_project_settings
 
@@ -25,7 +25,7 @@ class Selection:
     ignore: tuple[str, ...]
     """Rules that are left out."""
 
-    def wants(self, rule: type[Violation]) -> bool:
+    def wants(self, rule: Rule) -> bool:
         """Whether a rule is looked for."""
         return is_selected(rule, self.select, self.ignore, self.also)
 
@@ -42,13 +42,13 @@ class Selection:
         return tuple(
             diagnostic
             for diagnostic in diagnostics
-            if self.wants(type(diagnostic.violation)) and not self._is_left_out(diagnostic)
+            if self.wants(diagnostic.violation.rule) and not self._is_left_out(diagnostic)
         )
 
     def _is_left_out(self, diagnostic: Diagnostic) -> bool:
         file = diagnostic.span.file if diagnostic.span else ""
         return any(
-            any(diagnostic.violation.matches(one) for one in selectors)
+            any(diagnostic.violation.rule.matches(one) for one in selectors)
             and _fits(file, pattern, self.settings.file)
             for pattern, selectors in self.settings.per_file_ignores.items()
         )

@@ -7,8 +7,8 @@ import click
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.selectors import unknown_rule
 from rapidsim.cli.terminal import current_terminal, say, terminal_options
-from rapidsim.diagnostics import Violation
-from rapidsim.report.rules import rule_list, rule_page, rules
+from rapidsim.diagnostics import Rule, all_rules
+from rapidsim.report.rules import rule_list, rule_page
 
 
 @click.command()
@@ -25,23 +25,23 @@ def explain(code: str | None, everything: bool) -> int:
     terminal = current_terminal()
     palette = terminal.palette
     if everything:
-        say(rule_list(rules(), palette), palette=palette)
+        say(rule_list(all_rules(), palette), palette=palette)
         return ExitCode.CLEAN
     if code is None:
         raise click.UsageError("name a rule, or list them with --all", click.get_current_context())
-    meant = [rule for rule in rules() if _means(rule, code)]
+    meant = [rule for rule in all_rules() if _means(rule, code)]
     if meant:
         pages = (rule_page(rule, palette, width=terminal.width) for rule in meant)
         say("\n\n".join(pages), palette=palette)
         return ExitCode.CLEAN
-    family = [rule for rule in rules() if rule.code.startswith(code.upper())]
+    family = [rule for rule in all_rules() if rule.code.startswith(code.upper())]
     if family:
         say(rule_list(family, palette), palette=palette)
         return ExitCode.CLEAN
     raise unknown_rule(code)
 
 
-def _means(rule: type[Violation], code: str) -> bool:
+def _means(rule: Rule, code: str) -> bool:
     """Whether a rule has a code or name, or stands for an event of the controller."""
     if code.isdecimal():
         return rule.cf == f"ABB {code}"

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from rapidsim.diagnostics import all_rules
 from rapidsim.files import InputError, did_you_mean
-from rapidsim.report.rules import rules
 
 
 def expect_rules(selectors: Sequence[str]) -> tuple[str, ...]:
@@ -18,14 +18,13 @@ def expect_rules(selectors: Sequence[str]) -> tuple[str, ...]:
         InputError: If one stands for no rule.
     """
     for selector in selectors:
-        code, name = selector.upper(), selector.lower()
-        if not any(rule.code.startswith(code) or rule.name == name for rule in rules()):
+        if not any(rule.matches(selector) for rule in all_rules()):
             raise unknown_rule(selector)
     return tuple(selectors)
 
 
 def unknown_rule(given: str) -> InputError:
     """The error for what is neither code nor name of a rule."""
-    known = [text for rule in rules() for text in (rule.code, rule.name)]
+    known = [text for rule in all_rules() for text in (rule.code, rule.name)]
     help = did_you_mean(given, known) or "`rapidsim explain --all` lists the rules"
     return InputError(f"there is no rule `{given}`", help)

@@ -5,11 +5,9 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from types import FrameType
-from typing import ClassVar
 
-from rapidsim.diagnostics import Diagnostic, Severity, Span, Violation
+from rapidsim.diagnostics import Diagnostic, Span, Violation
 
 MAX_LOOPS = 15
 """Loops within loops; CPython allows 20 blocks, and error handling takes up to five."""
@@ -49,48 +47,7 @@ def _calls_so_far() -> int:
     return calls
 
 
-@dataclass(frozen=True)
-class NotExecutable(Violation):
-    """A valid program goes beyond what the simulator can run.
-
-    A controller may run it; the simulator says so instead of running something else.
-
-    ## Example
-    ```rapid
-    MODULE deep
-      PROC main()
-        FOR a FROM 1 TO 2 DO FOR b FROM 1 TO 2 DO FOR c FROM 1 TO 2 DO FOR d FROM 1 TO 2 DO
-        FOR e FROM 1 TO 2 DO FOR f FROM 1 TO 2 DO FOR g FROM 1 TO 2 DO FOR h FROM 1 TO 2 DO
-        FOR i FROM 1 TO 2 DO FOR j FROM 1 TO 2 DO FOR k FROM 1 TO 2 DO FOR l FROM 1 TO 2 DO
-        FOR m FROM 1 TO 2 DO FOR n FROM 1 TO 2 DO FOR o FROM 1 TO 2 DO FOR p FROM 1 TO 2 DO
-          Incr reg1;
-        ENDFOR ENDFOR ENDFOR ENDFOR ENDFOR ENDFOR ENDFOR ENDFOR
-        ENDFOR ENDFOR ENDFOR ENDFOR ENDFOR ENDFOR ENDFOR ENDFOR
-      ENDPROC
-    ENDMODULE
-    ```
-    ## Fix
-    ```rapid
-    MODULE deep
-      PROC main()
-        FOR a FROM 1 TO 2 DO
-          inner;
-        ENDFOR
-      ENDPROC
-      PROC inner()
-        FOR b FROM 1 TO 2 DO
-          Incr reg1;
-        ENDFOR
-      ENDPROC
-    ENDMODULE
-    ```
-    """
-
-    code: ClassVar[str] = "E190"
-    name: ClassVar[str] = "not-executable"
-    template: ClassVar[str] = "{what} cannot be simulated"
-    severity: ClassVar[Severity] = Severity.ERROR
-
+class NotExecutable(Violation, code="E190"):
     what: str
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.diagnostics import Diagnostic, Rule
 
 _MOST_OF_A_RULE = 20
 """Findings of one rule in one file that are shown one by one."""
@@ -49,7 +49,7 @@ def merged(diagnostics: Iterable[Diagnostic], *, merge: bool = True) -> tuple[Fi
 
 
 def is_selected(
-    rule: type[Violation],
+    rule: Rule,
     select: Sequence[str] = (),
     ignore: Sequence[str] = (),
     also: Sequence[str] = (),

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import inspect
-import re
-import textwrap
 from collections.abc import Sequence
 from itertools import groupby
 
-from rapidsim.diagnostics import Violation
+from rapidsim.diagnostics import Rule
+from rapidsim.report.rules import explanation, first_line, shown_programs
 
 FAMILIES = {
     "E": "syntax and text",
@@ -23,8 +21,6 @@ FAMILIES = {
     "R": "what a run meets",
 }
 
-_PART = re.compile(r"^## *(\w+)\n(.*?)(?=^## |\Z)", re.MULTILINE | re.DOTALL)
-_FENCED = re.compile(r"^```\w*\n(.*?)\n```$", re.MULTILINE | re.DOTALL)
 _INTRODUCTION = """\
 # Rules
 
@@ -36,7 +32,7 @@ A code never changes its meaning. Rules marked *on request* are looked for with 
 """
 
 
-def rules_page(rules: Sequence[type[Violation]]) -> str:
+def rules_page(rules: Sequence[Rule]) -> str:
     """The page: a table of contents, then each rule with example and fix."""
     by_family = [
         (family, list(found)) for family, found in groupby(rules, lambda rule: rule.code[0])
@@ -51,25 +47,17 @@ def rules_page(rules: Sequence[type[Violation]]) -> str:
     return "\n".join(parts) + "\n"
 
 
-def _row(rule: type[Violation]) -> str:
-    first = _page(rule).partition("\n")[0].replace("|", "\\|")
+def _row(rule: Rule) -> str:
+    first = first_line(rule).replace("|", "\\|")
     asked = "" if rule.on_by_default else ", *on request*"
     link = f"[{rule.code}](#{rule.code.lower()}-{rule.name})"
     return f"| {link} {rule.name} | {rule.severity.value}{asked} | {first} |"
 
 
-def _section(rule: type[Violation]) -> str:
-    page = _page(rule)
-    what = page.partition("\n## ")[0].strip()
-    lines = [f"\n### {rule.code} {rule.name}\n", what]
+def _section(rule: Rule) -> str:
+    lines = [f"\n### {rule.code} {rule.name}\n", explanation(rule)]
     if rule.cf:
         lines.append(f"\nThe controller's event for it: {rule.cf}.")
-    for heading, body in _PART.findall(page):
-        fenced = _FENCED.search(body)
-        code = fenced.group(1) if fenced else textwrap.dedent(body)
-        lines.append(f"\n{heading}:\n\n```\n{code.strip()}\n```")
+    for heading, program in shown_programs(rule).items():
+        lines.append(f"\n{heading}:\n\n```\n{program.strip()}\n```")
     return "\n".join(lines)
-
-
-def _page(rule: type[Violation]) -> str:
-    return inspect.cleandoc(rule.__doc__ or "")

@@ -6,14 +6,14 @@ Source: OASIS Standard "Static Analysis Results Interchange Format (SARIF) Versi
 from __future__ import annotations
 
 import hashlib
-import inspect
 from collections.abc import Sequence
 from pathlib import PurePath
 from urllib.parse import quote
 
-from rapidsim.diagnostics import Diagnostic, Fix, Severity, Span, Violation
+from rapidsim.diagnostics import Diagnostic, Fix, Rule, Severity, Span
 from rapidsim.report.baseline import finding_key
 from rapidsim.report.merging import Finding
+from rapidsim.report.rules import explanation, first_line, markdown
 
 SCHEMA = (
     "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
@@ -29,7 +29,7 @@ def sarif(findings: Sequence[Finding], version: str) -> dict[str, object]:
         version: Of rapidsim.
     """
     diagnostics = [one for finding in findings for one in (finding.first, *finding.repeats)]
-    used = sorted({type(one.violation) for one in diagnostics}, key=lambda rule: rule.code)
+    used = sorted({one.violation.rule for one in diagnostics}, key=lambda rule: rule.code)
     numbers = {rule: k for k, rule in enumerate(used)}
     return {
         "$schema": SCHEMA,
@@ -44,21 +44,19 @@ def sarif(findings: Sequence[Finding], version: str) -> dict[str, object]:
                     }
                 },
                 "columnKind": "unicodeCodePoints",
-                "results": [_result(one, numbers[type(one.violation)]) for one in diagnostics],
+                "results": [_result(one, numbers[one.violation.rule]) for one in diagnostics],
             }
         ],
     }
 
 
-def _rule(rule: type[Violation]) -> dict[str, object]:
-    page = inspect.cleandoc(rule.__doc__ or "")
-    first, _, rest = page.partition("\n")
-    what = rest.partition("\n## ")[0].strip()
+def _rule(rule: Rule) -> dict[str, object]:
+    page = markdown(rule)
     return {
         "id": rule.code,
         "name": rule.name,
-        "shortDescription": {"text": first},
-        "fullDescription": {"text": " ".join(f"{first} {what}".split())},
+        "shortDescription": {"text": first_line(rule)},
+        "fullDescription": {"text": " ".join(explanation(rule).split())},
         "help": {"text": page, "markdown": page},
         "defaultConfiguration": {"level": _LEVELS[rule.severity]},
     }

@@ -12,8 +12,8 @@ from rapidsim.report.palette import Palette
 def statistics(diagnostics: Iterable[Diagnostic], palette: Palette) -> str:
     """One line a rule, the most frequent first: count, code, name, and whether `--fix` cures it."""
     diagnostics = list(diagnostics)
-    counts = Counter(type(one.violation) for one in diagnostics)
-    fixable = Counter(type(one.violation) for one in diagnostics if one.fix is not None)
+    counts = Counter(one.violation.rule for one in diagnostics)
+    fixable = Counter(one.violation.rule for one in diagnostics if one.fix is not None)
     widest = len(str(max(counts.values(), default=0)))
     rows = sorted(counts.items(), key=lambda row: (-row[1], row[0].code))
     return "".join(

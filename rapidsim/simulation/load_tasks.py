@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import ClassVar
 
 from rapidsim.analysis.program import DataSymbol, Program
 from rapidsim.diagnostics import Diagnostic, Related, Span, Violation
@@ -17,30 +16,10 @@ from rapidsim.simulation.station.tasks import DEFAULT_TASK
 from rapidsim.simulation.written_moves import written_moves
 
 
-@dataclass(frozen=True)
-class SharedPersistentTypes(Violation):
-    """Two tasks declare a global PERS of the same name with different types.
-
-    Persistents that are neither `LOCAL` nor `TASK` and have one name are one datum for all tasks,
-    so they need one type. Rename one of them, or make it `TASK PERS` if it was never meant to be
-    shared.
-    """
-
-    code: ClassVar[str] = "N208"
-    name: ClassVar[str] = "cross-task-pers-mismatch"
-    template: ClassVar[str] = (
-        "PERS `{data}` is {of} here and {other} in another task, and tasks share it"
-    )
-    cf: ClassVar[str | None] = "ABB 40103"
-
+class SharedPersistentTypes(Violation, code="N208"):
     data: str
     of: str
     other: str
-
-    @property
-    def help(self) -> str:
-        """How tasks keep data of their own."""
-        return "`TASK PERS` keeps it to its task"
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from types import MappingProxyType
-from typing import ClassVar
 
 from rapidsim.analysis.walk import clauses, statements
-from rapidsim.diagnostics import Diagnostic, Severity, Violation
+from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.simulation.cell_io import CellIo, SignalKind
 from rapidsim.syntax import tree
 
@@ -17,30 +15,9 @@ _WAITS = MappingProxyType(
 )
 
 
-@dataclass(frozen=True)
-class NeverDrivenInput(Violation):
-    """The program waits for an input that nothing in the station file sets.
-
-    The station declares its signals and what happens to them; this input is in no stimulus and
-    follows no other signal, and it does not begin with the value waited for. A run ends there.
-    A station file that says nothing of inputs is not held against a program.
-
-    With `signals.diPart = { type = "di" }` in `rapidsim.toml`, `WaitDI diPart,1;` breaks the rule;
-    with a stimulus `at = 2.0`, `set = { diPart = 1 }` besides it does not.
-    """
-
-    code: ClassVar[str] = "I803"
-    name: ClassVar[str] = "never-driven-input"
-    template: ClassVar[str] = "nothing in the station file sets `{signal}` to {value}"
-    severity: ClassVar[Severity] = Severity.WARNING
-
+class NeverDrivenInput(Violation, code="I803"):
     signal: str
     value: str
-
-    @property
-    def help(self) -> str:
-        """The cure."""
-        return f"add a [[stimulus]] with `set = {{ {self.signal} = {self.value} }}`"
 
 
 def find_never_driven(files: Iterable[tree.File], io: CellIo) -> Iterator[Diagnostic]:

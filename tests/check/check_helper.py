@@ -11,7 +11,6 @@ from rapidsim.files import read_tasks
 from rapidsim.simulation.check_files import check_tasks
 
 HERE = Path(__file__).parent
-FIXTURES = HERE / "fixtures"
 CORPUS = HERE / "corpus"
 
 

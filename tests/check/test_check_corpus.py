@@ -22,8 +22,8 @@ def test_a_valid_program_has_no_error(program: Path) -> None:
     assert errors == [], lines(tuple(errors))
 
 
-def test_every_rule_can_look_at_every_program_of_the_tests() -> None:
-    programs = sorted(REPOSITORY.glob("tests/**/*.mod"))
+def test_every_rule_can_look_at_every_program_of_the_tests(rule_programs: list[Path]) -> None:
+    programs = [*sorted(REPOSITORY.glob("tests/**/*.mod")), *rule_programs]
     assert len(programs) > 200
     for program in programs:
         for one in found_in(program, every_rule=True):

@@ -1,29 +1,33 @@
-"""Safe fixes change no program: all of them at once, on every module of the fixtures and corpus."""
+"""Safe fixes change no program: all of them at once, on every module of rules and corpus."""
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
-from check_helper import CORPUS, FIXTURES
+from check_helper import CORPUS
 
 from rapidsim.analysis.checker import check
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
 from rapidsim.cli.fixes import choose_fixes
-from rapidsim.diagnostics import Diagnostic, Severity, Source
+from rapidsim.diagnostics import Diagnostic, Severity, Source, all_rules
 from rapidsim.export.text_edits import edited_text
 from rapidsim.files import MODULE_SUFFIXES, decode
+from rapidsim.report.rules import programs
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse
 from rapidsim.syntax.printer import print_module
 
-FILES = sorted(
-    file
-    for folder in (FIXTURES, CORPUS)
-    for file in folder.rglob("*")
+PROGRAMS = {
+    str(file.relative_to(CORPUS)): file.read_bytes()
+    for file in sorted(CORPUS.rglob("*"))
     if file.suffix in MODULE_SUFFIXES
-)
+} | {
+    f"{rule.code}-{file}-{number}": program
+    for rule in all_rules()
+    for file in ("bad", "good")
+    for number, program in enumerate(programs(rule, f"{file}.mod"))
+    if program
+}
 
 
 def found_in(text: str) -> tuple[tree.File, tuple[Diagnostic, ...]]:
@@ -37,9 +41,9 @@ def printed(file: tree.File) -> str:
     return "\n".join(print_module(module) for module in file.modules)
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
-def test_all_safe_fixes_together_leave_the_program_as_it_is(path: Path) -> None:
-    text, _ = decode(path.read_bytes())
+@pytest.mark.parametrize("program", PROGRAMS.values(), ids=PROGRAMS.keys())
+def test_all_safe_fixes_together_leave_the_program_as_it_is(program: bytes) -> None:
+    text, _ = decode(program)
     before, found = found_in(text)
     edits = choose_fixes(found, unsafe=False).edits.get("m.mod", [])
     fixed = edited_text(text, edits)

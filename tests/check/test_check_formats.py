@@ -10,15 +10,17 @@ from urllib.parse import unquote
 
 import junitparser
 import pytest
-from check_helper import CORPUS, FIXTURES, HERE, found_in
+from check_helper import CORPUS, HERE, found_in
 from jsonschema import Draft4Validator
 
+import rapidsim
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.report.github import github
 from rapidsim.report.junit import junit
 from rapidsim.report.merging import merged
 from rapidsim.report.sarif import sarif
 
+RULES = Path(rapidsim.__file__).with_name("rules")
 SCHEMA = json.loads((HERE / "schemas" / "sarif-2.1.0.json").read_text("utf-8"))
 LEVELS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.NOTE: "note"}
 PROGRAMS = [
@@ -26,7 +28,11 @@ PROGRAMS = [
     CORPUS / "unicode.mod",
     CORPUS / "needs_neighbours.mod",
     CORPUS / "mixed_ends.mod",
-    *(FIXTURES / f"{code}.bad.mod" for code in ("E106", "E109", "E118", "S903", "M501", "N202")),
+    *(
+        file
+        for code in ("E106", "E109", "E118", "S903", "M501", "N202")
+        for file in RULES.glob(f"{code}-*/bad.mod")
+    ),
 ]
 
 
@@ -36,7 +42,7 @@ def found(program: Path) -> tuple[Diagnostic, ...]:
     return diagnostics
 
 
-@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.name)
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: f"{path.parent.name}-{path.name}")
 def test_sarif_is_valid_and_says_the_same(program: Path) -> None:
     diagnostics = found(program)
     log: Any = json.loads(json.dumps(sarif(merged(diagnostics), "1.0"), allow_nan=False))
@@ -58,7 +64,7 @@ def test_sarif_is_valid_and_says_the_same(program: Path) -> None:
     }
 
 
-@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.name)
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: f"{path.parent.name}-{path.name}")
 def test_junit_is_read_by_a_parser(program: Path) -> None:
     diagnostics = found(program)
     other = "cell/clean.mod"
@@ -78,7 +84,7 @@ def test_junit_is_read_by_a_parser(program: Path) -> None:
     assert passed.is_passed
 
 
-@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.name)
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: f"{path.parent.name}-{path.name}")
 def test_github_commands_are_read_back(program: Path) -> None:
     diagnostics = found(program)
     lines = github(merged(diagnostics, merge=False)).splitlines()

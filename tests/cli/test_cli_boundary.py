@@ -9,10 +9,10 @@ import pytest
 from cli_helper import rapidsim
 
 BROKEN = """
-import rapidsim.report.rules as rules
+import rapidsim.diagnostics as diagnostics
 def fail():
     raise {what}
-rules.rules = fail
+diagnostics.all_rules = fail
 from rapidsim.cli import main
 main()
 """

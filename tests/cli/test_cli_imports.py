@@ -55,6 +55,22 @@ def test_a_command_imports_what_it_needs(
     assert imported(*arguments, cwd=tmp_path).isdisjoint(forbidden)
 
 
+def test_a_check_that_finds_nothing_reads_of_no_rule(tmp_path: Path) -> None:
+    (tmp_path / "tiny.mod").write_text(MODULE)
+    asked = f"{REPORT}print('rapidsim.rules' in sys.modules)"
+    read = [
+        subprocess.run(
+            [sys.executable, "-c", asked, "check", *arguments, "tiny.mod"],
+            cwd=tmp_path,
+            capture_output=True,
+            text=True,
+            check=False,
+        ).stdout.splitlines()[-1]
+        for arguments in ((), ("--select", "unused-data"))
+    ]
+    assert read == ["False", "True"]
+
+
 @pytest.mark.parametrize("name", rapidsim.__all__)
 def test_public_names_exist(name: str) -> None:
     assert getattr(rapidsim, name) is not None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path as File
 
@@ -29,23 +30,31 @@ _LOOK_AT_AXES = 3_000
 """So many samples of each program with smoothed axes, which take longer."""
 
 
-LEAST = {"tests/check/corpus": 8, "tests/check/fixtures": 40, "tests/rapid/motion": 20}
+LEAST = {"tests/check/corpus": 8, "tests/rapid/motion": 20}
 """So many programs of a folder at least are run to their moves."""
+LEAST_OF_RULES = 40
 
 
-def programs_with_moves() -> dict[str, list[File]]:
-    """The programs of each folder that move a robot, but those that wait for a partner."""
-    files = sorted([*ROOT.glob("programs/**/*.mod"), *ROOT.glob("tests/**/*.mod")])
+def moving(files: Iterable[File]) -> list[File]:
+    """The programs that move a robot, but those that wait for a partner."""
     moves = (b"MoveL", b"MoveJ", b"MoveC", b"MoveAbsJ")
+    texts = ((file, file.read_bytes()) for file in files)
+    return [
+        file
+        for file, text in texts
+        if any(move in text for move in moves) and b"Socket" not in text
+    ]
+
+
+def by_folder(files: Iterable[File]) -> dict[str, list[File]]:
+    """The programs of each folder of the repository."""
     folders: dict[str, list[File]] = {}
     for file in files:
-        text = file.read_bytes()
-        if any(move in text for move in moves) and b"Socket" not in text:
-            folders.setdefault(file.parent.relative_to(ROOT).as_posix(), []).append(file)
+        folders.setdefault(file.parent.relative_to(ROOT).as_posix(), []).append(file)
     return folders
 
 
-FOLDERS = programs_with_moves()
+FOLDERS = by_folder(moving(sorted([*ROOT.glob("programs/**/*.mod"), *ROOT.glob("tests/**/*.mod")])))
 
 
 def trajectory_of(file: File) -> Trajectory | None:
@@ -64,6 +73,14 @@ def test_the_folders_with_most_programs_are_looked_at() -> None:
 
 @pytest.mark.parametrize("folder", FOLDERS)
 def test_programs_of_the_repository_keep_curves_and_limits(folder: str) -> None:
+    assert_kept(FOLDERS[folder], LEAST.get(folder, 0))
+
+
+def test_programs_of_rules_keep_curves_and_limits(rule_programs: list[File]) -> None:
+    assert_kept(moving(rule_programs), LEAST_OF_RULES)
+
+
+def assert_kept(files: Iterable[File], least: int) -> None:
     """The TCP off a line or circle by less than 1 um; speeds over by less than 0.1 %; axis
     accelerations of the command over by less than 1 %.
 
@@ -72,7 +89,7 @@ def test_programs_of_the_repository_keep_curves_and_limits(folder: str) -> None:
     limits = limits_of(ROBOT, MotionModel())
     looked_at = 0
     broken = []
-    for file in FOLDERS[folder]:
+    for file in files:
         trajectory = trajectory_of(file)
         if trajectory is None:
             continue
@@ -85,7 +102,7 @@ def test_programs_of_the_repository_keep_curves_and_limits(folder: str) -> None:
         if not (kept and command.axis_acceleration < 1.01 and off < 1e-6):
             broken.append((file.name, seen, command, axes, off))
     assert not broken
-    assert looked_at >= LEAST.get(folder, 0)
+    assert looked_at >= least
 
 
 def driven(program: Programmer, speed: float, model: MotionModel) -> Trajectory | None:

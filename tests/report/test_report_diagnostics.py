@@ -2,55 +2,18 @@
 
 import json
 import unicodedata
-from dataclasses import dataclass
-from typing import ClassVar
 
 from hypothesis import given
 from hypothesis import strategies as st
 from laws import examples
 
-from rapidsim.diagnostics import (
-    Diagnostic,
-    Edit,
-    Fix,
-    Related,
-    Severity,
-    Source,
-    Span,
-    Violation,
-)
+from rapidsim.analysis.name_violations import UndefinedName
+from rapidsim.analysis.rules.conditions import ConstantCondition
+from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Rule, Source, Span
 from rapidsim.report.diagnostics import concise, diagnostic_json, full, summary_line
 from rapidsim.report.merging import is_selected, merged
 from rapidsim.report.palette import COLOURED, PLAIN
 from rapidsim.report.source_frame import printable, shown_line
-
-
-@dataclass(frozen=True)
-class Wrong(Violation):
-    """Something is wrong."""
-
-    code: ClassVar[str] = "X901"
-    name: ClassVar[str] = "wrong-thing"
-    template: ClassVar[str] = "`{thing}` is wrong"
-    cf: ClassVar[str | None] = "ABB 50050"
-
-    thing: str
-
-    @property
-    def help(self) -> str:
-        return "make it right"
-
-
-@dataclass(frozen=True)
-class Odd(Violation):
-    """Something is odd."""
-
-    code: ClassVar[str] = "X802"
-    name: ClassVar[str] = "odd-thing"
-    template: ClassVar[str] = "`{thing}` is odd"
-    severity: ClassVar[Severity] = Severity.WARNING
-
-    thing: str
 
 
 def span(text: str, part: str, occurrence: int = 0, *, file: str = "a.mod") -> Span:
@@ -67,7 +30,7 @@ def shown(*diagnostics: Diagnostic, width: int = 80) -> str:
 def test_a_finding_with_everything() -> None:
     text = "MODULE a\n  PERS num n:=1;\n  PROC main()\n    n:=p10;\n  ENDPROC\nENDMODULE\n"
     diagnostic = Diagnostic(
-        Wrong("p10"),
+        UndefinedName("p10", "p1"),
         span(text, "p10"),
         (
             Related(span(text, "n", 0), "declared here"),
@@ -77,7 +40,7 @@ def test_a_finding_with_everything() -> None:
         routine="main",
     )
     assert shown(diagnostic) == (
-        "error[X901] wrong-thing: `p10` is wrong (cf. ABB 50050)\n"
+        "error[N201] undefined-name: `p10` is not declared (cf. ABB 40165)\n"
         " --> a.mod:4:8 in main\n"
         "  |\n"
         "4 |     n:=p10;\n"
@@ -89,7 +52,7 @@ def test_a_finding_with_everything() -> None:
         "  |\n"
         "1 | x\n"
         "  | ^ and\n"
-        "  = help: make it right\n"
+        "  = help: did you mean `p1`?\n"
         "  = fix: Write 1\n\n"
     )
 
@@ -143,31 +106,36 @@ def test_text_of_a_program_steers_no_terminal(text: str) -> None:
 
 def test_a_place_over_several_lines_shows_its_first() -> None:
     text = "IF a THEN\n  b;\nENDIF\n"
-    assert "IF a THEN\n  | ^^^^^^^^^\n" in shown(Diagnostic(Odd("a"), span(text, text.strip())))
+    assert "IF a THEN\n  | ^^^^^^^^^\n" in shown(
+        Diagnostic(ConstantCondition("a"), span(text, text.strip()))
+    )
 
 
 def test_a_finding_at_the_end_of_the_text() -> None:
     text = "MODULE a\n"
     place = Span(Source("a.mod", text), len(text), len(text))
-    assert "2 |\n  | ^\n" in shown(Diagnostic(Odd("a"), place))
+    assert "2 |\n  | ^\n" in shown(Diagnostic(ConstantCondition("a"), place))
 
 
 def test_a_finding_without_a_place() -> None:
-    diagnostic = Diagnostic(Odd("folder"), None)
-    assert shown(diagnostic) == "warning[X802] odd-thing: `folder` is odd\n\n"
-    assert concise(merged([diagnostic]), PLAIN) == "warning[X802] `folder` is odd\n"
+    diagnostic = Diagnostic(ConstantCondition("FALSE"), None)
+    message = "this condition is always FALSE"
+    assert shown(diagnostic) == f"warning[F402] constant-condition: {message}\n\n"
+    assert concise(merged([diagnostic]), PLAIN) == f"warning[F402] {message}\n"
     assert diagnostic_json(merged([diagnostic])[0])["file"] is None
 
 
 def test_repeats_become_one_finding() -> None:
     text = "p;\nq;\np;\np;\n"
-    findings = [Diagnostic(Odd("p"), span(text, "p", n)) for n in (2, 0, 1)]
-    findings.append(Diagnostic(Odd("q"), span(text, "q")))
+    findings = [Diagnostic(ConstantCondition("p"), span(text, "p", n)) for n in (2, 0, 1)]
+    findings.append(Diagnostic(ConstantCondition("q"), span(text, "q")))
     first, second = merged(findings)
     assert (first.first.span and first.first.span.line, len(first.repeats)) == (1, 2)
     assert second.repeats == ()
     assert "and 2 more like it, on lines 3, 4" in shown(*findings)
-    assert "a.mod:1:1: warning[X802] `p` is odd (and 2 more)" in concise(merged(findings), PLAIN)
+    assert "a.mod:1:1: warning[F402] this condition is always p (and 2 more)" in concise(
+        merged(findings), PLAIN
+    )
     assert diagnostic_json(first)["repeats"] == [
         {"file": "a.mod", "line": 3, "column": 1},
         {"file": "a.mod", "line": 4, "column": 1},
@@ -177,34 +145,36 @@ def test_repeats_become_one_finding() -> None:
 
 
 def test_rules_are_selected_by_code_family_and_name() -> None:
-    def chosen(*selectors: list[str]) -> list[type[Violation]]:
-        return [rule for rule in (Wrong, Odd) if is_selected(rule, *selectors)]
+    def chosen(*selectors: list[str]) -> list[str]:
+        return [code for code in ("N201", "F402") if is_selected(Rule(code), *selectors)]
 
-    assert chosen(["X9"]) == [Wrong]
-    assert chosen(["odd-thing", "x901"]) == [Wrong, Odd]
-    assert chosen([], ["X"]) == []
-    assert chosen(["X"], ["odd-thing"]) == [Wrong]
-    assert chosen(["X"], [], ["odd-thing"]) == [Wrong, Odd]
-    assert chosen() == [Wrong, Odd]
+    assert chosen(["N2"]) == ["N201"]
+    assert chosen(["constant-condition", "n201"]) == ["N201", "F402"]
+    assert chosen([], ["N", "F"]) == []
+    assert chosen(["N", "F4"], ["constant-condition"]) == ["N201"]
+    assert chosen(["N"], [], ["constant-condition"]) == ["N201", "F402"]
+    assert chosen() == ["N201", "F402"]
 
 
 def test_json_holds_what_the_text_does() -> None:
     text = "n:=p10;"
     fix = Fix("Write 1", (Edit(span(text, "p10"), "1"),))
     related = (Related(span(text, "n"), "this"),)
-    [finding] = merged([Diagnostic(Wrong("p10"), span(text, "p10"), related, fix, "main")])
+    [finding] = merged(
+        [Diagnostic(UndefinedName("p10", "p1"), span(text, "p10"), related, fix, "main")]
+    )
     report = json.loads(json.dumps(diagnostic_json(finding), allow_nan=False))
     place = {"file": "a.mod", "line": 1, "column": 4, "end_line": 1, "end_column": 7}
     assert report == {
-        "code": "X901",
-        "name": "wrong-thing",
+        "code": "N201",
+        "name": "undefined-name",
         "severity": "error",
-        "message": "`p10` is wrong",
+        "message": "`p10` is not declared",
         **place,
         "related": [{"file": "a.mod", "line": 1, "message": "this"}],
         "fix": {"title": "Write 1", "safe": True, "edits": [{**place, "text": "1"}]},
-        "cf": "ABB 50050",
-        "help": "make it right",
+        "cf": "ABB 40165",
+        "help": "did you mean `p1`?",
         "routine": "main",
         "repeats": [],
     }
@@ -212,7 +182,7 @@ def test_json_holds_what_the_text_does() -> None:
 
 def test_colours_change_nothing_but_colour() -> None:
     text = "n:=p10;"
-    findings = merged([Diagnostic(Wrong("p10"), span(text, "p10"))])
+    findings = merged([Diagnostic(UndefinedName("p10", "p1"), span(text, "p10"))])
     coloured = full(findings, COLOURED, width=80)
     assert coloured != full(findings, PLAIN, width=80)
     plain = coloured
@@ -227,5 +197,7 @@ def vars_of(palette: object) -> tuple[str, ...]:
 
 def test_the_summary_line_counts() -> None:
     assert summary_line([], files=2, seconds=0.5) == "Found nothing wrong in 2 files (0.50 s)."
-    findings = merged([Diagnostic(Wrong("a"), None), Diagnostic(Odd("b"), None)])
+    findings = merged(
+        [Diagnostic(UndefinedName("a"), None), Diagnostic(ConstantCondition("b"), None)]
+    )
     assert summary_line(findings, files=1, seconds=None) == "Found 1 error and 1 warning in 1 file."

@@ -293,7 +293,7 @@ def test_check_says_where_such_names_may_come_from() -> None:
 
 def test_what_a_loaded_module_may_have_or_use_is_not_held_missing_or_unused() -> None:
     wanted = (AmbiguousLateBinding, UnusedData, UnusedRoutine)
-    rules = detectors_of(lambda rule: rule in wanted)
+    rules = detectors_of(lambda rule: rule in {one.rule for one in wanted})
     for loading, expected in (('Load "part.mod";', set()), ("", set(wanted))):
         text = main(loading, '%"draw"% 3;')
         found = load([SourceFile("cell.mod", text, "utf-8")], rules).diagnostics

@@ -5,27 +5,17 @@
 
 from __future__ import annotations
 
-import inspect
 import os
-import re
-import textwrap
 from pathlib import Path
 
 import pytest
 
-from rapidsim.diagnostics import Diagnostic, Source, Violation
-from rapidsim.syntax import text_violations, violations
+from rapidsim.diagnostics import Diagnostic, Source
 from rapidsim.syntax.parser import parse
 
 BROKEN = sorted(
     path for path in (Path(__file__).parent / "broken").iterdir() if path.suffix != ".reports"
 )
-RULES = [
-    rule
-    for module in (violations, text_violations)
-    for _, rule in sorted(inspect.getmembers(module, inspect.isclass))
-    if issubclass(rule, Violation) and rule is not Violation
-]
 
 
 def line(diagnostic: Diagnostic) -> str:
@@ -49,26 +39,6 @@ def test_reports_of_a_broken_file(program: Path) -> None:
     if os.environ.get("UPDATE_GOLDEN"):
         golden.write_text(found)
     assert found == golden.read_text()
-
-
-def section(rule: type[Violation], name: str) -> str:
-    """The program under a heading of a rule's page."""
-    page = inspect.cleandoc(rule.__doc__ or "")
-    match = re.search(rf"^## {name}\n+((?:    .*\n?|\n)+)", page, re.MULTILINE)
-    assert match, f"{rule.__name__} has no ## {name}"
-    return textwrap.dedent(match.group(1))
-
-
-@pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.code)
-def test_the_example_of_a_rule_breaks_it_and_the_fix_does_not(rule: type[Violation]) -> None:
-    example = parse(Source("example", section(rule, "Example"))).diagnostics
-    assert {type(diagnostic.violation) for diagnostic in example} == {rule}
-    assert not parse(Source("fix", section(rule, "Fix"))).diagnostics
-
-
-def test_codes_are_unique() -> None:
-    assert len({rule.code for rule in RULES}) == len(RULES)
-    assert len({rule.name for rule in RULES}) == len(RULES)
 
 
 def test_a_fix_can_be_applied() -> None:

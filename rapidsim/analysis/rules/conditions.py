@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import ClassVar
 
 from rapidsim.analysis.program import LibrarySymbol
 from rapidsim.analysis.rules.facts import Facts, Part
 from rapidsim.analysis.walk import descendants
-from rapidsim.diagnostics import Diagnostic, Severity, Violation
+from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.syntax import tree
 
 # Instructions that take no time; a loop of nothing else keeps the task busy.
@@ -22,122 +20,16 @@ _INSTANT = frozenset(
 _LEAVES = (tree.Return, tree.Exit, tree.Goto, tree.Raise, tree.LateCall, tree.Broken)
 
 
-@dataclass(frozen=True)
-class ConstantCondition(Violation):
-    """A condition is always TRUE or always FALSE. It is often left over from a test.
-
-    `WHILE TRUE DO` is not reported: it is how RAPID writes a loop without an end.
-
-    ## Example
-
-        MODULE example
-          PROC main()
-            IF TRUE THEN
-              WaitTime 1;
-            ENDIF
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          PERS bool slow:=FALSE;
-          PROC main()
-            IF slow THEN
-              WaitTime 1;
-            ENDIF
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "F402"
-    name: ClassVar[str] = "constant-condition"
-    template: ClassVar[str] = "this condition is always {value}"
-    severity: ClassVar[Severity] = Severity.WARNING
-
+class ConstantCondition(Violation, code="F402"):
     value: str
 
 
-@dataclass(frozen=True)
-class EndlessLoop(Violation):
-    """A loop never ends, and nothing in it moves, waits or leaves.
-
-    It takes all the time there is, so that other tasks run late and the pendant hardly answers.
-
-    ## Example
-
-        MODULE example
-          VAR num count;
-          PROC main()
-            WHILE TRUE DO
-              count:=count+1;
-            ENDWHILE
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          VAR num count;
-          PROC main()
-            WHILE TRUE DO
-              count:=count+1;
-              WaitTime 0.1;
-            ENDWHILE
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "F403"
-    name: ClassVar[str] = "endless-loop-without-wait"
-    template: ClassVar[str] = "this loop never ends, and nothing in it moves or waits"
-    severity: ClassVar[Severity] = Severity.WARNING
-
-    @property
-    def help(self) -> str:
-        """The cure."""
-        return "put a WaitTime into it, or a condition that ends it"
+class EndlessLoop(Violation, code="F403"):
+    pass
 
 
-@dataclass(frozen=True)
-class TestWithoutDefault(Violation):
-    r"""TEST has no DEFAULT: a value that no CASE names passes in silence.
-
-    An unknown part number then does nothing, and the cell goes on with the wrong part.
-
-    ## Example
-
-        MODULE example
-          VAR num part:=3;
-          PROC main()
-            TEST part
-            CASE 1:
-              WaitTime 1;
-            ENDTEST
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          VAR num part:=3;
-          PROC main()
-            TEST part
-            CASE 1:
-              WaitTime 1;
-            DEFAULT:
-              TPWrite "Unknown part "\Num:=part;
-              Stop;
-            ENDTEST
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "F409"
-    name: ClassVar[str] = "test-without-default"
-    template: ClassVar[str] = "TEST has no DEFAULT for other values"
-    severity: ClassVar[Severity] = Severity.NOTE
-    on_by_default: ClassVar[bool] = False
+class TestWithoutDefault(Violation, code="F409"):
+    pass
 
 
 def find_constant_conditions(facts: Facts) -> Iterator[Diagnostic]:

@@ -3,89 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import ClassVar
 
 from rapidsim.analysis.program import DataSymbol, Storage
 from rapidsim.analysis.rules.facts import Facts, Part
 from rapidsim.analysis.rules.instructions import LINEAR_MOVES, Move, as_move, moves
 from rapidsim.analysis.rules.known_values import known_value, numbers
 from rapidsim.analysis.walk import descendants, statements
-from rapidsim.diagnostics import Diagnostic, Severity, Violation
+from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.syntax import tree
 
 
-@dataclass(frozen=True)
-class FirstMoveLinear(Violation):
-    """The first move of main is a line or a circle.
-
-    It starts wherever the robot happens to stand, so its path, its configuration and whether it is
-    possible at all differ from day to day. MoveAbsJ, or MoveJ to a known place, always works.
-
-    ## Example
-
-        MODULE example
-          CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-          PROC main()
-            MoveL p10,v500,fine,tool0;
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-          PROC main()
-            MoveJ p10,v500,fine,tool0;
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "M512"
-    name: ClassVar[str] = "first-move-linear"
-    template: ClassVar[str] = "the first move of main is a {move}: it starts wherever the robot is"
-    severity: ClassVar[Severity] = Severity.WARNING
-
+class FirstMoveLinear(Violation, code="M512"):
     move: str
 
-    @property
-    def help(self) -> str:
-        """The cure."""
-        return "begin with MoveAbsJ or MoveJ to a known place"
 
-
-@dataclass(frozen=True)
-class MoveWithoutSpeed(Violation):
-    """A move on a line has speed 0 for its TCP.
-
-    The speeds `vrot` and `vlin` are for external axes; a TCP that shall move needs v_tcp.
-
-    ## Example
-
-        MODULE example
-          CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-          PROC main()
-            MoveJ p10,v500,fine,tool0;
-            MoveL Offs(p10,0,90,0),[0,500,5000,1000],fine,tool0;
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-          PROC main()
-            MoveJ p10,v500,fine,tool0;
-            MoveL Offs(p10,0,90,0),[50,500,5000,1000],fine,tool0;
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "M515"
-    name: ClassVar[str] = "move-without-speed"
-    template: ClassVar[str] = "`{speed}` has a TCP speed of {value:g} mm/s"
-    severity: ClassVar[Severity] = Severity.WARNING
-
+class MoveWithoutSpeed(Violation, code="M515"):
     speed: str
     value: float
 

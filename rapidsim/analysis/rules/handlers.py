@@ -3,94 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import ClassVar
 
 from rapidsim.analysis.rules.facts import Facts
-from rapidsim.diagnostics import Diagnostic, Severity, Violation
+from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.syntax import tree
 
 # Instructions that tell somebody and change nothing.
 _MESSAGES = frozenset({"tpwrite", "tperase", "errwrite", "errlog", "tpshow"})
 
 
-@dataclass(frozen=True)
-class RetryWithoutChange(Violation):
-    """An ERROR clause answers every error with RETRY and changes nothing before it.
-
-    The same statement fails again, until the retries that the controller allows are used up.
-
-    ## Example
-
-        MODULE example
-          VAR num parts:=0;
-          PROC main()
-            WaitTime 10/parts;
-          ERROR RETRY;
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          VAR num parts:=0;
-          PROC main()
-            WaitTime 10/parts;
-          ERROR parts:=1;
-            RETRY;
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "F407"
-    name: ClassVar[str] = "retry-without-change"
-    template: ClassVar[str] = "RETRY repeats what failed, and nothing has changed"
-    severity: ClassVar[Severity] = Severity.WARNING
-
-    @property
-    def help(self) -> str:
-        """The cure."""
-        return "remove the cause first, or wait and count the attempts"
+class RetryWithoutChange(Violation, code="F407"):
+    pass
 
 
-@dataclass(frozen=True)
-class SwallowedError(Violation):
-    """An ERROR clause passes over every error with TRYNEXT and tells nobody.
-
-    A pick that failed or a move that could not be made is then left out in silence.
-
-    ## Example
-
-        MODULE example
-          VAR num parts:=0;
-          PROC main()
-            WaitTime 10/parts;
-          ERROR TRYNEXT;
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          VAR num parts:=0;
-          PROC main()
-            WaitTime 10/parts;
-          ERROR IF ERRNO=ERR_DIVZERO THEN
-              TRYNEXT;
-            ENDIF
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "F408"
-    name: ClassVar[str] = "swallowed-error"
-    template: ClassVar[str] = "TRYNEXT passes over every error in silence"
-    severity: ClassVar[Severity] = Severity.WARNING
-
-    @property
-    def help(self) -> str:
-        """The cure."""
-        return "test ERRNO for the errors that are meant, or tell the operator"
+class SwallowedError(Violation, code="F408"):
+    pass
 
 
 def find_careless_handlers(facts: Facts) -> Iterator[Diagnostic]:

@@ -4,53 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import ClassVar
 
 from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.rules.facts import Facts
 from rapidsim.analysis.rules.known_values import known_value
-from rapidsim.diagnostics import Diagnostic, Severity, Violation
+from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.syntax import tree
 
 
-@dataclass(frozen=True)
-class AmbiguousLateBinding(Violation):
-    """A call by name in a string can call nothing: no procedure of the task has such a name.
-
-    What the string says is only known when the call is executed; the beginning or the end that is
-    written out is enough to see that nothing fits. The call raises ERR_REFUNKPRC. Programs that
-    load modules while they run are not looked at: the procedure may come with one.
-
-    ## Example
-
-        MODULE example
-          VAR num part:=1;
-          PROC main()
-            %"part_"+NumToStr(part,0)%;
-          ENDPROC
-          PROC part1()
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          VAR num part:=1;
-          PROC main()
-            %"part"+NumToStr(part,0)%;
-          ENDPROC
-          PROC part1()
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "N207"
-    name: ClassVar[str] = "ambiguous-late-binding"
-    template: ClassVar[str] = "no procedure of the task is called {shape}"
-    severity: ClassVar[Severity] = Severity.WARNING
-    cf: ClassVar[str] = "ABB 40168"
-
+class AmbiguousLateBinding(Violation, code="N207"):
     shape: str
 
 

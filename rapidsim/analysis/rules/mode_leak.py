@@ -5,70 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import ClassVar
 
 from rapidsim.analysis.program import LibrarySymbol
 from rapidsim.analysis.rules.facts import ENTRY, Facts, Part
 from rapidsim.analysis.rules.instructions import MOVES
 from rapidsim.analysis.rules.known_values import known_value
-from rapidsim.diagnostics import Diagnostic, Severity, Violation
+from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.syntax import tree
 
 
-@dataclass(frozen=True)
-class ModeLeak(Violation):
-    r"""A routine changes a setting of the motion, moves, and does not put the setting back.
-
-    `ConfL\Off`, `SingArea`, `VelSet`, `AccSet`, a program displacement or a soft servo stay in
-    force until main starts anew, so whatever moves next moves in a way nobody expects. The routine
-    `main` is not looked at.
-
-    ## Example
-
-        MODULE example
-          CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-          PROC main()
-            MoveJ p10,v500,fine,tool0;
-            lower 1;
-          ENDPROC
-          PROC lower(num part)
-            ConfL\Off;
-            IF part=0 RETURN;
-            MoveL Offs(p10,0,0,-100),v100,fine,tool0;
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-          PROC main()
-            MoveJ p10,v500,fine,tool0;
-            lower 1;
-          ENDPROC
-          PROC lower(num part)
-            IF part=0 RETURN;
-            ConfL\Off;
-            MoveL Offs(p10,0,0,-100),v100,fine,tool0;
-            ConfL\On;
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "F411"
-    name: ClassVar[str] = "mode-leak"
-    template: ClassVar[str] = "`{setting}` is still in force when `{routine}` {ends}"
-    severity: ClassVar[Severity] = Severity.WARNING
-
+class ModeLeak(Violation, code="F411"):
     setting: str
     routine: str
     ends: str
     back: str
-
-    @property
-    def help(self) -> str:
-        """What puts the setting back."""
-        return f"put `{self.back}` on every way out"
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import ClassVar
 
 from rapidsim.analysis.paths import root_of
 from rapidsim.analysis.program import DataSymbol, Storage
 from rapidsim.analysis.rules.facts import Facts
 from rapidsim.analysis.rules.instructions import arguments_of
-from rapidsim.diagnostics import Diagnostic, Severity, Violation
+from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.language import types
 from rapidsim.language.annotations import Mode
 from rapidsim.language.types import ArrayOf, Record, resolved
@@ -19,37 +17,7 @@ from rapidsim.syntax import tree
 _PATHS = (tree.Reference, tree.Index, tree.Component)
 
 
-@dataclass(frozen=True)
-class ReadBeforeSet(Violation):
-    """A variable is read, and nothing in the program ever gives it a value.
-
-    It is 0, FALSE or empty all the time; a target has an orientation that is none.
-
-    ## Example
-
-        MODULE example
-          PROC main()
-            VAR robtarget p10;
-            MoveJ p10,v500,fine,tool0;
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          PROC main()
-            VAR robtarget p10;
-            p10:=CRobT();
-            MoveJ p10,v500,fine,tool0;
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "F412"
-    name: ClassVar[str] = "read-before-set"
-    template: ClassVar[str] = "`{data}` is read here and never given a value"
-    severity: ClassVar[Severity] = Severity.WARNING
-
+class ReadBeforeSet(Violation, code="F412"):
     data: str
 
 

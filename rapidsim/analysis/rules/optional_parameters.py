@@ -3,59 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import ClassVar
 
 from rapidsim.analysis.program import ParameterSymbol
 from rapidsim.analysis.rules.facts import Facts, Part
-from rapidsim.diagnostics import Diagnostic, Severity, Violation
+from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.syntax import tree
 
 
-@dataclass(frozen=True)
-class AbsentOptionalUsed(Violation):
-    r"""An optional parameter is used, and the routine never asks whether it was given.
-
-    A call without the argument stops the program at this statement (ERR_NORUNUNIT or a reference
-    error, depending on what is done with it).
-
-    ## Example
-
-        MODULE example
-          PROC main()
-            wait_a_little;
-          ENDPROC
-          PROC wait_a_little(\num seconds)
-            WaitTime seconds;
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          PROC main()
-            wait_a_little;
-          ENDPROC
-          PROC wait_a_little(\num seconds)
-            IF Present(seconds) THEN
-              WaitTime seconds;
-            ENDIF
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "T310"
-    name: ClassVar[str] = "absent-optional-used"
-    template: ClassVar[str] = "`{parameter}` is optional and may be absent"
-    severity: ClassVar[Severity] = Severity.WARNING
-    cf: ClassVar[str] = "ABB 40168"
-
+class AbsentOptionalUsed(Violation, code="T310"):
     parameter: str
-
-    @property
-    def help(self) -> str:
-        """The question to ask."""
-        return f"ask with `Present({self.parameter})` first"
 
 
 def find_absent_optionals(facts: Facts) -> Iterator[Diagnostic]:

@@ -3,52 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
-from typing import ClassVar
 
 from rapidsim.analysis.rules.facts import Facts
-from rapidsim.diagnostics import Diagnostic, Severity, Violation
+from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.syntax import tree
 
 
-@dataclass(frozen=True)
-class Recursion(Violation):
-    """A routine calls itself, directly or through others.
-
-    A controller has room for a limited number of calls within each other, and no way back when
-    they are used up.
-
-    ## Example
-
-        MODULE example
-          PROC main()
-            stack 3;
-          ENDPROC
-          PROC stack(num layers)
-            IF layers>1 stack layers-1;
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          PROC main()
-            stack 3;
-          ENDPROC
-          PROC stack(num layers)
-            FOR layer FROM 1 TO layers DO
-              WaitTime 0.1;
-            ENDFOR
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "F410"
-    name: ClassVar[str] = "recursion"
-    template: ClassVar[str] = "`{routine}` calls itself{through}"
-    severity: ClassVar[Severity] = Severity.NOTE
-    on_by_default: ClassVar[bool] = False
-
+class Recursion(Violation, code="F410"):
     routine: str
     through: str
 

@@ -3,99 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import ClassVar
 
 from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.program import DataSymbol, LibrarySymbol
 from rapidsim.analysis.rules.facts import Facts
-from rapidsim.diagnostics import Diagnostic, Related, Severity, Violation
+from rapidsim.diagnostics import Diagnostic, Related, Violation
 from rapidsim.syntax import tree
 
 _OF_MOTION = frozenset({"speeddata", "zonedata", "tooldata", "wobjdata", "loaddata"})
 """Types whose predefined data a reader knows by name; `low` and `edge` may well name something."""
 
 
-@dataclass(frozen=True)
-class ShadowedName(Violation):
-    """Data of a routine or LOCAL data hide data of the task with the same name.
-
-    Whoever touches up the global target or changes the global value wonders why nothing happens.
-
-    ## Example
-
-        MODULE example
-          PERS num height:=250;
-          PROC main()
-            VAR num height:=100;
-            WaitTime height/1000;
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          PERS num height:=250;
-          PROC main()
-            VAR num low_height:=100;
-            WaitTime low_height/1000;
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "N203"
-    name: ClassVar[str] = "shadowed-name"
-    template: ClassVar[str] = "`{hidden}` hides the {type} of the same name in {where}"
-    severity: ClassVar[Severity] = Severity.WARNING
-
+class ShadowedName(Violation, code="N203"):
     hidden: str
     type: str
     where: str
 
-    @property
-    def help(self) -> str:
-        """The cure."""
-        return "give one of them another name"
 
-
-@dataclass(frozen=True)
-class RedefinedBuiltin(Violation):
-    """A name of the controller's own is declared again: `v100`, `tool0`, `fine`, `Offs`.
-
-    From then on it means something else than every reader expects, in part of the program only if
-    it is LOCAL.
-
-    ## Example
-
-        MODULE example
-          CONST speeddata v100:=[120,500,5000,1000];
-          PROC main()
-            WaitTime v100.v_tcp/1000;
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          CONST speeddata v120:=[120,500,5000,1000];
-          PROC main()
-            WaitTime v120.v_tcp/1000;
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "N206"
-    name: ClassVar[str] = "redefined-builtin"
-    template: ClassVar[str] = "`{defined}` is {what} of the controller"
-    severity: ClassVar[Severity] = Severity.WARNING
-
+class RedefinedBuiltin(Violation, code="N206"):
     defined: str
     what: str
-
-    @property
-    def help(self) -> str:
-        """The cure."""
-        return "choose a name that the controller does not have"
 
 
 def find_shadowed(facts: Facts) -> Iterator[Diagnostic]:

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import ClassVar
 
 from rapidsim.analysis.rules.facts import Facts
 from rapidsim.analysis.rules.instructions import moves
 from rapidsim.analysis.walk import clauses, statements
-from rapidsim.diagnostics import Diagnostic, Edit, Fix, Severity, Span, Violation
+from rapidsim.diagnostics import Diagnostic, Edit, Fix, Span, Violation
 from rapidsim.syntax import tree
 from rapidsim.syntax.lexer import lex
 
@@ -21,51 +19,12 @@ _STATEMENT = re.compile(
 )
 
 
-@dataclass(frozen=True)
-class KeywordCase(Violation):
-    """A reserved word is not written in capitals.
-
-    RAPID takes any case; the controller's editor writes capitals. `--fix` writes them.
-
-    ## Example
-
-        MODULE example
-          PROC main()
-            if TRUE then
-            endif
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          PROC main()
-            IF TRUE THEN
-            ENDIF
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "S901"
-    name: ClassVar[str] = "keyword-case"
-    template: ClassVar[str] = "`{word}` is written `{capitals}`"
-    severity: ClassVar[Severity] = Severity.NOTE
-    on_by_default: ClassVar[bool] = False
-
+class KeywordCase(Violation, code="S901"):
     word: str
     capitals: str
 
 
-@dataclass(frozen=True)
-class LongRoutine(Violation):
-    """A routine has more statements than one can look over: 100."""
-
-    code: ClassVar[str] = "S908"
-    name: ClassVar[str] = "long-routine"
-    template: ClassVar[str] = "`{routine}` has {count} statements"
-    severity: ClassVar[Severity] = Severity.NOTE
-    on_by_default: ClassVar[bool] = False
-
+class LongRoutine(Violation, code="S908"):
     routine: str
     count: int
 
@@ -75,67 +34,12 @@ class LongRoutine(Violation):
         return f"divide it; {_LONGEST_ROUTINE} can be looked over"
 
 
-@dataclass(frozen=True)
-class CommentedOutCode(Violation):
-    """A comment is a statement that was taken out.
-
-    Version control remembers what was there; a reader wonders whether it shall come back.
-
-    ## Example
-
-        MODULE example
-          PROC main()
-            ! WaitTime 5;
-            WaitTime 1;
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          PROC main()
-            ! The glue needs a second;
-            WaitTime 1;
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "S909"
-    name: ClassVar[str] = "commented-out-code"
-    template: ClassVar[str] = "this comment is code"
-    severity: ClassVar[Severity] = Severity.NOTE
-    on_by_default: ClassVar[bool] = False
+class CommentedOutCode(Violation, code="S909"):
+    pass
 
 
-@dataclass(frozen=True)
-class InlineTarget(Violation):
-    """A target is written in the move and has no name.
-
-    Nobody can touch it up by name, use it again, or say what it is for.
-
-    ## Example
-
-        MODULE example
-          PROC main()
-            MoveJ [[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tool0;
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-          PROC main()
-            MoveJ p10,v500,fine,tool0;
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "S910"
-    name: ClassVar[str] = "inline-target"
-    template: ClassVar[str] = "this target has no name"
-    severity: ClassVar[Severity] = Severity.NOTE
-    on_by_default: ClassVar[bool] = False
+class InlineTarget(Violation, code="S910"):
+    pass
 
 
 def find_keyword_case(facts: Facts) -> Iterator[Diagnostic]:

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import ClassVar
 
 from rapidsim.analysis.rules.facts import Facts
 from rapidsim.analysis.walk import blocks, clauses
-from rapidsim.diagnostics import Diagnostic, Edit, Fix, Severity, Source, Span, Violation
+from rapidsim.diagnostics import Diagnostic, Edit, Fix, Source, Span, Violation
 from rapidsim.syntax import tree
 
 _TRAILING = re.compile(r"[ \t]+(?=\r*\n|\r|\Z)")
@@ -18,84 +16,24 @@ _LONGEST_LINE = 120
 _MOST_BLANK_LINES = 2
 
 
-@dataclass(frozen=True)
-class Indentation(Violation):
-    """A statement does not stand as deep as its block, or two of one block not equally deep.
-
-    ## Example
-
-        MODULE example
-          PROC main()
-            WaitTime 1;
-              WaitTime 2;
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          PROC main()
-            WaitTime 1;
-            WaitTime 2;
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "S902"
-    name: ClassVar[str] = "indentation"
-    template: ClassVar[str] = "this stands {found} blanks deep, the first of its block {wanted}"
-    severity: ClassVar[Severity] = Severity.NOTE
-    on_by_default: ClassVar[bool] = False
-
+class Indentation(Violation, code="S902"):
     found: int
     wanted: int
 
 
-@dataclass(frozen=True)
-class TrailingSpace(Violation):
-    """A line ends in blanks. Version control shows them as changes; `--fix` takes them out."""
-
-    code: ClassVar[str] = "S903"
-    name: ClassVar[str] = "trailing-space"
-    template: ClassVar[str] = "blanks at the end of the line"
-    severity: ClassVar[Severity] = Severity.NOTE
-    on_by_default: ClassVar[bool] = False
+class TrailingSpace(Violation, code="S903"):
+    pass
 
 
-@dataclass(frozen=True)
-class BlankLines(Violation):
-    """More than two empty lines follow each other; `--fix` leaves two."""
-
-    code: ClassVar[str] = "S904"
-    name: ClassVar[str] = "blank-lines"
-    template: ClassVar[str] = "{count} empty lines"
-    severity: ClassVar[Severity] = Severity.NOTE
-    on_by_default: ClassVar[bool] = False
-
+class BlankLines(Violation, code="S904"):
     count: int
 
 
-@dataclass(frozen=True)
-class FinalNewline(Violation):
-    """The last line has no line end. Tools that join files join lines; `--fix` ends it."""
-
-    code: ClassVar[str] = "S905"
-    name: ClassVar[str] = "final-newline"
-    template: ClassVar[str] = "the last line has no line end"
-    severity: ClassVar[Severity] = Severity.NOTE
-    on_by_default: ClassVar[bool] = False
+class FinalNewline(Violation, code="S905"):
+    pass
 
 
-@dataclass(frozen=True)
-class LineTooLong(Violation):
-    """A line has more than 120 characters. Lines of data are not reported."""
-
-    code: ClassVar[str] = "S906"
-    name: ClassVar[str] = "line-too-long"
-    template: ClassVar[str] = "this line has {count} characters"
-    severity: ClassVar[Severity] = Severity.NOTE
-    on_by_default: ClassVar[bool] = False
-
+class LineTooLong(Violation, code="S906"):
     count: int
 
 

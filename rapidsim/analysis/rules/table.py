@@ -29,7 +29,7 @@ from rapidsim.analysis.rules import (
     zones,
 )
 from rapidsim.analysis.rules.facts import Facts
-from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.diagnostics import Diagnostic, Rule, Violation
 from rapidsim.language.target_violations import QuaternionNotUnit
 
 
@@ -88,9 +88,11 @@ DETECTORS = (
 
 
 def detectors_of(
-    is_wanted: Callable[[type[Violation]], bool] = lambda rule: rule.on_by_default,
+    is_wanted: Callable[[Rule], bool] = lambda rule: rule.on_by_default,
 ) -> tuple[Callable[[Facts], Iterable[Diagnostic]], ...]:
     """The detectors that look for some rules, by default for those that are on by default."""
     return tuple(
-        detector.find for detector in DETECTORS if any(is_wanted(rule) for rule in detector.rules)
+        detector.find
+        for detector in DETECTORS
+        if any(is_wanted(broken.rule) for broken in detector.rules)
     )

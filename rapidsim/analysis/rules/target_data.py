@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import ClassVar
 
 from rapidsim.analysis.rules.facts import Facts, Part
 from rapidsim.analysis.rules.known_values import Value, known_value, numbers
 from rapidsim.analysis.rules.written_numbers import part_span
-from rapidsim.diagnostics import Diagnostic, Related, Severity, Violation
+from rapidsim.diagnostics import Diagnostic, Related, Violation
 from rapidsim.syntax import tree
 
 _UNUSED = 8.9e9
@@ -22,36 +21,7 @@ _QUARTERS = 12
 """Three turns of an axis either way; more is no axis of a robot."""
 
 
-@dataclass(frozen=True)
-class ExternalAxisValue(Violation):
-    """One target gives a position of an external axis and the others do not, or the other way.
-
-    9E9 for an axis that is active stops the program; a number for one that is not connected is
-    ignored. Either all targets have the axis or none has.
-
-    ## Example
-
-        MODULE example
-          CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[150,9E9,9E9,9E9,9E9,9E9]];
-          CONST robtarget p20:=[[600,90,600],[0,0,1,0],[0,0,0,0],[250,9E9,9E9,9E9,9E9,9E9]];
-          CONST robtarget p30:=[[600,0,500],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[150,9E9,9E9,9E9,9E9,9E9]];
-          CONST robtarget p20:=[[600,90,600],[0,0,1,0],[0,0,0,0],[250,9E9,9E9,9E9,9E9,9E9]];
-          CONST robtarget p30:=[[600,0,500],[0,0,1,0],[0,0,0,0],[250,9E9,9E9,9E9,9E9,9E9]];
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "M510"
-    name: ClassVar[str] = "external-axis-value"
-    template: ClassVar[str] = "`{target}` gives {here} for `eax_{axis}`; {others} {there}"
-    severity: ClassVar[Severity] = Severity.NOTE
-    cf: ClassVar[str] = "ABB 40512"
-
+class ExternalAxisValue(Violation, code="M510"):
     target: str
     here: str
     axis: str
@@ -59,70 +29,14 @@ class ExternalAxisValue(Violation):
     there: str
 
 
-@dataclass(frozen=True)
-class BadConfdata(Violation):
-    """Configuration data of a target are no configuration.
-
-    cf1, cf4 and cf6 count whole quarter turns of axes 1, 4 and 6; cfx is 0 to 7, and for arms with
-    seven axes four digits.
-
-    ## Example
-
-        MODULE example
-          CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0.5,0,9],[9E9,9E9,9E9,9E9,9E9,9E9]];
-          PROC main()
-            MoveJ p10,v500,fine,tool0;
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,1],[9E9,9E9,9E9,9E9,9E9,9E9]];
-          PROC main()
-            MoveJ p10,v500,fine,tool0;
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "M511"
-    name: ClassVar[str] = "bad-confdata"
-    template: ClassVar[str] = "{component} of `{target}` is {value}; it is {allowed}"
-    severity: ClassVar[Severity] = Severity.WARNING
-
+class BadConfdata(Violation, code="M511"):
     component: str
     target: str
     value: str
     allowed: str
 
 
-@dataclass(frozen=True)
-class DuplicateTargets(Violation):
-    """Two targets are the same place under two names.
-
-    Whoever touches up one of them leaves the other where it was. It may be meant.
-
-    ## Example
-
-        MODULE example
-          CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-          CONST robtarget p20:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-          CONST robtarget p20:=[[600,80,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "M514"
-    name: ClassVar[str] = "duplicate-targets"
-    template: ClassVar[str] = "`{target}` is the same place as `{other}`"
-    severity: ClassVar[Severity] = Severity.NOTE
-    on_by_default: ClassVar[bool] = False
-
+class DuplicateTargets(Violation, code="M514"):
     target: str
     other: str
 

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import ClassVar
 
 from rapidsim.analysis.rules.facts import Facts
-from rapidsim.diagnostics import Diagnostic, Edit, Fix, Severity, Span, Violation
+from rapidsim.diagnostics import Diagnostic, Edit, Fix, Span, Violation
 
 _DOUBLED = re.compile(r"\r{2,}\n")
 _OUTSIDE = re.compile(r"[^\x00-\xff\ufffd]")
@@ -16,64 +14,14 @@ _OUTSIDE = re.compile(r"[^\x00-\xff\ufffd]")
 _WINDOWS = frozenset("€‚ƒ„…†‡ˆ‰Š‹ŒŽ‘’“”•–—˜™š›œžŸ")
 
 
-@dataclass(frozen=True)
-class BadLineEndings(Violation):
-    """Lines end in two carriage returns and a line feed.
-
-    Careless transfers double the carriage return. Older controllers read the extra one as an empty
-    line or refuse the module, and editors show every second line empty. `--fix` takes it out.
-    """
-
-    code: ClassVar[str] = "E106"
-    name: ClassVar[str] = "bad-line-endings"
-    template: ClassVar[str] = "{lines} in CR CR LF, first here"
-    severity: ClassVar[Severity] = Severity.WARNING
-
+class BadLineEndings(Violation, code="E106"):
     lines: str
 
-    @property
-    def help(self) -> str:
-        """The cure."""
-        return "`rapidsim check --fix` leaves CR LF"
 
-
-@dataclass(frozen=True)
-class BadEncoding(Violation):
-    """A character is outside the set that controllers up to RobotWare 6 can show.
-
-    They keep modules in ISO 8859-1. Arrows, typographic quotes of other sets or other scripts come
-    out as two or three wrong characters each; in a string they also count as so many.
-
-    ## Example
-
-        MODULE example
-          PROC main()
-            TPWrite "Station A → B";
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          PROC main()
-            TPWrite "Station A to B";
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "E107"
-    name: ClassVar[str] = "bad-encoding"
-    template: ClassVar[str] = "`{character}` (U+{number:04X}) is not in ISO 8859-1{others}"
-    severity: ClassVar[Severity] = Severity.NOTE
-
+class BadEncoding(Violation, code="E107"):
     character: str
     number: int
     others: str
-
-    @property
-    def help(self) -> str:
-        """The cure."""
-        return "write it with letters that western European keyboards have"
 
 
 def find_bad_line_endings(facts: Facts) -> Iterator[Diagnostic]:

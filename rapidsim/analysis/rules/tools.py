@@ -4,135 +4,30 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import ClassVar
 
 from rapidsim.analysis.program import DataSymbol, Storage, Symbol
 from rapidsim.analysis.rules.facts import Facts, Part
 from rapidsim.analysis.rules.instructions import Move, moves
 from rapidsim.analysis.rules.known_values import known_value, numbers
-from rapidsim.diagnostics import Diagnostic, Related, Severity, Violation
+from rapidsim.diagnostics import Diagnostic, Related, Violation
 from rapidsim.syntax import tree
 
 _UNIDENTIFIED = -1.0
 """The mass that a new tool has until somebody defines it."""
 
 
-@dataclass(frozen=True)
-class ToolOrWobjMissing(Violation):
-    r"""A move to a target uses tool0 and another one a tool, or they use two work objects.
-
-    A target is the place of one TCP in one work object. With another tool or work object the robot
-    goes somewhere else.
-
-    ## Example
-
-        MODULE example
-          PERS tooldata pen:=[TRUE,[[0,0,120],[1,0,0,0]],[1,[0,0,60],[1,0,0,0],0,0,0]];
-          CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-          PROC main()
-            MoveJ p10,v500,fine,pen;
-            MoveL p10,v500,fine,tool0;
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          PERS tooldata pen:=[TRUE,[[0,0,120],[1,0,0,0]],[1,[0,0,60],[1,0,0,0],0,0,0]];
-          CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-          PROC main()
-            MoveJ p10,v500,fine,pen;
-            MoveL p10,v500,fine,pen;
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "M507"
-    name: ClassVar[str] = "tool-or-wobj-missing"
-    template: ClassVar[str] = "`{target}` is reached with {here} here and with {there} elsewhere"
-    severity: ClassVar[Severity] = Severity.WARNING
-
+class ToolOrWobjMissing(Violation, code="M507"):
     target: str
     here: str
     there: str
 
 
-@dataclass(frozen=True)
-class BadLoadData(Violation):
-    """A load has no mass, a negative moment of inertia, or a centre that is not set.
-
-    The controller plans accelerations with the load. A wrong one wears the gears, lets collision
-    detection trip, and a mass of 0 or less is refused.
-
-    ## Example
-
-        MODULE example
-          PERS tooldata pen:=[TRUE,[[0,0,120],[1,0,0,0]],[0,[0,0,60],[1,0,0,0],0,0,0]];
-          CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-          PROC main()
-            MoveJ p10,v500,fine,pen;
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          PERS tooldata pen:=[TRUE,[[0,0,120],[1,0,0,0]],[0.8,[0,0,60],[1,0,0,0],0,0,0]];
-          CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-          PROC main()
-            MoveJ p10,v500,fine,pen;
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "M508"
-    name: ClassVar[str] = "bad-load-data"
-    template: ClassVar[str] = "the load of `{data}` {problem}"
-    severity: ClassVar[Severity] = Severity.WARNING
-
+class BadLoadData(Violation, code="M508"):
     data: str
     problem: str
 
-    @property
-    def help(self) -> str:
-        """Where good values come from."""
-        return "take mass and centre from the drawing, or run LoadIdentify on the robot"
 
-
-@dataclass(frozen=True)
-class StationaryToolMismatch(Violation):
-    r"""Tool and work object are both held by the robot, or neither is.
-
-    Either the robot holds the tool (robhold TRUE) and the work object stands (robhold FALSE), or
-    the tool stands and the robot holds the work object.
-
-    ## Example
-
-        MODULE example
-          PERS tooldata grinder:=[FALSE,[[900,0,500],[1,0,0,0]],[1,[0,0,60],[1,0,0,0],0,0,0]];
-          CONST robtarget p10:=[[0,0,100],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-          PROC main()
-            MoveJ p10,v500,fine,grinder;
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          PERS tooldata grinder:=[FALSE,[[900,0,500],[1,0,0,0]],[1,[0,0,60],[1,0,0,0],0,0,0]];
-          PERS wobjdata part:=[TRUE,TRUE,"",[[0,0,50],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
-          CONST robtarget p10:=[[0,0,100],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-          PROC main()
-            MoveJ p10,v500,fine,grinder\WObj:=part;
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "M509"
-    name: ClassVar[str] = "stationary-tool-mismatch"
-    template: ClassVar[str] = "`{tool}` and `{wobj}`: {problem}"
-    severity: ClassVar[Severity] = Severity.WARNING
-
+class StationaryToolMismatch(Violation, code="M509"):
     tool: str
     wobj: str
     problem: str

@@ -3,70 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import ClassVar
 
 from rapidsim.analysis.program import LibrarySymbol
 from rapidsim.analysis.rules.facts import Facts
 from rapidsim.analysis.rules.instructions import WAITS
 from rapidsim.analysis.walk import descendants
-from rapidsim.diagnostics import Diagnostic, Severity, Violation
+from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.syntax import tree
 
 
-@dataclass(frozen=True)
-class TrapHazard(Violation):
-    """A trap waits, or CONNECT is repeated without IDelete.
-
-    While a trap waits, no other interrupt of the task is served and the program stands. CONNECT for
-    an interrupt that is connected already stops the program with ERR_ALRDYCNT.
-
-    ## Example
-
-        MODULE example
-          VAR intnum part_seen;
-          PROC main()
-            FOR i FROM 1 TO 3 DO
-              CONNECT part_seen WITH count;
-              ITimer 1,part_seen;
-              WaitTime 2;
-            ENDFOR
-          ENDPROC
-          TRAP count
-            TPWrite "part";
-          ENDTRAP
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          VAR intnum part_seen;
-          PROC main()
-            CONNECT part_seen WITH count;
-            ITimer 1,part_seen;
-            FOR i FROM 1 TO 3 DO
-              WaitTime 2;
-            ENDFOR
-            IDelete part_seen;
-          ENDPROC
-          TRAP count
-            TPWrite "part";
-          ENDTRAP
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "F413"
-    name: ClassVar[str] = "trap-hazard"
-    template: ClassVar[str] = "{problem}"
-    severity: ClassVar[Severity] = Severity.WARNING
-
+class TrapHazard(Violation, code="F413"):
     problem: str
     cure: str
-
-    @property
-    def help(self) -> str:
-        """The cure."""
-        return self.cure
 
 
 def find_trap_hazards(facts: Facts) -> Iterator[Diagnostic]:

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import ClassVar
 
 from rapidsim.analysis.rules.facts import ENTRY, Facts, Part
 from rapidsim.analysis.rules.late_names import late_patterns
-from rapidsim.diagnostics import Diagnostic, Severity, Violation
+from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.syntax import tree
 
 _PREDEFINED_HOMES = ("user", "base")
@@ -17,79 +15,12 @@ _PREDEFINED_HOMES = ("user", "base")
 _BY_NAME = frozenset({"getdataval", "setdataval", "setdatasearch", "setalldataval", "getnextsym"})
 
 
-@dataclass(frozen=True)
-class UnusedData(Violation):
-    """Data are declared and never used.
-
-    Dead targets confuse whoever touches up the program. Global data are only reported where the
-    whole task was read; global PERS never are, as another task or the operator may use them.
-
-    ## Example
-
-        MODULE example
-          PROC main()
-            VAR num parts;
-            VAR num part;
-            parts:=3;
-            WaitTime parts;
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          PROC main()
-            VAR num parts;
-            parts:=3;
-            WaitTime parts;
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "N204"
-    name: ClassVar[str] = "unused-data"
-    template: ClassVar[str] = "{type} `{data}` is never used"
-    severity: ClassVar[Severity] = Severity.NOTE
-
+class UnusedData(Violation, code="N204"):
     data: str
     type: str
 
 
-@dataclass(frozen=True)
-class UnusedRoutine(Violation):
-    """A routine is never called, and nobody can start it by hand.
-
-    Procedures without parameters are not reported unless they are LOCAL: the operator may start
-    them as service routines and the controller as event routines.
-
-    ## Example
-
-        MODULE example
-          PROC main()
-            WaitTime 1;
-          ENDPROC
-          FUNC num doubled(num x)
-            RETURN 2*x;
-          ENDFUNC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          PROC main()
-            WaitTime doubled(1);
-          ENDPROC
-          FUNC num doubled(num x)
-            RETURN 2*x;
-          ENDFUNC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "N205"
-    name: ClassVar[str] = "unused-routine"
-    template: ClassVar[str] = "{kind} `{routine}` is never {used}"
-    severity: ClassVar[Severity] = Severity.NOTE
-
+class UnusedRoutine(Violation, code="N205"):
     routine: str
     kind: str
     used: str

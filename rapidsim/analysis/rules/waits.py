@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from types import MappingProxyType
-from typing import ClassVar
 
 from rapidsim.analysis.program import LibrarySymbol
 from rapidsim.analysis.rules.facts import Facts
-from rapidsim.diagnostics import Diagnostic, Severity, Violation
+from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.syntax import tree
 
 _TIMED = MappingProxyType(
@@ -22,42 +20,7 @@ _TIMED = MappingProxyType(
 _ASKS_OPERATOR = ("tpreadfk", "tpreadnum")
 
 
-@dataclass(frozen=True)
-class WaitWithoutTimeout(Violation):
-    r"""The program waits for a signal or a condition as long as it takes.
-
-    If it never comes, the cell stands, and nobody is told why. With `\MaxTime` the wait raises
-    ERR_WAIT_MAXTIME after that many seconds, or sets `\TimeFlag`.
-
-    ## Example
-
-        MODULE example
-          VAR signaldi part_there;
-          PROC main()
-            WaitDI part_there,1;
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          VAR signaldi part_there;
-          PROC main()
-            WaitDI part_there,1\MaxTime:=30;
-          ERROR IF ERRNO=ERR_WAIT_MAXTIME THEN
-              TPWrite "No part within 30 s";
-              RETRY;
-            ENDIF
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "I802"
-    name: ClassVar[str] = "wait-without-timeout"
-    template: ClassVar[str] = "{wait} without `\\{option}` waits for ever if nothing happens"
-    severity: ClassVar[Severity] = Severity.NOTE
-    cf: ClassVar[str] = "ABB 40501"
-
+class WaitWithoutTimeout(Violation, code="I802"):
     wait: str
     option: str
 

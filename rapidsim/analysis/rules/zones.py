@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import ClassVar
 
 from rapidsim.analysis.program import LibrarySymbol
 from rapidsim.analysis.rules.facts import Facts, Part
 from rapidsim.analysis.rules.instructions import WAITS, Move, as_move
 from rapidsim.analysis.rules.known_values import known_value
 from rapidsim.analysis.walk import blocks, clauses
-from rapidsim.diagnostics import Diagnostic, Edit, Fix, Severity, Violation
+from rapidsim.diagnostics import Diagnostic, Edit, Fix, Violation
 from rapidsim.syntax import tree
 
 _OUTPUTS = frozenset({"setdo", "set", "reset", "pulsedo", "setgo", "setao", "invertdo"})
@@ -21,96 +19,16 @@ _PASSED_OVER = frozenset(
 )
 
 
-@dataclass(frozen=True)
-class ZoneBeforeWait(Violation):
-    r"""The program waits behind a move that passes its target in a zone.
-
-    The controller plans the corner only when it knows the next move, and while the program waits
-    it does not. The corner becomes a stop, with a corner path failure in the log. A stop point
-    says what will happen.
-
-    ## Example
-
-        MODULE example
-          CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-          PROC main()
-            MoveJ p10,v500,z50,tool0;
-            WaitTime 1;
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-          PROC main()
-            MoveJ p10,v500,fine,tool0;
-            WaitTime 1;
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "M502"
-    name: ClassVar[str] = "zone-before-wait"
-    template: ClassVar[str] = "{move} with zone `{zone}`, then {wait}: the corner becomes a stop"
-    severity: ClassVar[Severity] = Severity.WARNING
-    cf: ClassVar[str] = "ABB 50024"
-
+class ZoneBeforeWait(Violation, code="M502"):
     move: str
     zone: str
     wait: str
 
-    @property
-    def help(self) -> str:
-        """The cure."""
-        return f"use `fine`, or move the {self.wait} behind the next move"
 
-
-@dataclass(frozen=True)
-class OutputInZone(Violation):
-    """An output is set behind a move that passes its target in a zone.
-
-    The program runs ahead of the robot: the output is set when the robot comes to the zone, before
-    it is at the target. A gripper then opens too early. It may be meant.
-
-    ## Example
-
-        MODULE example
-          VAR signaldo gripper;
-          CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-          PROC main()
-            MoveJ p10,v500,z20,tool0;
-            SetDO gripper,1;
-          ENDPROC
-        ENDMODULE
-
-    ## Fix
-
-        MODULE example
-          VAR signaldo gripper;
-          CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-          PROC main()
-            MoveJ p10,v500,fine,tool0;
-            SetDO gripper,1;
-          ENDPROC
-        ENDMODULE
-    """
-
-    code: ClassVar[str] = "M503"
-    name: ClassVar[str] = "output-in-zone"
-    template: ClassVar[str] = (
-        "{output} acts before the robot is at `{target}`, which has zone {zone}"
-    )
-    severity: ClassVar[Severity] = Severity.NOTE
-
+class OutputInZone(Violation, code="M503"):
     output: str
     target: str
     zone: str
-
-    @property
-    def help(self) -> str:
-        """The choices."""
-        return "use `fine` to wait for the robot, MoveLDO or TriggL to act at the target"
 
 
 def find_behind_zones(facts: Facts) -> Iterator[Diagnostic]:

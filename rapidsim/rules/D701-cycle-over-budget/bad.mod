@@ -1,0 +1,5 @@
+MODULE example
+  PROC main() ! found
+    WaitTime 3;
+  ENDPROC
+ENDMODULE

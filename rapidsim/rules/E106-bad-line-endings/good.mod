@@ -1,0 +1,6 @@
+! ---
+MODULE near_miss
+  PROC main()
+    WaitTime 1;
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,5 @@
+MODULE example
+  PROC main()
+    TPWrite "part picked; ! found
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,3 @@
+MODULE example
+ENDMODULE
+Remember to teach the home position! ! found

@@ -1,0 +1,3 @@
+PROC main() ! found
+  Stop;
+ENDPROC

@@ -1,0 +1,6 @@
+MODULE example
+  PROC main()
+    Stop;
+    ENDIF ! found
+  ENDPROC
+ENDMODULE

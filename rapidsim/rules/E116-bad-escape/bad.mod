@@ -1,0 +1,5 @@
+MODULE example
+  PROC main()
+    TPWrite "C:\temp"; ! found
+  ENDPROC
+ENDMODULE

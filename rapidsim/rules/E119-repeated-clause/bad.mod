@@ -1,0 +1,9 @@
+MODULE example
+  PROC main()
+    Stop;
+  UNDO
+    Reset doGrip;
+  UNDO ! found
+    Reset doClamp;
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,3 @@
+MODULE example
+  VAR num step; ! found
+ENDMODULE

@@ -1,0 +1,3 @@
+MODULE example
+  PERS num grip(open):=1; ! found
+ENDMODULE

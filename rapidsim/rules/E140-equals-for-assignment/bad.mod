@@ -1,0 +1,5 @@
+MODULE example
+  PROC main()
+    reg1=5; ! found
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,5 @@
+MODULE example
+  PROC main ! found
+    TPErase;
+  ENDPROC
+ENDMODULE

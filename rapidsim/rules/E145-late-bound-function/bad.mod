@@ -1,0 +1,8 @@
+MODULE example
+  PROC main()
+    reg1:=%"count"%(); ! found
+  ENDPROC
+  FUNC num count()
+    RETURN 1;
+  ENDFUNC
+ENDMODULE

@@ -1,0 +1,5 @@
+MODULE example
+  PROC main()
+    reg1:=reg2*-2; ! found
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,5 @@
+MODULE example
+  RECORD pallet
+    num heights{4}; ! found
+  ENDRECORD
+ENDMODULE

@@ -1,0 +1,5 @@
+MODULE example
+  PROC main()
+    <SMT> ! found
+  ENDPROC
+ENDMODULE

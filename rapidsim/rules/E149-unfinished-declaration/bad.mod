@@ -1,0 +1,3 @@
+MODULE example
+  VAR num heights{<DIM>}; ! found
+ENDMODULE

@@ -1,0 +1,4 @@
+MODULE example
+  RECORD pallet ! found
+  ENDRECORD
+ENDMODULE

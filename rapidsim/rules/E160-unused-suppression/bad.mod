@@ -1,0 +1,5 @@
+MODULE example
+  PROC main()
+    WaitTime 1; ! rapidsim: ignore[T309] checked by hand ! found
+  ENDPROC
+ENDMODULE

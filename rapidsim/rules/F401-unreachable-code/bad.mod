@@ -1,0 +1,7 @@
+MODULE example
+  PROC main()
+    TPErase;
+    RETURN;
+    TPWrite "done"; ! found
+  ENDPROC
+ENDMODULE

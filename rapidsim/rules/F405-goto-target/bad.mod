@@ -1,0 +1,5 @@
+MODULE example
+  PROC main()
+    GOTO again; ! found
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,5 @@
+MODULE example
+  PROC main()
+    RETURN 1; ! found
+  ENDPROC
+ENDMODULE

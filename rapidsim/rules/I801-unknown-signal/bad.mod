@@ -1,0 +1,5 @@
+MODULE example
+  PROC main()
+    SetDO doGripper,1; ! found
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,7 @@
+! ---
+MODULE m
+  CONST robtarget p10:=[[600,0,600],[0,0,1,0],[3,0,0,2],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    MoveJ p10,v500,fine,tool0; ! found
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,5 @@
+MODULE example
+  PROC main()
+    MoveAbsJ [[0,0,0,0,113,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tool0; ! found
+  ENDPROC
+ENDMODULE

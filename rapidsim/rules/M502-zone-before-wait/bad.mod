@@ -1,0 +1,30 @@
+MODULE example
+  CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    MoveJ p10,v500,z50,tool0; ! found
+    WaitTime 1;
+  ENDPROC
+ENDMODULE
+! ---
+MODULE bad
+  CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget p20:=[[600,90,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+
+  VAR signaldi ready;
+  VAR num n;
+  CONST zonedata own:=[FALSE,3,5,5,0.5,5,0.5];
+  PROC main()
+    MoveJ p10,v500,z50,tool0;         ! found
+    WaitTime 1;
+    MoveJ p20,v500,own,tool0;         ! found
+    n:=n+1;
+    TPWrite "waiting";
+    WaitDI ready,1\MaxTime:=5;
+    IF n>2 THEN
+      MoveL p10,v500\V:=300,fine\Z:=5,tool0;  ! found
+      WaitUntil n>3\MaxTime:=2;
+    ENDIF
+    MoveJ p20,v500,z1,tool0;          ! found
+    Stop;
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,28 @@
+MODULE example
+  CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    MoveJ p10,v500,fine,tool0;
+    WaitTime 1;
+  ENDPROC
+ENDMODULE
+! ---
+MODULE near_miss
+  CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget p20:=[[600,150,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    MoveJ p10,v500,z50,tool0;
+    WaitTime 0;
+    MoveJ p20,v500,z50\Inpos:=inpos50,tool0;
+    WaitTime 1;
+    MoveJ p10,v500,fine,tool0;
+    WaitTime 1;
+    MoveJ p20,v500,z50,tool0;
+    pause;
+    MoveL p10,v500,z50\Z:=0,tool0;
+    WaitTime 1;
+    MoveJ p20,v500,z50,tool0;
+  ENDPROC
+  PROC pause()
+    WaitTime 1;
+  ENDPROC
+ENDMODULE

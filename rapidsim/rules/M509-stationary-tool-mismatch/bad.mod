@@ -1,0 +1,20 @@
+MODULE example
+  PERS tooldata grinder:=[FALSE,[[900,0,500],[1,0,0,0]],[1,[0,0,60],[1,0,0,0],0,0,0]];
+  CONST robtarget p10:=[[0,0,100],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    MoveJ p10,v500,fine,grinder; ! found
+  ENDPROC
+ENDMODULE
+! ---
+MODULE bad
+  CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget p20:=[[600,90,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+
+  PERS tooldata grinder:=[FALSE,[[900,0,500],[1,0,0,0]],[1,[0,0,60],[1,0,0,0],0,0,0]];
+  PERS wobjdata part:=[TRUE,TRUE,"",[[0,0,50],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
+  PROC main()
+    MoveJ p10,v500,fine,grinder;               ! found
+    MoveJ p20,v500,fine,tool0\WObj:=part;      ! found
+    MoveL p10,v500,fine,grinder\WObj:=wobj0;   ! found
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,7 @@
+! ---
+MODULE bad
+  CONST jointtarget p:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    MoveAbsJ p,v500,fine,tool0; ! found
+  ENDPROC
+ENDMODULE

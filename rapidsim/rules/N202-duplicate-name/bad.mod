@@ -1,0 +1,4 @@
+MODULE example
+  VAR num count;
+  VAR bool COUNT; ! found
+ENDMODULE

@@ -1,0 +1,5 @@
+MODULE example
+  PROC main()
+    OpenVacuumGripper; ! found
+  ENDPROC
+ENDMODULE

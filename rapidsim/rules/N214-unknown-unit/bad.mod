@@ -1,0 +1,5 @@
+MODULE example
+  PROC main()
+    ActUnit Positioner; ! found
+  ENDPROC
+ENDMODULE

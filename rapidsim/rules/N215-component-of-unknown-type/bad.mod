@@ -1,0 +1,6 @@
+MODULE example
+  TASK PERS gluegundata gun1:=[1,5,[0,0]];
+  PROC main()
+    gun1.pressure:=6; ! found
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,6 @@
+MODULE example
+  PROC main()
+    VAR num count;
+    TPReadNum count, "How many parts?"; ! found
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,5 @@
+MODULE example
+  PROC main()
+    VAR num count:=3;
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,6 @@
+! ---
+MODULE bad
+  PROC main()
+    AcmeGrip 1; ! found
+  ENDPROC
+ENDMODULE

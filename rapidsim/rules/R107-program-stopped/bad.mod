@@ -1,0 +1,7 @@
+MODULE example
+  PROC main()
+    TPWrite "Change the gripper";
+    Stop; ! found
+    TPWrite "Gripper changed";
+  ENDPROC
+ENDMODULE

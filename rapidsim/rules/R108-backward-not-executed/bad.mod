@@ -1,0 +1,7 @@
+MODULE example
+  PROC main() ! found
+    TPWrite "Forward";
+  BACKWARD
+    TPWrite "Backward";
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,5 @@
+MODULE example
+  PROC main()
+    TPWrite "Forward";
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,6 @@
+MODULE example
+  VAR socketdev camera;
+  PROC main()
+    SocketCreate camera;
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,8 @@
+MODULE example
+  PROC main()
+    AccSet 100,50;
+    MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v1000,fine,tool0;
+    AccSet 100,100;
+    MoveAbsJ [[20,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v1000,fine,tool0;
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,6 @@
+MODULE example
+  PROC main()
+    if TRUE then ! found
+    endif ! found
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,8 @@
+! ---
+MODULE near_miss
+  PROC main()
+
+
+    WaitTime 1;
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,5 @@
+! ---
+MODULE ends_early
+  PROC main()
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,2 @@
+! ---
+MODULE near_miss  PROC main()  ENDPROCENDMODULE

@@ -1,0 +1,15 @@
+MODULE example
+  CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    MoveJ p10,v500,fine,tool0;
+  ENDPROC
+ENDMODULE
+! ---
+MODULE near_miss
+  CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget p20:=[[600,150,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    MoveJ Offs(p10,0,0,10),v500,fine,tool0;
+    MoveJ p20,[500,500,5000,1000],fine,tool0;
+  ENDPROC
+ENDMODULE

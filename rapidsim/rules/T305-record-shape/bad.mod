@@ -1,0 +1,3 @@
+MODULE example
+  CONST pos corner:=[100,200]; ! found
+ENDMODULE

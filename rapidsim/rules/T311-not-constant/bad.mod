@@ -1,0 +1,4 @@
+MODULE example
+  VAR num count:=3;
+  VAR num twice:=count*2; ! found
+ENDMODULE

@@ -1,0 +1,5 @@
+MODULE example
+  PROC main()
+    ConfL\On\Off; ! found
+  ENDPROC
+ENDMODULE

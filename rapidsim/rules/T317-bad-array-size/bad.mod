@@ -1,0 +1,3 @@
+MODULE example
+  VAR num heights{0}; ! found
+ENDMODULE

@@ -1,0 +1,4 @@
+MODULE example
+  ALIAS num level;
+  ALIAS level height; ! found
+ENDMODULE

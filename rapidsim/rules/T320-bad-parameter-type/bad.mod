@@ -1,0 +1,4 @@
+MODULE example
+  PROC pick(switch fast) ! found
+  ENDPROC
+ENDMODULE

@@ -1,0 +1,3 @@
+MODULE example
+  CONST num limit; ! found
+ENDMODULE

@@ -1,0 +1,3 @@
+MODULE example
+  VAR num far:=1E39; ! found
+ENDMODULE
