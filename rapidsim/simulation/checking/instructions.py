@@ -7,12 +7,13 @@ from dataclasses import dataclass
 
 from rapidsim.interpreter.calls import match_arguments
 from rapidsim.interpreter.paths import bare, by_reference
-from rapidsim.language.errors import RapidError
+from rapidsim.language.controller import Controller
+from rapidsim.language.errors import RapidError, Stopped
 from rapidsim.language.reference import Cell
 from rapidsim.language.types import ArrayOf, resolved
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.simulation.checking.known import Evaluator, Known, Unknown
-from rapidsim.simulation.checking.settings import NeedsRunError, Recorder
+from rapidsim.simulation.checking.recorder import NeedsRunError, Recorder
 from rapidsim.syntax import tree
 
 
@@ -20,7 +21,9 @@ from rapidsim.syntax import tree
 class Performed:
     """What an instruction did to the data it was given by reference."""
 
-    written: tuple[tuple[tree.Path, Known], ...]
+    written: tuple[tuple[tree.Path, Known], ...] = ()
+    goes_on: bool = True
+    """Whether the program goes on with the next statement; not after ExitCycle and its like."""
 
 
 def perform(
@@ -45,7 +48,8 @@ def perform(
     if isinstance(values, Unknown):
         return values.reason
     cells: list[tuple[Cell[Known], Known, tree.Path]] = []
-    required: list[object] = [recorder] if signature.takes_controller else []
+    controller: Controller = recorder
+    required: list[object] = [controller] if signature.takes_controller else []
     options: dict[str, object] = {}
     for parameter in signature.parameters:
         key = parameter.name.lower()
@@ -74,6 +78,8 @@ def perform(
         routine.body(*required, **options)
     except NeedsRunError:
         return f"`{routine.name}` asks where the robot is"
+    except Stopped:
+        return Performed(goes_on=False)
     except RapidError as error:
         return f"it fails: {error.message}"
     return Performed(tuple((path, c.value) for c, old, path in cells if c.value is not old))

@@ -31,12 +31,8 @@ from rapidsim.simulation.checking.instructions import Performed, perform
 from rapidsim.simulation.checking.known import Evaluator, Known, Unknown
 from rapidsim.simulation.checking.moves import KnownMove, WalkedProgram
 from rapidsim.simulation.checking.places import empty_data, replaced
-from rapidsim.simulation.checking.settings import (
-    DISPLACEMENTS,
-    KnownSettings,
-    Recorder,
-    fields_set_by,
-)
+from rapidsim.simulation.checking.recorder import Recorder
+from rapidsim.simulation.checking.settings import DISPLACEMENTS, KnownSettings, fields_set_by
 from rapidsim.simulation.checking.state import State, joined
 from rapidsim.simulation.checking.writes import Effects, ProgramEffects, is_move, root_of
 from rapidsim.syntax import tree
@@ -454,6 +450,7 @@ class _Walker:
         if isinstance(done, Performed):
             for path, value in done.written:
                 self._store(path, value)
+            self.state.alive &= done.goes_on
             uncertain = self.state.settings.uncertain - frozenset(fields)
             self.state.settings = KnownSettings(recorder.settings, uncertain)
         else:

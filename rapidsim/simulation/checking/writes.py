@@ -28,7 +28,9 @@ from rapidsim.library.table import LibraryRoutine
 from rapidsim.simulation.checking.settings import fields_set_by
 from rapidsim.syntax import tree
 
-_CALLS_BY_NAME = frozenset({"callbyvar", "movecsync", "movejsync", "movelsync"})
+_CALLS_ON_THE_WAY = frozenset({"movecsync", "movejsync", "movelsync"})
+"""Moves that call a procedure, which runs when the robot is there: after later statements."""
+_CALLS_BY_NAME = _CALLS_ON_THE_WAY | {"callbyvar"}
 _WRITES_BY_NAME = frozenset({"setdataval", "setalldataval"})
 _MOVE_PARAMETERS = frozenset({"to_point", "to_joint_pos", "topoint", "tojointpos"})
 
@@ -83,7 +85,7 @@ class ProgramEffects:
     @cached_property
     def volatile(self) -> frozenset[Symbol]:
         """Data that may change at any statement: traps, error handlers and their like write it."""
-        aside: list[Effects] = []
+        aside: list[Effects] = [self.everything] if self._calls_on_the_way else []
         for routine in self.routines:
             node = routine.node
             if isinstance(node, tree.Trap):
@@ -91,6 +93,19 @@ class ProgramEffects:
             for body in list(clauses(node))[1:]:
                 aside.append(self.of_bodies(body))
         return _united(aside).writes
+
+    @cached_property
+    def _calls_on_the_way(self) -> bool:
+        """Whether a procedure, by its name, runs somewhere on the path."""
+        called = (
+            self.program.symbol_of.get(node)
+            for routine in self.routines
+            for node in statements(*clauses(routine.node))
+        )
+        return any(
+            isinstance(one, LibrarySymbol) and one.name.lower() in _CALLS_ON_THE_WAY
+            for one in called
+        )
 
     def of_routine(self, routine: RoutineSymbol) -> Effects:
         """What a call of a routine may do, its parameters included."""
