@@ -26,7 +26,7 @@ from rapidsim.language.controller import Controller
 from rapidsim.language.errors import RapidError
 from rapidsim.library.predefined import DATA
 
-__all__ = ["FatalError", "Frame", "Task", "load"]
+__all__ = ["FatalError", "Frame", "Task", "load", "running"]
 
 ERR_STACK_OVERFLOW = 40222.0
 """Not catchable, so the number is the controller's event, which no program compares with."""
@@ -57,7 +57,7 @@ class Task:
         symbol = self.program.routines.get(entry.lower())
         if symbol is None or any(not parameter.optional for parameter in symbol.parameters):
             raise LookupError(f"there is no procedure {entry} without parameters")
-        with _fatal_errors(), recursion_limit(RUNNING_DEPTH):
+        with running():
             self._linked.function(symbol)(*_absent(symbol))
 
     def take(self, program: Program) -> None:
@@ -76,7 +76,7 @@ class Task:
         Raises:
             FatalError: If an error reaches no ERROR clause.
         """
-        with _fatal_errors(), recursion_limit(RUNNING_DEPTH):
+        with running():
             value: Value = self._linked.function(function)()
             return value
 
@@ -146,6 +146,17 @@ def load(program: Program, controller: Controller, shared: SharedPersistents | N
     controller.modules = TaskModules(linked)
     controller.symbols = TaskSymbols(linked)
     return Task(linked)
+
+
+@contextmanager
+def running() -> Iterator[None]:
+    """Where routines of a program may run, traps among them.
+
+    Raises:
+        FatalError: If an error reaches no ERROR clause.
+    """
+    with _fatal_errors(), recursion_limit(RUNNING_DEPTH):
+        yield
 
 
 def _absent(symbol: RoutineSymbol) -> list[object]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from itertools import islice
+from itertools import islice, zip_longest
 from types import CodeType, MappingProxyType, TracebackType
 
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol
@@ -103,7 +103,7 @@ def rapid_stack(exception: BaseException) -> tuple[Frame, ...]:
     # then where it happened.
     last_of_frame = [
         entry
-        for entry, following in zip(entries, [*entries[1:], None], strict=True)
+        for entry, following in zip_longest(entries, entries[1:])
         if following is None or following.tb_frame is not entry.tb_frame
     ]
     return tuple(_frame(entry) for entry in last_of_frame)

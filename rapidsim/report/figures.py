@@ -155,11 +155,15 @@ def _along_the_path(run: RobotRun, offset: int) -> tuple[JointMargin, Singularit
     robot = run.robot
     times = _sample_times(run)
     samples = run.trajectory.at(times)
-    moves = {move.index: move for move in run.moves}
+    indices = np.array([move.index for move in run.moves])
 
     def move_at(row: int) -> ExecutedMove:
-        """The move under way, numbered among those of all robots."""
-        move = moves[int(samples.move[row])]
+        """The move under way, numbered among those of all robots.
+
+        A run that is cut off where a move begins has the one before.
+        """
+        before = int(np.searchsorted(indices, samples.move[row], side="right")) - 1
+        move = run.moves[max(before, 0)]
         return replace(move, index=offset + move.index)
 
     left = np.minimum(samples.joints - robot.lower, robot.upper - samples.joints)

@@ -11,7 +11,7 @@ import numpy as np
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.interpreter.loader import Task
+from rapidsim.interpreter.loader import Task, running
 from rapidsim.interpreter.stack import FatalError
 from rapidsim.language.controller import Place
 from rapidsim.language.errors import CycleEnded, Stopped
@@ -143,8 +143,11 @@ def run_to_end(
     failed: tuple[FailedMove, ...] = ()
     try:
         task = load()
-        end = _run_cycles(task, run, options)
-        controller.finish()
+        # Traps and procedures of the path run while the arm comes to rest, too.
+        with running():
+            end = _run_cycles(task, run, options)
+            while not _came_to_rest(controller):
+                pass
     except FatalError as fatal:
         controller.abandon()
         end, findings = End.ERROR, (fatal_finding(fatal, controller.place),)
@@ -186,6 +189,14 @@ def _run_cycles(task: Task, run: TaskRun, options: RunOptions) -> End:
         with suppress(CycleEnded):
             task.run(options.entry)
     return End.CYCLE_LIMIT if options.max_cycles > 1 else End.ENDED
+
+
+def _came_to_rest(controller: VirtualController) -> bool:
+    """Let the robot come to rest; not yet, where ExitCycle in a trap ends a cycle that is over."""
+    with suppress(CycleEnded):
+        controller.finish()
+        return True
+    return False
 
 
 def _start_waypoint(robot: Robot, degrees: tuple[float, ...] | None) -> Waypoint:
