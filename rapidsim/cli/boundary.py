@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import errno
 import os
+import signal
 import sys
+import threading
 import traceback
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import FrameType
+from typing import NoReturn
 
 import click
 
@@ -24,6 +28,10 @@ _UNWRITABLE = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 """What the system answers when standard output goes to a full disk, or one that fails."""
 
 
+class Terminated(BaseException):
+    """SIGTERM: like Ctrl-C, it unwinds, so that no half file is left."""
+
+
 def run_commands(arguments: Sequence[str]) -> int:
     """Run the command line.
 
@@ -31,9 +39,25 @@ def run_commands(arguments: Sequence[str]) -> int:
         arguments: Without the program's name.
 
     Returns:
-        The exit code.
+        One of `ExitCode`, whatever happens.
     """
     _require_streams()
+    try:
+        with _terminable():
+            return _code_of(arguments)
+    except BrokenPipeError:
+        # Whoever reads has seen enough.
+        _give_up_output()
+        return ExitCode.USAGE
+    except (KeyboardInterrupt, click.Abort):
+        _say_last("interrupted")
+        return ExitCode.INTERRUPTED
+    except Terminated:
+        _say_last("terminated")
+        return ExitCode.TERMINATED
+
+
+def _code_of(arguments: Sequence[str]) -> int:
     for stream in (sys.stdout, sys.stderr):
         # A terminal that cannot show a character shall not end a run.
         if hasattr(stream, "reconfigure"):
@@ -52,14 +76,10 @@ def run_commands(arguments: Sequence[str]) -> int:
     except InputError as error:
         _say(error.message, error.help)
         return ExitCode.USAGE
-    except (KeyboardInterrupt, click.Abort):
-        say("interrupted", err=True)
-        return ExitCode.INTERRUPTED
-    except BrokenPipeError:
-        # Whoever reads has seen enough.
-        _give_up_output()
-        return ExitCode.BROKEN_PIPE
-    except Exception as error:
+    except (BrokenPipeError, KeyboardInterrupt, click.Abort, SystemExit, Terminated):
+        raise
+    except BaseException as error:
+        # What a run ends with is no `Exception`; should one of those come here, it is a defect too.
         if isinstance(error, OSError) and error.errno in _UNWRITABLE:
             # Files have messages of their own; what is left is what was to be printed.
             _give_up_output()
@@ -71,6 +91,25 @@ def run_commands(arguments: Sequence[str]) -> int:
         return ExitCode.DEFECT
 
 
+@contextmanager
+def _terminable() -> Iterator[None]:
+    """Raise `Terminated` in here on SIGTERM, where it ends a process and nobody has put it off."""
+    # Windows ends a process without asking it; signals come to the main thread alone.
+    is_asked = os.name == "posix" and threading.current_thread() is threading.main_thread()
+    if not is_asked or signal.getsignal(signal.SIGTERM) is not signal.SIG_DFL:
+        yield
+        return
+    signal.signal(signal.SIGTERM, _terminate)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, signal.SIG_DFL)
+
+
+def _terminate(_number: int, _frame: FrameType | None) -> NoReturn:
+    raise Terminated
+
+
 def _require_streams() -> None:
     """Print into nothing where the caller has closed a stream: what was asked for still happens."""
     for name in ("stdout", "stderr"):
@@ -80,8 +119,17 @@ def _require_streams() -> None:
 
 
 def _give_up_output() -> None:
-    """Keep Python from complaining once more when it closes standard output."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    """Keep Python from complaining once more when it closes its streams."""
+    for stream in (sys.stdout, sys.stderr):
+        try:
+            stream.flush()
+        except OSError:
+            os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+
+
+def _say_last(word: str) -> None:
+    with suppress(BrokenPipeError):
+        say(word, err=True)
 
 
 def _say(message: str, help: str | None) -> None:
@@ -109,7 +157,7 @@ def _usage_error(error: click.ClickException) -> tuple[str, str | None]:
             return message[:1].lower() + message[1:], shown
 
 
-def _defect(error: Exception) -> str:
+def _defect(error: BaseException) -> str:
     """One line that says what failed, where, and how to report it."""
     frames: list[FrameType] = [frame for frame, _ in traceback.walk_tb(error.__traceback__)]
     lines = [line for _, line in traceback.walk_tb(error.__traceback__)]

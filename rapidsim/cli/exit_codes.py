@@ -12,7 +12,7 @@ class ExitCode(IntEnum):
     FINDINGS = 1
     """`check` found something, or the program of `run` stopped with an error."""
     USAGE = 2
-    """A wrong option, a missing file, no input."""
+    """A wrong option, a missing file, no input; output that nobody takes."""
     LIMIT = 3
     """A limit ended the run before the program, or the cycles asked for, came to their end."""
     FAILED = 4
@@ -20,4 +20,6 @@ class ExitCode(IntEnum):
     DEFECT = 70
     """rapidsim itself failed."""
     INTERRUPTED = 130
-    BROKEN_PIPE = 141
+    """Ctrl-C."""
+    TERMINATED = 143
+    """SIGTERM."""

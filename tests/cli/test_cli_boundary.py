@@ -9,6 +9,8 @@ import pytest
 from cli_helper import rapidsim
 
 BROKEN = """
+from greenlet import GreenletExit
+from rapidsim.language.errors import Stopped
 import rapidsim.diagnostics as diagnostics
 def fail():
     raise {what}
@@ -62,7 +64,59 @@ def test_a_closed_pipe_is_quiet() -> None:
         check=False,
     )
     os.close(writing)
-    assert (done.returncode, done.stderr) == (141, b"")
+    assert (done.returncode, done.stderr) == (2, b"")
+
+
+@pytest.mark.parametrize("arguments", [("explain", "nothing"), ("explain", "K603")])
+def test_closed_pipes_are_quiet_for_messages_too(arguments: tuple[str, ...]) -> None:
+    reading, writing = os.pipe()
+    os.close(reading)
+    done = subprocess.run(
+        [sys.executable, "-m", "rapidsim", *arguments], stdout=writing, stderr=writing, check=False
+    )
+    os.close(writing)
+    assert done.returncode == 2
+
+
+@pytest.mark.parametrize(
+    "what", ["Stopped('by itself')", "GreenletExit()", "GeneratorExit()", "RecursionError()"]
+)
+def test_whatever_is_no_exit_is_a_defect(what: str) -> None:
+    done = broken(what)
+    assert (done.returncode, done.stdout) == (70, "")
+    assert "has a defect" in done.stderr
+    assert len(done.stderr.splitlines()) == 1
+
+
+ENDED_WHILE_WRITING = """
+import os, signal
+from pathlib import Path
+Path.replace = lambda written, final: os.kill(os.getpid(), signal.{name})
+from rapidsim.cli import main
+main()
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="only there a process is asked to end")
+@pytest.mark.parametrize(
+    ("name", "code", "word"), [("SIGTERM", 143, "terminated"), ("SIGINT", 130, "interrupted")]
+)
+def test_an_end_from_outside_leaves_no_half_file(
+    name: str, code: int, word: str, tmp_path: Path
+) -> None:
+    (tmp_path / "a.mod").write_text("MODULE a\n  PROC main()\n  ENDPROC\nENDMODULE\n")
+    (tmp_path / "a.csv").write_text("older")
+    command = ["run", "a.mod", "--no-record", "--trace", "a.csv"]
+    done = subprocess.run(
+        [sys.executable, "-c", ENDED_WHILE_WRITING.format(name=name), *command],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (done.returncode, done.stderr) == (code, f"{word}\n")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.csv", "a.mod"]
+    assert (tmp_path / "a.csv").read_text() == "older"
 
 
 def on_a_terminal(*arguments: str, **environment: str) -> bytes:
