@@ -25,7 +25,6 @@ from rapidsim.language.annotations import (
 from rapidsim.language.controller import Controller
 from rapidsim.language.data import ListItem
 from rapidsim.language.error_numbers import ERR_UI_INITVALUE, ERR_UI_MAXMIN, rapid_error
-from rapidsim.language.single import single
 from rapidsim.library.honesty import ignored
 from rapidsim.library.operator import Breaks, no_breaks
 from rapidsim.library.table import routine, table
@@ -123,9 +122,7 @@ def ui_num_entry(
 ) -> Num:
     """Ask for a number within limits."""
     _report(controller, "UINumEntry", asked)
-    return single(
-        _number(controller, "UINumEntry", asked, init_value, min_value, max_value, as_integer)
-    )
+    return _number(controller, "UINumEntry", asked, init_value, min_value, max_value, as_integer)
 
 
 def ui_dnum_entry(

@@ -13,11 +13,19 @@ from typing import TYPE_CHECKING
 
 from rapidsim.language.annotations import Num, Pers, Var
 from rapidsim.language.controller import Motion
-from rapidsim.language.data import TOOL0, WOBJ0, JointTarget, Pos, Pose, RobTarget, ToolData
+from rapidsim.language.data import (
+    TOOL0,
+    WOBJ0,
+    JointTarget,
+    Orient,
+    Pos,
+    Pose,
+    RobTarget,
+    ToolData,
+)
 from rapidsim.language.error_numbers import ERR_FRAME, rapid_error
 from rapidsim.language.reference import Reference
-from rapidsim.language.single import single
-from rapidsim.library.poses import from_axes, single_orient, single_pos, unit
+from rapidsim.library.poses import from_axes, single_pos, unit
 from rapidsim.library.table import routine, table
 
 if TYPE_CHECKING:
@@ -78,13 +86,13 @@ def fit_circle(
 
     count = len(points) if num_points is None else int(num_points)
     circle = _circle(np.array(points[:count], dtype=np.float64))
-    center.value = single_pos(tuple(circle.centre.tolist()))
-    normal.value = single_pos(tuple(circle.normal.tolist()))
-    radius.value = single(circle.radius)
+    center.value = Pos(*circle.centre.tolist())
+    normal.value = Pos(*circle.normal.tolist())
+    radius.value = circle.radius
     if rms is not None:
-        rms.value = single(float(np.sqrt(np.mean(circle.errors**2))))
+        rms.value = float(np.sqrt(np.mean(circle.errors**2)))
     if max_err is not None:
-        max_err.value = single(float(circle.errors.max()))
+        max_err.value = float(circle.errors.max())
     if index_worst is not None:
         index_worst.value = float(circle.errors.argmax() + 1)
 
@@ -173,13 +181,13 @@ def _circle(points: Array) -> _Circle:
 
 
 def _tell(errors: Array, max_err: Reference[float], mean_err: Reference[float]) -> None:
-    max_err.value = single(float(errors.max()))
-    mean_err.value = single(float(errors.mean()))
+    max_err.value = float(errors.max())
+    mean_err.value = float(errors.mean())
 
 
 def _pose(trans: Array, rotation: Array) -> Pose:
     x, y, z = (tuple(column) for column in rotation.T.tolist())
-    return Pose(single_pos(tuple(trans.tolist())), single_orient(from_axes(x, y, z)))
+    return Pose(Pos(*trans.tolist()), Orient(*from_axes(x, y, z)))
 
 
 def _rotation(target: RobTarget) -> Array:

@@ -1,6 +1,7 @@
 """Mathematics: numbers, trigonometry in degrees, counters, bits.
 
-Functions of `num` round their result to single; functions of `dnum` keep double precision.
+What functions of `num` return is rounded where it leaves them (`precision.py`); functions of `dnum`
+keep double precision.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types.
 """
@@ -45,7 +46,7 @@ def abs_dnum(value: Dnum) -> Dnum:
 
 def sqrt(value: Num) -> Num:
     """The square root."""
-    return single(sqrt_dnum(value))
+    return sqrt_dnum(value)
 
 
 def sqrt_dnum(value: Dnum) -> Dnum:
@@ -57,7 +58,7 @@ def sqrt_dnum(value: Dnum) -> Dnum:
 
 def pow_(base: Num, exponent: Num) -> Num:
     """The base raised to the exponent."""
-    return single(pow_dnum(base, exponent))
+    return pow_dnum(base, exponent)
 
 
 def pow_dnum(base: Dnum, exponent: Num) -> Dnum:
@@ -71,12 +72,12 @@ def pow_dnum(base: Dnum, exponent: Num) -> Dnum:
 
 def exp(exponent: Num) -> Num:
     """The number e raised to the exponent."""
-    return single(_finite(lambda: math.exp(exponent), f"e to the power {exponent:g}"))
+    return _finite(lambda: math.exp(exponent), f"e to the power {exponent:g}")
 
 
 def sin(angle: Num) -> Num:
     """The sine of an angle [deg]."""
-    return single(sin_dnum(angle))
+    return sin_dnum(angle)
 
 
 def sin_dnum(angle: Dnum) -> Dnum:
@@ -86,7 +87,7 @@ def sin_dnum(angle: Dnum) -> Dnum:
 
 def cos(angle: Num) -> Num:
     """The cosine of an angle [deg]."""
-    return single(cos_dnum(angle))
+    return cos_dnum(angle)
 
 
 def cos_dnum(angle: Dnum) -> Dnum:
@@ -97,7 +98,7 @@ def cos_dnum(angle: Dnum) -> Dnum:
 
 def tan(angle: Num) -> Num:
     """The tangent of an angle [deg]."""
-    return single(tan_dnum(angle))
+    return tan_dnum(angle)
 
 
 def tan_dnum(angle: Dnum) -> Dnum:
@@ -110,7 +111,7 @@ def tan_dnum(angle: Dnum) -> Dnum:
 
 def a_sin(value: Num) -> Num:
     """The angle [deg] in -90..90 whose sine is given."""
-    return single(a_sin_dnum(value))
+    return a_sin_dnum(value)
 
 
 def a_sin_dnum(value: Dnum) -> Dnum:
@@ -120,7 +121,7 @@ def a_sin_dnum(value: Dnum) -> Dnum:
 
 def a_cos(value: Num) -> Num:
     """The angle [deg] in 0..180 whose cosine is given."""
-    return single(a_cos_dnum(value))
+    return a_cos_dnum(value)
 
 
 def a_cos_dnum(value: Dnum) -> Dnum:
@@ -130,7 +131,7 @@ def a_cos_dnum(value: Dnum) -> Dnum:
 
 def a_tan(value: Num) -> Num:
     """The angle [deg] in -90..90 whose tangent is given."""
-    return single(math.degrees(math.atan(value)))
+    return math.degrees(math.atan(value))
 
 
 def a_tan_dnum(value: Dnum) -> Dnum:
@@ -140,7 +141,7 @@ def a_tan_dnum(value: Dnum) -> Dnum:
 
 def a_tan2(y: Num, x: Num) -> Num:
     """The angle [deg] in -180..180 of the point (x, y)."""
-    return single(math.degrees(math.atan2(y, x)))
+    return math.degrees(math.atan2(y, x))
 
 
 def a_tan2_dnum(y: Dnum, x: Dnum) -> Dnum:
@@ -150,7 +151,7 @@ def a_tan2_dnum(y: Dnum, x: Dnum) -> Dnum:
 
 def round_(val: Num, *, dec: Num | None = None) -> Num:
     """The nearest number with so many decimals, halves away from zero."""
-    return single(round_dnum(val, dec=dec))
+    return round_dnum(val, dec=dec)
 
 
 def round_dnum(val: Dnum, *, dec: Num | None = None) -> Dnum:
@@ -160,7 +161,7 @@ def round_dnum(val: Dnum, *, dec: Num | None = None) -> Dnum:
 
 def trunc(val: Num, *, dec: Num | None = None) -> Num:
     """The number with its decimals cut off after so many."""
-    return single(trunc_dnum(val, dec=dec))
+    return trunc_dnum(val, dec=dec)
 
 
 def trunc_dnum(val: Dnum, *, dec: Num | None = None) -> Dnum:
@@ -179,7 +180,7 @@ def dnum_to_num(value: Dnum, *, integer: Switch = False) -> Num:
         _check_whole(value, LARGEST_EXACT_INTEGER)
     if abs(value) > LARGEST_SINGLE:
         raise rapid_error(ERR_ARGVALERR, f"{value:g} is beyond the range of num")
-    return single(value)
+    return value
 
 
 def try_int(data_obj: Num | Dnum, *, of: ArgumentType = NUM) -> None:

@@ -26,7 +26,6 @@ from rapidsim.language.annotations import (
 from rapidsim.language.controller import Controller, Honesty, Operator
 from rapidsim.language.data import Orient, Pos
 from rapidsim.language.records import record_of
-from rapidsim.language.single import single
 from rapidsim.library.honesty import ignored
 from rapidsim.library.table import routine, table
 from rapidsim.library.text import dnum_text, number_text, value_text
@@ -72,7 +71,7 @@ def tp_read_num(
 ) -> None:
     """Ask for a number."""
     no_breaks(controller, "TPReadNum", breaks)
-    tp_answer.value = single(controller.ask_number(tp_text))
+    tp_answer.value = controller.ask_number(tp_text)
 
 
 def tp_read_dnum(

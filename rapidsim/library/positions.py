@@ -1,7 +1,5 @@
 r"""Positions and frames: displacing, composing, asking where the robot is.
 
-Components of records are rounded to single, as every `num` is.
-
 Source: Technical reference manual RAPID Instructions, Functions and Data types. The order of
 RelTool's rotations (x, then the new y, then the new z) is the customary reading of its text.
 """
@@ -15,7 +13,6 @@ from rapidsim.frames.quaternion import Quaternion, Vector
 from rapidsim.language.annotations import Num, Switch
 from rapidsim.language.data import WOBJ0, Orient, Pos, Pose, RobTarget, WobjData
 from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_FRAME, rapid_error
-from rapidsim.language.single import single
 from rapidsim.library.poses import (
     add,
     composed,
@@ -26,8 +23,6 @@ from rapidsim.library.poses import (
     length,
     rounded,
     scale,
-    single_orient,
-    single_pos,
     subtract,
     unit,
 )
@@ -41,7 +36,7 @@ _Z: Vector = (0.0, 0.0, 1.0)
 def offs(point: RobTarget, x_offset: Num, y_offset: Num, z_offset: Num) -> RobTarget:
     """A target displaced [mm] along the axes of its work object."""
     x, y, z = point.trans
-    trans = Pos(single(x + x_offset), single(y + y_offset), single(z + z_offset))
+    trans = Pos(x + x_offset, y + y_offset, z + z_offset)
     return RobTarget(trans, point.rot, point.robconf, point.extax)
 
 
@@ -64,14 +59,14 @@ def rel_tool(
             turn = quaternion.multiply(turn, about)
     trans = add(point.trans, quaternion.rotate(object_from_tool, (dx, dy, dz)))
     return point._replace(
-        trans=single_pos(trans), rot=single_orient(quaternion.multiply(object_from_tool, turn))
+        trans=Pos(*trans), rot=Orient(*quaternion.multiply(object_from_tool, turn))
     )
 
 
 def orient_zyx(z_angle: Num, y_angle: Num, x_angle: Num) -> Orient:
     """The orientation Rz Ry Rx of three angles [deg]."""
-    return single_orient(
-        quaternion.from_zyx(math.radians(z_angle), math.radians(y_angle), math.radians(x_angle))
+    return Orient(
+        *quaternion.from_zyx(math.radians(z_angle), math.radians(y_angle), math.radians(x_angle))
     )
 
 
@@ -89,21 +84,19 @@ def euler_zyx(rotation: Orient, *, x: Switch = False, y: Switch = False, z: Swit
     along_y = 2.0 * (q2 * q3 + q1 * q4)
     cosine = math.hypot(along_x, along_y)
     if y:
-        return single(math.degrees(math.atan2(sine, cosine)))
+        return math.degrees(math.atan2(sine, cosine))
     # Singles carry 7 digits: a cosine below this is 0 with the noise of its components.
     if cosine < 1e-6:
         turned = math.atan2(-2.0 * (q2 * q3 - q1 * q4), 1.0 - 2.0 * (q2 * q2 + q4 * q4))
-        return 0.0 if x else single(math.degrees(turned))
+        return 0.0 if x else math.degrees(turned)
     if z:
-        return single(math.degrees(math.atan2(along_y, along_x)))
-    return single(
-        math.degrees(math.atan2(2.0 * (q3 * q4 + q1 * q2), 1.0 - 2.0 * (q2 * q2 + q3 * q3)))
-    )
+        return math.degrees(math.atan2(along_y, along_x))
+    return math.degrees(math.atan2(2.0 * (q3 * q4 + q1 * q2), 1.0 - 2.0 * (q2 * q2 + q3 * q3)))
 
 
 def n_orient(rotation: Orient) -> Orient:
     """The orientation with unit length."""
-    return single_orient(unit(rotation))
+    return Orient(*unit(rotation))
 
 
 def pose_mult(pose1: Pose, pose2: Pose) -> Pose:
@@ -118,7 +111,7 @@ def pose_inv(pose: Pose) -> Pose:
 
 def pose_vect(pose: Pose, pos: Pos) -> Pos:
     """A position given in a frame, in the frame's reference [mm]."""
-    return single_pos(add(pose.trans, quaternion.rotate(unit(pose.rot), pos)))
+    return Pos(*add(pose.trans, quaternion.rotate(unit(pose.rot), pos)))
 
 
 def def_frame(
@@ -149,7 +142,7 @@ def def_frame(
             at = add(p1, scale(x_axis, dot(subtract(p3, p1), x_axis)))
         case _:
             raise rapid_error(ERR_ARGVALERR, f"there is no origin {origin:g}; origins are 1..3")
-    return Pose(single_pos(at), single_orient(rotation))
+    return Pose(Pos(*at), Orient(*rotation))
 
 
 def def_d_frame(
@@ -194,22 +187,22 @@ def mir_pos(
 
 def distance(point1: Pos, point2: Pos) -> Num:
     """The distance of two points [mm]."""
-    return single(math.dist(point1, point2))
+    return math.dist(point1, point2)
 
 
 def dot_prod(vector1: Pos, vector2: Pos) -> Num:
     """The scalar product of two vectors."""
-    return single(dot(vector1, vector2))
+    return dot(vector1, vector2)
 
 
 def cross_prod(vector1: Pos, vector2: Pos) -> Pos:
     """The vector product of two vectors."""
-    return single_pos(cross(vector1, vector2))
+    return Pos(*cross(vector1, vector2))
 
 
 def vect_magn(vector: Pos) -> Num:
     """The length of a vector."""
-    return single(length(vector))
+    return length(vector)
 
 
 POSITIONS = table(

@@ -36,7 +36,6 @@ from rapidsim.language.error_numbers import (
     rapid_error,
 )
 from rapidsim.language.reference import Reference
-from rapidsim.language.single import single
 from rapidsim.library.table import routine, table
 
 DEFAULT_PULSE_S = 0.2
@@ -127,12 +126,12 @@ def d_output(controller: Signals, signal: Var[SignalDo]) -> DioNum:
 
 def a_input(controller: Signals, signal: Var[SignalAi]) -> Num:
     """The value of an analog input."""
-    return single(_read(controller, signal))
+    return _read(controller, signal)
 
 
 def a_output(controller: Signals, signal: Var[SignalAo]) -> Num:
     """The value of an analog output."""
-    return single(_read(controller, signal))
+    return _read(controller, signal)
 
 
 def g_input(controller: Signals, signal: Var[SignalGi]) -> Num:

@@ -21,6 +21,7 @@ from rapidsim.language.annotations import Marker, Mode
 from rapidsim.language.records import record_of
 from rapidsim.language.reference import Reference
 from rapidsim.language.types import Type
+from rapidsim.library.precision import in_single
 
 _SPELLINGS = {
     "id": "ID",
@@ -78,7 +79,8 @@ class LibraryRoutine:
     """A row of the table."""
 
     name: str
-    body: Callable[..., Any]
+    function: Callable[..., Any]
+    """As it is written; `body` is what is called."""
     order: str = ""
     """The parameters as RAPID orders and spells them, options with a backslash, alternatives with
     a bar; needed only where options come first, exclude each other or have unusual spellings."""
@@ -93,7 +95,17 @@ class LibraryRoutine:
     @cached_property
     def signature(self) -> Signature:
         """The RAPID signature, read from the function's annotations."""
-        return _read_signature(self.body, self.order)
+        return _read_signature(self.function, self.order)
+
+    @cached_property
+    def body(self) -> Callable[..., Any]:
+        """The Python function, with results that have passed single precision."""
+        signature = self.signature
+        required = [_written(p) for p in signature.parameters if not p.optional]
+        if signature.takes_controller:
+            required.insert(0, None)
+        options = {p.python: _written(p) for p in signature.parameters if p.optional}
+        return in_single(self.function, signature.result, required, options)
 
 
 def routine(
@@ -137,6 +149,16 @@ def _read_signature(body: Callable[..., Any], order: str) -> Signature:
         next((p for p in parameters if _is_open(p)), None) if type_keyword else None,
         type_keyword,
     )
+
+
+def _written(parameter: Parameter) -> Type | None:
+    """The type of the data that a routine may write through a parameter; None where it has none.
+
+    Nor where it may be one of several, or is an array, whose elements are written one by one.
+    """
+    writes = parameter.mode in (Mode.INOUT, Mode.VAR) and not _is_open(parameter)
+    of = parameter.types[0]
+    return of if writes and not isinstance(types.resolved(of), types.ArrayOf) else None
 
 
 def _ordered(read: dict[str, Parameter], order: str) -> tuple[Parameter, ...]:

@@ -28,7 +28,6 @@ from rapidsim.language.controller import Controller, Honesty
 from rapidsim.language.data import ClockState
 from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_WAIT_MAXTIME, rapid_error
 from rapidsim.language.reference import Reference
-from rapidsim.language.single import single
 from rapidsim.library.honesty import ignored
 from rapidsim.library.table import routine, table
 
@@ -140,7 +139,7 @@ def clk_read(controller: ClockProtocol, clock: Var[Clock], *, high_res: Switch =
     resolution = FINE_CLOCK_RESOLUTION_S if high_res else CLOCK_RESOLUTION_S
     # Just above the last step, so that 0.3 s computed as 0.29999... still shows 0.3.
     steps = math.floor(_clock_time(controller, clock.value) / resolution + 1e-6)
-    return single(steps * resolution)
+    return steps * resolution
 
 
 def c_date(controller: ClockProtocol) -> String:

@@ -67,7 +67,7 @@ def _entry(row: LibraryRoutine) -> str:
 
 
 def _how(row: LibraryRoutine) -> Iterator[str]:
-    first = (inspect.getdoc(row.body) or "").partition("\n")[0].strip().rstrip(".")
+    first = (inspect.getdoc(row.function) or "").partition("\n")[0].strip().rstrip(".")
     if first:
         yield first
     if row.treated_as is not None:
