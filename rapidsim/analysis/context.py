@@ -72,6 +72,8 @@ class Analysis:
     """The user's routines as calls see them, made when first called."""
     undeclared: list[tuple[tree.Reference, Context]] = field(default_factory=list)
     """Uses of undeclared names that are signals or may turn out to be, in the order of the text."""
+    wanted_of_undeclared: dict[tree.Reference, Wanted] = field(default_factory=dict)
+    """What such a use must have, where it is known: not all signals are named like one."""
 
     compared: set[str] = field(default_factory=set)
     """Folded names that were compared with all known ones, to find which was meant."""

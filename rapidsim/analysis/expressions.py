@@ -48,7 +48,10 @@ def type_of_expression(
             type_of[node] = types.BOOL
             return types.BOOL
         case tree.Reference() | tree.Index() | tree.Component():
-            return type_of_path(node, context, type_of_expression)
+            found = type_of_path(node, context, type_of_expression)
+            if found is None and wanted is not None and isinstance(node, tree.Reference):
+                context.analysis.wanted_of_undeclared[node] = wanted
+            return found
         case tree.FunctionCall():
             return type_of_call(node, context, wanted, type_of_expression)
         case tree.Aggregate() | tree.LiteralAggregate():

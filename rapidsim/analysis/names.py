@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from rapidsim.analysis.agreement import agrees, report_mismatch
 from rapidsim.analysis.context import Analysis, Context
 from rapidsim.analysis.installed import (
     installed_data_names,
@@ -59,6 +60,13 @@ def data_named(reference: tree.Reference, context: Context) -> DataLike | None:
         context.analysis.undeclared.append((reference, context))
         return None
     return as_data(symbol, reference, context)
+
+
+def type_of_undeclared(reference: tree.Reference, context: Context) -> Type | None:
+    """The kind of signal that a name means by its spelling, where nothing declares it."""
+    if find(reference.name.key, context) is not None:
+        return None
+    return _named_like_a_signal(reference.name, context)
 
 
 def as_data(symbol: Symbol, reference: tree.Reference, context: Context) -> DataLike | None:
@@ -141,6 +149,9 @@ def decide_undeclared(analysis: Analysis) -> None:
         analysis.signals.setdefault(name.key, of)
         analysis.symbol_of[reference] = analysis.unknown_symbol(name.text)
         analysis.type_of.setdefault(reference, of)
+        wanted = analysis.wanted_of_undeclared.get(reference)
+        if wanted is not None and not agrees(of, wanted.type):
+            report_mismatch(reference, of, wanted, context)
 
 
 def _named_like_a_signal(name: tree.Name, context: Context) -> Type | None:

@@ -6,7 +6,15 @@ from rapidsim.analysis.agreement import require
 from rapidsim.analysis.constants import constant_number
 from rapidsim.analysis.context import Context, TypeOf
 from rapidsim.analysis.name_violations import ComponentOfUnknownType, UnknownComponent
-from rapidsim.analysis.names import DataLike, as_data, data_named, find, kind_of, report_undefined
+from rapidsim.analysis.names import (
+    DataLike,
+    as_data,
+    data_named,
+    find,
+    kind_of,
+    report_undefined,
+    type_of_undeclared,
+)
 from rapidsim.analysis.operators import value_type
 from rapidsim.analysis.parameters import Wanted
 from rapidsim.analysis.program import CounterSymbol, DataSymbol, Storage
@@ -23,7 +31,7 @@ def type_of_path(path: tree.Path, context: Context, type_of: TypeOf) -> Type | N
     """The type of the data at a path; None, after a finding, where there are none."""
     if isinstance(path, tree.Reference):
         symbol = data_named(path, context)
-        found = None if symbol is None else type_of_data(symbol)
+        found = type_of_undeclared(path, context) if symbol is None else type_of_data(symbol)
     elif isinstance(path, tree.Index):
         found = _element_type(path, context, type_of)
     else:
