@@ -10,7 +10,7 @@ from rapidsim.analysis.argument_violations import BadArgumentMode, PersistentEle
 from rapidsim.analysis.context import Context, TypeOf
 from rapidsim.analysis.name_violations import UnknownUnit
 from rapidsim.analysis.names import find, kind_of, report_undefined, take_for_signal
-from rapidsim.analysis.operators import is_literal_number
+from rapidsim.analysis.operators import is_literal_number, value_type
 from rapidsim.analysis.parameters import Formal, Wanted
 from rapidsim.analysis.paths import Path, root_of
 from rapidsim.analysis.program import (
@@ -72,7 +72,7 @@ def check_argument(
             return None
     wanted = _wanted(plain, formal, beside)
     found = type_of(value, context, wanted)
-    if found is not None and not any(agrees(found, of) for of in formal.types):
+    if found is not None and not _fits(found, formal):
         _report_types(value, found, formal, context)
         return found
     if formal.mode is not Mode.IN and found is not None:
@@ -101,9 +101,20 @@ def _wanted(value: tree.Expression, formal: Formal, beside: Type | None) -> Want
     return Wanted(types.DNUM if is_dnum else types.NUM, formal.wanted.by)
 
 
+def _fits(found: Type, formal: Formal) -> bool:
+    if formal.mode is not Mode.IN and value_type(found) != resolved(found):
+        # What is referred to is the signal itself, not the number it reads as.
+        wanted = formal.types if formal.only is None else formal.only.types
+        return types.ANYTYPE in wanted or resolved(found) in map(resolved, wanted)
+    fits = any(agrees(found, of) for of in formal.types)
+    return fits and (formal.only is None or any(agrees(found, of) for of in formal.only.types))
+
+
 def _report_types(value: tree.Expression, found: Type, formal: Formal, context: Context) -> None:
     wanted = formal.wanted
-    if len(formal.types) > 1:
+    if formal.only is not None:
+        wanted = Wanted(Atomic(formal.only.words), wanted.by, wanted.declared)
+    elif len(formal.types) > 1:
         names = " or ".join(dict.fromkeys(of.name for of in formal.types))
         wanted = Wanted(Atomic(names), wanted.by, wanted.declared)
     report_mismatch(value, found, wanted, context)

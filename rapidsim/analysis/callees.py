@@ -64,6 +64,7 @@ def callee_of_installed(symbol: LibrarySymbol) -> Callee:
             parameter.is_switch,
             parameter.group,
             Wanted(parameter.types[0], f"parameter `{parameter.name}` of `{symbol.name}`"),
+            parameter.only,
         )
         for parameter in signature.parameters
     )

@@ -79,7 +79,8 @@ def has_value(of: Type) -> bool:
         case Record(components=components):
             return all(has_value(component.type) for component in components)
         case ArrayOf(element=element):
-            return has_value(element)
+            # Signals are read one at a time.
+            return has_value(element) and value_type(element) == resolved(element)
 
 
 def usual_cure(operator: str, left: Type, right: Type) -> str:

@@ -8,7 +8,7 @@ from itertools import groupby
 
 from rapidsim.diagnostics import Related
 from rapidsim.language import types
-from rapidsim.language.annotations import Mode
+from rapidsim.language.annotations import Mode, Only
 from rapidsim.language.types import Atomic, Kind, Type, resolved
 
 
@@ -38,6 +38,8 @@ class Formal:
     """Optional parameters with the same number exclude each other; 0 excludes nothing."""
     wanted: Wanted
     """The first type, with the words of messages."""
+    only: Only | None = None
+    """What it takes, where its type is anytype and that is too much."""
 
     @property
     def spelled(self) -> str:
@@ -51,10 +53,11 @@ class Formal:
             target = resolved(of)
             if isinstance(target, Atomic) and target.kind is Kind.SEMI_VALUE:
                 return of
-        if types.ANYTYPE in self.types and self.mode is not Mode.IN and "signal" in self.key:
-            # Routines that take signals of every kind, such as AliasIO, declare no kind.
-            return types.SIGNAL_DI
-        return None
+        # Routines that take signals of every kind, such as AliasIO, declare no kind; of those that
+        # no run simulates, only names tell.
+        by_name = types.ANYTYPE in self.types and self.mode is not Mode.IN and "signal" in self.key
+        takes_all = self.only is not None and types.SIGNAL_DI in self.only.types
+        return types.SIGNAL_DI if takes_all or by_name else None
 
 
 @dataclass(frozen=True, slots=True)

@@ -225,14 +225,23 @@ def _bound(
         parameter = by_key.get(key) if key is not None else None
         if key is None or parameter is None:
             raise _mismatch(name, "it takes fewer arguments")
-        types = parameter.types if isinstance(parameter, Parameter) else (parameter.type,)
+        types, words = _taken(parameter)
         if shape.type is not None and not any(_fits(shape.type, of) for of in types):
-            raise _mismatch(name, f"{parameter.name} takes {types[0].name}, not {shape.type.name}")
+            raise _mismatch(name, f"{parameter.name} takes {words}, not {shape.type.name}")
         given[key] = (shape, value)
     missing = [key for key in required if key not in given]
     if missing:
         raise _mismatch(name, f"{missing[0]} is missing")
     return given
+
+
+def _taken(parameter: ParameterSymbol | Parameter) -> tuple[tuple[Type, ...], str]:
+    """The types that a parameter takes, and how messages call them."""
+    if not isinstance(parameter, Parameter):
+        return (parameter.type,), parameter.type.name
+    if parameter.only is not None:
+        return parameter.only.types, parameter.only.words
+    return parameter.types, parameter.types[0].name
 
 
 def _fits(given: Type, wanted: Type) -> bool:

@@ -19,6 +19,7 @@ part of the signature. Python's `max_time` is RAPID's `MaxTime`; `X | Y` takes e
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from enum import Enum
 from typing import Annotated, Any, TypeVar
 
@@ -54,12 +55,30 @@ class Marker(Enum):
     """Pass the type of another argument."""
 
 
+@dataclass(frozen=True, slots=True)
+class Only:
+    """What a parameter of type anytype takes, where that is not everything."""
+
+    words: str
+    types: tuple[types.Type, ...]
+
+
 Num = Annotated[float, types.NUM]
 Dnum = Annotated[float, types.DNUM]
 Bool = Annotated[bool, types.BOOL]
 String = Annotated[str, types.STRING]
 Switch = Annotated[bool, types.SWITCH]
 AnyType = Annotated[Any, types.ANYTYPE]
+AnySignal = Annotated[Any, types.ANYTYPE, Only("a signal", types.SIGNALS)]
+SignalOrName = Annotated[
+    Any, types.ANYTYPE, Only("a signal or a string", (*types.SIGNALS, types.STRING))
+]
+Packed = Annotated[
+    Any, types.ANYTYPE, Only("num, dnum or string", (types.NUM, types.DNUM, types.STRING))
+]
+OutputValue = Annotated[
+    Any, types.ANYTYPE, Only("num, dnum or bool", (types.NUM, types.DNUM, types.BOOL))
+]
 
 AioTrigg = Annotated[float, types.Alias("aiotrigg", types.NUM)]
 BtnRes = Annotated[float, types.Alias("btnres", types.NUM)]

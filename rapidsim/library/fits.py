@@ -81,10 +81,14 @@ def fit_circle(
     max_err: Var[Num] | None = None,
     index_worst: Var[Num] | None = None,
 ) -> None:
-    """The circle through three points or more, so that the squares of the errors are least."""
+    """The circle through three points or more, so that the squares of the errors are least.
+
+    Raises:
+        RapidError: ERR_FRAME for fewer than three positions, or positions on a line.
+    """
     import numpy as np
 
-    count = len(points) if num_points is None else int(num_points)
+    count = _counted(len(points) if num_points is None else num_points, points)
     circle = _circle(np.array(points[:count], dtype=np.float64))
     center.value = Pos(*circle.centre.tolist())
     normal.value = Pos(*circle.normal.tolist())
@@ -149,9 +153,16 @@ def m_tool_tcp_calib(
 def _positions(targets: Sequence[RobTarget], count: float) -> Array:
     import numpy as np
 
-    if not 3 <= count <= len(targets):
-        raise rapid_error(ERR_FRAME, f"{count:g} positions of a list of {len(targets)}; at least 3")
-    return np.array([target.trans for target in targets[: int(count)]])
+    return np.array([target.trans for target in targets[: _counted(count, targets)]])
+
+
+def _counted(count: float, positions: Sequence[object]) -> int:
+    """How many positions of a list count."""
+    if not 3 <= count <= len(positions):
+        raise rapid_error(
+            ERR_FRAME, f"{count:g} positions of a list of {len(positions)}; at least 3"
+        )
+    return int(count)
 
 
 def _plane(points: Array) -> tuple[Array, Array]:

@@ -29,6 +29,7 @@ from rapidsim.language.annotations import (
 )
 from rapidsim.language.controller import Controller, Interrupts
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
+from rapidsim.language.reference import Cell
 from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
 
@@ -180,7 +181,8 @@ def i_pers(
 
     The trap runs at the next instruction after the change that moves, waits, reads or writes.
     """
-    controller.order_persistent(interrupt.value, name, single=single or single_safe)
+    data = Cell(name) if isinstance(name, list) else name
+    controller.order_persistent(interrupt.value, data, single=single or single_safe)
 
 
 def i_delete(controller: Interrupts, interrupt: Var[IntNum]) -> None:

@@ -14,11 +14,11 @@ import struct
 from typing import Literal
 
 from rapidsim.language.annotations import (
-    AnyType,
     ArgumentType,
     IntTypes,
     IoDev,
     Num,
+    Packed,
     RawBytes,
     Switch,
     Var,
@@ -36,7 +36,7 @@ _ENCODING = "iso-8859-1"
 
 
 def pack_raw_bytes(
-    value: AnyType,
+    value: Packed,
     raw_data: Var[RawBytes],
     start_index: Num,
     *,
@@ -67,7 +67,7 @@ def pack_raw_bytes(
 def unpack_raw_bytes(
     raw_data: Var[RawBytes],
     start_index: Num,
-    value: Var[AnyType],
+    value: Var[Packed],
     *,
     network: Switch = False,
     hex1: Switch = False,

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 
 from rapidsim.language.annotations import (
-    AnyType,
+    AnySignal,
     Bool,
     DioNum,
     Dnum,
@@ -23,6 +23,7 @@ from rapidsim.language.annotations import (
     SignalDo,
     SignalGi,
     SignalGo,
+    SignalOrName,
     Switch,
     Var,
 )
@@ -159,12 +160,12 @@ def test_di(controller: Signals, signal: Var[SignalDi]) -> Bool:
     return _read(controller, signal) == 1.0
 
 
-def valid_io(signal: Var[AnyType]) -> Bool:
+def valid_io(signal: Var[AnySignal]) -> Bool:
     """Whether a signal can be used: one that is connected can."""
     return isinstance(signal.value, Signal) and bool(signal.value.name)
 
 
-def alias_io(from_signal: Ref[AnyType], to_signal: Var[AnyType]) -> None:
+def alias_io(from_signal: Ref[SignalOrName], to_signal: Var[AnySignal]) -> None:
     """Let a signal variable mean a signal, given itself or by its name."""
     source = from_signal if isinstance(from_signal, str | Signal) else from_signal.value
     name = source.name if isinstance(source, Signal) else source
@@ -173,7 +174,7 @@ def alias_io(from_signal: Ref[AnyType], to_signal: Var[AnyType]) -> None:
     to_signal.value = Signal(name)
 
 
-def alias_io_reset(signal: Var[AnyType]) -> None:
+def alias_io_reset(signal: Var[AnySignal]) -> None:
     """Let a signal variable mean nothing again."""
     signal.value = Signal("")
 

@@ -10,14 +10,14 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from types import MappingProxyType, NoneType, UnionType
 from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
 
 from rapidsim.language import types
-from rapidsim.language.annotations import Marker, Mode
+from rapidsim.language.annotations import Marker, Mode, Only
 from rapidsim.language.records import record_of
 from rapidsim.language.reference import Reference
 from rapidsim.language.types import Type
@@ -54,6 +54,8 @@ class Parameter:
     """Optional parameters with the same number above 0 exclude each other."""
     deferred: bool = False
     """The Python function wants a function that evaluates the argument."""
+    only: Only | None = None
+    """What it takes, where its type is anytype and that is too much."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -186,7 +188,17 @@ def _read_parameter(python: str, hint: object, optional: bool) -> Parameter:
         word[:1].upper() + word[1:] for word in python.split("_")
     )
     is_switch = found == (types.SWITCH,)
-    return Parameter(spelling, python, found, mode, optional, is_switch, deferred=deferred)
+    only = next((one for one in _metadata(hint) if isinstance(one, Only)), None)
+    return Parameter(
+        spelling, python, found, mode, optional, is_switch, deferred=deferred, only=only
+    )
+
+
+def _metadata(hint: object) -> Iterator[object]:
+    """What stands beside the type in an annotation, inside of references and options too."""
+    yield from getattr(hint, "__metadata__", ())
+    for inner in get_args(hint):
+        yield from _metadata(inner)
 
 
 def _read_type(hint: object) -> tuple[Type, Mode, bool]:

@@ -14,12 +14,13 @@ from types import MappingProxyType
 from typing import TypedDict, Unpack
 
 from rapidsim.language.annotations import (
-    AnyType,
+    AnySignal,
     Bool,
     Dnum,
     IntNum,
     Num,
     OpNum,
+    OutputValue,
     Pers,
     SignalAo,
     SignalDo,
@@ -49,7 +50,7 @@ class Inhibition(TypedDict, total=False):
     """When a trigger does nothing."""
 
     inhib: Pers[Bool]
-    inhib_set_value: Pers[AnyType]
+    inhib_set_value: Pers[OutputValue]
     mode: TriggMode
 
 
@@ -123,7 +124,7 @@ def trigg_check_io(
     controller: Controller,
     trigg_data: Var[TriggData],
     distance: Num,
-    signal: Var[AnyType],
+    signal: Var[AnySignal],
     relation: OpNum,
     check_value: Num | Dnum,
     interrupt: Var[IntNum],

@@ -31,6 +31,8 @@ _IDLE_TCP_SPEED = 0.001
 """Speeds for axes alone, such as vrot10, have no TCP speed [m/s]."""
 _TRAVEL_SAMPLES = 32
 _SHORTEST_CIRCLE_SIDE = 1e-4
+_LONGEST_CIRCLE_SIDE = 1e3
+"""[m]; no arm has such points, and their circles have no digits left."""
 _WIDEST_ARC = math.radians(240.0)
 _ONE_WAY_ONLY = math.radians(90.0)
 """Below this nobody means the long way round, which would be three quarters of a turn."""
@@ -222,6 +224,8 @@ def circle_fault(segment: Segment) -> str | None:
         distance = float(np.linalg.norm(b - a))
         if distance < _SHORTEST_CIRCLE_SIDE:
             return f"the {names.format(f'{distance * 1e3:.3f}')}"
+        if distance > _LONGEST_CIRCLE_SIDE:
+            return f"the {names.format(f'{distance * 1e3:.4g}')}"
     sides = np.linalg.norm(via - start) * np.linalg.norm(end - start)
     if np.linalg.norm(np.cross(via - start, end - start)) < 1e-9 * sides:
         return "start, circle point and end point lie on one line"

@@ -54,6 +54,7 @@ from rapidsim.simulation.target_checks import (
     require_limits,
     require_orientation,
 )
+from rapidsim.simulation.target_words import named_target
 
 _TARGET = "the target"
 """What functions that compute with a target call it."""
@@ -187,7 +188,7 @@ class Resolver:
             branch=branch,
             speed=speed_of(move, settings),
             zone=zone_of(move),
-            via=None if move.circle_point is None else self._pose(asked, move.circle_point),
+            via=self._circle_point(asked),
             duration=move.duration_s,
             acceleration_share=acceleration_share_of(
                 move, settings, self.robot.payload_kg, self.payload_acceleration
@@ -213,7 +214,7 @@ class Resolver:
         """
         to, placed = asked.move.to, asked.placed
         if isinstance(to, RobTarget):
-            pose = self._pose(asked, to)
+            pose = self._pose(asked, asked.name, to)
             joints = self._end_of_short_line(asked, start, branch, pose)
             if joints is None:
                 return Waypoint(start.joints, pose, external), False
@@ -234,9 +235,17 @@ class Resolver:
             return None
         return end_of_short_line(self.robot, start.joints, pose, placed.tcp_from_flange, branch)
 
-    def _pose(self, asked: AskedMove, target: RobTarget) -> Transform:
+    def _circle_point(self, asked: AskedMove) -> Transform | None:
+        """Where the circle point of a move puts the TCP; None without one."""
+        target = asked.move.circle_point
+        if target is None:
+            return None
+        name = named_target(asked.place.arguments.get("cirpoint", "CirPoint"))
+        return self._pose(asked, name, target)
+
+    def _pose(self, asked: AskedMove, name: str, target: RobTarget) -> Transform:
         """Where a target puts the TCP on its curve, after a check of its orientation."""
-        check_orientation(asked, target.rot, self.journal)
+        check_orientation(asked, name, target.rot, self.journal)
         return asked.placed.curve_from_tcp(target)
 
     def _placement_of(self, move: Move, place: Place) -> targets.Placement:

@@ -26,7 +26,7 @@ _NOTHING_MEANT = (0.0, 9999.0)
 """What old and generated programs write for axes that are not there."""
 
 
-def check_orientation(asked: AskedMove, rotation: Orient, journal: Journal) -> None:
+def check_orientation(asked: AskedMove, name: str, rotation: Orient, journal: Journal) -> None:
     """Report a quaternion that is not quite a unit; refuse one that is no orientation.
 
     Raises:
@@ -34,9 +34,9 @@ def check_orientation(asked: AskedMove, rotation: Orient, journal: Journal) -> N
     """
     length = norm(rotation)
     if abs(length - 1.0) > TOLERATED_NORM_ERROR:
-        require_orientation(asked.name, rotation)
-        violation = QuaternionNotUnit(asked.name, length)
-        journal.finding(violation, asked.place, once=("norm", asked.written))
+        require_orientation(name, rotation)
+        violation = QuaternionNotUnit(name, length)
+        journal.finding(violation, asked.place, once=("norm", asked.written, name))
 
 
 def require_orientation(name: str, rotation: Orient) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rapidsim.language.error_numbers import ERR_PATH, rapid_error
 from rapidsim.motion.segments import Waypoint
 from rapidsim.motion.trajectory import Piece, Samples, Trajectory
 from rapidsim.simulation.queued_move import QueuedMove
@@ -83,6 +84,16 @@ class Seat(RobotPath):
     def store(self) -> None:
         """Not modelled; see `Team.store`."""
         self.team.store()
+
+    def restore(self) -> None:
+        """Not modelled: a path that was kept is that of the robot alone.
+
+        Raises:
+            RapidError: ERR_PATH.
+        """
+        raise rapid_error(
+            ERR_PATH, "RestoPath while robots move together is not simulated; SyncMoveOff first"
+        )
 
     def away_deg(self) -> float:
         """A team never takes up a stored path."""
