@@ -7,6 +7,7 @@ part of the signature. Python's `max_time` is RAPID's `MaxTime`; `X | Y` takes e
 
 - Arrays are their own reference: `list[Num]` is `num{*}`, `Annotated[list[Num], Mode.VAR]` the same
   by reference.
+- `AnyType` is `anytype`; with `Only(...)` beside it, it takes less, and the checker says what.
 - `Deferred[Bool]` arrives as a function without parameters that evaluates the argument.
 - A keyword-only `ArgumentType` is not part of the signature either: it is given the type of the
   argument for the first parameter that takes `anytype` or several types, where num and dnum must be

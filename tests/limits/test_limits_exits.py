@@ -9,8 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from rapidsim import simulate
+import rapidsim
 from rapidsim.cli.boundary import run_commands
+from rapidsim.simulation.result import End
+from rapidsim.simulation.run_files import ProgramRejectedError
 
 PROGRAMS = sorted((Path(__file__).parent / "programs").iterdir())
 ASKED = (
@@ -45,9 +47,23 @@ def test_ends_with_a_message(
         assert word not in told
 
 
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.stem)
+def test_public_functions_return_or_refuse(
+    program: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    found = rapidsim.check([program], robot="irb1600")
+    try:
+        run = rapidsim.simulate([program], robot="irb1600", max_time=60.0)
+    except ProgramRejectedError:
+        assert not found.accepted
+    else:
+        assert run.end in End
+
+
 def test_a_run_may_be_cut_off_where_a_move_begins(capsys: pytest.CaptureFixture[str]) -> None:
     program = Path(__file__).parent / "programs" / "zero_length_first.mod"
-    whole = simulate([program], robot="irb1600")
+    whole = rapidsim.simulate([program], robot="irb1600")
     for edge_s in sorted({time_s for one in whole.moves for time_s in (one.start_s, one.end_s)}):
         for off_s in (-1e-9, 0.0, 1e-9):
             if edge_s + off_s > 0.0:

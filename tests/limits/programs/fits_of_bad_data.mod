@@ -8,10 +8,10 @@ MODULE job
   VAR num mean;
   VAR pose frame;
   PROC main()
-    FitCircle points,centre,radius,normal\NumPoints:=0;
-    FitCircle points,centre,radius,normal\NumPoints:=-1;
-    FitCircle points,centre,radius,normal\NumPoints:=3;
-    FitCircle points,centre,radius,normal\NumPoints:=9;
+    FitCircle points\NumPoints:=0,centre,radius,normal;
+    FitCircle points\NumPoints:=-1,centre,radius,normal;
+    FitCircle points\NumPoints:=3,centre,radius,normal;
+    FitCircle points\NumPoints:=9,centre,radius,normal;
     FitCircle points,centre,radius,normal;
     frame:=CalcRotAxFrameZ(targets,3,targets{1},most,mean);
     frame:=DefAccFrame(targets,targets,-3,most,mean);
