@@ -1,171 +1,36 @@
-"""Throw bad texts at `rapidsim check`: `python benchmarks/fuzz.py [EXAMPLES [SEED]]`.
+"""Throw what nobody would write at rapidsim: `python benchmarks/fuzz.py programs|texts`.
 
-Random bytes, soups of tokens, and the repository's programs with pieces cut, doubled, moved and
-changed. Parsing, every rule, comments that suppress, fixes, all ways to print findings: nothing
-may raise; what checks without an error must also load. Printed are the number of
-inputs of each kind and the longest time one took, with the seed to see it again; inputs that raise
-are kept in `fuzz-failures`.
+`programs` makes whole programs from the grammar and the signatures of the library, most of them
+without an error, and sends each through `check` with reach, `run` within limits and `run` cut at a
+random instant; one in fifty with reports, plots and recordings. What fails is kept in
+`fuzz-failures`, once a cause and as small as it gets, with the command and the traceback. Clean
+programs must also keep the laws of `fuzzing/laws.py`. `texts` throws bad texts at `check`.
+
+A program follows from seed and number alone: `--begin 4711 --count 1` makes one again.
 """
 
 from __future__ import annotations
 
-import json
-import random
+import argparse
 import sys
-import time
-import traceback
-from collections.abc import Callable
-from pathlib import Path
-from types import SimpleNamespace
-from typing import cast
 
-from rapidsim.analysis.checker import check
-from rapidsim.analysis.rules.table import detectors_of
-from rapidsim.analysis.suppressions import without_suppressed
-from rapidsim.cli.fixes import choose_fixes
-from rapidsim.diagnostics import Severity, Source, all_rules
-from rapidsim.export.text_edits import edited_text
-from rapidsim.files import decode
-from rapidsim.interpreter.limits import NotExecutableError
-from rapidsim.interpreter.loader import FatalError, load
-from rapidsim.language.controller import Controller
-from rapidsim.report.diagnostics import diagnostic_json, full
-from rapidsim.report.github import github
-from rapidsim.report.junit import junit
-from rapidsim.report.merging import merged
-from rapidsim.report.palette import PLAIN
-from rapidsim.report.rules import programs
-from rapidsim.report.sarif import sarif
-from rapidsim.syntax.lexer import lex
-from rapidsim.syntax.parser import parse
-
-ROOT = Path(__file__).parents[1]
-FAILURES = Path("fuzz-failures")
-EXAMPLES = 20_000
-EVERY_RULE = detectors_of(lambda rule: True)
-LARGEST = 12_000
-"""Programs with more characters are left out, so that many mutants can be tried."""
-WORDS_AND_MARKS = """
-    MODULE ENDMODULE PROC ENDPROC FUNC ENDFUNC TRAP ENDTRAP RECORD ENDRECORD ALIAS LOCAL TASK VAR
-    PERS CONST IF THEN ELSEIF ELSE ENDIF FOR FROM TO STEP DO ENDFOR WHILE ENDWHILE TEST CASE
-    DEFAULT ENDTEST GOTO RETURN RAISE EXIT RETRY TRYNEXT CONNECT WITH ERROR UNDO BACKWARD NOT AND
-    OR XOR DIV MOD TRUE FALSE INOUT SYSMODULE num bool string robtarget x y main p10 MoveL v100
-    z10 tool0 TPWrite Offs 1 2.5 .5 9E9 9E999 0xFF "text" "open := = <> <= >= < > + - * / ( ) [ ]
-    { } , ; : . \\ ? | % [1,2] [[1],["a"]] ! # € <SMT> <EXP> <VAR> <TDN> <EIT> <CSE> ELS EDNIF
-"""
-SOUP = WORDS_AND_MARKS.split()
+from fuzzing.report import fuzz_programs
+from fuzzing.texts import fuzz_texts
 
 
 def main() -> None:
-    """Run, print, and fail if anything raised."""
-    examples = int(sys.argv[1]) if len(sys.argv) > 1 else EXAMPLES
-    seed = int(sys.argv[2]) if len(sys.argv) > 2 else 0
-    texts = [decode(program)[0] for program in _programs()]
-    kinds: dict[str, Callable[[random.Random], str]] = {
-        "bytes": _bytes,
-        "tokens": _tokens,
-        "statements": lambda dice: _inside(_tokens(dice)),
-        "characters changed": lambda dice: _characters_changed(dice.choice(texts), dice),
-        "tokens changed": lambda dice: _tokens_changed(dice.choice(texts), dice),
-        "spliced": lambda dice: _spliced(dice.choice(texts), dice.choice(texts), dice),
-    }
-    failed = loaded = 0
-    for kind, make in kinds.items():
-        longest, which, size, total = 0.0, 0, 0, 0.0
-        for number in range(examples // len(kinds) + 1):
-            text = make(random.Random(f"{seed} {kind} {number}"))
-            begin = time.perf_counter()
-            try:
-                loaded += _try(text)
-            except Exception:
-                failed += 1
-                FAILURES.mkdir(exist_ok=True)
-                (FAILURES / f"{kind} {number}.mod").write_text(text, "utf-8", "surrogatepass")
-                print(f"{kind} {number}:\n{traceback.format_exc(limit=-4)}")
-            seconds = time.perf_counter() - begin
-            total += seconds
-            if seconds > longest:
-                longest, which, size = seconds, number, len(text)
-        print(
-            f"{kind:20} {number + 1:6} inputs, {total:6.1f} s; longest {1000 * longest:6.0f} ms"
-            f" for {size} characters, number {which}"
-        )
-    print(f"seed {seed}: {loaded} inputs were sound and loaded, {failed} raised")
-    sys.exit(failed > 0)
-
-
-def _programs() -> list[bytes]:
-    files = [path for folder in ("programs", "tests") for path in (ROOT / folder).rglob("*.mod")]
-    found = [path.read_bytes() for path in sorted(files)]
-    for rule in all_rules():
-        found += [*programs(rule, "bad.mod"), *programs(rule, "good.mod")]
-    return [text for text in found if 0 < len(text) < LARGEST]
-
-
-def _try(text: str) -> bool:
-    """Whether a text is a program that can be loaded."""
-    parsed = parse(Source("fuzz.mod", text))
-    checked = check([parsed.file], EVERY_RULE)
-    found = without_suppressed((*parsed.diagnostics, *checked.diagnostics), [parsed.file])
-    findings = merged(found)
-    full(findings, PLAIN, width=80)
-    github(findings)
-    junit(findings, ["fuzz.mod"])
-    json.dumps((sarif(findings, "0"), [diagnostic_json(one) for one in findings]), allow_nan=False)
-    fixed = edited_text(text, choose_fixes(found, unsafe=True).edits.get("fuzz.mod", ()))
-    assert fixed != text or not any(one.fix for one in found), "a fix changes nothing"
-    if checked.program is None or any(d.severity is Severity.ERROR for d in parsed.diagnostics):
-        return False
-    try:
-        load(checked.program, cast(Controller, SimpleNamespace()))
-    except (FatalError, NotExecutableError):
-        return False
-    return True
-
-
-def _bytes(dice: random.Random) -> str:
-    return decode(dice.randbytes(dice.randrange(2000)))[0]
-
-
-def _tokens(dice: random.Random) -> str:
-    return " ".join(dice.choices([*SOUP, "\n", ";\n", ";"], k=dice.randrange(300)))
-
-
-def _inside(statements: str) -> str:
-    return f"MODULE m\nVAR num x;\nPROC main()\n{statements}\nENDPROC\nENDMODULE\n"
-
-
-def _characters_changed(text: str, dice: random.Random) -> str:
-    for _ in range(dice.randrange(1, 8)):
-        start = dice.randrange(len(text) + 1)
-        stop = start + dice.choice((0, 1, 1, 2, 30))
-        new = dice.choice(("", dice.choice(text or " "), chr(dice.randrange(1, 0x3000)), '"', "\n"))
-        text = text[:start] + new + text[stop:]
-    return text
-
-
-def _tokens_changed(text: str, dice: random.Random) -> str:
-    tokens = lex(text)
-    pieces = [text[a:b] for a, b in zip(tokens.starts, tokens.ends, strict=True)]
-    for _ in range(dice.randrange(1, 8)):
-        place = dice.randrange(len(pieces))
-        match dice.randrange(4):
-            case 0:
-                del pieces[place : place + dice.randrange(1, 6)]
-                pieces = pieces or [""]
-            case 1:
-                pieces.insert(place, dice.choice(SOUP))
-            case 2:
-                pieces[place] = dice.choice(pieces)
-            case _:
-                begin = dice.randrange(len(pieces))
-                pieces[place:place] = pieces[begin : begin + dice.randrange(1, 40)]
-    return " ".join(pieces)
-
-
-def _spliced(one: str, other: str, dice: random.Random) -> str:
-    cut, begin = dice.randrange(len(one) + 1), dice.randrange(len(other) + 1)
-    return one[:cut] + other[begin : begin + dice.randrange(1, 2000)] + one[cut:]
+    """Fuzz, print, and fail if anything failed."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("what", choices=("programs", "texts"))
+    parser.add_argument("--count", type=int, default=20_000)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--begin", type=int, default=0, help="the number of the first program")
+    asked = parser.parse_args()
+    if asked.what == "texts":
+        sound = fuzz_texts(asked.count, asked.seed)
+    else:
+        sound = fuzz_programs(asked.seed, range(asked.begin, asked.begin + asked.count))
+    sys.exit(not sound)
 
 
 if __name__ == "__main__":

@@ -6,13 +6,11 @@ The texts are the repository's programs with pieces cut, doubled and changed, as
 from __future__ import annotations
 
 import random
-import sys
 from collections.abc import Sequence
-from importlib import import_module
 from pathlib import Path
-from typing import Any
 
 import pytest
+from fuzzing.texts import characters_changed, inside, random_tokens, spliced, tokens_changed
 
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.cli.boundary import run_commands
@@ -23,9 +21,6 @@ from rapidsim.files import SourceFile, TaskFiles, decode
 from rapidsim.simulation.check_files import check_tasks
 
 ROOT = Path(__file__).parents[2]
-sys.path.insert(0, str(ROOT / "benchmarks"))
-fuzz: Any = import_module("fuzz")
-
 PROGRAMS = [decode(path.read_bytes())[0] for path in sorted((ROOT / "programs").rglob("*.mod"))]
 EVERY_RULE = detectors_of(lambda rule: True)
 SEEDS = range(40)
@@ -64,13 +59,13 @@ def mutant(seed: int) -> str:
     text = dice.choice(PROGRAMS)
     match seed % 4:
         case 0:
-            return str(fuzz._characters_changed(text, dice))
+            return characters_changed(text, dice)
         case 1:
-            return str(fuzz._tokens_changed(text, dice))
+            return tokens_changed(text, dice)
         case 2:
-            return str(fuzz._spliced(text, dice.choice(PROGRAMS), dice))
+            return spliced(text, dice.choice(PROGRAMS), dice)
         case _:
-            return str(fuzz._inside(fuzz._tokens(dice)))
+            return inside(random_tokens(dice))
 
 
 @pytest.mark.parametrize("seed", SEEDS)

@@ -1,0 +1,171 @@
+"""One program through every command, and what a campaign of many has seen."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import tempfile
+from collections import Counter, defaultdict
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from fuzzing.dice import Dice
+from fuzzing.expressions import SPECIAL
+from fuzzing.laws import LAWS, Law, journal
+from fuzzing.programs import Made, make
+from fuzzing.sending import GRACE, MAX_WALL, Ended, Failure, send
+from rapidsim.library.catalogue import ROUTINES
+
+RARELY = 50
+"""One program in so many is drawn, recorded and reported."""
+RARE_GRACE = 60.0
+"""Pictures and recordings are made when the run has ended; seconds of the processor for them."""
+MAX_TIME = 30
+FOLDER = "FOLDER"
+"""What stands for the folder of the program in the arguments of a failure."""
+SIMULATED = tuple(sorted(k for k, row in ROUTINES.items() if row.simulated and k not in SPECIAL))
+_CALLS = 4
+_FORMATS = ("full", "concise", "json", "sarif", "github", "junit")
+_TRACES = ("t.csv", "t.parquet", "t.json", "t.ros.json")
+
+
+@dataclass
+class Tally:
+    """What a campaign has seen."""
+
+    programs: int = 0
+    accepted: int = 0
+    """Without an error that the checker finds."""
+    clean: int = 0
+    """Ran, and ended with exit code 0."""
+    laws: int = 0
+    """Comparisons that could be made."""
+    seconds: dict[str, float] = field(default_factory=lambda: defaultdict(float))
+    """Of the processor, by command."""
+    codes: Counter[tuple[str, int]] = field(default_factory=Counter)
+    """Commands by exit code."""
+    called: Counter[str] = field(default_factory=Counter)
+    """Routines of the library in programs without errors."""
+    failures: dict[str, list[tuple[int, Failure]]] = field(default_factory=dict)
+    """Numbers of programs by signature."""
+
+    def note(self, number: int, ended: Ended, failure: Failure | None) -> Ended:
+        """Count a command."""
+        self.seconds[ended.arguments[0]] += ended.seconds
+        self.codes[ended.arguments[0], ended.code] += 1
+        if failure is not None:
+            self.failures.setdefault(failure.signature, []).append((number, failure))
+        return ended
+
+
+def program(seed: int, number: int) -> Made:
+    """The program of a number: each calls a few routines of the library in their turn."""
+    first = _CALLS * number
+    wanted = [SIMULATED[(first + n) % len(SIMULATED)] for n in range(_CALLS)]
+    return make(f"{seed} {number}", wanted)
+
+
+def try_program(seed: int, number: int, tally: Tally) -> None:
+    """Send a program through all commands; a clean one through one of the laws."""
+    made = program(seed, number)
+    dice = Dice(f"how {seed} {number}")
+    tally.programs += 1
+    with written(made) as folder:
+        note = _Noting(tally, number, folder)
+        named = [folder / file for file in made.named]
+        note(*send("check", *named, "--output-format", dice.of(_FORMATS), "-v"))
+        outputs = ["--trace", folder / dice.of(_TRACES), "--events", folder / "e.jsonl"]
+        grace = GRACE
+        if number % RARELY == 0:
+            outputs += ["--report", folder / "r.html", "--plots", folder / "plots"]
+            outputs += ["--record", folder / "r.rrd"]
+            grace = RARE_GRACE
+        ended = note(*run(folder, named, "--format", "json", *outputs, "--dt", 0.05, grace=grace))
+        result = json.loads(ended.out) if ended.out.startswith("{") else {}
+        if not result.get("models"):
+            return
+        tally.accepted += 1
+        tally.called.update(_library_calls(made))
+        duration = result["time_s"] or 1.0
+        cut = dice.of((1e-9, dice.random() * duration, dice.random() * duration))
+        note(*run(folder, named, "--max-time", max(cut, 1e-9), "--format", "table"))
+    if ended.code == 0:
+        tally.clean += 1
+        _try_law(made, dice.of(LAWS), dice, note)
+
+
+@dataclass(frozen=True)
+class _Noting:
+    """Counts what commands say, with the folder that is soon gone named in their arguments."""
+
+    tally: Tally
+    number: int
+    folder: Path
+
+    def __call__(self, ended: Ended, failure: Failure | None) -> Ended:
+        """Count a command."""
+        if failure is not None:
+            arguments = tuple(a.replace(str(self.folder), FOLDER) for a in failure.arguments)
+            failure = replace(failure, arguments=arguments)
+        return self.tally.note(self.number, ended, failure)
+
+
+def _try_law(made: Made, law: Law, dice: Dice, note: _Noting) -> None:
+    """Two programs that must do the same."""
+    pair = law.programs(made, dice)
+    if pair is None:
+        return
+    journals: list[tuple[int, dict[str, object]]] = []
+    for which, one in zip(("", law.command), pair, strict=True):
+        with written(one) as folder:
+            named = [folder / file for file in one.named]
+            if which:
+                note(*send(*which.split(), *named))
+            ended = note(*run(folder, named, "--format", "json"))
+        if ended.code != 0 and not journals:
+            return
+        journals.append((ended.code, journal(law.undone(ended.out))))
+    note.tally.laws += 1
+    if journals[0] != journals[1]:
+        told = _first_difference(*(json.dumps(j, indent=1).splitlines() for j in journals))
+        failure = Failure(f"law: {law.name}", ("law", law.name), told)
+        note.tally.failures.setdefault(failure.signature, []).append((note.number, failure))
+
+
+def run(
+    folder: Path, named: Sequence[Path], *options: object, grace: float = GRACE
+) -> tuple[Ended, Failure | None]:
+    """Run a program within limits, in an empty home."""
+    home = folder / "home"
+    shutil.rmtree(home, ignore_errors=True)
+    home.mkdir()
+    limits = () if "--max-time" in options else ("--max-time", MAX_TIME)
+    record = () if "--record" in options else ("--no-record",)
+    wall = ("--max-wall", MAX_WALL)
+    given = ("run", *named, "--home", home, *limits, *wall, *record, *options, "-v")
+    return send(*given, limit=MAX_WALL + grace)
+
+
+@contextmanager
+def written(made: Made) -> Iterator[Path]:
+    """A program's files in a folder of their own."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        for file, text in made.files.items():
+            (folder / file).write_text(text, encoding="utf-8")
+        yield folder
+
+
+def _library_calls(made: Made) -> set[str]:
+    words = {w.lower() for text in made.files.values() for w in re.findall(r"[A-Za-z]\w*", text)}
+    return words & set(SIMULATED)
+
+
+def _first_difference(one: list[str], other: list[str]) -> str:
+    for line, (a, b) in enumerate(zip(one, other, strict=False)):
+        if a != b:
+            return "\n".join(["one:", *one[line - 8 : line + 4], "other:", *other[line : line + 4]])
+    return f"{len(one)} and {len(other)} lines"
