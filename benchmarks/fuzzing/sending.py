@@ -122,7 +122,12 @@ def _text(stream: io.TextIOWrapper) -> str:
 def _signature(text: str, code: int) -> str:
     """The exception and the innermost functions of ours that it came from."""
     last = text.rstrip().split("Traceback (most recent call last)")[-1]
-    places = [f"{Path(file).name}:{name}" for file, name in _FRAME.findall(last)]
+    frames = [(file, f"{Path(file).name}:{name}") for file, name in _FRAME.findall(last)]
+    places = [place for _, place in frames]
+    if f"{Hang.__name__}\n" in f"{last}\n":
+        # What it was busy with; the innermost place is where the alarm found it.
+        busy = [place for file, place in frames if not file.startswith("rapidsim/cli/")]
+        return " ".join([HANGS, *busy[:_FRAMES]])
     kinds = re.findall(r"^(?:\w+\.)*(\w+)(?::|$)", last, re.MULTILINE)
     kind = next((k for k in reversed(kinds) if k[0].isupper()), f"exit {code}")
     return " ".join([kind, *places[-_FRAMES:]])

@@ -16,6 +16,7 @@ from rapidsim.simulation.journal import Journal
 from rapidsim.simulation.motion_findings import hasty_move_findings
 from rapidsim.simulation.multitasking import run_together
 from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.persistents import changed_persistents
 from rapidsim.simulation.result import (
     CornerKind,
     End,
@@ -162,7 +163,13 @@ def _simulation(
         diagnostics=findings,
         unsimulated=_not_simulated(runs),
         home_files=tuple(WrittenFile(path, size) for path, size in cell.home.written()),
-        persistents=tuple(one for outcome in outcomes for one in outcome.persistents),
+        # Now, not when each task ended: others may have gone on with what they share.
+        persistents=tuple(
+            one
+            for outcome in outcomes
+            if outcome.task is not None
+            for one in changed_persistents(outcome.task)
+        ),
         failed_moves=first.failed_moves,
         signal_starts={signal.name: signal.value for signal in options.io.signals},
         task=first.task,

@@ -25,7 +25,6 @@ from rapidsim.simulation.failed_moves import FailedMove, failed_on_the_way
 from rapidsim.simulation.journal import Journal
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.path_queue import MotionError
-from rapidsim.simulation.persistents import PersistentChange, changed_persistents
 from rapidsim.simulation.resolve import Resolver
 from rapidsim.simulation.result import End
 from rapidsim.simulation.robot_path import RobotPath
@@ -83,7 +82,6 @@ class Outcome:
     end: End
     findings: tuple[Diagnostic, ...] = ()
     failed_moves: tuple[FailedMove, ...] = ()
-    persistents: tuple[PersistentChange, ...] = ()
     task: Task | None = None
     """The program with the values it left; None where it could not be made ready."""
 
@@ -175,7 +173,7 @@ def run_to_end(
     except Stopped as stop:
         controller.abandon()
         end, findings = End.STOPPED, (stopped_finding(stop, controller.place),)
-    return Outcome(end, findings, failed, changed_persistents(task) if task else (), task)
+    return Outcome(end, findings, failed, task)
 
 
 def _run_cycles(task: Task, run: TaskRun, options: RunOptions) -> End:

@@ -145,9 +145,13 @@ class TaskMotion(TaskTime):
 
     def abandon(self) -> None:
         """Let the robot make the moves it has before the program stopped with an error."""
+        limit_s = self._cell.max_time_s
         if self._queue.is_open and not self._queue.is_halted:
             with suppress(MotionError):
-                self._queue.close()
+                if self._queue.preview().duration > limit_s:
+                    self._queue.halt(limit_s)
+                else:
+                    self._queue.close()
 
     def _stand_now(self) -> tuple[Array, Array]:
         """Joints (n,) [rad] and external axes (e,) [m or rad] while the statement runs."""
