@@ -16,6 +16,8 @@ FAILURES = Path("fuzz-failures")
 ATTEMPTS = 400
 ATTEMPTS_AT_HANGS = 40
 _PROGRESS = 500
+_TOLD = 60
+"""Lines of a traceback that are kept from either end."""
 
 
 def fuzz_programs(seed: int, numbers: Sequence[int]) -> bool:
@@ -44,7 +46,9 @@ def _kept(seed: int, number: int, failure: Failure) -> Path:
     folder.mkdir(parents=True, exist_ok=True)
     for file, text in made.files.items():
         (folder / file).write_text(text, encoding="utf-8")
-    told = f"seed {seed}, program {number}\n{' '.join(failure.arguments)}\n\n{failure.text}"
+    lines = failure.text.splitlines()
+    lines[_TOLD:-_TOLD] = ["..."] if len(lines) > 2 * _TOLD else lines[_TOLD:-_TOLD]
+    told = "\n".join([f"seed {seed}, program {number}", " ".join(failure.arguments), "", *lines])
     (folder / "failure.txt").write_text(told, encoding="utf-8")
     return folder
 
