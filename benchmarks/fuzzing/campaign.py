@@ -27,6 +27,7 @@ MAX_TIME = 30
 FOLDER = "FOLDER"
 """What stands for the folder of the program in the arguments of a failure."""
 SIMULATED = tuple(sorted(k for k, row in ROUTINES.items() if row.simulated and k not in SPECIAL))
+LAW = "law"
 _CALLS = 4
 _FORMATS = ("full", "concise", "json", "sarif", "github", "junit")
 _TRACES = ("t.csv", "t.parquet", "t.json", "t.ros.json")
@@ -57,8 +58,12 @@ class Tally:
         self.seconds[ended.arguments[0]] += ended.seconds
         self.codes[ended.arguments[0], ended.code] += 1
         if failure is not None:
-            self.failures.setdefault(failure.signature, []).append((number, failure))
+            self.fail(number, failure)
         return ended
+
+    def fail(self, number: int, failure: Failure) -> None:
+        """Keep a failure."""
+        self.failures.setdefault(failure.signature, []).append((number, failure))
 
 
 def program(seed: int, number: int) -> Made:
@@ -94,7 +99,10 @@ def try_program(seed: int, number: int, tally: Tally) -> None:
         note(*run(folder, named, "--max-time", max(cut, 1e-9), "--format", "table"))
     if ended.code == 0:
         tally.clean += 1
-        _try_law(made, dice.of(LAWS), dice, note)
+        law = dice.of(LAWS)
+        told = difference(made, law, tally, number)
+        if told is not None:
+            tally.fail(number, Failure(f"{LAW}: {law.name}", (LAW, law.name), told))
 
 
 @dataclass(frozen=True)
@@ -113,26 +121,25 @@ class _Noting:
         return self.tally.note(self.number, ended, failure)
 
 
-def _try_law(made: Made, law: Law, dice: Dice, note: _Noting) -> None:
-    """Two programs that must do the same."""
-    pair = law.programs(made, dice)
+def difference(made: Made, law: Law, tally: Tally, number: int = 0) -> str | None:
+    """Where the journals of two programs part that a law makes of one; None if it holds."""
+    pair = law.programs(made, Dice(law.name))
     if pair is None:
-        return
+        return None
     journals: list[tuple[int, dict[str, object]]] = []
-    for which, one in zip(("", law.command), pair, strict=True):
+    for command, one in zip(("", law.command), pair, strict=True):
         with written(one) as folder:
+            note = _Noting(tally, number, folder)
             named = [folder / file for file in one.named]
-            if which:
-                note(*send(*which.split(), *named))
+            if command:
+                note(*send(*command.split(), *named))
             ended = note(*run(folder, named, "--format", "json"))
         if ended.code != 0 and not journals:
-            return
+            return None
         journals.append((ended.code, journal(law.undone(ended.out))))
-    note.tally.laws += 1
-    if journals[0] != journals[1]:
-        told = _first_difference(*(json.dumps(j, indent=1).splitlines() for j in journals))
-        failure = Failure(f"law: {law.name}", ("law", law.name), told)
-        note.tally.failures.setdefault(failure.signature, []).append((note.number, failure))
+    tally.laws += 1
+    one_journal, other = (json.dumps(j, indent=1).splitlines() for j in journals)
+    return None if journals[0] == journals[1] else _first_difference(one_journal, other)
 
 
 def run(

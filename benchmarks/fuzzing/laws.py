@@ -25,7 +25,7 @@ _MAIN_ERROR = re.compile(
     r"(?m)(^  PROC main\(\)\n(?:    .*\n)+)  ERROR.*\n(?:    .*\n)*(?=  ENDPROC|  UNDO)"
 )
 _NOT_INLINED = re.compile(r"(?m)^ *(VAR|RETURN|RAISE|GOTO|EXIT|\w+:$)")
-_ROUTINE = re.compile(r"(?ms)^  (PROC|FUNC|TRAP) (?!.*?main).*?^  END\1\n")
+_ROUTINE = re.compile(r"(?ms)^  (PROC|FUNC|TRAP) (?!main\().*?^  END\1\n")
 
 
 @dataclass(frozen=True)
@@ -92,7 +92,7 @@ def _split(made: Made, dice: Dice) -> tuple[Made, Made] | None:
     text = made.files[file]
     if "LOCAL " in text or len(made.named) > 1:
         return None
-    moved = [m.group() for m in _ROUTINE.finditer(text) if "PROC main" not in m.group()]
+    moved = [m.group() for m in _ROUTINE.finditer(text)]
     moved = [routine for routine in moved if dice.chance(0.6)]
     if not moved:
         return None

@@ -7,7 +7,17 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
-from fuzzing.campaign import FOLDER, SIMULATED, Tally, program, try_program, written
+from fuzzing.campaign import (
+    FOLDER,
+    LAW,
+    SIMULATED,
+    Tally,
+    difference,
+    program,
+    try_program,
+    written,
+)
+from fuzzing.laws import LAWS
 from fuzzing.programs import Made
 from fuzzing.sending import Failure, send
 from fuzzing.shrinking import shrunk
@@ -39,9 +49,8 @@ def fuzz_programs(seed: int, numbers: Sequence[int]) -> bool:
 def _kept(seed: int, number: int, failure: Failure) -> Path:
     """The folder with the smallest program that fails so."""
     made = program(seed, number)
-    if failure.arguments[0] != "law":
-        attempts = ATTEMPTS_AT_HANGS if failure.hangs else ATTEMPTS
-        made = shrunk(made, lambda one: _fails_so(one, failure), attempts)
+    attempts = ATTEMPTS_AT_HANGS if failure.hangs else ATTEMPTS
+    made = shrunk(made, lambda one: _fails_so(one, failure), attempts)
     folder = FAILURES / re.sub(r"\W+", "_", failure.signature)
     folder.mkdir(parents=True, exist_ok=True)
     for file, text in made.files.items():
@@ -54,6 +63,9 @@ def _kept(seed: int, number: int, failure: Failure) -> Path:
 
 
 def _fails_so(made: Made, failure: Failure) -> bool:
+    if failure.arguments[0] == LAW:
+        law = next(one for one in LAWS if one.name == failure.arguments[1])
+        return difference(made, law, Tally()) is not None
     with written(made) as folder:
         (folder / "home").mkdir()
         arguments = [

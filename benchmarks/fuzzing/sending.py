@@ -62,8 +62,16 @@ class Failure:
 
 
 def send(*arguments: object, limit: float = MAX_WALL + GRACE) -> tuple[Ended, Failure | None]:
-    """Carry out one command and judge how it ended."""
+    """Carry out one command and judge how it ended.
+
+    What takes too long is tried again: the first command that needs a formula may compile it.
+    """
     given = tuple(map(str, arguments))
+    ended, failure = _sent(given, limit)
+    return _sent(given, limit) if failure is not None and failure.hangs else (ended, failure)
+
+
+def _sent(given: tuple[str, ...], limit: float) -> tuple[Ended, Failure | None]:
     begin = time.process_time()
     with _streams() as (out, err):
         code, passed = _guarded(given, limit)
