@@ -25,7 +25,7 @@ from fuzzing.shrinking import shrunk
 FAILURES = Path("fuzz-failures")
 ATTEMPTS = 400
 ATTEMPTS_AT_HANGS = 40
-_PROGRESS = 500
+_PROGRESS = 100
 _TOLD = 60
 """Lines of a traceback that are kept from either end."""
 

@@ -26,6 +26,8 @@ SOUND = (0, 1, 2, 3, 4)
 MAX_WALL = 2.0
 GRACE = 2.0
 """Seconds of the processor that a command may take beyond its `--max-wall`."""
+CHECK_LIMIT = 60.0
+"""`check` has no `--max-wall`; of an endless loop it runs 120 s of virtual time."""
 _FRAME = re.compile(r'File "[^"]*/(rapidsim/[^"]+|<[^"]+>)", line \d+, in (\S+)')
 _FRAMES = 2
 HANGS = "Hang"
@@ -61,12 +63,13 @@ class Failure:
         return self.signature.startswith(HANGS)
 
 
-def send(*arguments: object, limit: float = MAX_WALL + GRACE) -> tuple[Ended, Failure | None]:
+def send(*arguments: object, limit: float | None = None) -> tuple[Ended, Failure | None]:
     """Carry out one command and judge how it ended.
 
     What takes too long is tried again: the first command that needs a formula may compile it.
     """
     given = tuple(map(str, arguments))
+    limit = limit or (CHECK_LIMIT if given[0] == "check" else MAX_WALL + GRACE)
     ended, failure = _sent(given, limit)
     return _sent(given, limit) if failure is not None and failure.hangs else (ended, failure)
 
