@@ -9,7 +9,7 @@ from functools import cache
 
 from fuzzing.dice import Dice
 from fuzzing.scope import READABLE, WRITABLE, Scope, UserRoutine
-from fuzzing.values import INFINITE, NOT_A_NUMBER, literal
+from fuzzing.values import INFINITE, NOT_A_NUMBER, TOO_LARGE, literal
 from rapidsim.language import types
 from rapidsim.language.annotations import Mode
 from rapidsim.language.types import ArrayOf, Atomic, Kind, Record, Type, resolved, same
@@ -180,7 +180,7 @@ class Expressions:
 
     def _literal(self, of: Type, depth: int) -> str:
         if same(of, types.NUM) and self.dice.odd():
-            return self.dice.of((INFINITE, f"(-{INFINITE})", NOT_A_NUMBER, "(-0)"))
+            return self.dice.of((TOO_LARGE, INFINITE, f"(-{INFINITE})", NOT_A_NUMBER, "(-0)"))
         record = resolved(of)
         if isinstance(record, Record) and depth > 0 and self.dice.chance(0.3):
             return f"[{','.join(self.value(part.type, 0) for part in record.components)}]"

@@ -13,8 +13,10 @@ from fuzzing.dice import Dice
 from rapidsim.language.types import ArrayOf, Atomic, Record, Type, resolved
 
 UNUSED = "[9E9,9E9,9E9,9E9,9E9,9E9]"
-INFINITE = "(1E38*10)"
-NOT_A_NUMBER = "(1E38*10-1E38*10)"
+TOO_LARGE = "(1E38*10)"
+"""For single precision; expressions are more precise."""
+INFINITE = f"({'*'.join(9 * ['1E38'])})"
+NOT_A_NUMBER = f"({INFINITE}-{INFINITE})"
 
 _NUMBERS = ("0", "1", "2", "3", "5", "10", "50", "100", "0.5", "0.25", "-1", "-3", "45", "90")
 _ODD_NUMBERS = (

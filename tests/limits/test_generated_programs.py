@@ -52,7 +52,7 @@ def test_a_sample_of_programs(first: int) -> None:
     for number in range(first + 1, first + 1 + AT_ONCE):
         try_program(SEED, number, tally)
     assert not tally.failures
-    assert tally.accepted > 0.7 * tally.programs
+    assert tally.accepted > 0.5 * tally.programs
 
 
 def test_a_program_follows_from_its_number() -> None:
