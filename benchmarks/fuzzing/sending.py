@@ -23,6 +23,7 @@ from rapidsim.cli.boundary import run_commands
 
 SOUND = (0, 1, 2, 3, 4)
 """Exit codes of commands that nobody interrupted; 70 is a defect."""
+INTERRUPTED = (130, 143)
 MAX_WALL = 2.0
 GRACE = 2.0
 """Seconds of the processor that a command may take beyond its `--max-wall`."""
@@ -79,6 +80,9 @@ def _sent(given: tuple[str, ...], limit: float) -> tuple[Ended, Failure | None]:
     with _streams() as (out, err):
         code, passed = _guarded(given, limit)
     seconds = time.process_time() - begin
+    if code in INTERRUPTED:
+        # The command took what was meant for the fuzzer.
+        sys.exit(code)
     ended = Ended(given, code, _text(out), _text(err), seconds)
     text = ended.err + passed
     if passed or "Traceback (most recent call last)" in text or code not in SOUND:
