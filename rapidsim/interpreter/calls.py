@@ -277,8 +277,8 @@ class Calls:
             calls |= code.calls
             nodes[key] = code.node
         self._refuse_two_alternatives(signature.parameters, given, nodes, at)
-        values = [nodes[key] for parameter, key in there if not parameter.optional]
-        options = [(parameter.python, nodes[key]) for parameter, key in there if parameter.optional]
+        values = [nodes[key] for parameter, key in there if not parameter.by_keyword]
+        options = [(p.python, nodes[key]) for p, key in there if p.by_keyword]
         if signature.type_keyword:
             of = self._given_type(signature.type_of, given)
             options.append(

@@ -178,7 +178,7 @@ class LateBinding:
                 value = value.value if value is not ABSENT else None
             elif parameter.mode is not Mode.IN and not shape.is_reference:
                 value = value if isinstance(value, list) else Cell(value)
-            if parameter.optional:
+            if parameter.by_keyword:
                 options[parameter.python] = None if value is ABSENT else value
             else:
                 positional.append(value)

@@ -12,7 +12,8 @@ part of the signature. Python's `max_time` is RAPID's `MaxTime`; `X | Y` takes e
 - A keyword-only `ArgumentType` is not part of the signature either: it is given the type of the
   argument for the first parameter that takes `anytype` or several types, where num and dnum must be
   told apart.
-- `**options: Unpack[SomeTypedDict]` stands for one optional argument each.
+- `**options: Unpack[SomeTypedDict]` stands for one argument each, given by keyword: those that the
+  row of the routine names, optional or not.
 - Signals arrive as references to a `Signal`, which names the signal; a signal that no module
   declares is as if it were declared with its own name.
 """

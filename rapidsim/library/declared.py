@@ -109,7 +109,7 @@ def _returned(result: Type) -> str:
 
 
 def _by_name(signature: Signature, arguments: tuple[object, ...]) -> dict[str, object]:
-    required = (p.python for p in signature.parameters if not p.optional)
+    required = (p.python for p in signature.parameters if not p.by_keyword)
     return dict(zip(required, arguments, strict=True))
 
 
@@ -147,4 +147,4 @@ def _parameter(text: str, optional: bool) -> Parameter:
         of = types.ArrayOf(of, (None,) * match["stars"].count("*"))
     mode = Mode[match["mode"]] if match["mode"] else Mode.IN
     name = match["name"]
-    return Parameter(name, name.lower(), (of,), mode, optional, of == types.SWITCH)
+    return Parameter(name, name.lower(), (of,), mode, optional, optional, of == types.SWITCH)

@@ -1,5 +1,7 @@
 r"""Move instructions: they make a `Move` of their arguments and give it to the controller.
 
+All moves are made here (`asked`), also those of other chapters, which do more on their way.
+
 Program displacement and offsets of external axes are applied here, so that the controller sees
 targets in the work object. \V, \T and \Z replace what speed and zone say; \Inpos makes any zone a
 stop point, with the times it gives.
@@ -9,6 +11,10 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 """
 
 from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from types import MappingProxyType
+from typing import TypedDict, Unpack
 
 from rapidsim.language.annotations import IdentNo, Num, Pers, Switch
 from rapidsim.language.controller import Controller, Interpolation, Move, StopTime
@@ -23,119 +29,95 @@ from rapidsim.language.data import (
     WobjData,
     ZoneData,
 )
+from rapidsim.language.reference import Reference
 from rapidsim.language.single import single
 from rapidsim.library.displacement import in_object, with_axis_offsets
 from rapidsim.library.honesty import ignored
-from rapidsim.library.table import routine, table
+from rapidsim.library.table import LibraryRoutine, routine, table
 
 
-def move_j(
+class MoveOptions(TypedDict, total=False):
+    """What a move may have beside target, speed, zone and tool."""
+
+    cir_point: RobTarget
+    conc: Switch
+    id_: IdentNo
+    no_eoffs: Switch
+    use_eoffs: Switch
+    v: Num
+    t: Num
+    z: Num
+    inpos: StopPointData
+    wobj: Pers[WobjData]
+    corr: Switch
+    tload: Pers[LoadData]
+
+
+def asked(
     controller: Controller,
-    to_point: RobTarget,
+    name: str,
+    interpolation: Interpolation,
+    to: RobTarget | JointTarget,
     speed: SpeedData,
     zone: ZoneData,
-    tool: Pers[ToolData],
-    *,
-    conc: Switch = False,
-    id_: IdentNo | None = None,
-    v: Num | None = None,
-    t: Num | None = None,
-    z: Num | None = None,
-    inpos: StopPointData | None = None,
-    wobj: Pers[WobjData] | None = None,
-    tload: Pers[LoadData] | None = None,
-) -> None:
-    """Move all axes together to a pose."""
-    ignored(controller, "MoveJ", {r"\TLoad": tload})
-    controller.move(
-        Move(
-            "MoveJ",
-            Interpolation.JOINT,
-            in_object(controller, to_point),
-            speed_of(speed, v),
-            zone_of(zone, z, inpos),
-            tool.value,
-            WOBJ0 if wobj is None else wobj.value,
-            duration_s=t,
-            concurrent=conc,
-            sync_id=id_,
-            stop=stop_of(controller, inpos),
-        )
+    tool: Reference[ToolData] | None,
+    options: MoveOptions,
+    sync_id: float | None = None,
+) -> Move:
+    """The move that an instruction asks for; options that change nothing are reported.
+
+    Args:
+        controller: Of the task.
+        name: The instruction.
+        interpolation: How it moves.
+        to: The target as the program gives it; axis positions with the offsets that count for them.
+        speed: Without its option.
+        zone: Likewise.
+        tool: None where the instruction has none: then tool and work object in force count.
+        options: All others that were given.
+        sync_id: What the instruction makes of its option to move in step with other robots.
+    """
+    left_out = {
+        r"\Corr": options.get("corr"),
+        r"\ID": options.get("id_"),
+        r"\TLoad": options.get("tload"),
+    }
+    ignored(controller, name, left_out)
+    cir_point, wobj, inpos = options.get("cir_point"), options.get("wobj"), options.get("inpos")
+    no_object = WOBJ0 if tool is not None else controller.active_wobj()
+    return Move(
+        name,
+        interpolation,
+        to if isinstance(to, JointTarget) else in_object(controller, to),
+        _speed(speed, options.get("v")),
+        _zone(zone, options.get("z"), inpos),
+        controller.active_tool() if tool is None else tool.value,
+        no_object if wobj is None else wobj.value,
+        circle_point=None if cir_point is None else in_object(controller, cir_point),
+        duration_s=options.get("t"),
+        concurrent=options.get("conc", False),
+        sync_id=sync_id,
+        stop=_stop(controller, inpos),
     )
 
 
-def move_l(
-    controller: Controller,
-    to_point: RobTarget,
-    speed: SpeedData,
-    zone: ZoneData,
-    tool: Pers[ToolData],
-    *,
-    conc: Switch = False,
-    id_: IdentNo | None = None,
-    v: Num | None = None,
-    t: Num | None = None,
-    z: Num | None = None,
-    inpos: StopPointData | None = None,
-    wobj: Pers[WobjData] | None = None,
-    corr: Switch = False,
-    tload: Pers[LoadData] | None = None,
-) -> None:
-    """Move the TCP on a straight line to a pose."""
-    ignored(controller, "MoveL", {r"\Corr": corr, r"\TLoad": tload})
-    controller.move(
-        Move(
-            "MoveL",
-            Interpolation.LINE,
-            in_object(controller, to_point),
-            speed_of(speed, v),
-            zone_of(zone, z, inpos),
-            tool.value,
-            WOBJ0 if wobj is None else wobj.value,
-            duration_s=t,
-            concurrent=conc,
-            sync_id=id_,
-            stop=stop_of(controller, inpos),
-        )
-    )
+def move(name: str, interpolation: Interpolation) -> Callable[..., None]:
+    """The body of a move to a pose that does nothing else."""
 
-
-def move_c(
-    controller: Controller,
-    cir_point: RobTarget,
-    to_point: RobTarget,
-    speed: SpeedData,
-    zone: ZoneData,
-    tool: Pers[ToolData],
-    *,
-    conc: Switch = False,
-    id_: IdentNo | None = None,
-    v: Num | None = None,
-    t: Num | None = None,
-    z: Num | None = None,
-    inpos: StopPointData | None = None,
-    wobj: Pers[WobjData] | None = None,
-    corr: Switch = False,
-    tload: Pers[LoadData] | None = None,
-) -> None:
-    """Move the TCP on an arc through a circle point to a pose."""
-    ignored(controller, "MoveC", {r"\Corr": corr, r"\TLoad": tload})
-    controller.move(
-        Move(
-            "MoveC",
-            Interpolation.CIRCLE,
-            in_object(controller, to_point),
-            speed_of(speed, v),
-            zone_of(zone, z, inpos),
-            tool.value,
-            WOBJ0 if wobj is None else wobj.value,
-            circle_point=in_object(controller, cir_point),
-            duration_s=t,
-            concurrent=conc,
-            sync_id=id_,
-            stop=stop_of(controller, inpos),
+    def body(
+        controller: Controller,
+        to_point: RobTarget,
+        speed: SpeedData,
+        zone: ZoneData,
+        tool: Pers[ToolData],
+        **options: Unpack[MoveOptions],
+    ) -> None:
+        sync_id = options.pop("id_", None)
+        controller.move(
+            asked(controller, name, interpolation, to_point, speed, zone, tool, options, sync_id)
         )
-    )
+
+    return body
 
 
 def move_abs_j(
@@ -144,35 +126,13 @@ def move_abs_j(
     speed: SpeedData,
     zone: ZoneData,
     tool: Pers[ToolData],
-    *,
-    conc: Switch = False,
-    id_: IdentNo | None = None,
-    no_eoffs: Switch = False,
-    v: Num | None = None,
-    t: Num | None = None,
-    z: Num | None = None,
-    inpos: StopPointData | None = None,
-    wobj: Pers[WobjData] | None = None,
-    tload: Pers[LoadData] | None = None,
+    **options: Unpack[MoveOptions],
 ) -> None:
     """Move all axes together to axis positions; program displacement has no effect."""
-    ignored(controller, "MoveAbsJ", {r"\TLoad": tload})
-    offsets = None if no_eoffs else controller.settings.axis_offsets
-    controller.move(
-        Move(
-            "MoveAbsJ",
-            Interpolation.AXES,
-            JointTarget(to_joint_pos.robax, with_axis_offsets(to_joint_pos.extax, offsets)),
-            speed_of(speed, v),
-            zone_of(zone, z, inpos),
-            tool.value,
-            WOBJ0 if wobj is None else wobj.value,
-            duration_s=t,
-            concurrent=conc,
-            sync_id=id_,
-            stop=stop_of(controller, inpos),
-        )
-    )
+    offsets = None if options.get("no_eoffs") else controller.settings.axis_offsets
+    to = JointTarget(to_joint_pos.robax, with_axis_offsets(to_joint_pos.extax, offsets))
+    how, sync_id = Interpolation.AXES, options.pop("id_", None)
+    controller.move(asked(controller, "MoveAbsJ", how, to, speed, zone, tool, options, sync_id))
 
 
 def move_ext_j(
@@ -180,34 +140,16 @@ def move_ext_j(
     to_joint_pos: JointTarget,
     speed: SpeedData,
     zone: ZoneData,
-    *,
-    conc: Switch = False,
-    id_: IdentNo | None = None,
-    use_eoffs: Switch = False,
-    t: Num | None = None,
-    inpos: StopPointData | None = None,
+    **options: Unpack[MoveOptions],
 ) -> None:
     """Move the external axes only; the robot stays where it is on them."""
-    ignored(controller, "MoveExtJ", {})
-    offsets = controller.settings.axis_offsets if use_eoffs else None
-    controller.move(
-        Move(
-            "MoveExtJ",
-            Interpolation.EXTERNAL_AXES,
-            JointTarget(to_joint_pos.robax, with_axis_offsets(to_joint_pos.extax, offsets)),
-            speed,
-            zone_of(zone, None, inpos),
-            controller.active_tool(),
-            controller.active_wobj(),
-            duration_s=t,
-            concurrent=conc,
-            sync_id=id_,
-            stop=stop_of(controller, inpos),
-        )
-    )
+    offsets = controller.settings.axis_offsets if options.get("use_eoffs") else None
+    to = JointTarget(to_joint_pos.robax, with_axis_offsets(to_joint_pos.extax, offsets))
+    how, sync_id = Interpolation.EXTERNAL_AXES, options.pop("id_", None)
+    controller.move(asked(controller, "MoveExtJ", how, to, speed, zone, None, options, sync_id))
 
 
-def stop_of(controller: Controller, inpos: StopPointData | None) -> StopTime | None:
+def _stop(controller: Controller, inpos: StopPointData | None) -> StopTime | None:
     r"""What \Inpos asks for beside the stop itself."""
     if inpos is None:
         return None
@@ -221,12 +163,12 @@ def stop_of(controller: Controller, inpos: StopPointData | None) -> StopTime | N
             return None
 
 
-def speed_of(speed: SpeedData, v: float | None) -> SpeedData:
+def _speed(speed: SpeedData, v: float | None) -> SpeedData:
     r"""The speed of a move, with \V in it."""
     return speed if v is None else SpeedData(v, *speed[1:])
 
 
-def zone_of(zone: ZoneData, z: float | None, inpos: StopPointData | None) -> ZoneData:
+def _zone(zone: ZoneData, z: float | None, inpos: StopPointData | None) -> ZoneData:
     r"""The zone of a move, with \Z and \Inpos in it."""
     if inpos is not None:
         zone = ZoneData(True, *zone[1:])
@@ -238,12 +180,49 @@ def zone_of(zone: ZoneData, z: float | None, inpos: StopPointData | None) -> Zon
     return ZoneData(zone.finep, z, *(single(size * scale) for size in zone[2:]))
 
 
+_WAYS: Mapping[str, tuple[Interpolation, str]] = MappingProxyType(
+    {
+        "J": (Interpolation.JOINT, "Move all axes together to a pose"),
+        "L": (Interpolation.LINE, "Move the TCP on a straight line to a pose"),
+        "C": (Interpolation.CIRCLE, "Move the TCP on an arc through a circle point to a pose"),
+    }
+)
+"""By the letter in an instruction's name."""
+
+
+def each_way(
+    name: str,
+    body_of: Callable[[str, Interpolation], Callable[..., None]],
+    order: str,
+    does: str = "",
+    ways: str = "JLC",
+) -> Iterator[LibraryRoutine]:
+    r"""The rows of an instruction that moves to a pose, one a way to move.
+
+    Args:
+        name: With `*` for the letter of the way, as in `Move*DO`.
+        body_of: Makes the function, of the name and the way.
+        order: That of the move on a line; an arc has a CirPoint more, a joint move no \Corr.
+        does: What it does beside, to stand after how it moves.
+        ways: The letters.
+    """
+    for letter in ways:
+        own = name.replace("*", letter)
+        interpolation, moves = _WAYS[letter]
+        body = body_of(own, interpolation)
+        body.__doc__ = f"{moves}{does}."
+        if interpolation is Interpolation.JOINT:
+            yield routine(own, body, order.replace(r" \Corr", ""))
+        elif interpolation is Interpolation.CIRCLE:
+            yield routine(own, body, order.replace("ToPoint", "CirPoint ToPoint"))
+        else:
+            yield routine(own, body, order)
+
+
 _AFTER_POINT = r"Speed \V|\T Zone \Z \Inpos Tool \WObj"
 
 MOTION = table(
-    routine("MoveJ", move_j, rf"\Conc ToPoint \ID {_AFTER_POINT} \TLoad"),
-    routine("MoveL", move_l, rf"\Conc ToPoint \ID {_AFTER_POINT} \Corr \TLoad"),
-    routine("MoveC", move_c, rf"\Conc CirPoint ToPoint \ID {_AFTER_POINT} \Corr \TLoad"),
+    *each_way("Move*", move, rf"\Conc ToPoint \ID {_AFTER_POINT} \Corr \TLoad"),
     routine("MoveAbsJ", move_abs_j, rf"\Conc ToJointPos \ID \NoEOffs {_AFTER_POINT} \TLoad"),
     routine("MoveExtJ", move_ext_j, r"\Conc ToJointPos \ID \UseEOffs Speed \T Zone \Inpos"),
 )

@@ -6,12 +6,12 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 
 from __future__ import annotations
 
-from typing import TypedDict, Unpack
+from collections.abc import Callable
+from typing import Unpack
 
 from rapidsim.language.annotations import (
     DioNum,
     Dnum,
-    IdentNo,
     Num,
     Pers,
     SignalAo,
@@ -20,33 +20,13 @@ from rapidsim.language.annotations import (
     String,
     Var,
 )
-from rapidsim.language.controller import Controller, Interpolation, Move
-from rapidsim.language.data import (
-    WOBJ0,
-    LoadData,
-    RobTarget,
-    Signal,
-    SpeedData,
-    ToolData,
-    WobjData,
-    ZoneData,
-)
+from rapidsim.language.controller import Controller, Interpolation
+from rapidsim.language.data import RobTarget, SpeedData, ToolData, ZoneData
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.path_events import CallProcedure, SetOutput, Trigger
-from rapidsim.language.reference import Reference
-from rapidsim.library.displacement import in_object
-from rapidsim.library.honesty import ignored
+from rapidsim.library.motion import MoveOptions, asked, each_way
 from rapidsim.library.signals import connected
-from rapidsim.library.table import LibraryRoutine, routine, table
-
-
-class MoveOptions(TypedDict, total=False):
-    """What these instructions may have beside their required arguments."""
-
-    id_: IdentNo
-    t: Num
-    wobj: Pers[WobjData]
-    tload: Pers[LoadData]
+from rapidsim.library.table import table
 
 
 class GroupValue(MoveOptions, total=False):
@@ -56,59 +36,7 @@ class GroupValue(MoveOptions, total=False):
     d_value: Dnum
 
 
-def _ends_with(
-    controller: Controller,
-    name: str,
-    action: SetOutput | CallProcedure,
-    to_point: RobTarget,
-    speed: SpeedData,
-    zone: ZoneData,
-    tool: Reference[ToolData],
-    options: MoveOptions | GroupValue,
-    cir_point: RobTarget | None = None,
-) -> None:
-    ignored(controller, name, {r"\ID": options.get("id_"), r"\TLoad": options.get("tload")})
-    wobj = options.get("wobj")
-    move = Move(
-        name,
-        _INTERPOLATION[name[4]],
-        in_object(controller, to_point),
-        speed,
-        zone,
-        tool.value,
-        WOBJ0 if wobj is None else wobj.value,
-        circle_point=None if cir_point is None else in_object(controller, cir_point),
-        duration_s=options.get("t"),
-    )
-    controller.move(move, (Trigger(action),))
-
-
-_INTERPOLATION = {
-    "J": Interpolation.JOINT,
-    "L": Interpolation.LINE,
-    "C": Interpolation.CIRCLE,
-}
-"""By the fifth letter of the instruction."""
-
-
-def _digital(signal: Reference[Signal], value: float) -> SetOutput:
-    return SetOutput(connected(signal), 0.0 if value == 0.0 else 1.0)
-
-
-def _analog(signal: Reference[Signal], value: float) -> SetOutput:
-    return SetOutput(connected(signal), value)
-
-
-def _group(signal: Reference[Signal], options: GroupValue) -> SetOutput:
-    value = options.get("value")
-    if value is None:
-        value = options.get("d_value")
-    if value is None:
-        raise rapid_error(ERR_ARGVALERR, r"one of \Value and \DValue is needed")
-    return SetOutput(connected(signal), value)
-
-
-def _with_do(name: str) -> LibraryRoutine:
+def _digital(name: str, way: Interpolation) -> Callable[..., None]:
     def body(
         controller: Controller,
         to_point: RobTarget,
@@ -119,13 +47,14 @@ def _with_do(name: str) -> LibraryRoutine:
         value: DioNum,
         **options: Unpack[MoveOptions],
     ) -> None:
-        action = _digital(signal, value)
-        _ends_with(controller, name, action, to_point, speed, zone, tool, options)
+        at_end = Trigger(SetOutput(connected(signal), 0.0 if value == 0.0 else 1.0))
+        move = asked(controller, name, way, to_point, speed, zone, tool, options)
+        controller.move(move, (at_end,))
 
-    return routine(name, body, rf"{_TO_POINT} Signal Value \TLoad")
+    return body
 
 
-def _with_ao(name: str) -> LibraryRoutine:
+def _analog(name: str, way: Interpolation) -> Callable[..., None]:
     def body(
         controller: Controller,
         to_point: RobTarget,
@@ -136,13 +65,14 @@ def _with_ao(name: str) -> LibraryRoutine:
         value: Num,
         **options: Unpack[MoveOptions],
     ) -> None:
-        action = _analog(signal, value)
-        _ends_with(controller, name, action, to_point, speed, zone, tool, options)
+        at_end = Trigger(SetOutput(connected(signal), value))
+        move = asked(controller, name, way, to_point, speed, zone, tool, options)
+        controller.move(move, (at_end,))
 
-    return routine(name, body, rf"{_TO_POINT} Signal Value \TLoad")
+    return body
 
 
-def _with_go(name: str) -> LibraryRoutine:
+def _group(name: str, way: Interpolation) -> Callable[..., None]:
     def body(
         controller: Controller,
         to_point: RobTarget,
@@ -152,13 +82,19 @@ def _with_go(name: str) -> LibraryRoutine:
         signal: Var[SignalGo],
         **options: Unpack[GroupValue],
     ) -> None:
-        action = _group(signal, options)
-        _ends_with(controller, name, action, to_point, speed, zone, tool, options)
+        value = options.get("value")
+        if value is None:
+            value = options.get("d_value")
+        if value is None:
+            raise rapid_error(ERR_ARGVALERR, r"one of \Value and \DValue is needed")
+        at_end = Trigger(SetOutput(connected(signal), value))
+        move = asked(controller, name, way, to_point, speed, zone, tool, options)
+        controller.move(move, (at_end,))
 
-    return routine(name, body, rf"{_TO_POINT} Signal \Value|\DValue \TLoad")
+    return body
 
 
-def _with_call(name: str) -> LibraryRoutine:
+def _call(name: str, way: Interpolation) -> Callable[..., None]:
     def body(
         controller: Controller,
         to_point: RobTarget,
@@ -168,87 +104,26 @@ def _with_call(name: str) -> LibraryRoutine:
         proc_name: String,
         **options: Unpack[MoveOptions],
     ) -> None:
-        action = CallProcedure(proc_name)
-        _ends_with(controller, name, action, to_point, speed, zone, tool, options)
+        move = asked(controller, name, way, to_point, speed, zone, tool, options)
+        controller.move(move, (Trigger(CallProcedure(proc_name)),))
 
-    return routine(name, body, rf"{_TO_POINT} ProcName \TLoad")
-
-
-def move_c_do(
-    controller: Controller,
-    cir_point: RobTarget,
-    to_point: RobTarget,
-    speed: SpeedData,
-    zone: ZoneData,
-    tool: Pers[ToolData],
-    signal: Var[SignalDo],
-    value: DioNum,
-    **options: Unpack[MoveOptions],
-) -> None:
-    """Move on an arc and set a digital output at its end."""
-    action = _digital(signal, value)
-    _ends_with(controller, "MoveCDO", action, to_point, speed, zone, tool, options, cir_point)
+    return body
 
 
-def move_c_ao(
-    controller: Controller,
-    cir_point: RobTarget,
-    to_point: RobTarget,
-    speed: SpeedData,
-    zone: ZoneData,
-    tool: Pers[ToolData],
-    signal: Var[SignalAo],
-    value: Num,
-    **options: Unpack[MoveOptions],
-) -> None:
-    """Move on an arc and set an analog output at its end."""
-    action = _analog(signal, value)
-    _ends_with(controller, "MoveCAO", action, to_point, speed, zone, tool, options, cir_point)
-
-
-def move_c_go(
-    controller: Controller,
-    cir_point: RobTarget,
-    to_point: RobTarget,
-    speed: SpeedData,
-    zone: ZoneData,
-    tool: Pers[ToolData],
-    signal: Var[SignalGo],
-    **options: Unpack[GroupValue],
-) -> None:
-    """Move on an arc and set a group of outputs at its end."""
-    action = _group(signal, options)
-    _ends_with(controller, "MoveCGO", action, to_point, speed, zone, tool, options, cir_point)
-
-
-def move_c_sync(
-    controller: Controller,
-    cir_point: RobTarget,
-    to_point: RobTarget,
-    speed: SpeedData,
-    zone: ZoneData,
-    tool: Pers[ToolData],
-    proc_name: String,
-    **options: Unpack[MoveOptions],
-) -> None:
-    """Move on an arc and call a procedure at its end."""
-    action = CallProcedure(proc_name)
-    _ends_with(controller, "MoveCSync", action, to_point, speed, zone, tool, options, cir_point)
-
-
-_TO_POINT = r"ToPoint \ID Speed \T Zone Tool \WObj"
+_MOVE = r"ToPoint \ID Speed \T Zone Tool \WObj"
 
 OUTPUT_MOVES = table(
-    _with_do("MoveJDO"),
-    _with_do("MoveLDO"),
-    routine("MoveCDO", move_c_do, rf"CirPoint {_TO_POINT} Signal Value \TLoad"),
-    _with_ao("MoveJAO"),
-    _with_ao("MoveLAO"),
-    routine("MoveCAO", move_c_ao, rf"CirPoint {_TO_POINT} Signal Value \TLoad"),
-    _with_go("MoveJGO"),
-    _with_go("MoveLGO"),
-    routine("MoveCGO", move_c_go, rf"CirPoint {_TO_POINT} Signal \Value|\DValue \TLoad"),
-    _with_call("MoveJSync"),
-    _with_call("MoveLSync"),
-    routine("MoveCSync", move_c_sync, rf"CirPoint {_TO_POINT} ProcName \TLoad"),
+    *each_way(
+        "Move*DO", _digital, rf"{_MOVE} Signal Value \TLoad", " and set a digital output there"
+    ),
+    *each_way(
+        "Move*AO", _analog, rf"{_MOVE} Signal Value \TLoad", " and set an analog output there"
+    ),
+    *each_way(
+        "Move*GO",
+        _group,
+        rf"{_MOVE} Signal \Value|\DValue \TLoad",
+        " and set a group of outputs there",
+    ),
+    *each_way("Move*Sync", _call, rf"{_MOVE} ProcName \TLoad", " and call a procedure there"),
 )

@@ -10,37 +10,35 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any
 
-from rapidsim.language.controller import Controller
+from rapidsim.language.controller import Controller, Interpolation
 from rapidsim.language.data import FINE
-from rapidsim.library.motion import move_c, move_j, move_l
+from rapidsim.library.motion import move
 
 Substitute = Callable[[Controller, Mapping[str, Any]], None]
 
 
-def _joint(controller: Controller, given: Mapping[str, Any]) -> None:
-    zone = given.get("zone") or FINE
-    tool, point, speed = given["tool"], given["topoint"], given["speed"]
-    move_j(controller, point, speed, zone, tool, **_options(given))
+def _instead(name: str, interpolation: Interpolation) -> Substitute:
+    body = move(name, interpolation)
 
+    def substitute(controller: Controller, given: Mapping[str, Any]) -> None:
+        zone = given.get("zone") or FINE
+        point, speed, tool = given["topoint"], given["speed"], given["tool"]
+        body(controller, point, speed, zone, tool, **_options(given))
 
-def _line(controller: Controller, given: Mapping[str, Any]) -> None:
-    zone = given.get("zone") or FINE
-    tool, point, speed = given["tool"], given["topoint"], given["speed"]
-    move_l(controller, point, speed, zone, tool, **_options(given))
-
-
-def _circle(controller: Controller, given: Mapping[str, Any]) -> None:
-    zone = given.get("zone") or FINE
-    tool, point, speed = given["tool"], given["topoint"], given["speed"]
-    move_c(controller, given["cirpoint"], point, speed, zone, tool, **_options(given))
+    return substitute
 
 
 def _options(given: Mapping[str, Any]) -> dict[str, Any]:
-    """The options of a move that these instructions may have too."""
-    return {name: given[name] for name in ("conc", "v", "t", "wobj") if given.get(name)}
+    """The options of a move that these instructions may have too, and its circle point."""
+    options = {name: given[name] for name in ("conc", "v", "t", "wobj") if given.get(name)}
+    return options | ({"cir_point": given["cirpoint"]} if "cirpoint" in given else {})
 
 
 SUBSTITUTES: Mapping[str, Substitute] = MappingProxyType(
-    {"MoveJ": _joint, "MoveL": _line, "MoveC": _circle}
+    {
+        "MoveJ": _instead("MoveJ", Interpolation.JOINT),
+        "MoveL": _instead("MoveL", Interpolation.LINE),
+        "MoveC": _instead("MoveC", Interpolation.CIRCLE),
+    }
 )
 """By what stands after `=>` in `declared.txt`."""

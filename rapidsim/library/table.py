@@ -3,6 +3,7 @@ r"""The table of installed routines: one row a routine, read by checker, interpr
 A row names a typed Python function; its annotations are the RAPID signature (see
 `language.annotations`). What Python cannot say, that options stand before required arguments or
 exclude each other, a row says in `order`, in RAPID's own spelling: `\SDelay|\Sync Signal Value`.
+Of the options that a group of them stands for (`**options`), a row has those that its order names.
 Reading annotations costs time, so a signature is read when first asked.
 """
 
@@ -49,6 +50,8 @@ class Parameter:
     """The types it takes; several where RAPID has alternatives such as `Name | Dname`."""
     mode: Mode = Mode.IN
     optional: bool = False
+    by_keyword: bool = False
+    """The Python function takes it by keyword, as it does all that is optional."""
     is_switch: bool = False
     group: int = 0
     """Optional parameters with the same number above 0 exclude each other."""
@@ -62,8 +65,7 @@ class Parameter:
 class Signature:
     """Parameters in call order; `result` is None for an instruction.
 
-    Required arguments are given to the Python function by position, in this order, options by
-    keyword.
+    The Python function is given arguments by position, in this order, but those `by_keyword`.
     """
 
     parameters: tuple[Parameter, ...]
@@ -129,6 +131,7 @@ def _read_signature(body: Callable[..., Any], order: str) -> Signature:
     python_parameters = list(inspect.signature(body).parameters.values())
     takes_controller = bool(python_parameters) and _is_protocol(hints[python_parameters[0].name])
     read: dict[str, Parameter] = {}
+    grouped: set[str] = set()
     type_keyword = ""
     for python in python_parameters[takes_controller:]:
         hint = hints[python.name]
@@ -138,11 +141,14 @@ def _read_signature(body: Callable[..., Any], order: str) -> Signature:
         if python.kind is inspect.Parameter.VAR_KEYWORD:
             (group,) = get_args(hint)
             for name, member in get_type_hints(group, include_extras=True).items():
-                read[_folded(name)] = _read_parameter(name, member, optional=True)
+                read[_folded(name)] = _read_parameter(name, member, by_keyword=True)
+                grouped.add(_folded(name))
             continue
-        optional = python.kind is inspect.Parameter.KEYWORD_ONLY
-        read[_folded(python.name)] = _read_parameter(python.name, hint, optional)
+        by_keyword = python.kind is inspect.Parameter.KEYWORD_ONLY
+        read[_folded(python.name)] = _read_parameter(python.name, hint, by_keyword)
     parameters = _ordered(read, order) if order else tuple(read.values())
+    missing = set(read) - {_folded(parameter.name) for parameter in parameters} - grouped
+    assert not missing, f"{', '.join(missing)}: missing in the order {order!r}"
     result = hints["return"]
     return Signature(
         parameters,
@@ -171,15 +177,14 @@ def _ordered(read: dict[str, Parameter], order: str) -> tuple[Parameter, ...]:
         names = item.replace("\\", "").split("|")
         group += len(names) > 1
         for name in names:
-            found = read.pop(_folded(name))
-            assert found.optional == item.startswith("\\"), f"{name}: optional or not?"
+            found, optional = read[_folded(name)], item.startswith("\\")
+            assert found.by_keyword or not optional, f"{name}: optional or not?"
             shared = group if len(names) > 1 else 0
-            parameters.append(replace(found, name=name, group=shared))
-    assert not read, f"{', '.join(read)}: missing in the order {order!r}"
+            parameters.append(replace(found, name=name, optional=optional, group=shared))
     return tuple(parameters)
 
 
-def _read_parameter(python: str, hint: object, optional: bool) -> Parameter:
+def _read_parameter(python: str, hint: object, by_keyword: bool) -> Parameter:
     members = get_args(hint) if get_origin(hint) in (Union, UnionType) else (hint,)
     read = [_read_type(member) for member in members if member is not NoneType]
     _, mode, deferred = read[0]
@@ -190,7 +195,15 @@ def _read_parameter(python: str, hint: object, optional: bool) -> Parameter:
     is_switch = found == (types.SWITCH,)
     only = next((one for one in _metadata(hint) if isinstance(one, Only)), None)
     return Parameter(
-        spelling, python, found, mode, optional, is_switch, deferred=deferred, only=only
+        spelling,
+        python,
+        found,
+        mode,
+        by_keyword,
+        by_keyword,
+        is_switch,
+        deferred=deferred,
+        only=only,
     )
 
 

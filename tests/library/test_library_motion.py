@@ -74,7 +74,7 @@ def test_without_a_work_object_it_is_wobj0() -> None:
 def test_each_instruction_has_its_interpolation() -> None:
     assert moved("MoveJ", P10, V100, FINE, TOOL).interpolation is Interpolation.JOINT
     assert moved("MoveAbsJ", JOINTS, V100, FINE, TOOL).interpolation is Interpolation.AXES
-    arc = moved("MoveC", P10, P20, V100, FINE, TOOL)
+    arc = moved("MoveC", P20, V100, FINE, TOOL, cir_point=P10)
     assert arc.interpolation is Interpolation.CIRCLE
     assert (arc.circle_point, arc.to) == (P10, P20)
 
@@ -85,6 +85,62 @@ def test_options_replace_speed_and_zone() -> None:
     assert move.zone == ZoneData(False, 20.0, 30.0, 30.0, 3.0, 30.0, 3.0)
     assert move.concurrent
     assert moved("MoveL", P10, V100, Z10, TOOL, t=2.5).duration_s == 2.5
+
+
+TO_A_POSE = [
+    row.name
+    for row in ROUTINES.values()
+    if row.simulated and any(p.name == "ToPoint" for p in row.signature.parameters)
+]
+WAYS = {"J": Interpolation.JOINT, "L": Interpolation.LINE, "C": Interpolation.CIRCLE}
+
+
+def test_all_moves_to_a_pose_are_known() -> None:
+    assert sorted(TO_A_POSE) == sorted(
+        [f"Move{way}{more}" for way in "JLC" for more in ("", "DO", "AO", "GO", "Sync")]
+        + ["TriggJ", "TriggL", "TriggC", "TriggJIOs", "TriggLIOs", "SearchL", "SearchC"]
+    )
+
+
+@pytest.mark.parametrize("name", TO_A_POSE)
+def test_all_moves_to_a_pose_take_the_same_arguments_alike(name: str) -> None:
+    given: dict[str, object] = {
+        "cir_point": P20,
+        "to_point": P10,
+        "speed": V100,
+        "zone": Z10,
+        "tool": Cell(GRIPPER),
+        "signal": Cell(DO_GUN),
+        "search_point": Cell(P20),
+        "trigg_1": Cell(Trigger(SetOutput("doGun", 1.0))),
+        "value": 1.0,
+        "proc_name": "glue",
+        "wobj": Cell(TABLE),
+        "t": 2.5,
+        "conc": True,
+        "tload": Cell(LOAD0),
+        "corr": True,
+    }
+    controller = RecordingController()
+    parameters = [p for p in ROUTINES[name.lower()].signature.parameters if p.python in given]
+    controller.call(
+        name,
+        *(given[p.python] for p in parameters if not p.by_keyword),
+        **{p.python: given[p.python] for p in parameters if p.by_keyword},
+    )
+    (move,) = controller.moves
+    way = WAYS[name.removeprefix("Move").removeprefix("Trigg").removeprefix("Search")[0]]
+    names = {p.python for p in parameters}
+    assert (move.instruction, move.interpolation) == (name, way)
+    assert (move.to, move.speed, move.duration_s) == (P10, V100, 2.5)
+    assert move.zone == (Z10 if "zone" in names else FINE)
+    assert (move.tool, move.wobj, move.concurrent) == (GRIPPER, TABLE, "conc" in names)
+    assert move.circle_point == (P20 if way is Interpolation.CIRCLE else None)
+    left_out = [rf"{name} \Corr"] if "corr" in names else []
+    assert [what for what, _ in controller.unsimulated] == [*left_out, rf"{name} \TLoad"]
+    assert ("corr" in names) is (
+        not name.endswith(("DO", "AO", "GO", "Sync")) and "J" not in name[:6]
+    )
 
 
 @pytest.mark.parametrize(

@@ -65,7 +65,7 @@ def perform(
             if isinstance(path, tree.Reference | tree.Index | tree.Component):
                 cells.append((cell, value, path))
             value = cell
-        if parameter.optional:
+        if parameter.by_keyword:
             options[parameter.python] = value
         else:
             required.append(value)

@@ -234,12 +234,12 @@ class Evaluator:
         if isinstance(values, Unknown):
             return values
         there = [p for p in signature.parameters if p.name.lower() in values]
-        options = {p.python: values[p.name.lower()] for p in there if p.optional}
+        options = {p.python: values[p.name.lower()] for p in there if p.by_keyword}
         if signature.type_of is not None:
             of = given.get(signature.type_of.name.lower())
             written = None if of is None or of.value is None else self.program.type_of.get(of.value)
             options[signature.type_keyword] = written or types.NUM
-        return routine.body(*(values[p.name.lower()] for p in there if not p.optional), **options)
+        return routine.body(*(values[p.name.lower()] for p in there if not p.by_keyword), **options)
 
 
 def is_pure(routine: LibraryRoutine) -> bool:
