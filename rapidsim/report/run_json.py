@@ -14,7 +14,7 @@ from rapidsim.report.figures import Figures, JointMargin, LineTime, Singularity,
 from rapidsim.report.merging import merged
 from rapidsim.report.verdicts import NOTHING_ASKED, Judgement
 from rapidsim.simulation.event_record import event_record
-from rapidsim.simulation.result import ExecutedMove, Simulation
+from rapidsim.simulation.result import End, ExecutedMove, Simulation
 
 SCHEMA = 1
 PROGRAM_POINTER = (
@@ -38,11 +38,8 @@ def run_json(
         files: Paths of the files written, by what they are; `program` lists those of the program.
         judgement: What became of assertions and the cycle budget.
     """
-    return {
-        "schema": SCHEMA,
-        "program": list(simulation.program),
-        "robot": simulation.robot.name,
-        **_robots(simulation),
+    report = rejected_json(simulation.program, simulation.robot.name, findings, _robots(simulation))
+    ran = {
         "end": simulation.end.value,
         "time_s": _number(simulation.time_s),
         "motion_s": _number(simulation.motion_s),
@@ -56,7 +53,6 @@ def run_json(
         "slowest": [_line_time(line) for line in figures.slowest],
         "min_joint_margin": _margin(figures.joint_margin),
         "min_singularity": _singularity(figures.singularity),
-        "diagnostics": [diagnostic_json(finding) for finding in merged(findings)],
         "events": [event_record(event) for event in simulation.events],
         "unsimulated": [
             {"name": one.name, "count": one.count, "treated_as": one.treated_as}
@@ -78,17 +74,26 @@ def run_json(
             "home": [{"path": file.path, "size": file.size} for file in simulation.home_files],
         },
     }
+    assert report.keys() >= ran.keys()
+    return report | ran
 
 
 def rejected_json(
-    program: Sequence[str], robot: str, findings: Sequence[Diagnostic]
+    program: Sequence[str],
+    robot: str,
+    findings: Sequence[Diagnostic],
+    robots: Sequence[object] = (),
 ) -> dict[str, object]:
-    """The same object for a program that cannot run because of the errors in it."""
+    """The same object for a program that cannot run because of the errors in it.
+
+    All keys in their order stand here; a run puts its own values in their places.
+    """
     return {
         "schema": SCHEMA,
         "program": list(program),
         "robot": robot,
-        "end": "error",
+        **({"robots": robots} if robots else {}),
+        "end": End.ERROR.value,
         "time_s": 0.0,
         "motion_s": 0.0,
         "wait_s": 0.0,
@@ -150,11 +155,11 @@ def _degrees(values: Sequence[float]) -> str:
     return ", ".join(f"{math.degrees(value):g}" for value in values)
 
 
-def _robots(simulation: Simulation) -> dict[str, object]:
-    """Which task moves which robot and where it stands; nothing where there is one."""
+def _robots(simulation: Simulation) -> list[object]:
+    """Which task moves which robot and where it stands; none where there is one."""
     if not simulation.other_robots:
-        return {}
-    robots = [
+        return []
+    return [
         {
             "task": one.task,
             "robot": one.robot.name,
@@ -163,7 +168,6 @@ def _robots(simulation: Simulation) -> dict[str, object]:
         }
         for one in simulation.robots
     ]
-    return {"robots": robots}
 
 
 def _move(move: ExecutedMove, axes: Sequence[ExternalAxis], offset: int) -> dict[str, object]:
