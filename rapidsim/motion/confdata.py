@@ -22,7 +22,6 @@ from rapidsim.frames import rigid
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics import Kinematics, Mask
 from rapidsim.motion.numerical import Numerical
-from rapidsim.motion.opw import OrthoParallel
 from rapidsim.motion.reach import LIMIT_TOLERANCE, turns_within_limits
 from rapidsim.motion.robot import Robot
 
@@ -108,7 +107,7 @@ def select(
     for column, axis in enumerate(_counted_axes(joints.shape[1])):
         if axis is not None:
             joints[:, axis] += TURN * turns[:, column]
-    if isinstance(robot.kinematics, OrthoParallel):
+    if robot.kinematics.spherical_wrist:
         undetermined = exists & (np.abs(joints[:, 4]) < UNDETERMINED_WRIST)
         joints[undetermined] = _share_out(
             joints[undetermined], wanted[undetermined], held[undetermined]
@@ -148,7 +147,7 @@ def named(
     one pose, and where the pose leaves an axis undetermined.
     """
     arm, branch = robot.kinematics, confdata[3]
-    if not isinstance(arm, OrthoParallel) or branch not in range(arm.branch_count):
+    if branch not in range(arm.branch_count):
         return None
     found = arm.single.inverse_on_branch(rigid.from_transform(base_from_flange), branch, None)
     if found is None:

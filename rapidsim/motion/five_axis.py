@@ -20,7 +20,8 @@ import numpy.typing as npt
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.chain import AxesAtZero, SerialChain
-from rapidsim.motion.kinematics import Branches, Followed, Mask
+from rapidsim.motion.kinematics import Branches, Followed, Kinematics, Mask
+from rapidsim.motion.singularity import Singularity
 from rapidsim.motion.two_link import REACH_TOLERANCE, close_triangle
 from rapidsim.motion.whole_turns import in_turn_of, principal
 
@@ -54,7 +55,7 @@ class FiveAxisGeometry:
 
 
 @dataclass(frozen=True, eq=False)
-class FiveAxis:
+class FiveAxis(Kinematics):
     """Kinematics of a five-axis arm.
 
     Four branches: plus 2 where the wrist is behind the waist, plus 1 where joint 3 is positive (the
@@ -127,6 +128,19 @@ class FiveAxis:
         positive = np.sin(joints[..., 2]) > ON_WAIST
         branch: npt.NDArray[np.int64] = 2 * behind + positive
         return branch
+
+    def singularities(self, joints: Array) -> tuple[Singularity, ...]:
+        """The Jacobian loses rank with the elbow stretched, or the roll axis on the waist axis.
+
+        Its first three rows, the velocity, do so earlier where the flange is on the waist axis,
+        whatever the roll axis does: then no joint moves the flange sideways.
+        """
+        elbow = abs(float(np.sin(joints[2])))
+        aside = abs(float(self.flange_forward(joints))) / self.geometry.reach
+        return (
+            Singularity("elbow", elbow, "axes 2, 3 and 4 are in one plane: the arm is straight"),
+            Singularity("shoulder", aside, "the flange is on axis 1"),
+        )
 
     def wrist_forward(self, joints: Array) -> Array:
         """How far (...) [m] the wrist is in front of the waist."""

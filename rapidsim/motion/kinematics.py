@@ -1,17 +1,22 @@
 """What path planning needs of an arm: forward, inverse on a branch, all branches.
 
-Everything is batch first: N poses in one call, one pose is N = 1.
+Everything is batch first: N poses in one call, one pose is N = 1. `Kinematics.single` is for one
+pose at a time. What any arm can be asked has an answer here; an arm with formulas has a better one.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
 import numpy.typing as npt
 
+from rapidsim.frames import rigid
+from rapidsim.frames.rigid import Rigid
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.singularity import Singularity, by_idle_motion
 
 Mask = npt.NDArray[np.bool_]
 
@@ -47,8 +52,54 @@ class Followed:
     """Shape (k,): False where the branch does not reach the pose."""
 
 
+class Single(Protocol):
+    """The same questions for one pose or joint vector, in plain floats."""
+
+    def forward(self, joints: Sequence[float]) -> Rigid:
+        """base_from_flange of a joint vector [rad]."""
+        ...
+
+    def inverse_on_branch(
+        self, base_from_flange: Rigid, branch: int, near: Sequence[float] | None
+    ) -> list[float] | None:
+        """Joints [rad] on a branch, each in the turn nearest to `near`; None where there are none.
+
+        Without `near` they are in their principal turns, and there are none where the pose leaves
+        an axis undetermined or the arm has no formulas for one pose.
+        """
+        ...
+
+    def branch_of(self, joints: Sequence[float]) -> int:
+        """The branch of a joint vector."""
+        ...
+
+
 class Kinematics(Protocol):
     """The geometry of an arm, without limits and names."""
+
+    @property
+    def spherical_wrist(self) -> bool:
+        """Whether the last three axes meet, so that with axis 5 at 0 axes 4 and 6 are one."""
+        return False
+
+    @property
+    def posture(self) -> Array | None:
+        """Joints (n,) [rad] away from singularities to begin in; None where none stands out."""
+        return None
+
+    @property
+    def single(self) -> Single:
+        """The same for one pose."""
+        return BatchOfOne(self)
+
+    def singularities(self, joints: Array) -> tuple[Singularity, ...]:
+        """The singularities of the arm and how far joints (n,) [rad] are from each."""
+        return by_idle_motion(self.jacobian(joints))
+
+    def limiting_length(self, base_from_flange: Transform) -> str | None:
+        """Which part of the arm keeps it from one pose, with lengths; None if that is not told."""
+        del base_from_flange
+        return None
 
     @property
     def joint_count(self) -> int:
@@ -92,3 +143,29 @@ class Kinematics(Protocol):
     def branch_of(self, joints: Array) -> npt.NDArray[np.int64]:
         """The branch of joint vectors (..., n), shape (...,)."""
         ...
+
+
+@dataclass(frozen=True, slots=True)
+class BatchOfOne:
+    """`Single` for arms that have no formulas of their own for one pose."""
+
+    kinematics: Kinematics
+
+    def forward(self, joints: Sequence[float]) -> Rigid:
+        """base_from_flange of a joint vector [rad]."""
+        return rigid.from_transform(self.kinematics.forward(np.array(joints)))
+
+    def inverse_on_branch(
+        self, base_from_flange: Rigid, branch: int, near: Sequence[float] | None
+    ) -> list[float] | None:
+        """See `Single.inverse_on_branch`."""
+        if near is None:
+            return None
+        poses = rigid.to_transform(base_from_flange)[None]
+        followed = self.kinematics.inverse_on_branch(poses, branch, np.array(near))
+        joints: list[float] = followed.joints[0].tolist()
+        return joints if followed.exists[0] else None
+
+    def branch_of(self, joints: Sequence[float]) -> int:
+        """The branch of a joint vector."""
+        return int(self.kinematics.branch_of(np.array(joints)))

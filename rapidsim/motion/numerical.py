@@ -16,7 +16,7 @@ import numpy.typing as npt
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.chain import SerialChain
 from rapidsim.motion.descent import descend
-from rapidsim.motion.kinematics import Branches, Followed
+from rapidsim.motion.kinematics import Branches, Followed, Kinematics
 from rapidsim.motion.offset_wrist import NearArm, point_nearest
 from rapidsim.motion.starts import spread_starts
 from rapidsim.motion.whole_turns import in_turn_of, principal
@@ -28,7 +28,7 @@ SAME = 1e-5
 
 
 @dataclass(frozen=True, eq=False)
-class Numerical:
+class Numerical(Kinematics):
     """Kinematics of any row of turning joints, by search."""
 
     chain: SerialChain
@@ -47,6 +47,11 @@ class Numerical:
     def branch_count(self) -> int:
         """How many solutions `inverse` returns at most."""
         return MOST_SOLUTIONS
+
+    @property
+    def posture(self) -> Array | None:
+        """That of the arm which moves almost the same."""
+        return None if self.near is None else self.near.arm.posture
 
     @cached_property
     def starts(self) -> Array:

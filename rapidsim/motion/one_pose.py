@@ -1,22 +1,17 @@
-"""One pose, one joint vector: in plain floats where an arm has formulas for that.
+"""One pose of the TCP, one joint vector, in plain floats.
 
 Programs come to their moves one at a time; arrays of one row cost several times what they compute.
 """
 
 from __future__ import annotations
 
-import numpy as np
-
 from rapidsim.frames import rigid
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics import Kinematics
-from rapidsim.motion.opw import OrthoParallel
 
 
 def base_from_tcp(kinematics: Kinematics, joints: Array, tcp_from_flange: Transform) -> Transform:
     """Where joints (n,) [rad] put the TCP."""
-    if not isinstance(kinematics, OrthoParallel):
-        return kinematics.forward(joints) @ tcp_from_flange.inverse()
     base_from_flange = kinematics.single.forward(joints.tolist())
     flange_from_tcp = rigid.inverse(rigid.from_transform(tcp_from_flange))
     return rigid.to_transform(rigid.composed(base_from_flange, flange_from_tcp))
@@ -38,12 +33,7 @@ def joints_on_branch(
         branch: See `Kinematics.inverse_on_branch`.
         near: Joints before [rad]: each joint takes the whole turn that is nearest.
     """
-    if isinstance(kinematics, OrthoParallel):
-        base_from_flange = rigid.composed(
-            rigid.from_transform(base_from_tcp), rigid.from_transform(tcp_from_flange)
-        )
-        return kinematics.single.inverse_on_branch(base_from_flange, branch, near)
-    poses = (base_from_tcp @ tcp_from_flange)[None]
-    followed = kinematics.inverse_on_branch(poses, branch, np.array(near))
-    joints: list[float] = followed.joints[0].tolist()
-    return joints if followed.exists[0] else None
+    base_from_flange = rigid.composed(
+        rigid.from_transform(base_from_tcp), rigid.from_transform(tcp_from_flange)
+    )
+    return kinematics.single.inverse_on_branch(base_from_flange, branch, near)

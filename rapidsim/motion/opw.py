@@ -22,19 +22,22 @@ import numpy.typing as npt
 from rapidsim.frames import rigid
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion import opw_inverse
-from rapidsim.motion.kinematics import Branches, Followed
+from rapidsim.motion.kinematics import Branches, Followed, Kinematics
 from rapidsim.motion.opw_geometry import JOINT_COUNT, ROUNDING, OpwGeometry
 from rapidsim.motion.opw_single import SinglePose
+from rapidsim.motion.singularity import Singularity
 from rapidsim.motion.turns import cross
 from rapidsim.motion.whole_turns import in_turn_of, principal
 
 _JOINT = np.arange(JOINT_COUNT)
 _AXIS = np.array([2, 1, 1, 2, 1, 2])
 """Which column of its frame each axis is: z, or y for axes 2, 3 and 5."""
+_BENT_WRIST = np.radians(30.0)
+"""Axis 5 where work begins [rad]: at 0 the arm would be singular."""
 
 
 @dataclass(frozen=True, eq=False)
-class OrthoParallel:
+class OrthoParallel(Kinematics):
     """Kinematics of an ortho-parallel arm with a spherical wrist.
 
     The branch is ABB's cfx for arms whose signs are ABB's, all +1: 4 where the wrist centre is
@@ -58,6 +61,16 @@ class OrthoParallel:
     def branch_count(self) -> int:
         """Eight: two sides of axis 1, two elbows, two wrists."""
         return 8
+
+    @property
+    def spherical_wrist(self) -> bool:
+        """It has one."""
+        return True
+
+    @property
+    def posture(self) -> Array:
+        """Lower arm upright, forearm level, axis 5 bent, whatever the maker calls zero."""
+        return self.joints_from_theta(np.array([0.0, 0.0, np.pi / 2.0, 0.0, _BENT_WRIST, 0.0]))
 
     @cached_property
     def _signs(self) -> Array:
@@ -152,15 +165,34 @@ class OrthoParallel:
         """The branch of joint vectors (..., 6); on a border it is the front, the positive one."""
         if joints.ndim == 1:
             return np.array(self.single.branch_of(joints.tolist()))
+        shoulder, elbow, wrist = (factor < -ROUNDING for factor in self._factors(joints))
+        branch: npt.NDArray[np.int64] = 4 * shoulder + 2 * elbow + wrist
+        return branch
+
+    def singularities(self, joints: Array) -> tuple[Singularity, ...]:
+        """The determinant of the Jacobian is the product of these three and of lengths."""
+        shoulder, elbow, wrist = (abs(float(factor)) for factor in self._factors(joints))
+        return (
+            Singularity("wrist", wrist, "axes 4 and 6 are in line"),
+            Singularity("elbow", elbow, "the wrist centre is in line with axes 2 and 3"),
+            Singularity("shoulder", shoulder, "the wrist centre is on axis 1"),
+        )
+
+    def limiting_length(self, base_from_flange: Transform) -> str | None:
+        """Which part of the arm keeps its wrist centre from one pose; None if none does."""
+        return self.geometry.limiting_length(*self._opw6(base_from_flange).translation.tolist())
+
+    def _factors(self, joints: Array) -> tuple[Array, Array, Array]:
+        """What tells branches and singularities: where one is 0 the arm is singular, signs differ.
+
+        How far (...) the wrist centre is in front of axis 1, as a share of the reach; the sine
+        (...) of the elbow from stretched; the sine (...) of axis 5.
+        """
         g = self.geometry
         theta = self.theta_from_joints(joints)
-        t2, t3, t5 = theta[..., 1], theta[..., 2], theta[..., 4]
-        forward = g.a1 + g.c2 * np.sin(t2) + g.c3 * np.sin(t2 + t3) + g.a2 * np.cos(t2 + t3)
-        behind_axis_1 = forward < -ROUNDING * g.reach
-        behind_lower_arm = np.sin(t3 + np.arctan2(g.a2, g.c3)) < -ROUNDING
-        negative_wrist = np.sin(t5) < -ROUNDING
-        branch: npt.NDArray[np.int64] = 4 * behind_axis_1 + 2 * behind_lower_arm + negative_wrist
-        return branch
+        t2, t3, t23 = theta[..., 1], theta[..., 2], theta[..., 1] + theta[..., 2]
+        forward = g.wrist_forward(np.sin(t2), np.cos(t23), np.sin(t23))
+        return forward / g.reach, np.sin(t3 + g.fore_lean), np.sin(theta[..., 4])
 
     def _opw6(self, base_from_flange: Transform) -> Transform:
         """The last frame of the formulas: its origin is the wrist centre."""
@@ -185,8 +217,7 @@ class OrthoParallel:
         wrist[..., 2, 0] = -s5 * c6
         wrist[..., 2, 1] = s5 * s6
         wrist[..., 2, 2] = c5
-        forward = g.a1 + g.c2 * s[..., 1] + g.a2 * c23 + g.c3 * s23
-        up = g.c1 + g.c2 * c[..., 1] - g.a2 * s23 + g.c3 * c23
+        forward, up = g.wrist_forward(s[..., 1], c23, s23), g.wrist_up(c[..., 1], c23, s23)
         centre = np.stack([forward * c1 - g.b * s1, forward * s1 + g.b * c1, up], axis=-1)
         return Transform(elbow @ wrist, centre)
 

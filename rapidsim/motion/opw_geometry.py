@@ -7,14 +7,21 @@ them by a sign, an offset and, for arms that move axis 3 through a rod, by the a
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import hypot
+from functools import cached_property
+from math import atan2, hypot, sqrt
+from typing import TypeVar
+
+from rapidsim.frames.transform import Array
 
 JOINT_COUNT = 6
 ROUNDING = 1e-12
 """Angles [rad] and shares of the arm's length up to this are zero spoiled by rounding."""
 
+Number = TypeVar("Number", float, Array)
+"""One number or many at once."""
 
-@dataclass(frozen=True, slots=True)
+
+@dataclass(frozen=True)
 class OpwGeometry:
     """The lengths [m] and the zero positions of an ortho-parallel arm."""
 
@@ -38,7 +45,51 @@ class OpwGeometry:
     coupling: int = 0
     """Axis 3 turns by joint 3 plus this times joint 2: -1 for arms with a parallel rod, else 0."""
 
-    @property
+    @cached_property
     def reach(self) -> float:
         """Longest distance [m] of the wrist centre from axis 2; the scale of every tolerance."""
-        return self.c2 + hypot(self.a2, self.c3)
+        return self.c2 + self.fore
+
+    @cached_property
+    def fore(self) -> float:
+        """Straight way [m] from the elbow, axis 3, to the wrist centre."""
+        return hypot(self.a2, self.c3)
+
+    @cached_property
+    def fore_lean(self) -> float:
+        """How far [rad] that way leans forward of axis 4."""
+        return atan2(self.a2, self.c3)
+
+    def wrist_forward(self, s2: Number, c23: Number, s23: Number) -> Number:
+        """How far [m] in front of axis 1 the wrist centre is.
+
+        Args:
+            s2: Sine of theta 2.
+            c23: Cosine of theta 2 + theta 3.
+            s23: Its sine.
+        """
+        return self.a1 + self.c2 * s2 + self.a2 * c23 + self.c3 * s23
+
+    def wrist_up(self, c2: Number, c23: Number, s23: Number) -> Number:
+        """How far [m] above the base it is; see `wrist_forward`."""
+        return self.c1 + self.c2 * c2 - self.a2 * s23 + self.c3 * c23
+
+    def limiting_length(self, x: float, y: float, z: float) -> str | None:
+        """Which length keeps the wrist centre from a place [m]; None if none does."""
+        radius = hypot(x, y)
+        if radius < abs(self.b):
+            nearest = 1e3 * abs(self.b)
+            return f"it comes no nearer to axis 1 than {nearest:.0f} mm, not {1e3 * radius:.1f}"
+        distance = 1e3 * hypot(sqrt(radius**2 - self.b**2) - self.a1, z - self.c1)
+        stretched, folded = 1e3 * self.reach, 1e3 * abs(self.c2 - self.fore)
+        if distance > stretched:
+            return (
+                f"the stretched arm puts it {stretched:.1f} mm from axis 2, "
+                f"the target asks for {distance:.1f} mm"
+            )
+        if distance < folded:
+            return (
+                f"the folded arm puts it no nearer to axis 2 than {folded:.1f} mm, "
+                f"the target asks for {distance:.1f} mm"
+            )
+        return None

@@ -126,12 +126,11 @@ def _arm(geometry: OpwGeometry, wrist_centre: Array, side: Array, bend: Array, t
         bend: 1 where it is in front of the lower arm, -1 where behind.
         t1: Axis 1 (...) [rad].
     """
-    fore = float(np.hypot(geometry.a2, geometry.c3))
     radius = np.hypot(wrist_centre[..., 0], wrist_centre[..., 1])
     forward = side * np.sqrt(np.maximum(radius**2 - geometry.b**2, 0.0)) - geometry.a1
     up = wrist_centre[..., 2] - geometry.c1
-    t2, elbow, outside = close_triangle(forward, up, geometry.c2, fore, bend)
-    t3 = elbow - np.arctan2(geometry.a2, geometry.c3)
+    t2, elbow, outside = close_triangle(forward, up, geometry.c2, geometry.fore, bend)
+    t3 = elbow - geometry.fore_lean
     within_b = np.maximum(abs(geometry.b) - radius, 0.0)
     return _Arm(*np.broadcast_arrays(t1, t2, t3, outside + within_b))
 

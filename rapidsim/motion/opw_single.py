@@ -56,8 +56,7 @@ class SinglePose:
             zy,
             zz,
         )
-        out = g.a1 + g.c2 * sin(t2) + g.a2 * c23 + g.c3 * s23
-        up = g.c1 + g.c2 * cos(t2) - g.a2 * s23 + g.c3 * c23
+        out, up = g.wrist_forward(sin(t2), c23, s23), g.wrist_up(cos(t2), c23, s23)
         centre = (out * c1 - g.b * s1, out * s1 + g.b * c1, up)
         return composed(composed(self.base_from_opw, (rotation, centre)), self.opw6_from_flange)
 
@@ -88,7 +87,7 @@ class SinglePose:
             t1 = held[0]
 
         # The triangle of both arms; see `two_link.close_triangle`.
-        upper, fore = g.c2, hypot(g.a2, g.c3)
+        upper, fore = g.c2, g.fore
         ahead, height = out - g.a1, z - g.c1
         distance, folded = hypot(ahead, height), abs(upper - fore)
         outside = max(distance - (upper + fore), folded - distance, 0.0)
@@ -100,7 +99,7 @@ class SinglePose:
             2.0 * bend * atan2(sqrt(max(short_of_stretched, 0.0)), sqrt(max(beyond_folded, 0.0)))
         )
         t2 = atan2(ahead, height) - atan2(fore * sin(elbow), upper + fore * cos(elbow))
-        t3 = elbow - atan2(g.a2, g.c3)
+        t3 = elbow - g.fore_lean
 
         # What is left for axes 4 to 6, Rz(t4) Ry(t5) Rz(t6), but for the two entries not needed.
         c1, s1, c23, s23 = cos(t1), sin(t1), cos(t2 + t3), sin(t2 + t3)
@@ -132,9 +131,9 @@ class SinglePose:
         """The branch of a joint vector; on a border it is the front, the positive one."""
         g = self.geometry
         _, t2, t3, _, t5, _ = self._theta(joints)
-        out = g.a1 + g.c2 * sin(t2) + g.c3 * sin(t2 + t3) + g.a2 * cos(t2 + t3)
+        out = g.wrist_forward(sin(t2), cos(t2 + t3), sin(t2 + t3))
         branch = 4 if out < -ROUNDING * g.reach else 0
-        if sin(t3 + atan2(g.a2, g.c3)) < -ROUNDING:
+        if sin(t3 + g.fore_lean) < -ROUNDING:
             branch += 2
         return branch + 1 if sin(t5) < -ROUNDING else branch
 

@@ -18,7 +18,8 @@ import numpy.typing as npt
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.chain import AxesAtZero, SerialChain
-from rapidsim.motion.kinematics import Branches, Followed, Mask
+from rapidsim.motion.kinematics import Branches, Followed, Kinematics, Mask
+from rapidsim.motion.singularity import Singularity
 from rapidsim.motion.two_link import REACH_TOLERANCE, close_triangle
 from rapidsim.motion.whole_turns import in_turn_of, principal
 
@@ -68,7 +69,7 @@ class PalletizerGeometry:
 
 
 @dataclass(frozen=True, eq=False)
-class Palletizer:
+class Palletizer(Kinematics):
     """Kinematics of a palletizer.
 
     Four branches: plus 2 where the flange is behind axis 1, plus 1 where the forearm turns backward
@@ -136,6 +137,15 @@ class Palletizer:
         backward = np.cos(joints[..., 2] - joints[..., 1]) < -ROUNDING
         branch: npt.NDArray[np.int64] = 2 * behind + backward
         return branch
+
+    def singularities(self, joints: Array) -> tuple[Singularity, ...]:
+        """Those of its two arms and its waist."""
+        elbow = abs(float(np.cos(joints[2] - joints[1])))
+        aside = abs(float(self.flange_forward(joints))) / self.geometry.reach
+        return (
+            Singularity("elbow", elbow, "upper arm and forearm are in line"),
+            Singularity("shoulder", aside, "the flange is on axis 1"),
+        )
 
     def flange_forward(self, joints: Array) -> Array:
         """How far (...) [m] the flange is in front of axis 1."""

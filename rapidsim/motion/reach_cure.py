@@ -14,7 +14,6 @@ import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics import Mask
-from rapidsim.motion.opw import OrthoParallel
 from rapidsim.motion.reach import Unreachable, limit_excess, turns_within_limits
 from rapidsim.motion.robot import Robot
 from rapidsim.motion.turns import rotation_from_vector
@@ -98,38 +97,8 @@ def least_turn(
 
 def reason_with_lengths(robot: Robot, base_from_flange: Transform, why: Unreachable) -> str:
     """Why one pose cannot be reached, with the part of the arm that is too short or too long."""
-    geometry = limiting_geometry(robot, base_from_flange) if why.joint is None else None
-    return why.message if geometry is None else f"{why.message}: {geometry}"
-
-
-def limiting_geometry(robot: Robot, base_from_flange: Transform) -> str | None:
-    """Which part of an arm keeps its wrist centre from one pose, with lengths; None if none does.
-
-    Only told of arms with an ortho-parallel basis, whose elbow makes a triangle with axis 2.
-    """
-    kinematics = robot.kinematics
-    if not isinstance(kinematics, OrthoParallel):
-        return None
-    g = kinematics.geometry
-    centre = kinematics.base_from_opw.inverse() @ base_from_flange
-    x, y, z = (centre @ kinematics.opw6_from_flange.inverse()).translation
-    radius = math.hypot(x, y)
-    if radius < abs(g.b):
-        return f"it comes no nearer to axis 1 than {1e3 * abs(g.b):.0f} mm, not {1e3 * radius:.1f}"
-    sideways = math.sqrt(radius**2 - g.b**2)
-    fore = math.hypot(g.a2, g.c3)
-    distance = math.hypot(sideways - g.a1, z - g.c1)
-    if distance > g.c2 + fore:
-        return (
-            f"the stretched arm puts it {1e3 * (g.c2 + fore):.1f} mm from axis 2, "
-            f"the target asks for {1e3 * distance:.1f} mm"
-        )
-    if distance < abs(g.c2 - fore):
-        return (
-            f"the folded arm puts it no nearer to axis 2 than {1e3 * abs(g.c2 - fore):.1f} mm, "
-            f"the target asks for {1e3 * distance:.1f} mm"
-        )
-    return None
+    length = robot.kinematics.limiting_length(base_from_flange) if why.joint is None else None
+    return why.message if length is None else f"{why.message}: {length}"
 
 
 def _shifted(poses: Transform, shifts: Array) -> Transform:

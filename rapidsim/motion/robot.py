@@ -19,13 +19,8 @@ from rapidsim.motion.catalogue import (
 )
 from rapidsim.motion.external_axes import Axes, ExternalAxis
 from rapidsim.motion.kinematics import Branches, Kinematics
-from rapidsim.motion.numerical import Numerical
-from rapidsim.motion.opw import OrthoParallel
 
 __all__ = ["Joint", "Robot", "RobotError", "load_robot", "robot_names"]
-
-BENT_WRIST = np.radians(30.0)
-"""Axis 5 where a run starts [rad]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,16 +89,12 @@ class Robot:
     def start(self) -> Array:
         """Joints (n,) [rad] of the posture a run begins in if nothing says otherwise.
 
-        Lower arm upright, forearm level, axis 5 bent, whatever the maker calls zero: with axis 5 at
-        0 the arm would be singular, and a program may begin with a line. Arms of other kinds start
-        in the middle of their limits. Always within these.
+        Away from singularities, for a program may begin with a line; where no posture of the arm
+        stands out, the middle of its limits. Always within these.
         """
-        arm = self.kinematics
-        if isinstance(arm, Numerical) and arm.near is not None:
-            arm = arm.near.arm
-        if isinstance(arm, OrthoParallel):
-            theta = np.array([0.0, 0.0, np.pi / 2.0, 0.0, BENT_WRIST, 0.0])
-            return np.clip(arm.joints_from_theta(theta), self.lower, self.upper)
+        posture = self.kinematics.posture
+        if posture is not None:
+            return np.clip(posture, self.lower, self.upper)
         endless = np.isinf(self.lower) | np.isinf(self.upper)
         return np.where(endless, 0.0, (self.lower + self.upper) / 2.0)
 

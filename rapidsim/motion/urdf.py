@@ -66,26 +66,30 @@ def robot_parts_from_urdf(file: Path) -> RobotParts:
     joints = _moving_joints(file, robot)
     axes = _axes_at_zero(robot, joints)
     limits = tuple(_limits(file, joint) for joint in joints)
-    arm: Kinematics | str = f"it has {len(joints)} axes"
+    closed_form: OrthoParallel | str = f"it has {len(joints)} axes"
     if len(joints) == JOINT_COUNT:
-        arm = ortho_parallel_arm(axes)
+        closed_form = ortho_parallel_arm(axes)
     coupling = _coupling(file, robot, joints, axes)
     if coupling:
-        if not isinstance(arm, OrthoParallel):
+        if isinstance(closed_form, str):
             raise RobotError(
-                f"{file}: {arm}; arms with a rod are supported only with closed formulas"
+                f"{file}: {closed_form}; arms with a rod are supported only with closed formulas"
             )
-        arm = replace(arm, geometry=replace(arm.geometry, coupling=coupling))
+        geometry = replace(closed_form.geometry, coupling=coupling)
+        closed_form = replace(closed_form, geometry=geometry)
     notices: tuple[str, ...] = ()
     if coupling:
         notices = (
             f"{robot.name}: a rod moves axis 3; how far joint 3 - joint 2 may go is unknown, "
             "so poses the rod forbids are not refused",
         )
-    if isinstance(arm, str):
-        notices = search_notices(robot.name, arm, len(joints))
+    arm: Kinematics
+    if isinstance(closed_form, str):
+        notices = search_notices(robot.name, closed_form, len(joints))
         lower, upper = np.array(limits).T
         arm = Numerical(SerialChain.uncoupled(axes), lower, upper, near_arm(axes))
+    else:
+        arm = closed_form
     return RobotParts(
         name=robot.name,
         joint_names=tuple(joint.name for joint in joints),

@@ -9,23 +9,21 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.arms import Arms, arms_of
+from rapidsim.motion.confdata import told_apart
 from rapidsim.motion.curves import Curves, curves_of
 from rapidsim.motion.kinematics import Mask
-from rapidsim.motion.opw import OrthoParallel
 from rapidsim.motion.reach import limit_excess
 from rapidsim.motion.robot import Robot
 from rapidsim.motion.segments import Segment
 from rapidsim.motion.turns import vector_from_rotation
 
 Index = npt.NDArray[np.int64]
-Singularity = Literal["wrist", "elbow", "shoulder"]
 
 _BATCH = 2000
 _LONGEST_CELL = 0.05
@@ -36,10 +34,8 @@ _JUMP = 0.5
 _ROUNDS = 14
 """Halvings of a steep cell: 50 mm become 3 micrometres."""
 _PAST_LIMIT = 1e-6
-_NEAR_WRIST = np.radians(10.0)
-_NEAR_ELBOW = np.radians(6.0)
-_NEAR_AXIS_1 = 0.15
-"""Distance of the wrist centre from axis 1, as a share of the arm's reach."""
+_NEAR = {"wrist": np.sin(np.radians(10.0)), "elbow": np.sin(np.radians(6.0)), "shoulder": 0.15}
+"""`Singularity.distance` from which an axis may be held up by a singularity."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +48,7 @@ class HoldUp:
     """Of the programmed speed, what this axis allows; below 1."""
     fraction: float
     """Where on the way, 0 to 1."""
-    singularity: Singularity | None
+    singularity: str | None
     """Which singularity is near there."""
 
 
@@ -223,16 +219,9 @@ def _hold_ups(
     return found
 
 
-def near_singularity(robot: Robot, joints: Array) -> Singularity | None:
-    """Which singularity joints (n,) [rad] are near; None if none, or the arm is of another kind."""
-    kinematics = robot.kinematics
-    if not isinstance(kinematics, OrthoParallel):
+def near_singularity(robot: Robot, joints: Array) -> str | None:
+    """Which singularity joints (n,) [rad] are near; None if none, or the arm is one of searches."""
+    if not told_apart(robot.kinematics):
         return None
-    g = kinematics.geometry
-    t2, t3, t5 = kinematics.theta_from_joints(joints)[[1, 2, 4]]
-    if abs(np.sin(t5)) < np.sin(_NEAR_WRIST):
-        return "wrist"
-    if abs(np.sin(t3 + np.arctan2(g.a2, g.c3))) < np.sin(_NEAR_ELBOW):
-        return "elbow"
-    forward = g.a1 + g.c2 * np.sin(t2) + g.c3 * np.sin(t2 + t3) + g.a2 * np.cos(t2 + t3)
-    return "shoulder" if np.hypot(forward, g.b) < _NEAR_AXIS_1 * g.reach else None
+    found = robot.kinematics.singularities(joints)
+    return next((one.name for one in found if one.distance < _NEAR[one.name]), None)

@@ -9,7 +9,6 @@ from rapidsim.motion.differential import (
     differential,
     joint_speeds,
     pseudo_inverse,
-    singularities,
     tcp_jacobian,
 )
 from rapidsim.motion.numerical import Numerical
@@ -52,7 +51,7 @@ def test_the_determinant_is_the_product_of_the_distances() -> None:
     joints = np.random.default_rng(4).uniform(-1.5, 1.5, (40, 6))
     shares = []
     for row in joints:
-        product = np.prod([s.distance for s in singularities(ARM, row)])
+        product = np.prod([s.distance for s in ARM.singularities(row)])
         shares.append(abs(np.linalg.det(ARM.jacobian(row))) / product)
     assert np.ptp(shares) < 1e-9 * np.mean(shares)
     assert differential(ARM, joints[0]).manipulability == pytest.approx(

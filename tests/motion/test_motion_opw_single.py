@@ -163,3 +163,19 @@ def test_a_rigid_is_the_transform_of_its_numbers(
     ):
         assert one.rotation == pytest.approx(other.rotation, abs=1e-14)
         assert one.translation == pytest.approx(other.translation, abs=1e-13)
+
+
+@pytest.mark.parametrize("name", ["irb120", "irb460", "rv-m1", "gofa", "irb14000"])
+def test_every_arm_answers_for_one_pose_as_for_a_batch(name: str) -> None:
+    robot = load_robot(name)
+    arm, rows = robot.kinematics, np.random.default_rng(7)
+    for _ in range(5):
+        joints = 0.4 * rows.uniform(robot.lower.clip(-2.0), robot.upper.clip(max=2.0))
+        pose, branch = arm.forward(joints[None]), int(arm.branch_of(joints[None])[0])
+        single = arm.single.forward(joints.tolist())
+        assert np.allclose(rigid.to_transform(single).matrix, pose[0].matrix, atol=1e-12)
+        assert arm.single.branch_of(joints.tolist()) == branch
+        found = arm.single.inverse_on_branch(single, branch, joints.tolist())
+        followed = arm.inverse_on_branch(pose, branch, joints[None])
+        assert followed.exists[0]
+        assert found == pytest.approx(followed.joints[0].tolist(), abs=1e-9)

@@ -1,0 +1,52 @@
+"""A singularity, how far an arm is from it, and how one shows without formulas."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+
+NEAR = 0.05
+"""A singularity is near below this: 2.9 deg of an axis, 5 % of the reach."""
+WEAK = 0.02
+"""For arms without formulas: smallest singular value below which a singularity is near."""
+TAKES_PART = 0.2
+"""Share of a joint in the motion that moves nothing from which it takes part in it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Singularity:
+    """A singularity and how far the arm is from it."""
+
+    name: str
+    """`wrist`, `elbow` or `shoulder`."""
+    distance: float
+    """The sine of an angle that vanishes on it, or the way to it as a share of the reach."""
+    reason: str
+    """What has come together, in words."""
+
+    @property
+    def near(self) -> bool:
+        """Whether joint speeds grow much beyond those of usual poses."""
+        return self.distance < NEAR
+
+
+def by_idle_motion(jacobian: Array) -> tuple[Singularity, ...]:
+    """What singularity a weak Jacobian (6, n) stands for, by the joints that move in vain.
+
+    Arms with more than six joints always have such motions; only those that come on top count.
+    """
+    _, values, directions = np.linalg.svd(jacobian)
+    weakest = min(jacobian.shape) - 1
+    takes_part = np.abs(directions[weakest]) > TAKES_PART
+    if takes_part[0]:
+        name = "shoulder"
+    elif takes_part[1:-3].any():
+        name = "elbow"
+    else:
+        name = "wrist"
+    moving = ", ".join(str(number + 1) for number in np.flatnonzero(takes_part))
+    distance = NEAR * float(values[weakest]) / WEAK
+    return (Singularity(name, distance, f"joints {moving} together move the flange little"),)
