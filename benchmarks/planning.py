@@ -273,7 +273,7 @@ def _beside_toppra(robot: Robot) -> None:
                 best, found = np.inf, 0.0
                 for _ in range(REPEATS):
                     begin = process_time()
-                    problem = problem_of(path, cells, limits, np.full(len(segments), np.nan))
+                    problem = problem_of(path, cells, limits)
                     found = float(drive_on_cells(problem).times.sum())
                     best = min(best, process_time() - begin)
                 ours += best

@@ -17,7 +17,10 @@ def write_parquet(path: Path, names: tuple[str, ...], rows: Iterator[Block]) -> 
     schema = pa.schema([(name, kinds.get(name, pa.float64())) for name in names])
     with pq.ParquetWriter(path, schema) as writer:
         for block in rows:
-            time_s, *rest = block.numbers.T
-            tasks = [] if block.task is None else [pa.array([block.task] * len(block.move))]
+            rows_here = len(block.move)
+            time_s, *rest = (
+                pa.nulls(rows_here) if column is None else column for column in block.numbers
+            )
+            tasks = [] if block.task is None else [pa.array([block.task] * rows_here)]
             values = [time_s, pa.array(block.move), *rest, *tasks]
             writer.write_table(pa.table(values, schema=schema))

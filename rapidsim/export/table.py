@@ -28,8 +28,8 @@ class Block:
 
     move: list[int]
     """The column `move`: index of the move under way."""
-    numbers: Array
-    """All other columns of numbers, in order, shape (k, columns); NaN where a robot has none."""
+    numbers: tuple[Array | None, ...]
+    """All other columns of numbers (k,), in order; None for those that the robot has not."""
     task: str | None = None
     """The column `task`, the last one; None where there is one robot."""
 
@@ -73,16 +73,15 @@ def _block_of(robot: RobotRun, offset: int, times: Array, widths: tuple[int, int
     """Rows of one of several robots, in the columns of the widest."""
     own = block(robot.trajectory.at(times), robot.robot.external)
     joints, external = len(robot.robot.joints), len(robot.robot.external)
-    time, arm, axes, rest = np.split(own.numbers, [1, 1 + joints, 1 + joints + external], axis=1)
-    numbers = np.hstack(
-        [time, _widened(arm, widths[0]), _widened(axes, widths[1]), rest],
+    first_axis, rest = 1 + joints, 1 + joints + external
+    numbers = (
+        *own.numbers[:first_axis],
+        *(None,) * (widths[0] - joints),
+        *own.numbers[first_axis:rest],
+        *(None,) * (widths[1] - external),
+        *own.numbers[rest:],
     )
     return Block([offset + move for move in own.move], numbers, robot.task)
-
-
-def _widened(values: Array, width: int) -> Array:
-    missing = np.full((len(values), width - values.shape[1]), np.nan)
-    return np.hstack([values, missing])
 
 
 def sample_times(simulation: Simulation, dt: float) -> Array:
@@ -112,14 +111,12 @@ def block(samples: Samples, external: Sequence[ExternalAxis] = ()) -> Block:
     pose = samples.base_from_tcp
     return Block(
         samples.move.tolist(),
-        np.column_stack(
-            [
-                samples.times,
-                np.degrees(samples.joints),
-                *(samples.external[:, i] * axis.scale for i, axis in enumerate(external)),
-                pose.translation * _MM_PER_M,
-                pose.quaternion,
-                samples.tcp_speed * _MM_PER_M,
-            ]
+        (
+            samples.times,
+            *np.degrees(samples.joints).T,
+            *(samples.external[:, i] * axis.scale for i, axis in enumerate(external)),
+            *(pose.translation * _MM_PER_M).T,
+            *pose.quaternion.T,
+            samples.tcp_speed * _MM_PER_M,
         ),
     )

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator, Mapping
+from itertools import repeat
 from pathlib import Path
 from types import MappingProxyType
 
@@ -86,15 +87,15 @@ def _write_json(path: Path, names: tuple[str, ...], rows: Iterator[Block]) -> No
         file.write("\n]\n")
 
 
-def _texts(block: Block) -> Iterator[list[str]]:
+def _texts(block: Block) -> Iterator[tuple[str, ...]]:
     """The fields of each row; `repr` of a float is the shortest text that reads back equal."""
-    for move, numbers in zip(block.move, block.numbers.tolist(), strict=True):
-        time_s, *rest = map(repr, numbers)
-        if block.task is None:
-            yield [time_s, str(move), *rest]
-        else:
-            texts = ("" if text == "nan" else text for text in rest)
-            yield [time_s, str(move), *texts, block.task]
+    count = len(block.move)
+    time_s, *rest = (
+        repeat("", count) if column is None else map(repr, column.tolist())
+        for column in block.numbers
+    )
+    task = () if block.task is None else (repeat(block.task, count),)
+    return zip(time_s, map(str, block.move), *rest, *task, strict=True)
 
 
 def _json_value(key: str, text: str) -> str:

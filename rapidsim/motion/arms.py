@@ -49,18 +49,19 @@ class Arms:
     """Shape (m,)."""
     carriers: tuple[Carrier | None, ...] = ()
     """One a curve; empty where no curve has one."""
+    turned_rows: Mask | None = None
+    """Shape (m,): the curves on which the wrist turns in joints; None where no curve does."""
     wrist_rate: Array | None = None
-    """Shape (m, n - 3): wrist joints per unit of the curve's parameter [rad/m] where the wrist
-    turns in joints, NaN elsewhere; None where no curve does."""
+    """Shape (m, n - 3): wrist joints per unit of the curve's parameter [rad/m], for those."""
     pairs: WristPairs | None = None
     """The wrist axes that lead arcs; None where none does."""
 
     @cached_property
     def wrist_rows(self) -> Mask:
         """Shape (m,): the curves on which the wrist turns in joints."""
-        if self.wrist_rate is None:
+        if self.turned_rows is None:
             return np.zeros(len(self.branch), dtype=bool)
-        return ~np.isnan(self.wrist_rate[:, 0])
+        return self.turned_rows
 
     @cached_property
     def pair_rows(self) -> Mask:
@@ -285,7 +286,8 @@ def arms_of(
             np.array([segment.tcp_from_flange.translation for segment in segments]),
         ),
         carriers if any(carriers) else (),
-        np.where(turned[:, None], wrist_rate, np.nan) if turned.any() else None,
+        turned if turned.any() else None,
+        wrist_rate if turned.any() else None,
         wrist_pairs_of(segments, kinematics),
     )
 

@@ -33,8 +33,7 @@ def stop_at(path: Path, limits: Limits, s: float, speed: float) -> Timing:
     nothing = (Limiter(Quantity.NOTHING),) * len(path.segments)
     if speed <= _STANDSTILL or s >= path.length:
         return Timing(np.full(2, s), np.zeros(2), 0.0, nothing)
-    pace = np.full(len(path.segments), np.nan)
-    problem = problem_of(path, cells_of(path, limits, s), limits, pace)
+    problem = problem_of(path, cells_of(path, limits, s), limits)
     # The same stages as for the plan that had this speed here.
     _, motion = fastest_drive(problem, speed)
     stages = motion.stages

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from rapidsim.frames.transform import Array
@@ -12,7 +14,7 @@ from rapidsim.motion.limiters import limiters_of
 from rapidsim.motion.limits import Limits
 from rapidsim.motion.path import Path
 from rapidsim.motion.problem import Problem, at_pace, problem_of
-from rapidsim.motion.rows import Limiter, Quantity
+from rapidsim.motion.rows import Limiter, Paces, Quantity
 from rapidsim.motion.timing import Timing
 
 _TIMED_ROUNDS = 4
@@ -46,16 +48,15 @@ def plan(
             start_excess=start_speed,
             limited_by=(nothing,) * len(path.segments),
         )
-    pace = np.full(len(path.segments), np.nan)
     timed = _timed(path, start)
-    pace[list(timed)] = np.inf
-    problem = problem_of(path, cells_of(path, limits, start, look), limits, pace)
+    problem = problem_of(
+        path, cells_of(path, limits, start, look), limits, dict.fromkeys(timed, math.inf)
+    )
     division, motion = fastest_drive(problem, start_speed, look)
     if timed:
-        pace = _paced(problem, division, pace, start_speed, timed, look)
-        division, _ = fastest_drive(at_pace(problem, pace), start_speed, look)
-        pace = _paced(problem, division, pace, start_speed, timed, look)
-        problem = at_pace(problem, pace)
+        paces = _paces(problem, division, start_speed, timed, look)
+        division, _ = fastest_drive(at_pace(problem, paces), start_speed, look)
+        problem = at_pace(problem, _paces(problem, division, start_speed, timed, look))
         motion = drive(problem, division, start_speed)
     nodes, speed = motion.stages.nodes, np.sqrt(motion.x)
     stops = np.flatnonzero(np.isin(nodes[1:-1], path.stops)) + 1
@@ -84,15 +85,14 @@ def _timed(path: Path, start: float) -> dict[int, float]:
     return times
 
 
-def _paced(
+def _paces(
     problem: Problem,
     division: Division,
-    pace: Array,
     start_speed: float,
     timed: dict[int, float],
     look: Look,
-) -> Array:
-    """The path speed (segments,) that gives each timed segment its time; infinite if too short.
+) -> Paces:
+    """The path speed that gives each timed segment its time; infinite if too short.
 
     Neighbours share the ramps between them, so all are halved together, and again around what was
     found until the times agree.
@@ -106,8 +106,7 @@ def _paced(
     def spent(trial: Array) -> Array:
         """Time of the timed segments at some paces."""
         look()
-        attempt = pace.copy()
-        attempt[index] = trial
+        attempt = dict(zip(timed, trial.tolist(), strict=True))
         step = drive(at_pace(problem, attempt), division, start_speed).times
         time: Array = np.bincount(segment, step, minlength=len(path.segments))[index]
         return time
@@ -128,6 +127,4 @@ def _paced(
         if not (feasible & (miss > _TIME_TOLERANCE)).any():
             break
         low, high = found / 1.3, found * 1.3
-    paced = pace.copy()
-    paced[index] = found
-    return paced
+    return dict(zip(timed, found.tolist(), strict=True))

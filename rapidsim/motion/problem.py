@@ -10,7 +10,14 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.grid import Cells
 from rapidsim.motion.limits import Limits
 from rapidsim.motion.path import Path
-from rapidsim.motion.rows import AccelerationRows, SpeedRows, acceleration_rows, speed_rows
+from rapidsim.motion.rows import (
+    NO_PACES,
+    AccelerationRows,
+    Paces,
+    SpeedRows,
+    acceleration_rows,
+    speed_rows,
+)
 
 _LEAST_SLOWNESS = 1e-6
 _HELD_BEND = 1.25
@@ -31,25 +38,25 @@ class Problem:
     """Shape (k,) [s/m]: one over the largest path speed of the arm."""
 
 
-def problem_of(path: Path, cells: Cells, limits: Limits, pace: Array) -> Problem:
+def problem_of(path: Path, cells: Cells, limits: Limits, paces: Paces = NO_PACES) -> Problem:
     """Collect what limits a motion.
 
     Args:
         path: The geometry.
         cells: Where to look; the motion comes to rest after the last.
         limits: Of the axes.
-        pace: Largest path speed (segments,) [m/s] on segments with a programmed time; it replaces
-            the programmed speeds there. NaN elsewhere.
+        paces: Largest path speeds [m/s] of segments with a programmed time, by position; they
+            replace the programmed speeds there.
     """
     accelerations = acceleration_rows(path, cells.places, limits)
-    speeds = speed_rows(path, cells.places, limits, pace)
+    speeds = speed_rows(path, cells.places, limits, paces)
     slowness = _slowness(path, speeds, accelerations)
     return Problem(path, limits, cells, speeds, accelerations, slowness)
 
 
-def at_pace(problem: Problem, pace: Array) -> Problem:
-    """The same with another pace; see `problem_of`."""
-    speeds = speed_rows(problem.path, problem.cells.places, problem.limits, pace)
+def at_pace(problem: Problem, paces: Paces) -> Problem:
+    """The same with other paces; see `problem_of`."""
+    speeds = speed_rows(problem.path, problem.cells.places, problem.limits, paces)
     slowness = _slowness(problem.path, speeds, problem.accelerations)
     return replace(problem, speeds=speeds, slowness=slowness)
 

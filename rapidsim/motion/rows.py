@@ -8,9 +8,10 @@ whatever else moves are the same to the solver. A new kind of limit is a new ent
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from enum import Enum
+from types import MappingProxyType
 
 import numpy as np
 
@@ -18,6 +19,10 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.grid import Places
 from rapidsim.motion.limits import Limits
 from rapidsim.motion.path import Path
+
+Paces = Mapping[int, float]
+"""Path speeds [m/s] that give segments their programmed times, by the position of the segment."""
+NO_PACES: Paces = MappingProxyType({})
 
 
 class Quantity(Enum):
@@ -94,17 +99,17 @@ class AccelerationRows:
         return largest
 
 
-def speed_rows(path: Path, places: Places, limits: Limits, pace: Array) -> SpeedRows:
+def speed_rows(path: Path, places: Places, limits: Limits, paces: Paces) -> SpeedRows:
     """Every limit of the path speed.
 
     Args:
         path: The geometry.
         places: Where it is looked at.
         limits: Of the axes.
-        pace: Largest path speed (segments,) [m/s] on segments with a programmed time; it replaces
-            the programmed speeds there. NaN elsewhere.
+        paces: Largest path speeds [m/s] of segments with a programmed time, by position; they
+            replace the programmed speeds there.
     """
-    found = [_programmed_speeds(path, places, pace)]
+    found = [_programmed_speeds(path, places, paces)]
     found += [rows for kind in _SPEEDS if (rows := kind(path, places, limits)) is not None]
     return SpeedRows(
         tuple(limiter for rows in found for limiter in rows.limiters),
@@ -128,13 +133,15 @@ def _axis_speeds(path: Path, places: Places, limits: Limits) -> SpeedRows:
     return SpeedRows(_of_axes(Quantity.AXIS_SPEED, rate), rate)
 
 
-def _programmed_speeds(path: Path, places: Places, pace: Array) -> SpeedRows:
+def _programmed_speeds(path: Path, places: Places, paces: Paces) -> SpeedRows:
     """The four programmed speeds, or the pace that gives a segment its programmed time."""
     segment = path.segment_of(places.piece)
-    paced = ~np.isnan(pace)
+    paced, timed = np.zeros(len(path.segments), dtype=np.bool_), np.zeros(len(path.segments))
+    if paces:
+        positions = list(paces)
+        paced[positions], timed[positions] = True, 1.0 / np.array(list(paces.values()))
     tcp = np.where(paced, 0.0, 1.0 / path.programmed.tcp)
     turn = np.where(paced, 0.0, 1.0 / path.programmed.reorientation)
-    timed = np.where(paced, 1.0 / pace, 0.0)
     rate = np.empty((len(segment), len(_PROGRAMMED)))
     rate[:, 0] = places.rates.tcp_rate * tcp[segment]
     rate[:, 1] = places.rates.turn_rate * turn[segment]

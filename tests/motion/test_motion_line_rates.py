@@ -186,8 +186,7 @@ def test_loops_over_a_motion_do_what_columns_do(program: Programmer) -> None:
     path = path_or_fault(program, MODEL)
     if isinstance(path, PathFault):
         return
-    pace = np.full(len(path.segments), np.nan)
-    problem = problem_of(path, cells_of(path, LIMITS, 0.0), LIMITS, pace)
+    problem = problem_of(path, cells_of(path, LIMITS, 0.0), LIMITS)
     cells, rows = problem.cells, problem.accelerations
     _, motion = fastest_drive(problem, 0.0)
     both = []

@@ -39,6 +39,6 @@ def test_another_solver_finds_the_same_time(seed: int, speed: float, planning: M
     path = path_of(program)
     cells = cells_of(path, LIMITS, 0.0)
     theirs = planning.toppra_duration(path, LIMITS, cells)
-    problem = problem_of(path, cells, LIMITS, np.full(len(path.segments), np.nan))
+    problem = problem_of(path, cells, LIMITS)
     ours = float(planning.drive_on_cells(problem).times.sum())
     assert ours == pytest.approx(theirs, rel=1e-4)
