@@ -1,8 +1,4 @@
-"""Follow the Cartesian curves of a path on their branches, or say where the arm cannot.
-
-Nodes are put as densely as the joints turn, so that near a singularity, where a few micrometres
-may ask for half a turn of a wrist axis, a steep passage can be told from a jump.
-"""
+"""Follow the Cartesian curves of a path on their branches, or say where the arm cannot."""
 
 from __future__ import annotations
 
@@ -14,6 +10,7 @@ from enum import Enum
 import numpy as np
 
 from rapidsim.frames.transform import Array
+from rapidsim.motion.along_curves import LONGEST_CELL, WIDEST_CELL, Nodes, nodes_along, spread
 from rapidsim.motion.arms import Arms, Index
 from rapidsim.motion.external_axes import Axes
 from rapidsim.motion.interruption import Look, undisturbed
@@ -23,16 +20,12 @@ from rapidsim.motion.line_rates import Lines
 from rapidsim.motion.segments import Segment
 from rapidsim.motion.wrist_circle import why_not_led
 
-_LONGEST_CELL = 0.05
 _SHORT_PIECE = 0.005
 """Up to here [m] both ends of a piece of a path are looked at and not its middle."""
-_WIDEST_CELL = 0.2
-_LARGEST_STEP = 0.15
-_JUMP = 0.5
 _SHORTEST_CELL = 2e-5
 _SHORTEST_SHARE = 1e-2
-"""An axis that turns by `_JUMP` within this way of the TCP [m], or share of a short curve, has to
-jump: with axis 5 nearer to 0 than 0.006 deg on most arms. The controller stops before."""
+"""An axis that turns by half a radian within this way of the TCP [m], or share of a short curve,
+has to jump: with axis 5 nearer to 0 than 0.006 deg on most arms. The controller stops before."""
 _LIMIT_TOLERANCE = 1e-6
 _MATCH_TOLERANCE = 1e-3
 
@@ -71,17 +64,6 @@ class PathFault:
     """What could be done, where that depends on the numbers."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Nodes:
-    """Joints along the Cartesian curves of a path, rows in the order of s."""
-
-    s: Array
-    """Shape (k,)."""
-    piece: Index
-    joints: Array
-    """Shape (k, n + e) [rad]; continuous along each curve, whole turns included."""
-
-
 def follow(
     layout: Layout,
     arms: Arms,
@@ -104,34 +86,23 @@ def follow(
         The joints, or the first place where the branch ends, jumps, misses the joints of a
         segment's start or end, or leaves the limits. `PathFault.segment` counts curves.
     """
-    n = axes.joint_count
-    s, piece = _first_nodes(layout)
-    joints, exists = _raw_joints(layout, arms, lines, s, piece)
-    while True:
+    place, piece = _first_nodes(layout)
+    shortest = np.minimum(_SHORTEST_CELL, _SHORTEST_SHARE * layout.curves.length)
+
+    def solve(place: Array, piece: Index) -> tuple[Array, Mask]:
         look()
-        row = layout.row[piece]
-        step = np.abs(_short_way(np.diff(joints[:, :n], axis=0))).max(axis=-1, initial=0.0)
-        gap = np.diff(s)
-        steep = (row[1:] == row[:-1]) & exists[1:] & exists[:-1] & (step > _LARGEST_STEP)
-        steep &= gap > np.minimum(_SHORTEST_CELL, _SHORTEST_SHARE * layout.curves.length[row[1:]])
-        at = np.flatnonzero(steep)
-        if not len(at):
-            break
-        middle = 0.5 * (s[at] + s[at + 1])
-        new_joints, new_exists = _raw_joints(layout, arms, lines, middle, piece[at])
-        s = np.insert(s, at + 1, middle)
-        piece = np.insert(piece, at + 1, piece[at])
-        joints = np.insert(joints, at + 1, new_joints, axis=0)
-        exists = np.insert(exists, at + 1, new_exists)
-    joints = np.concatenate([_continuous(joints[:, :n], layout.row[piece]), joints[:, n:]], axis=1)
-    nodes = Nodes(s, piece, joints)
+        return _raw_joints(layout, arms, lines, place, piece)
+
+    nodes = nodes_along(place, piece, layout.row, shortest, solve, axes.joint_count)
     # In corners made in joint space the arm is not on the curve.
-    on_path = np.flatnonzero(layout.joint_corner[piece] < 0)
+    on_path = np.flatnonzero(layout.joint_corner[nodes.part] < 0)
     candidates = (
-        _unreached(layout, arms, nodes, exists),
-        _jump(layout, nodes, exists, n),
+        _unreached(layout, arms, nodes),
+        _jump(layout, nodes, axes.joint_count),
         _missed_waypoint(layout, nodes, segments),
-        limit_fault(layout, s[on_path], layout.row[piece[on_path]], joints[on_path], axes),
+        limit_fault(
+            layout, nodes.place[on_path], nodes.curve[on_path], nodes.joints[on_path], axes
+        ),
     )
     faults = [fault for fault in candidates if fault is not None]
     if not faults:
@@ -174,14 +145,11 @@ def _first_nodes(layout: Layout) -> tuple[Array, Index]:
     length = np.maximum(layout.curves.length[row], 1e-300)
     turn = np.linalg.norm(layout.curves.tool_turn[row], axis=-1)
     turn += np.linalg.norm(layout.curves.frame_turn[row], axis=-1)
-    cells = np.maximum(width / _LONGEST_CELL, turn * width / length / _WIDEST_CELL)
+    cells = np.maximum(width / LONGEST_CELL, turn * width / length / WIDEST_CELL)
     cells = np.ceil(np.maximum(cells, np.where(width > _SHORT_PIECE, 2.0, 1.0))).astype(np.int64)
     last = np.append(row[1:] != row[:-1], True) if len(row) else np.zeros(0, dtype=bool)
-    count = cells + last
-    owner = np.repeat(np.arange(len(pieces)), count)
-    number = np.arange(len(owner)) - np.repeat(np.cumsum(count) - count, count)
-    s = layout.bounds[pieces][owner] + width[owner] * (number / cells[owner])
-    return s, pieces[owner].astype(np.int64)
+    owner, share = spread(cells, last)
+    return layout.bounds[pieces][owner] + width[owner] * share, pieces[owner].astype(np.int64)
 
 
 def _raw_joints(
@@ -205,34 +173,16 @@ def _joints_in_general(layout: Layout, arms: Arms, s: Array, piece: Index) -> tu
     return arms.joints(layout.motion(s, piece), row, near)
 
 
-def _continuous(joints: Array, row: Index) -> Array:
-    """Take the turn of each curve's first node along the whole curve."""
-    if len(joints) < 2:
-        return joints
-    step = np.diff(joints, axis=0)
-    turns = np.cumsum(np.round((step - _short_way(step)) / (2.0 * np.pi)), axis=0)
-    turns = np.concatenate([np.zeros((1, joints.shape[1])), turns])
-    first = np.searchsorted(row, row, side="left")
-    continuous: Array = joints - 2.0 * np.pi * (turns - turns[first])
-    return continuous
-
-
-def _short_way(step: Array) -> Array:
-    """Steps of joints without whole turns."""
-    short: Array = step - 2.0 * np.pi * np.round(step / (2.0 * np.pi))
-    return short
-
-
-def _unreached(layout: Layout, arms: Arms, nodes: Nodes, exists: Mask) -> PathFault | None:
-    missing = np.flatnonzero(~exists)
+def _unreached(layout: Layout, arms: Arms, nodes: Nodes) -> PathFault | None:
+    missing = np.flatnonzero(~nodes.exists)
     if not len(missing):
         return None
     first = int(missing[0])
-    row = layout.row[nodes.piece]
-    place = float(nodes.s[first])
+    row = nodes.curve
+    place = float(nodes.place[first])
     if first and row[first - 1] == row[first]:
-        reached = float(nodes.s[first - 1])
-        piece = nodes.piece[first - 1 : first]
+        reached = float(nodes.place[first - 1])
+        piece = nodes.part[first - 1 : first]
         for _ in range(30):
             middle = 0.5 * (reached + place)
             if _joints_in_general(layout, arms, np.array([middle]), piece)[1][0]:
@@ -242,11 +192,11 @@ def _unreached(layout: Layout, arms: Arms, nodes: Nodes, exists: Mask) -> PathFa
     same = missing[row[missing] == row[first]]
     if arms.pair_rows[row[first]]:
         refusal = why_not_led(
-            arms, layout.motion(nodes.s[same], nodes.piece[same]).position, row[same]
+            arms, layout.motion(nodes.place[same], nodes.part[same]).position, row[same]
         )
         return replace(_fault(layout, int(row[first]), place, refusal.reason), cure=refusal.cure)
     base_from_flange = arms.base_from_flange(
-        layout.motion(nodes.s[same], nodes.piece[same]), row[same], nodes.joints[same]
+        layout.motion(nodes.place[same], nodes.part[same]), row[same], nodes.joints[same]
     )
     shortfall = float(arms.kinematics.inverse(base_from_flange).shortfall.max())
     if shortfall > 0.0:
@@ -256,27 +206,24 @@ def _unreached(layout: Layout, arms: Arms, nodes: Nodes, exists: Mask) -> PathFa
     return _fault(layout, int(row[first]), place, reason)
 
 
-def _jump(layout: Layout, nodes: Nodes, exists: Mask, joint_count: int) -> PathFault | None:
-    row = layout.row[nodes.piece]
-    step = np.abs(np.diff(nodes.joints[:, :joint_count], axis=0))
-    jump = (row[1:] == row[:-1]) & exists[1:] & exists[:-1]
-    jump &= (step > _JUMP).any(axis=-1)
-    at = np.flatnonzero(jump)
+def _jump(layout: Layout, nodes: Nodes, joint_count: int) -> PathFault | None:
+    at = np.flatnonzero(nodes.jumps(joint_count))
     if not len(at):
         return None
     first = int(at[0])
-    axis = int(step[first].argmax())
+    step = np.abs(nodes.joints[first + 1, :joint_count] - nodes.joints[first, :joint_count])
+    axis = int(step.argmax())
     reason = (
-        f"axis {axis + 1} would have to jump by {math.degrees(step[first, axis]):.0f} deg: "
+        f"axis {axis + 1} would have to jump by {math.degrees(step[axis]):.0f} deg: "
         "the path goes through a singularity"
     )
-    fault = _fault(layout, int(row[first]), float(nodes.s[first]), reason)
+    fault = _fault(layout, int(nodes.curve[first]), float(nodes.place[first]), reason)
     return replace(fault, kind=FaultKind.SINGULARITY)
 
 
 def _missed_waypoint(layout: Layout, nodes: Nodes, segments: Sequence[Segment]) -> PathFault | None:
     """Where the branch does not lead from a segment's start joints to its end joints."""
-    row = layout.row[nodes.piece]
+    row = nodes.curve
     rows = np.unique(row)
     first = np.searchsorted(row, rows, side="left")
     last = np.searchsorted(row, rows, side="right") - 1
@@ -289,7 +236,7 @@ def _missed_waypoint(layout: Layout, nodes: Nodes, segments: Sequence[Segment]) 
     for node, waypoint, verb, other in ends:
         miss = np.abs(nodes.joints[node] - waypoint)[:, :arm]
         # Within a corner path the node is not the waypoint; only a whole turn can be told.
-        allowed = np.where(cut[nodes.piece[node]], 1.5 * math.pi, _MATCH_TOLERANCE)
+        allowed = np.where(cut[nodes.part[node]], 1.5 * math.pi, _MATCH_TOLERANCE)
         missed = np.flatnonzero(miss.max(axis=-1) > allowed)
         if len(missed):
             i = int(missed[0])
@@ -299,7 +246,7 @@ def _missed_waypoint(layout: Layout, nodes: Nodes, segments: Sequence[Segment]) 
                 f"{math.degrees(nodes.joints[node[i], axis]):.1f} deg where {other} "
                 f"{math.degrees(waypoint[i, axis]):.1f} deg"
             )
-            faults.append(_fault(layout, int(rows[i]), float(nodes.s[node[i]]), reason))
+            faults.append(_fault(layout, int(rows[i]), float(nodes.place[node[i]]), reason))
     return min(faults, key=lambda fault: fault.place, default=None)
 
 

@@ -14,11 +14,12 @@ from functools import cached_property
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.along_curves import Nodes
 from rapidsim.motion.arms import Arms, arms_of
 from rapidsim.motion.corners import Corner, Limit, corners_of, describe, without_skipped
 from rapidsim.motion.curves import Index, circle_fault, curves_of
 from rapidsim.motion.external_axes import Axes
-from rapidsim.motion.following import FaultKind, Nodes, follow, limit_fault
+from rapidsim.motion.following import FaultKind, follow, limit_fault
 from rapidsim.motion.following import PathFault as PathFault
 from rapidsim.motion.interruption import Look, undisturbed
 from rapidsim.motion.kinematics import Kinematics
@@ -316,7 +317,7 @@ class Path:
     def _near(self, s: Array, external: Array) -> Array:
         """Joints (k, n + e) close to those at places (k,) of Cartesian curves."""
         nodes = self.nodes
-        joints = [np.interp(s, nodes.s, nodes.joints[:, j]) for j in range(nodes.joints.shape[1])]
+        joints = [np.interp(s, nodes.place, joint) for joint in nodes.joints.T]
         near = np.stack(joints, axis=-1)
         near[:, self.kinematics.joint_count :] = external
         return near

@@ -131,7 +131,7 @@ def test_joints_on_lines_are_those_of_inverse_kinematics(program: Programmer) ->
     path = path_or_fault(program, MODEL)
     if isinstance(path, PathFault) or path.lines is None:
         return
-    s, piece = path.nodes.s, path.nodes.piece
+    s, piece = path.nodes.place, path.nodes.part
     joints, holds = path.lines.joints(s, piece)
     expected, exists = following._joints_in_general(path.layout, path.arms, s, piece)
     assert exists[holds].all()

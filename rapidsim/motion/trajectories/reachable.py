@@ -15,6 +15,7 @@ from rapidsim.motion.kinematics import Mask
 from rapidsim.motion.reach import Unreachable, limit_excess, turns_within_limits, why_unreachable
 from rapidsim.motion.robot import Robot
 from rapidsim.motion.trajectories.points import Points, posed
+from rapidsim.motion.whole_turns import principal
 
 _PITCH_STEP = radians(0.5)
 _PITCHES: Array = _PITCH_STEP * np.arange(-360.0, 360.0)
@@ -77,7 +78,7 @@ def _in_any_pitch(robot: Robot, position: Array, flange_from_tcp: Transform) -> 
         first, last = _widest_run(possible)
         low, high = first * _PITCH_STEP - np.pi, last * _PITCH_STEP - np.pi
         middle = _PITCH_STEP * ((first + last) // 2) - np.pi
-        return PointReach(None, _half_turn(middle), (low, high))
+        return PointReach(None, float(principal(np.array(middle))), (low, high))
     if np.isfinite(excess).any():
         best = int(np.argmin(excess))
     else:
@@ -97,8 +98,3 @@ def _widest_run(possible: Mask) -> tuple[int, int]:
     widest = int(np.argmax(behind - first))
     start = (int(first[widest]) + shift) % count
     return start, start + int(behind[widest] - first[widest]) - 1
-
-
-def _half_turn(angle: float) -> float:
-    """The same angle [rad], at most half a turn."""
-    return float(angle - 2.0 * np.pi * np.round(angle / (2.0 * np.pi)))
