@@ -1,39 +1,76 @@
-"""Numbers that are known before a program runs: sizes of arrays, indices, initial values."""
+"""Values that are known before a program runs, and the numbers among them: sizes, indices.
+
+Records and arrays are tuples. Numbers are not rounded as a run rounds them, and no function is
+called: what needs that is evaluated by the interpreter.
+"""
 
 from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TypeAlias
 
 from rapidsim.analysis.context import Context
 from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.program import DataSymbol, Scope, Storage
 from rapidsim.syntax import tree
 
+Value: TypeAlias = "float | str | bool | tuple[Value, ...]"
+
+
+def evaluated(
+    expression: tree.Expression | None, read: Callable[[tree.Reference], Value | None]
+) -> Value | None:
+    """The value of an expression; None where it varies or is not known.
+
+    Args:
+        expression: Of any type; elements of arrays and components of records are not looked into.
+        read: The value of the data that a name stands for.
+    """
+    match expression:
+        case tree.Number(value=value) | tree.String(value=value) | tree.Bool(value=value):
+            return value
+        case tree.LiteralAggregate(value=value):
+            return value
+        case tree.Parenthesised(inner=inner):
+            return evaluated(inner, read)
+        case tree.Unary(operator="-" | "+" as sign, operand=operand):
+            number = evaluated(operand, read)
+            if not isinstance(number, float):
+                return None
+            return -number if sign == "-" else number
+        case tree.Binary(left=left, operator=operator, right=right):
+            a, b = evaluated(left, read), evaluated(right, read)
+            if isinstance(a, float) and isinstance(b, float):
+                return computed(operator, a, b)
+            return a + b if operator == "+" and isinstance(a, str) and isinstance(b, str) else None
+        case tree.Aggregate(elements=elements):
+            parts: list[Value] = []
+            for element in elements:
+                part = evaluated(element, read)
+                if part is None:
+                    return None
+                parts.append(part)
+            return tuple(parts)
+        case tree.Reference():
+            return read(expression)
+        case _:
+            return None
+
 
 def constant_number(
     expression: tree.Expression, context: Context, seen: frozenset[DataSymbol] = frozenset()
 ) -> float | None:
-    """The number an expression has in every run; None if it has none or it varies.
+    """The number an expression has in every run; None if it has none or it varies."""
 
-    Elements of constant arrays and components of constant records are not looked into.
-    """
-    match expression:
-        case tree.Number(value=value):
-            return value
-        case tree.Parenthesised(inner=inner):
-            return constant_number(inner, context, seen)
-        case tree.Unary(operator=operator, operand=operand) if operator != "NOT":
-            number = constant_number(operand, context, seen)
-            return -number if number is not None and operator == "-" else number
-        case tree.Binary(left=left, operator=operator, right=right):
-            a = constant_number(left, context, seen)
-            b = constant_number(right, context, seen)
-            return None if a is None or b is None else computed(operator, a, b)
-        case tree.Reference(name=name):
-            symbol = context.scope.find(name.key) or installed_symbol(name.key)
-            if not isinstance(symbol, DataSymbol) or symbol.storage is not Storage.CONST:
-                return None
-            return _constant(symbol, context, seen)
-        case _:
+    def read(reference: tree.Reference) -> float | None:
+        key = reference.name.key
+        symbol = context.scope.find(key) or installed_symbol(key)
+        if not isinstance(symbol, DataSymbol) or symbol.storage is not Storage.CONST:
             return None
+        return _constant(symbol, context, seen)
+
+    value = evaluated(expression, read)
+    return value if isinstance(value, float) else None
 
 
 def _constant(symbol: DataSymbol, context: Context, seen: frozenset[DataSymbol]) -> float | None:

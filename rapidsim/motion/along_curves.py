@@ -102,7 +102,8 @@ def nodes_along(
         joints = np.insert(joints, at + 1, new_joints, axis=0)
         exists = np.insert(exists, at + 1, new_exists)
     of_arm = _continuous(joints[:, :joint_count], curve)
-    return Nodes(place, part, curve, np.hstack([of_arm, joints[:, joint_count:]]), exists)
+    joints = np.concatenate([of_arm, joints[:, joint_count:]], axis=1)
+    return Nodes(place, part, curve, joints, exists)
 
 
 def _continuous(joints: Array, curve: Index) -> Array:

@@ -6,14 +6,11 @@ the value in the text: it is what the program starts with.
 
 from __future__ import annotations
 
-from typing import TypeAlias
-
-from rapidsim.analysis.constants import computed
+from rapidsim.analysis.constants import Value, evaluated
 from rapidsim.analysis.program import DataSymbol, Storage
 from rapidsim.analysis.rules.facts import Facts
 from rapidsim.syntax import tree
 
-Value: TypeAlias = "float | str | bool | tuple[Value, ...]"
 _DEEPEST = 32
 
 
@@ -31,37 +28,11 @@ def known_value(
     Returns:
         None where the value varies or is not known; data that are declared without a value too.
     """
-    match expression:
-        case tree.Number(value=value) | tree.String(value=value) | tree.Bool(value=value):
-            return value
-        case tree.LiteralAggregate(value=value):
-            return value
-        case tree.Parenthesised(inner=inner):
-            return known_value(inner, facts, persistents=persistents, depth=depth)
-        case tree.Unary(operator="-" | "+" as sign, operand=operand):
-            number = known_value(operand, facts, persistents=persistents, depth=depth)
-            if not isinstance(number, float):
-                return None
-            return -number if sign == "-" else number
-        case tree.Binary(left=left, operator=operator, right=right):
-            a = known_value(left, facts, persistents=persistents, depth=depth)
-            b = known_value(right, facts, persistents=persistents, depth=depth)
-            if isinstance(a, float) and isinstance(b, float):
-                return computed(operator, a, b)
-            return a + b if operator == "+" and isinstance(a, str) and isinstance(b, str) else None
-        case tree.Aggregate(elements=elements):
-            parts: list[Value] = []
-            for element in elements:
-                part = known_value(element, facts, persistents=persistents, depth=depth)
-                if part is None:
-                    return None
-                parts.append(part)
-            return tuple(parts)
-        case tree.Reference():
-            symbol = facts.symbol(expression)
-            return _of_symbol(symbol, facts, persistents, depth) if symbol is not None else None
-        case _:
-            return None
+
+    def read(reference: tree.Reference) -> Value | None:
+        return _of_symbol(facts.symbol(reference), facts, persistents, depth)
+
+    return evaluated(expression, read)
 
 
 def numbers(value: object, count: int) -> tuple[float, ...] | None:

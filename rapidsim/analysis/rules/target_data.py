@@ -6,8 +6,9 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from rapidsim.analysis.constants import Value
 from rapidsim.analysis.rules.facts import Facts, Part
-from rapidsim.analysis.rules.known_values import Value, known_value, numbers
+from rapidsim.analysis.rules.known_values import known_value, numbers
 from rapidsim.analysis.rules.written_numbers import part_span
 from rapidsim.diagnostics import Diagnostic, Related, Violation
 from rapidsim.syntax import tree
