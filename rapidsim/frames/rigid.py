@@ -13,13 +13,15 @@ import numpy as np
 
 from rapidsim.frames.quaternion import Quaternion, Vector
 from rapidsim.frames.transform import Transform
+from rapidsim.frames.vectors import Number
 
+Nine = tuple[Number, Number, Number, Number, Number, Number, Number, Number, Number]
 Matrix = tuple[float, float, float, float, float, float, float, float, float]
 Rigid = tuple[Matrix, Vector]
 
 
-def product(a_from_b: Matrix, b_from_c: Matrix) -> Matrix:
-    """Compose two rotations: a_from_c."""
+def product(a_from_b: Nine[Number], b_from_c: Nine[Number]) -> Nine[Number]:
+    """Compose two rotations: a_from_c; of floats, or of columns of as many as one likes."""
     a, b, c, d, e, f, g, h, i = a_from_b
     j, k, m, n, o, p, q, r, s = b_from_c
     return (

@@ -14,6 +14,7 @@ from collections.abc import Iterable, Iterator
 from typing import NoReturn
 
 from rapidsim.frames import quaternion
+from rapidsim.frames.vectors import crossed
 from rapidsim.language.data import Orient, Pos
 from rapidsim.language.error_numbers import (
     ERR_DIVZERO,
@@ -93,11 +94,7 @@ def scaled_position(factor: float, a: Pos) -> Pos:
 
 def cross_product(a: Pos, b: Pos) -> Pos:
     """The vector product, each component a single."""
-    return Pos(
-        single(a[1] * b[2] - a[2] * b[1]),
-        single(a[2] * b[0] - a[0] * b[2]),
-        single(a[0] * b[1] - a[1] * b[0]),
-    )
+    return Pos(*(single(component) for component in crossed(a, b)))
 
 
 def compose_orientations(a: Orient, b: Orient) -> Orient:

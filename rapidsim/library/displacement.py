@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rapidsim.frames.vectors import minus
 from rapidsim.language.annotations import Pers, Switch
 from rapidsim.language.controller import Controller, Motion
 from rapidsim.language.data import (
@@ -23,7 +24,7 @@ from rapidsim.language.data import (
     WobjData,
 )
 from rapidsim.language.single import single
-from rapidsim.library.poses import composed, inverted, rounded, single_pos, subtract
+from rapidsim.library.poses import composed, inverted, rounded, single_pos
 from rapidsim.library.table import routine, table
 
 
@@ -82,7 +83,7 @@ def p_disp_on(
         executed = Pose(exe_p.trans, exe_p.rot)
         frame = rounded(composed(executed, inverted(Pose(prog_point.trans, prog_point.rot))))
     else:
-        way = single_pos(subtract(exe_p.trans, prog_point.trans))
+        way = single_pos(minus(exe_p.trans, prog_point.trans))
         frame = Pose(way, IDENTITY_POSE.rot)
     controller.settings = replace(controller.settings, displacement=frame)
 

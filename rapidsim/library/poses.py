@@ -5,10 +5,9 @@ Nothing is rounded until a value goes back to the program.
 
 from __future__ import annotations
 
-import math
-
 from rapidsim.frames import quaternion
 from rapidsim.frames.quaternion import Quaternion, Vector
+from rapidsim.frames.vectors import plus, scaled
 from rapidsim.language.data import Orient, Pos, Pose
 from rapidsim.language.error_numbers import ERR_ILLQUAT, rapid_error
 from rapidsim.language.single import single
@@ -17,14 +16,14 @@ from rapidsim.language.single import single
 def composed(a_from_b: Pose, b_from_c: Pose) -> Pose:
     """a_from_c, not rounded."""
     rotation = unit(a_from_b.rot)
-    trans = add(a_from_b.trans, quaternion.rotate(rotation, b_from_c.trans))
+    trans = plus(a_from_b.trans, quaternion.rotate(rotation, b_from_c.trans))
     return Pose(Pos(*trans), Orient(*quaternion.multiply(rotation, unit(b_from_c.rot))))
 
 
 def inverted(a_from_b: Pose) -> Pose:
     """b_from_a, not rounded."""
     back = quaternion.conjugate(unit(a_from_b.rot))
-    return Pose(Pos(*scale(quaternion.rotate(back, a_from_b.trans), -1.0)), Orient(*back))
+    return Pose(Pos(*scaled(quaternion.rotate(back, a_from_b.trans), -1.0)), Orient(*back))
 
 
 def rounded(pose: Pose) -> Pose:
@@ -53,40 +52,6 @@ def single_orient(q: Quaternion) -> Orient:
     """A quaternion as an orientation, rounded."""
     q1, q2, q3, q4 = q
     return Orient(single(q1), single(q2), single(q3), single(q4))
-
-
-def add(a: Vector, b: Vector) -> Vector:
-    """The sum."""
-    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
-
-
-def subtract(a: Vector, b: Vector) -> Vector:
-    """The difference a - b."""
-    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
-
-
-def scale(a: Vector, factor: float) -> Vector:
-    """The vector, so many times as long."""
-    return (a[0] * factor, a[1] * factor, a[2] * factor)
-
-
-def dot(a: Vector, b: Vector) -> float:
-    """The scalar product."""
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def cross(a: Vector, b: Vector) -> Vector:
-    """The vector product."""
-    return (
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    )
-
-
-def length(a: Vector) -> float:
-    """The length."""
-    return math.sqrt(dot(a, a))
 
 
 def from_axes(x: Vector, y: Vector, z: Vector) -> Quaternion:

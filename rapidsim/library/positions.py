@@ -10,20 +10,15 @@ import math
 
 from rapidsim.frames import quaternion
 from rapidsim.frames.quaternion import Quaternion, Vector
+from rapidsim.frames.vectors import crossed, dot, length, minus, plus, scaled
 from rapidsim.language.annotations import Num, Switch
 from rapidsim.language.data import WOBJ0, Orient, Pos, Pose, RobTarget, WobjData
 from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_FRAME, rapid_error
 from rapidsim.library.poses import (
-    add,
     composed,
-    cross,
-    dot,
     from_axes,
     inverted,
-    length,
     rounded,
-    scale,
-    subtract,
     unit,
 )
 from rapidsim.library.table import routine, table
@@ -57,7 +52,7 @@ def rel_tool(
         if angle is not None:
             about = quaternion.from_axis_angle(axis, math.radians(angle))
             turn = quaternion.multiply(turn, about)
-    trans = add(point.trans, quaternion.rotate(object_from_tool, (dx, dy, dz)))
+    trans = plus(point.trans, quaternion.rotate(object_from_tool, (dx, dy, dz)))
     return point._replace(
         trans=Pos(*trans), rot=Orient(*quaternion.multiply(object_from_tool, turn))
     )
@@ -111,7 +106,7 @@ def pose_inv(pose: Pose) -> Pose:
 
 def pose_vect(pose: Pose, pos: Pos) -> Pos:
     """A position given in a frame, in the frame's reference [mm]."""
-    return Pos(*add(pose.trans, quaternion.rotate(unit(pose.rot), pos)))
+    return Pos(*plus(pose.trans, quaternion.rotate(unit(pose.rot), pos)))
 
 
 def def_frame(
@@ -123,23 +118,23 @@ def def_frame(
     x axis nearest to the third.
     """
     p1, p2, p3 = new_p1.trans, new_p2.trans, new_p3.trans
-    along = subtract(p2, p1)
+    along = minus(p2, p1)
     reach = length(along)
-    aside = cross(along, subtract(p3, p1))
+    aside = crossed(along, minus(p3, p1))
     area = length(aside)
     # The angle between the two arms decides, not the area: 1e-4 rad is what singles can tell.
-    if reach == 0.0 or area <= 1e-4 * reach * length(subtract(p3, p1)):
+    if reach == 0.0 or area <= 1e-4 * reach * length(minus(p3, p1)):
         raise rapid_error(ERR_FRAME, "the three points lie on one line and define no frame")
-    x_axis = scale(along, 1.0 / reach)
-    z_axis = scale(aside, 1.0 / area)
-    rotation = from_axes(x_axis, cross(z_axis, x_axis), z_axis)
+    x_axis = scaled(along, 1.0 / reach)
+    z_axis = scaled(aside, 1.0 / area)
+    rotation = from_axes(x_axis, crossed(z_axis, x_axis), z_axis)
     match origin:
         case None | 1:
             at: Vector = p1
         case 2:
             at = p2
         case 3:
-            at = add(p1, scale(x_axis, dot(subtract(p3, p1), x_axis)))
+            at = plus(p1, scaled(x_axis, dot(minus(p3, p1), x_axis)))
         case _:
             raise rapid_error(ERR_ARGVALERR, f"there is no origin {origin:g}; origins are 1..3")
     return Pose(Pos(*at), Orient(*rotation))
@@ -179,7 +174,7 @@ def mir_pos(
     axes = [quaternion.rotate(unit(plane_from_tool.rot), axis) for axis in (_X, _Y, _Z)]
     mirrored = [(ax, ay, -az) for ax, ay, az in axes]
     turned = 1 if mir_y else 0
-    mirrored[turned] = scale(mirrored[turned], -1.0)
+    mirrored[turned] = scaled(mirrored[turned], -1.0)
     plane_from_image = Pose(Pos(x, y, -z), Orient(*from_axes(*mirrored)))
     image = rounded(composed(inverted(plane_from_object), plane_from_image))
     return point._replace(trans=image.trans, rot=image.rot)
@@ -197,7 +192,7 @@ def dot_prod(vector1: Pos, vector2: Pos) -> Num:
 
 def cross_prod(vector1: Pos, vector2: Pos) -> Pos:
     """The vector product of two vectors."""
-    return Pos(*cross(vector1, vector2))
+    return Pos(*crossed(vector1, vector2))
 
 
 def vect_magn(vector: Pos) -> Num:

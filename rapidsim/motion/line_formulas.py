@@ -12,7 +12,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from rapidsim.frames.rigid import product
 from rapidsim.frames.transform import Array
+from rapidsim.frames.vectors import crossed, minus, plus, scaled
 from rapidsim.motion.kinematics import Mask
 from rapidsim.motion.whole_turns import TURN
 
@@ -32,26 +34,6 @@ SMALLEST_WRIST = 1e-5
 """sin of axis 5 likewise."""
 
 
-def plus(a: Vector, b: Vector) -> Vector:
-    """A + b."""
-    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
-
-
-def minus(a: Vector, b: Vector) -> Vector:
-    """A - b."""
-    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
-
-
-def scaled(a: Vector, share: Array) -> Vector:
-    """A times a number."""
-    return a[0] * share, a[1] * share, a[2] * share
-
-
-def crossed(a: Vector, b: Vector) -> Vector:
-    """A x b."""
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-
-
 def turned(m: Matrix, v: Vector) -> Vector:
     """M v."""
     return (
@@ -64,21 +46,6 @@ def turned(m: Matrix, v: Vector) -> Vector:
 def transposed(m: Matrix) -> Matrix:
     """The inverse of a rotation."""
     return m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]
-
-
-def product(a: Matrix, b: Matrix) -> Matrix:
-    """A @ b."""
-    return (
-        a[0] * b[0] + a[1] * b[3] + a[2] * b[6],
-        a[0] * b[1] + a[1] * b[4] + a[2] * b[7],
-        a[0] * b[2] + a[1] * b[5] + a[2] * b[8],
-        a[3] * b[0] + a[4] * b[3] + a[5] * b[6],
-        a[3] * b[1] + a[4] * b[4] + a[5] * b[7],
-        a[3] * b[2] + a[4] * b[5] + a[5] * b[8],
-        a[6] * b[0] + a[7] * b[3] + a[8] * b[6],
-        a[6] * b[1] + a[7] * b[4] + a[8] * b[7],
-        a[6] * b[2] + a[7] * b[5] + a[8] * b[8],
-    )
 
 
 def rotation(v: Vector) -> Matrix:

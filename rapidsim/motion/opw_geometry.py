@@ -9,16 +9,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 from math import atan2, hypot, sqrt
-from typing import TypeVar
 
-from rapidsim.frames.transform import Array
+from rapidsim.frames.vectors import Number
 
 JOINT_COUNT = 6
 ROUNDING = 1e-12
 """Angles [rad] and shares of the arm's length up to this are zero spoiled by rounding."""
-
-Number = TypeVar("Number", float, Array)
-"""One number or many at once."""
 
 
 @dataclass(frozen=True)
