@@ -120,18 +120,22 @@ def _try(text: str) -> bool:
 
 
 def random_bytes(dice: random.Random) -> str:
+    """Bytes of any value, read as a file is."""
     return decode(dice.randbytes(dice.randrange(2000)))[0]
 
 
 def random_tokens(dice: random.Random) -> str:
+    """Words and marks of the language in no order."""
     return " ".join(dice.choices([*SOUP, "\n", ";\n", ";"], k=dice.randrange(300)))
 
 
 def inside(statements: str) -> str:
+    """Statements in a module that has a main."""
     return f"MODULE m\nVAR num x;\nPROC main()\n{statements}\nENDPROC\nENDMODULE\n"
 
 
 def characters_changed(text: str, dice: random.Random) -> str:
+    """A text with a few characters cut, doubled or put in."""
     for _ in range(dice.randrange(1, 8)):
         start = dice.randrange(len(text) + 1)
         stop = start + dice.choice((0, 1, 1, 2, 30))
@@ -141,6 +145,7 @@ def characters_changed(text: str, dice: random.Random) -> str:
 
 
 def tokens_changed(text: str, dice: random.Random) -> str:
+    """A text with a few tokens cut, put in, exchanged or said again."""
     tokens = lex(text)
     pieces = [text[a:b] for a, b in zip(tokens.starts, tokens.ends, strict=True)]
     for _ in range(dice.randrange(1, 8)):
@@ -160,5 +165,6 @@ def tokens_changed(text: str, dice: random.Random) -> str:
 
 
 def spliced(one: str, other: str, dice: random.Random) -> str:
+    """The beginning and the end of one text around a piece of another."""
     cut, begin = dice.randrange(len(one) + 1), dice.randrange(len(other) + 1)
     return one[:cut] + other[begin : begin + dice.randrange(1, 2000)] + one[cut:]
