@@ -19,10 +19,10 @@ from rapidsim.analysis.declarations import declare_locals, declare_task, show_lo
 from rapidsim.analysis.flow import check_flow
 from rapidsim.analysis.initial_values import check_circles, check_initial_value
 from rapidsim.analysis.lenient import check_lenient_marks
-from rapidsim.analysis.names import decide_undeclared
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Scope
 from rapidsim.analysis.rules.facts import Facts
 from rapidsim.analysis.statements import check_routine_body
+from rapidsim.analysis.undeclared import decide_undeclared
 from rapidsim.analysis.user_types import UserTypes
 from rapidsim.analysis.walk import clauses, statements
 from rapidsim.diagnostics import Diagnostic, Severity

@@ -5,8 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from rapidsim.analysis.agreement import agrees, report_mismatch
-from rapidsim.analysis.context import Analysis, Context
+from rapidsim.analysis.context import Context
 from rapidsim.analysis.installed import (
     installed_data_names,
     installed_routine_names,
@@ -30,7 +29,6 @@ from rapidsim.analysis.program import (
     TypeSymbol,
     UnknownSymbol,
 )
-from rapidsim.analysis.signal_violations import UnknownSignal
 from rapidsim.analysis.suggestions import closest, reserved_words, slip_of
 from rapidsim.language import types
 from rapidsim.language.annotations import Mode
@@ -38,6 +36,7 @@ from rapidsim.language.types import Type
 from rapidsim.syntax import tree
 
 DataLike = DataSymbol | ParameterSymbol | CounterSymbol
+
 
 # Programmers name signals after their kind: diStart, DO10_1, gi_part.
 _SIGNAL_NAME = re.compile(r"(di|do|ai|ao|gi|go)(?=[A-Z0-9_])|(DI|DO|AI|AO|GI|GO)(?=[0-9_])")
@@ -53,7 +52,7 @@ def data_named(reference: tree.Reference, context: Context) -> DataLike | None:
     """The data a reference reads; None where there are none.
 
     A name that nothing declares may still be a signal: this is decided when the whole task is
-    known, see `decide_undeclared`.
+    known, see `undeclared`.
     """
     symbol = find(reference.name.key, context)
     if symbol is None:
@@ -66,7 +65,7 @@ def type_of_undeclared(reference: tree.Reference, context: Context) -> Type | No
     """The kind of signal that a name means by its spelling, where nothing declares it."""
     if find(reference.name.key, context) is not None:
         return None
-    return _named_like_a_signal(reference.name, context)
+    return named_like_a_signal(reference.name, context)
 
 
 def as_data(symbol: Symbol, reference: tree.Reference, context: Context) -> DataLike | None:
@@ -131,30 +130,8 @@ def take_for_unknown(reference: tree.Reference, context: Context) -> None:
         context.analysis.symbol_of[reference] = context.analysis.unknown_symbol(name.text)
 
 
-def decide_undeclared(analysis: Analysis) -> None:
-    """Take undeclared names for signals if they are used or named like one, report the others.
-
-    A signal is reported where it stands first.
-    """
-    reported: set[str] = set()
-    for reference, context in analysis.undeclared:
-        name = reference.name
-        of = analysis.signals.get(name.key) or _named_like_a_signal(name, context)
-        if of is None:
-            report_undefined(name, context)
-            continue
-        if name.key not in reported:
-            context.report(UnknownSignal(name.text, of.name), name)
-            reported.add(name.key)
-        analysis.signals.setdefault(name.key, of)
-        analysis.symbol_of[reference] = analysis.unknown_symbol(name.text)
-        analysis.type_of.setdefault(reference, of)
-        wanted = analysis.wanted_of_undeclared.get(reference)
-        if wanted is not None and not agrees(of, wanted.type):
-            report_mismatch(reference, of, wanted, context)
-
-
-def _named_like_a_signal(name: tree.Name, context: Context) -> Type | None:
+def named_like_a_signal(name: tree.Name, context: Context) -> Type | None:
+    """The kind of signal that a name means by its spelling; None where it looks like no signal."""
     match = _SIGNAL_NAME.match(name.text)
     if match is None or slip_of(name.text, _known_names(context)):
         return None
@@ -246,6 +223,7 @@ def _cure(symbol: Symbol, name: str, function: bool) -> str:
 
 
 def _known_names(context: Context) -> Iterator[str]:
+    """Names of data and routines, of the program and of the controller."""
     for symbol in context.scope.symbols():
         if not isinstance(symbol, TypeSymbol):
             yield symbol.name

@@ -49,9 +49,9 @@ def in_single(
     Args:
         function: As it is written.
         result: The type of its value; None without one.
-        positional: For each required argument, the type of the data that the function writes; None
-            where it writes none.
-        options: The same for each option, by keyword.
+        positional: For each argument by position, the type of the data that the function writes;
+            None where it writes none.
+        options: The same for each argument by keyword.
     """
     given_back = _roundings(enumerate(positional))
     optional = _roundings(options.items())

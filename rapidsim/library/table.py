@@ -105,10 +105,10 @@ class LibraryRoutine:
     def body(self) -> Callable[..., Any]:
         """The Python function, with results that have passed single precision."""
         signature = self.signature
-        required = [_written(p) for p in signature.parameters if not p.optional]
+        required = [_written(p) for p in signature.parameters if not p.by_keyword]
         if signature.takes_controller:
             required.insert(0, None)
-        options = {p.python: _written(p) for p in signature.parameters if p.optional}
+        options = {p.python: _written(p) for p in signature.parameters if p.by_keyword}
         return in_single(self.function, signature.result, required, options)
 
 

@@ -188,6 +188,11 @@ class Team(RobotPath):
         for robot in self.robots:
             robot.end = robot.standing()
 
+    def leave(self) -> None:
+        """Leave the robots on their way."""
+        super().leave()
+        self._pass_on(self._block)
+
     def standing(self) -> Waypoint:
         """Where the first robot stands."""
         return self.robots[0].standing()

@@ -73,6 +73,10 @@ class Seat(RobotPath):
         """Stop all robots of the team; see `RobotPath.halt`."""
         return self.team.halt(now_s)
 
+    def leave(self) -> None:
+        """Leave all robots of the team on their way."""
+        self.team.leave()
+
     def resume(self, now_s: float) -> None:
         """Let all robots of the team go on."""
         self.team.resume(now_s)

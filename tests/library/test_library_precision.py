@@ -115,9 +115,10 @@ def test_results_are_singles(row: LibraryRoutine, monkeypatch: pytest.MonkeyPatc
     options = OPTIONS.get(row.name, {}) | {
         p.python: given.setdefault(p.name, argument(p))
         for p in signature.parameters
-        if p.optional and p.mode in (Mode.INOUT, Mode.VAR) and not p.is_switch
+        if p.by_keyword
+        and (not p.optional or (p.mode in (Mode.INOUT, Mode.VAR) and not p.is_switch))
     }
-    required = [given[p.name] for p in signature.parameters if not p.optional]
+    required = [given[p.name] for p in signature.parameters if not p.by_keyword]
     controller = Uneven()
     controller.files["0123"] = bytearray(b"1")
     result = controller.call(row.name, *required, **options)

@@ -116,5 +116,14 @@ def test_a_seat_answers_for_itself_whatever_a_path_is_asked() -> None:
     asked = {name for name in dir(RobotPath) if not name.startswith("_")}
     own = {name for name in vars(Seat) if not name.startswith("_")}
     # Of the robot, not of its place in a team; or asked of the team's path and the robot's own.
-    others = {"append", "braking_s", "commit", "continue_after", "executed", "limits", "moves"}
+    others = {
+        "append",
+        "braking_s",
+        "commit",
+        "continue_after",
+        "executed",
+        "limits",
+        "look",
+        "moves",
+    }
     assert asked - own <= others
