@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 from motion_truth import recorded
 
@@ -23,6 +23,7 @@ ACCELERATIONS = st.floats(1e-2, 50.0)
 DOWN = np.array([0.0, 1.0, 0.0, 0.0])
 
 
+@example(Profile.SCURVE, 5.0, 0.001, 5.0, 0.0)
 @given(st.sampled_from(Profile), LENGTHS, SPEEDS, ACCELERATIONS, st.floats(0.0, 0.3))
 def test_every_profile_ends_at_rest_within_its_limits(
     profile: Profile, length: float, speed: float, acceleration: float, ease: float
@@ -32,10 +33,12 @@ def test_every_profile_ends_at_rest_within_its_limits(
     assert made.at(ends)[:, 0] == pytest.approx([0.0, length], abs=1e-9 * length)
     assert made.at(ends, 1)[:, 0] == pytest.approx([0.0, 0.0], abs=1e-6 * speed)
     peak_speed, peak_acceleration = float(made.peak(1)[0]), float(made.peak(2)[0])
-    assert peak_speed <= speed * (1.0 + 1e-9)
-    assert peak_acceleration <= acceleration * (1.0 + 1e-9)
+    # A short ramp behind a long way begins and ends at times that are rounded.
+    rounding = 1e-9 + 1e-15 * made.end * acceleration / speed
+    assert peak_speed <= speed * (1.0 + rounding)
+    assert peak_acceleration <= acceleration * (1.0 + rounding)
     # One of the two is used up: the profile is as fast as its shape allows.
-    assert max(peak_speed / speed, peak_acceleration / acceleration) > 1.0 - 1e-9
+    assert max(peak_speed / speed, peak_acceleration / acceleration) > 1.0 - rounding
     places = made.at(np.linspace(0.0, made.end, 200))[:, 0]
     assert (np.diff(places) >= -1e-12).all()
 

@@ -221,8 +221,9 @@ def test_an_arc_is_led_exactly_or_refused(
     assert np.abs(off).max() < 1e-9
     assert (found >= IRB1600.lower - 1e-6).all()
     assert (found <= IRB1600.upper + 1e-6).all()
-    # Without a jump: the joints are as smooth as the circle.
-    assert np.abs(np.diff(found, axis=0)).max() < 0.5
+    # Without a jump, however fast axis 4 turns where axis 5 is nearly straight.
+    close = path.evaluate(np.linspace(0.0, path.length, 3000)).joints
+    assert np.abs(np.diff(close, axis=0)).max() < 0.1
 
 
 def test_the_programmed_speed_is_that_of_what_follows_the_circle() -> None:
