@@ -21,14 +21,14 @@ from rapidsim.analysis.program import (
     RoutineSymbol,
     Storage,
 )
-from rapidsim.interpreter.arithmetic import integer_quotient, integer_remainder, steps
-from rapidsim.interpreter.arrays import assign_array, copy_array, dimension, out_of_bounds
-from rapidsim.interpreter.paths import bare, by_reference
-from rapidsim.interpreter.recovery import ERRORS, as_rapid_error, raised
-from rapidsim.interpreter.references import Component, Element
-from rapidsim.interpreter.values import literal
+from rapidsim.interpreter.codegen.data_access import bare, by_reference
+from rapidsim.interpreter.runtime.arithmetic import integer_quotient, integer_remainder, steps
+from rapidsim.interpreter.runtime.arrays import assign_array, copy_array, dimension, out_of_bounds
+from rapidsim.interpreter.runtime.error_recovery import ERRORS, as_rapid_error, raised
+from rapidsim.interpreter.runtime.references import Component, Element
+from rapidsim.interpreter.runtime.values import literal
 from rapidsim.language.initial import initial_value
-from rapidsim.language.reference import Cell
+from rapidsim.language.reference import Box
 from rapidsim.language.single import single
 from rapidsim.language.types import ArrayOf, Record, resolved
 from rapidsim.syntax import tree
@@ -275,7 +275,7 @@ class Interpreter:
                     raise LookupError(f"no closure for {type(node).__name__}")
                 return lambda frame: constant
 
-    def load(self, node: tree.Path) -> Closure:
+    def load(self, node: tree.DataPath) -> Closure:
         """Read data."""
         match node:
             case tree.Index(array=array, indices=indices):
@@ -295,7 +295,7 @@ class Interpreter:
             return lambda frame: frame[slot].value
         return lambda frame: frame[slot]
 
-    def store(self, node: tree.Path | tree.Placeholder, value: Closure) -> Closure:
+    def store(self, node: tree.DataPath | tree.Placeholder, value: Closure) -> Closure:
         """Write data."""
         match node:
             case tree.Index(array=array, indices=indices):
@@ -327,7 +327,7 @@ class Interpreter:
             return lambda frame: setattr(frame[slot], "value", value(frame))
         return lambda frame: frame.__setitem__(slot, value(frame))
 
-    def refer(self, node: tree.Path) -> Closure:
+    def refer(self, node: tree.DataPath) -> Closure:
         """A reference to data."""
         match node:
             case tree.Index(array=array, indices=indices):
@@ -348,7 +348,7 @@ class Interpreter:
         return lambda frame: Slot(frame, slot)
 
     def element(
-        self, array: tree.Path, indices: tuple[tree.Expression, ...]
+        self, array: tree.DataPath, indices: tuple[tree.Expression, ...]
     ) -> tuple[Closure, Closure]:
         """The innermost list and the checked position in it."""
         holder, *positions = self.load(array), *(self.value(index) for index in indices)
@@ -407,7 +407,7 @@ class Interpreter:
                 value = self.value(symbol.node.value)([])
             else:
                 value = initial_value(symbol.type)
-            self.variables[symbol] = value if isinstance(value, list) else Cell(value)
+            self.variables[symbol] = value if isinstance(value, list) else Box(value)
         return self.variables[symbol]
 
     def is_reference(self, symbol: Any) -> bool:

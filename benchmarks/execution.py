@@ -18,10 +18,10 @@ from typing import cast
 import plain_loops
 from closures import Interpreter
 
-from rapidsim.analysis.checker import check
+from rapidsim.analysis.passes.checker import check
 from rapidsim.analysis.program import DataSymbol, Program, Scope
 from rapidsim.diagnostics import Source
-from rapidsim.interpreter.loader import Task, load
+from rapidsim.interpreter.linking.loader import Task, load
 from rapidsim.language.controller import Controller
 from rapidsim.syntax.parser import parse
 

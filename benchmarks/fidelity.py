@@ -23,12 +23,12 @@ import numpy as np
 
 from rapidsim.files import SourceFile
 from rapidsim.frames.transform import Array
+from rapidsim.jobs.checked_program import load
 from rapidsim.motion.model import MotionModel
-from rapidsim.motion.robot import load_robot
-from rapidsim.simulation.load import load
-from rapidsim.simulation.log_comparison import Progress
+from rapidsim.motion.robot.robot import load_robot
+from rapidsim.simulation.calibration.log_comparison import Progress
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.result import Simulation
+from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.simulate import simulate
 
 ROBOT = "irb6640-180-2.55"

@@ -24,10 +24,10 @@ import yourdfpy
 from scipy.spatial.transform import RigidTransform
 
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.branches import LeastMotion, least_motion
-from rapidsim.motion.opw import OrthoParallel
-from rapidsim.motion.robot import Robot, load_robot
-from rapidsim.motion.scipy_search import METHODS, search
+from rapidsim.motion.configurations.branch_choice import LeastMotion, least_motion
+from rapidsim.motion.configurations.scipy_solvers import METHODS, search
+from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
+from rapidsim.motion.robot.robot import Robot, load_robot
 
 BATCH = 10_000
 ONE_BY_ONE = 1_000

@@ -17,7 +17,7 @@ from collections.abc import Callable
 from itertools import cycle
 from pathlib import Path
 
-from rapidsim.analysis.checker import check
+from rapidsim.analysis.passes.checker import check
 from rapidsim.diagnostics import Source
 from rapidsim.syntax.parser import parse
 

@@ -24,10 +24,15 @@ from typing import Any
 
 import numpy as np
 
+from rapidsim.controller.journal.journal import Instant
+from rapidsim.controller.moves.executed_move import CornerKind
+from rapidsim.controller.moves.queued_move import QueuedMove
+from rapidsim.controller.queue.path_planner import MAX_OPEN_MOVES, PathQueue
 from rapidsim.diagnostics import Source, Span
 from rapidsim.files import SourceFile
+from rapidsim.frames.rotation_vectors import rotation_from_vector
 from rapidsim.frames.transform import Array, Transform, quaternion_from_matrix
-from rapidsim.language.controller import Interpolation, Move, Place
+from rapidsim.jobs.checked_program import load
 from rapidsim.language.data import (
     NO_EXTERNAL_AXES,
     TOOL0,
@@ -38,24 +43,19 @@ from rapidsim.language.data import (
     SpeedData,
     ZoneData,
 )
-from rapidsim.motion.confdata import confdata_of
-from rapidsim.motion.drive import Division, Drive, drive
-from rapidsim.motion.grid import cells_of
-from rapidsim.motion.limits import Limits, limits_of
+from rapidsim.language.moves import Interpolation, Move, Place
+from rapidsim.motion.configurations.confdata import confdata_of
+from rapidsim.motion.geometry.segments import Geometry, Segment, Speed, Waypoint, Zone
 from rapidsim.motion.model import MotionModel
-from rapidsim.motion.path import Path, build_path
-from rapidsim.motion.problem import Problem, problem_of
-from rapidsim.motion.robot import Robot, load_robot
-from rapidsim.motion.segments import Geometry, Segment, Speed, Waypoint, Zone
-from rapidsim.motion.stages import stages_of
-from rapidsim.motion.trajectory import Trajectory
-from rapidsim.motion.turns import rotation_from_vector
-from rapidsim.simulation.journal import Instant
-from rapidsim.simulation.load import load
+from rapidsim.motion.path.path import Path, build_path
+from rapidsim.motion.robot.robot import Robot, load_robot
+from rapidsim.motion.timing.axis_limits import Limits, limits_of
+from rapidsim.motion.timing.discretisation import cells_of
+from rapidsim.motion.timing.problem import Problem, problem_of
+from rapidsim.motion.timing.stages import stages_of
+from rapidsim.motion.timing.time_optimal import Division, Drive, drive
+from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.path_queue import MAX_OPEN_MOVES, PathQueue
-from rapidsim.simulation.queued_move import QueuedMove
-from rapidsim.simulation.result import CornerKind
 from rapidsim.simulation.simulate import simulate
 
 ROBOT = "irb1600-6-1.2"

@@ -14,10 +14,11 @@ from pathlib import Path
 from rerun.chunk import RrdReader
 
 import rapidsim
-from rapidsim.recording import sampled, write
+from rapidsim.recording import samples as sampled
+from rapidsim.recording.layout import write
 from rapidsim.report.html.write import write_report
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.result import Simulation
+from rapidsim.simulation.results.simulation import Simulation
 
 ROOT = Path(__file__).parents[1]
 ROUNDS = 400

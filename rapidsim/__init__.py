@@ -8,10 +8,10 @@ TYPE_CHECKING = False  # Importing typing would take longer than all of this.
 if TYPE_CHECKING:
     from typing import Any
 
-    from rapidsim.motion.robot import load_robot
-    from rapidsim.recording.write import record
-    from rapidsim.simulation.check_files import check
-    from rapidsim.simulation.run_files import simulate
+    from rapidsim.jobs.check_files import check
+    from rapidsim.jobs.run_files import simulate
+    from rapidsim.motion.robot.robot import load_robot
+    from rapidsim.recording.layout.write import record
     from rapidsim.syntax.parser import parse
 
 __version__ = "0.1.0"
@@ -21,11 +21,11 @@ __all__ = ["__version__", "check", "load_robot", "parse", "record", "simulate"]
 # Where the public names live. They are imported when first used, so that parsing or checking a
 # program does not pay for NumPy or rerun.
 _HOMES = {
-    "check": "rapidsim.simulation.check_files",
-    "load_robot": "rapidsim.motion.robot",
+    "check": "rapidsim.jobs.check_files",
+    "load_robot": "rapidsim.motion.robot.robot",
     "parse": "rapidsim.syntax.parser",
-    "record": "rapidsim.recording.write",
-    "simulate": "rapidsim.simulation.run_files",
+    "record": "rapidsim.recording.layout.write",
+    "simulate": "rapidsim.jobs.run_files",
 }
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rapidsim.report.library_page import library_page
+from rapidsim.report.pages.library_page import library_page
 
 PAGE = Path(__file__).parents[1] / "docs" / "library.md"
 

@@ -23,19 +23,19 @@ from shape_palletizer import Follower
 from solids import Body, glb
 
 from rapidsim.frames.transform import Transform
-from rapidsim.motion.axis_row import AxisRowGeometry
-from rapidsim.motion.catalogue import (
+from rapidsim.motion.kinematics.arm import Kinematics
+from rapidsim.motion.kinematics.closed_form.five_axis import FiveAxisGeometry
+from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
+from rapidsim.motion.kinematics.closed_form.opw_geometry import OpwGeometry
+from rapidsim.motion.kinematics.closed_form.palletizer import Palletizer, PalletizerGeometry
+from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry
+from rapidsim.motion.robot.catalogue import (
     CatalogueEntry,
     find_entry,
     kinematics_of,
     robot_names,
     robots_folder,
 )
-from rapidsim.motion.five_axis import FiveAxisGeometry
-from rapidsim.motion.kinematics import Kinematics
-from rapidsim.motion.opw import OrthoParallel
-from rapidsim.motion.opw_geometry import OpwGeometry
-from rapidsim.motion.palletizer import Palletizer, PalletizerGeometry
 
 DRAWN_BY_HAND: dict[str, Callable[[OpwGeometry], dict[str, list[Body]]]] = {
     "irb120-3-0.58": shape_irb120.links,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from rapidsim.diagnostics import all_rules
-from rapidsim.report.rules_page import rules_page
+from rapidsim.report.pages.rules_page import rules_page
 
 PAGE = Path(__file__).parents[1] / "docs" / "rules.md"
 

@@ -11,8 +11,8 @@ import numpy.typing as npt
 import solids
 from solids import DARK, GRAPHITE, LIGHT, STEEL, Body, Z, hull, lathe
 
-from rapidsim.motion.axis_row import AxisRowGeometry
-from rapidsim.motion.turns import rotation_from_vector
+from rapidsim.frames.rotation_vectors import rotation_from_vector
+from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry
 
 Array = npt.NDArray[np.float64]
 AROUND = 26

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from solids import DARK, GRAPHITE, IVORY, STEEL, Body, X, Y, Z, block, disc, hull, lathe, mirrored
 
-from rapidsim.motion.five_axis import FiveAxisGeometry
+from rapidsim.motion.kinematics.closed_form.five_axis import FiveAxisGeometry
 
 
 def links(geometry: FiveAxisGeometry) -> dict[str, list[Body]]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from solids import DARK, GRAPHITE, ORANGE, STEEL, Body, X, Y, Z, block, disc, hull, lathe, mirrored
 
-from rapidsim.motion.opw_geometry import OpwGeometry
+from rapidsim.motion.kinematics.closed_form.opw_geometry import OpwGeometry
 
 LOWER_ARM_SIDE = -0.108
 """y of the middle of the lower arm, which stands beside the shoulder and the arm house."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from solids import DARK, GRAPHITE, ORANGE, STEEL, Body, X, Y, Z, block, disc, hull, lathe, mirrored
 
-from rapidsim.motion.opw_geometry import OpwGeometry
+from rapidsim.motion.kinematics.closed_form.opw_geometry import OpwGeometry
 
 
 def links(geometry: OpwGeometry) -> dict[str, list[Body]]:

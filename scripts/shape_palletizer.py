@@ -13,7 +13,7 @@ from functools import partial
 import solids
 from solids import DARK, GRAPHITE, ORANGE, STEEL, Body, X, Y, Z, hull, lathe
 
-from rapidsim.motion.palletizer import PalletizerGeometry
+from rapidsim.motion.kinematics.closed_form.palletizer import PalletizerGeometry
 
 disc = partial(solids.disc, around=24, fillet_steps=2)
 block = partial(solids.block, fillet_steps=2)

@@ -15,8 +15,8 @@ from functools import partial
 import solids
 from solids import DARK, GRAPHITE, KUKA_ORANGE, ORANGE, STEEL, Body, Paint, X, Y, Z, hull, mirrored
 
-from rapidsim.motion.catalogue import CatalogueEntry, arm_from_geometry
-from rapidsim.motion.opw_geometry import OpwGeometry
+from rapidsim.motion.kinematics.closed_form.opw_geometry import OpwGeometry
+from rapidsim.motion.robot.catalogue import CatalogueEntry, arm_from_geometry
 
 # A third of the points of the arms drawn by hand: there are fifty of these.
 disc = partial(solids.disc, around=22, fillet_steps=2)

@@ -10,7 +10,7 @@ from hypothesis import HealthCheck, settings
 from laws import PROFILE
 
 from rapidsim.diagnostics import all_rules
-from rapidsim.report.rules import programs
+from rapidsim.report.pages.rules import programs
 
 # No deadline and no verdict about slow examples: machines differ, and so do their loads.
 # Derandomised and without memory: a run must not fail for luck, nor for what stands in somebody's

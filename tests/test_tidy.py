@@ -47,13 +47,6 @@ def test_every_package_is_in_the_wheel() -> None:
     assert {".".join(folder.relative_to(ROOT).parts) for folder in folders} <= named
 
 
-def test_architecture_names_every_folder() -> None:
-    text = (ROOT / "ARCHITECTURE.md").read_text(encoding="utf-8")
-    folders = sorted(p.parent.name for p in (ROOT / "rapidsim").glob("*/__init__.py"))
-    missing = [folder for folder in folders if f"`{folder}" not in text]
-    assert not missing
-
-
 def test_ci_runs_the_test_command_of_the_readme() -> None:
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     commands = re.findall(r"^python3 -m venv .*pytest\b.*$", readme, flags=re.MULTILINE)

@@ -18,23 +18,23 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import cast
 
-from rapidsim.analysis.checker import check
+from rapidsim.analysis.passes.checker import check
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
-from rapidsim.cli.fixes import choose_fixes
+from rapidsim.cli.tools.fixes import choose_fixes
 from rapidsim.diagnostics import Severity, Source, all_rules
 from rapidsim.export.text_edits import edited_text
 from rapidsim.files import decode
 from rapidsim.interpreter.limits import NotExecutableError
-from rapidsim.interpreter.loader import FatalError, load
+from rapidsim.interpreter.linking.loader import FatalError, load
 from rapidsim.language.controller import Controller
-from rapidsim.report.diagnostics import diagnostic_json, full
-from rapidsim.report.github import github
-from rapidsim.report.junit import junit
-from rapidsim.report.merging import merged
+from rapidsim.report.findings.github import github
+from rapidsim.report.findings.junit import junit
+from rapidsim.report.findings.merging import merged
+from rapidsim.report.findings.sarif import sarif
+from rapidsim.report.findings.text import diagnostic_json, full
+from rapidsim.report.pages.rules import programs
 from rapidsim.report.palette import PLAIN
-from rapidsim.report.rules import programs
-from rapidsim.report.sarif import sarif
 from rapidsim.syntax.lexer import lex
 from rapidsim.syntax.parser import parse
 

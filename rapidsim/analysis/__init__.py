@@ -1,1 +1,1 @@
-"""Tree to program: names, types, flow; whoever holds a `Program` holds one without errors."""
+"""A tree becomes a Program or findings: the passes, what they share, what they leave."""

@@ -17,8 +17,8 @@ from typing import NoReturn
 import click
 
 from rapidsim import __version__
-from rapidsim.cli.commands import commands
 from rapidsim.cli.exit_codes import ExitCode
+from rapidsim.cli.group import commands
 from rapidsim.cli.terminal import PLAIN_CHARACTERS, Terminal, say
 from rapidsim.files import InputError, did_you_mean
 

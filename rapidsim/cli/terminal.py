@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 from rapidsim import __version__
+from rapidsim.report.findings.source_frame import printable_lines
 from rapidsim.report.palette import COLOURED, PLAIN, Palette
-from rapidsim.report.source_frame import printable_lines
 
 if TYPE_CHECKING:
     from rich.console import Console, RenderableType

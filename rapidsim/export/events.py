@@ -6,8 +6,8 @@ import json
 from pathlib import Path
 
 from rapidsim.output_files import whole_file
-from rapidsim.simulation.event_record import event_record
-from rapidsim.simulation.result import Simulation
+from rapidsim.simulation.results.event_values import event_record
+from rapidsim.simulation.results.simulation import Simulation
 
 
 def write_events(simulation: Simulation, path: str | Path) -> Path:

@@ -13,8 +13,8 @@ from pathlib import Path
 from rapidsim.export.table import BLOCK, sample_times
 from rapidsim.frames.transform import Array
 from rapidsim.output_files import whole_file
-from rapidsim.simulation.result import Simulation
-from rapidsim.simulation.sampling import evaluate, joint_rates
+from rapidsim.simulation.results.sampling import evaluate, joint_rates
+from rapidsim.simulation.results.simulation import Simulation
 
 SUFFIX = ".ros.json"
 _NANOSECONDS = 1_000_000_000

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from rapidsim.export.text_edits import TextEdit, write_edits
 from rapidsim.files import SourceFile
-from rapidsim.simulation.persistents import PersistentChange, literal_places, parts_of
+from rapidsim.simulation.results.persistents import PersistentChange, literal_places, parts_of
 
 _NOT_ASCII = re.compile("[\x80-\xff]")
 

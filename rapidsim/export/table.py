@@ -9,9 +9,9 @@ import numpy as np
 
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Array
-from rapidsim.motion.external_axes import ExternalAxis
-from rapidsim.motion.trajectory import Samples
-from rapidsim.simulation.result import RobotRun, Simulation
+from rapidsim.motion.robot.external_axes import ExternalAxis
+from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.simulation.results.simulation import RobotRun, Simulation
 
 DEFAULT_DT = 0.012
 """[s]"""

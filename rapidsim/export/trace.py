@@ -19,9 +19,9 @@ from rapidsim.export.joint_trajectory import write_joint_trajectory
 from rapidsim.export.parquet import write_parquet
 from rapidsim.export.table import DEFAULT_DT, Block, block, blocks, columns, table_widths
 from rapidsim.files import InputError
-from rapidsim.motion.trajectory import Samples
+from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.output_files import whole_file
-from rapidsim.simulation.result import Simulation
+from rapidsim.simulation.results.simulation import Simulation
 
 Writer = Callable[[Path, tuple[str, ...], Iterator[Block]], None]
 

@@ -1,1 +1,1 @@
-"""Rotations and rigid transforms: one at a time in plain Python, batches in NumPy."""
+"""Rotations and rigid transforms, singly in plain floats and in batches; poses that move."""

@@ -1,1 +1,1 @@
-"""Program to running code: code objects, memory, error handling; knows no robot."""
+"""What a program may not exceed to be executed."""

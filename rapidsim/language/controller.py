@@ -1,6 +1,6 @@
 """What a running task may ask of its controller.
 
-The interpreter and the library speak to these protocols; `simulation` implements them; tests use a
+The interpreter and the library speak to these protocols; `controller` implements them; tests use a
 small recording fake. Everything here is in RAPID's units and knows no robot and no NumPy.
 
 One object implements them all for one task, so generated code and library share its clock.
@@ -14,34 +14,24 @@ from enum import Enum
 from typing import Protocol
 
 from rapidsim.diagnostics import Source
-from rapidsim.language.data import (
-    JointTarget,
-    RobTarget,
-    ToolData,
-    WobjData,
-)
+from rapidsim.language.data import JointTarget, RobTarget, ToolData, WobjData
 from rapidsim.language.error_log import LoggedError
 from rapidsim.language.modules import Modules
-from rapidsim.language.moves import CirclePathMode as CirclePathMode
-from rapidsim.language.moves import Flank as Flank
-from rapidsim.language.moves import Interpolation as Interpolation
-from rapidsim.language.moves import MotionSettings as MotionSettings
-from rapidsim.language.moves import Move as Move
-from rapidsim.language.moves import Place as Place
-from rapidsim.language.moves import SearchStop as SearchStop
-from rapidsim.language.moves import SingularArea as SingularArea
-from rapidsim.language.moves import StopTime as StopTime
-from rapidsim.language.path_control import PathControl as PathControl
-from rapidsim.language.path_control import WorldZones as WorldZones
+from rapidsim.language.moves import (
+    MotionSettings,
+    Move,
+    Place,
+)
+from rapidsim.language.path_control import PathControl, WorldZones
 from rapidsim.language.path_events import Trigger
 from rapidsim.language.reference import Reference
 from rapidsim.language.sockets import Connection, Listener
 from rapidsim.language.symbols import Symbols
-from rapidsim.language.tasks import Tasks as Tasks
+from rapidsim.language.tasks import Tasks
 from rapidsim.language.texts import Texts
 
 
-class Clock(Protocol):
+class ClockService(Protocol):
     """Virtual time of a task."""
 
     def now(self) -> float:
@@ -375,7 +365,7 @@ class Honesty(Protocol):
 
 
 class Controller(
-    Clock,
+    ClockService,
     Motion,
     PathControl,
     WorldZones,

@@ -21,6 +21,8 @@ from rapidsim.language.data import (
     ZoneData,
 )
 
+LEAST_RAMP_PERCENT = 10.0
+
 
 @dataclass(frozen=True, slots=True)
 class Place:

@@ -16,7 +16,7 @@ class Reference(Protocol[T]):
     value: T
 
 
-class Cell(Generic[T]):
+class Box(Generic[T]):
     """One variable: a reference that holds its value itself."""
 
     __slots__ = ("value",)
@@ -27,4 +27,4 @@ class Cell(Generic[T]):
 
     def __repr__(self) -> str:
         """For debuggers."""
-        return f"Cell({self.value!r})"
+        return f"Box({self.value!r})"

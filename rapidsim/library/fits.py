@@ -13,16 +13,7 @@ from typing import TYPE_CHECKING
 
 from rapidsim.language.annotations import Num, Pers, Var
 from rapidsim.language.controller import Motion
-from rapidsim.language.data import (
-    TOOL0,
-    WOBJ0,
-    JointTarget,
-    Orient,
-    Pos,
-    Pose,
-    RobTarget,
-    ToolData,
-)
+from rapidsim.language.data import TOOL0, WOBJ0, JointTarget, Orient, Pos, Pose, RobTarget, ToolData
 from rapidsim.language.error_numbers import ERR_FRAME, rapid_error
 from rapidsim.language.reference import Reference
 from rapidsim.library.poses import from_axes, single_pos, unit

@@ -29,7 +29,7 @@ from rapidsim.language.annotations import (
 )
 from rapidsim.language.controller import Controller, Interrupts
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
-from rapidsim.language.reference import Cell
+from rapidsim.language.reference import Box
 from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
 
@@ -181,7 +181,7 @@ def i_pers(
 
     The trap runs at the next instruction after the change that moves, waits, reads or writes.
     """
-    data = Cell(name) if isinstance(name, list) else name
+    data = Box(name) if isinstance(name, list) else name
     controller.order_persistent(interrupt.value, data, single=single or single_safe)
 
 

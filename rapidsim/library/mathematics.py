@@ -11,14 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from rapidsim.language.annotations import (
-    ArgumentType,
-    Bool,
-    Dnum,
-    InOut,
-    Num,
-    Switch,
-)
+from rapidsim.language.annotations import ArgumentType, Bool, Dnum, InOut, Num, Switch
 from rapidsim.language.error_numbers import (
     ERR_ARGVALERR,
     ERR_INT_MAXVAL,

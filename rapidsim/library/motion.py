@@ -17,7 +17,7 @@ from types import MappingProxyType
 from typing import TypedDict, Unpack
 
 from rapidsim.language.annotations import IdentNo, Num, Pers, Switch
-from rapidsim.language.controller import Controller, Interpolation, Move, StopTime
+from rapidsim.language.controller import Controller
 from rapidsim.language.data import (
     WOBJ0,
     JointTarget,
@@ -29,6 +29,7 @@ from rapidsim.language.data import (
     WobjData,
     ZoneData,
 )
+from rapidsim.language.moves import Interpolation, Move, StopTime
 from rapidsim.language.reference import Reference
 from rapidsim.language.single import single
 from rapidsim.library.displacement import in_object, with_axis_offsets

@@ -8,14 +8,14 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rapidsim.language.annotations import Bool, MecUnit, Num, Pers, Switch, Var
-from rapidsim.language.controller import CirclePathMode, Controller, Motion, SingularArea
+from rapidsim.language.controller import Controller, Motion
 from rapidsim.language.data import LoadData
 from rapidsim.language.error_numbers import ERR_ACC_TOO_LOW, ERR_ARGVALERR, rapid_error
+from rapidsim.language.moves import LEAST_RAMP_PERCENT, CirclePathMode, SingularArea
 from rapidsim.library.predefined import MAX_TCP_SPEED_MM_S
 from rapidsim.library.table import routine, table
 
 LEAST_ACCELERATION_PERCENT = 20.0
-LEAST_RAMP_PERCENT = 10.0
 LEAST_LIMIT_M_S2 = 0.1
 
 

@@ -20,9 +20,10 @@ from rapidsim.language.annotations import (
     String,
     Var,
 )
-from rapidsim.language.controller import Controller, Interpolation
+from rapidsim.language.controller import Controller
 from rapidsim.language.data import RobTarget, SpeedData, ToolData, ZoneData
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
+from rapidsim.language.moves import Interpolation
 from rapidsim.language.path_events import CallProcedure, SetOutput, Trigger
 from rapidsim.library.motion import MoveOptions, asked, each_way
 from rapidsim.library.signals import connected

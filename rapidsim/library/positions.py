@@ -14,13 +14,7 @@ from rapidsim.frames.vectors import crossed, dot, length, minus, plus, scaled
 from rapidsim.language.annotations import Num, Switch
 from rapidsim.language.data import WOBJ0, Orient, Pos, Pose, RobTarget, WobjData
 from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_FRAME, rapid_error
-from rapidsim.library.poses import (
-    composed,
-    from_axes,
-    inverted,
-    rounded,
-    unit,
-)
+from rapidsim.library.poses import composed, from_axes, inverted, rounded, unit
 from rapidsim.library.table import routine, table
 
 _X: Vector = (1.0, 0.0, 0.0)

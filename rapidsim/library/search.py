@@ -14,8 +14,9 @@ from collections.abc import Callable
 from typing import Unpack
 
 from rapidsim.language.annotations import Bool, InOut, Pers, SignalDi, Switch
-from rapidsim.language.controller import Controller, Flank, Interpolation, SearchStop
+from rapidsim.language.controller import Controller
 from rapidsim.language.data import FINE, JointTarget, RobTarget, Signal, SpeedData, ToolData
+from rapidsim.language.moves import Flank, Interpolation, SearchStop
 from rapidsim.language.reference import Reference
 from rapidsim.library.displacement import in_program, with_axis_offsets, without_axis_offsets
 from rapidsim.library.motion import MoveOptions, asked, each_way

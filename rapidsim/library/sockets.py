@@ -39,14 +39,7 @@ from rapidsim.language.error_numbers import (
     rapid_error,
 )
 from rapidsim.language.reference import Reference
-from rapidsim.language.sockets import (
-    BOUND,
-    CLOSED,
-    CONNECTED,
-    LISTENING,
-    Connection,
-    SocketState,
-)
+from rapidsim.language.sockets import BOUND, CLOSED, CONNECTED, LISTENING, Connection, SocketState
 from rapidsim.library.honesty import ignored
 from rapidsim.library.raw_bytes import MOST_BYTES
 from rapidsim.library.table import routine, table

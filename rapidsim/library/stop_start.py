@@ -10,7 +10,8 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 from __future__ import annotations
 
 from rapidsim.language.annotations import Bool, Num, Switch
-from rapidsim.language.controller import Controller, PathControl
+from rapidsim.language.controller import Controller
+from rapidsim.language.path_control import PathControl
 from rapidsim.library.honesty import ignored
 from rapidsim.library.table import routine, table
 

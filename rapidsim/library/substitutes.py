@@ -10,8 +10,9 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any
 
-from rapidsim.language.controller import Controller, Interpolation
+from rapidsim.language.controller import Controller
 from rapidsim.language.data import FINE
+from rapidsim.language.moves import Interpolation
 from rapidsim.library.motion import move
 
 Substitute = Callable[[Controller, Mapping[str, Any]], None]

@@ -23,7 +23,7 @@ from rapidsim.language.annotations import (
     Switch,
     Var,
 )
-from rapidsim.language.controller import Clock as ClockProtocol
+from rapidsim.language.controller import ClockService as ClockProtocol
 from rapidsim.language.controller import Controller, Honesty
 from rapidsim.language.data import ClockState
 from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_WAIT_MAXTIME, rapid_error

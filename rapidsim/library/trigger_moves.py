@@ -9,9 +9,10 @@ from collections.abc import Callable
 from typing import Annotated, Unpack
 
 from rapidsim.language.annotations import Mode, Pers, TriggData, Var
-from rapidsim.language.controller import Controller, Interpolation
+from rapidsim.language.controller import Controller
 from rapidsim.language.data import RobTarget, SpeedData, ToolData, ZoneData
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
+from rapidsim.language.moves import Interpolation
 from rapidsim.language.path_events import Trigger
 from rapidsim.language.reference import Reference
 from rapidsim.library.motion import MoveOptions, asked, each_way

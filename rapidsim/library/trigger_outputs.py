@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable
 from typing import Annotated, Unpack
 
 from rapidsim.language.annotations import Mode, Pers
-from rapidsim.language.controller import Controller, Interpolation
+from rapidsim.language.controller import Controller
 from rapidsim.language.data import (
     RobTarget,
     SpeedData,
@@ -24,6 +24,7 @@ from rapidsim.language.data import (
     ZoneData,
 )
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
+from rapidsim.language.moves import Interpolation
 from rapidsim.language.path_events import SetOutput, Trigger
 from rapidsim.library.motion import MoveOptions, asked, each_way
 from rapidsim.library.table import table

@@ -8,18 +8,10 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 
 from __future__ import annotations
 
-from rapidsim.language.annotations import (
-    DioNum,
-    InOut,
-    Num,
-    ShapeData,
-    SignalDo,
-    Switch,
-    Var,
-)
-from rapidsim.language.controller import WorldZones
+from rapidsim.language.annotations import DioNum, InOut, Num, ShapeData, SignalDo, Switch, Var
 from rapidsim.language.data import JointTarget, Pos, RobJoint, WzStationary, WzTemporary
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
+from rapidsim.language.path_control import WorldZones
 from rapidsim.language.path_events import AxisRange, Box, Cylinder, Sphere, ZoneShape
 from rapidsim.language.reference import Reference
 from rapidsim.library.signals import connected

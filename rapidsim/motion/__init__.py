@@ -1,1 +1,1 @@
-"""Targets to joint trajectories in SI units; knows no RAPID text."""
+"""What a controller does that geometry cannot tell: the parameters of the motion model."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-Corner = Literal["c2", "parabola"]
+BlendShape = Literal["c2", "parabola"]
 OrientationZone = Literal["position", "programmed"]
 Keeper = Literal["command", "motion"]
 Smoothing = Literal["path", "axes"]
@@ -37,7 +37,7 @@ class MotionModel:
     accelerations that the command keeps. The command is the same, and so are all times."""
     fine_dwell: float = 0.105
     """Time [s] from the end of the command at a stop point to the start of the next command."""
-    corner: Corner = "c2"
+    corner: BlendShape = "c2"
     """Shape of corner paths."""
     orientation_zone: OrientationZone = "position"
     """`position`: the orientation turns within the position's zone and does not reduce it, as

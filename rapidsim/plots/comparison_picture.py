@@ -11,11 +11,11 @@ from itertools import pairwise
 import numpy as np
 from matplotlib.figure import Figure
 
+from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.frames.transform import Array
-from rapidsim.language.controller import Interpolation
+from rapidsim.language.moves import Interpolation
 from rapidsim.plots.drawn import MM, Drawn, target_name
 from rapidsim.plots.look import Theme, new_figure
-from rapidsim.simulation.result import ExecutedMove
 
 _POINTS = 101
 

@@ -8,13 +8,14 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
+from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.frames.transform import Array
-from rapidsim.language.controller import Interpolation
-from rapidsim.motion.limits import Limits, limits_of
-from rapidsim.motion.trajectory import Samples
-from rapidsim.simulation.base_motion import is_on_track, shown_end, shown_from_base
-from rapidsim.simulation.result import ExecutedMove, RobotRun, Simulation
-from rapidsim.simulation.sampling import in_corner, motion_samples, rates_between
+from rapidsim.language.moves import Interpolation
+from rapidsim.motion.timing.axis_limits import Limits, limits_of
+from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.simulation.results.relative_motion import is_on_track, shown_end, shown_from_base
+from rapidsim.simulation.results.sampling import in_corner, motion_samples, rates_between
+from rapidsim.simulation.results.simulation import RobotRun, Simulation
 
 MM = 1000.0
 _DT = 0.004

@@ -6,10 +6,10 @@ from pathlib import Path
 
 from matplotlib.figure import Figure
 
-from rapidsim.language.controller import Interpolation
+from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.language.moves import Interpolation
 from rapidsim.plots.drawn import Drawn, target_name
 from rapidsim.plots.look import Theme, new_figure
-from rapidsim.simulation.result import ExecutedMove
 
 _MOST_LINES = 30
 

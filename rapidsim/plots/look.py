@@ -14,7 +14,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 
-from rapidsim.language.controller import Interpolation
+from rapidsim.language.moves import Interpolation
 
 DPI = 144
 

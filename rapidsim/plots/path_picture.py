@@ -9,10 +9,10 @@ from matplotlib.patches import Circle
 from matplotlib.ticker import MaxNLocator
 from mpl_toolkits.mplot3d.axes3d import Axes3D
 
+from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.frames.transform import Array
 from rapidsim.plots.drawn import MM, Drawn, pieces, target_name
 from rapidsim.plots.look import INSTRUCTIONS, Theme, new_figure
-from rapidsim.simulation.result import CornerKind
 
 _MOST_NAMES = 25
 _MOST_TARGETS = 400

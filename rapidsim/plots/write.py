@@ -22,7 +22,7 @@ from rapidsim.plots.lines_picture import lines_picture
 from rapidsim.plots.look import DARK, LIGHT, Theme, dressed
 from rapidsim.plots.path_picture import path_picture
 from rapidsim.plots.time_pictures import joints_picture, orientation_picture, speed_picture
-from rapidsim.simulation.result import Simulation
+from rapidsim.simulation.results.simulation import Simulation
 
 PICTURES: Mapping[str, Callable[[Drawn, Theme], Figure | None]] = MappingProxyType(
     {

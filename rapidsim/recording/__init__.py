@@ -1,1 +1,1 @@
-"""A run as a rerun recording; the only package that imports rerun."""
+"""A run as a rerun recording: opening it, its clocks, its samples."""

@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from rapidsim.language.controller import Interpolation
-from rapidsim.simulation.result import ExecutedMove
+from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.language.moves import Interpolation
 
 Colour = tuple[int, int, int]
 

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 import rerun as rr
 
+from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.frames.transform import Array
-from rapidsim.simulation.result import ExecutedMove
 
 SIM_TIME = "sim_time"
 MOVE = "move"

@@ -1,1 +1,1 @@
-"""Findings and runs as text and JSON."""
+"""Colours and tables that all reports share."""

@@ -1,1 +1,1 @@
-"""The virtual controller: tasks on one clock, path queue, files; joins program and motion."""
+"""One run: tasks on one clock, from programs and robots to a result."""

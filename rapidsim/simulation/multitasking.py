@@ -7,14 +7,14 @@ from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 
+from rapidsim.controller.cell.cell import Cell
+from rapidsim.controller.controller import VirtualController
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
-from rapidsim.interpreter.loader import FatalError, Task, load
-from rapidsim.interpreter.shared import SharedPersistents, shared_persistents
-from rapidsim.language.controller import Place
-from rapidsim.simulation.cell import Cell
-from rapidsim.simulation.controller import VirtualController
+from rapidsim.interpreter.linking.loader import FatalError, Task, load
+from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents, shared_persistents
+from rapidsim.language.moves import Place
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.result import End
+from rapidsim.simulation.results.simulation import End
 from rapidsim.simulation.scheduler import Scheduler
 from rapidsim.simulation.task_run import Outcome, TaskRun, run_to_end
 

@@ -2,23 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
 
+from rapidsim.controller.cell.description import CellIo
+from rapidsim.controller.cell.inputs import START_OF_TIME, Answers, CellInputs
+from rapidsim.controller.cell.network import Network
 from rapidsim.frames.transform import Transform
-from rapidsim.motion.external_axes import ExternalAxis
 from rapidsim.motion.model import MotionModel
-from rapidsim.simulation.cell_io import CellIo
-from rapidsim.simulation.network import Network
-
-Answers = Callable[[str], str | None]
-"""Answers an operator's question by its prompt; None where nobody answers."""
-
-
-START_OF_TIME = datetime(2000, 1, 1)
-"""A fixed day, so that two runs are the same."""
+from rapidsim.motion.robot.external_axes import ExternalAxis
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,3 +49,17 @@ class RunOptions:
     """The procedure to run."""
     task: str = "T_ROB1"
     """Name of the task."""
+
+    @property
+    def cell(self) -> CellInputs:
+        """What of it the cell is given."""
+        return CellInputs(
+            answers=self.answers,
+            answers_are_typed=self.answers_are_typed,
+            io=self.io,
+            home=self.home,
+            network=self.network,
+            starts_at=self.starts_at,
+            max_time_s=self.max_time_s,
+            max_wall_s=self.max_wall_s,
+        )

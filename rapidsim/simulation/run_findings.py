@@ -5,22 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rapidsim.analysis.program import Program
-from rapidsim.diagnostics import Diagnostic, Related, Span
-from rapidsim.interpreter.stack import FatalError, Frame, rapid_stack
-from rapidsim.language.controller import Place
-from rapidsim.language.errors import Stopped
-from rapidsim.simulation.asked_move import MoveRefusedError
-from rapidsim.simulation.journal import Journal
-from rapidsim.simulation.motion_findings import path_violation
-from rapidsim.simulation.path_queue import MotionError
-from rapidsim.simulation.stops import (
+from rapidsim.controller.journal.journal import Journal
+from rapidsim.controller.journal.stop_reasons import (
     MoveImpossible,
     TimeLimitReached,
     TrapStorm,
     WaitsForever,
     ZoneReached,
 )
-from rapidsim.simulation.violations import (
+from rapidsim.controller.moves.motion_findings import path_violation
+from rapidsim.controller.moves.move_request import MoveRefusedError
+from rapidsim.controller.moves.queued_move import MotionError
+from rapidsim.diagnostics import Diagnostic, Related, Span
+from rapidsim.findings.runs import (
     BackwardNotExecuted,
     CutOff,
     EndlessWait,
@@ -30,6 +27,9 @@ from rapidsim.simulation.violations import (
     UncaughtError,
     WorldZoneReached,
 )
+from rapidsim.interpreter.runtime.call_stack import FatalError, Frame, rapid_stack
+from rapidsim.language.errors import Stopped
+from rapidsim.language.moves import Place
 from rapidsim.syntax import tree
 
 _SHOWN_CALLS = 5

@@ -7,29 +7,21 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 from rapidsim.analysis.program import Program
+from rapidsim.controller.cell.cell import Cell
+from rapidsim.controller.journal.events import Event, EventKind, Unsimulated
+from rapidsim.controller.journal.journal import Journal
+from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
+from rapidsim.controller.moves.motion_findings import hasty_move_findings
 from rapidsim.files import InputError
-from rapidsim.interpreter.loader import Task, load
-from rapidsim.motion.limits import limits_of
-from rapidsim.motion.robot import Robot, RobotError
-from rapidsim.simulation.cell import Cell
-from rapidsim.simulation.journal import Journal
-from rapidsim.simulation.motion_findings import hasty_move_findings
+from rapidsim.interpreter.linking.loader import Task, load
+from rapidsim.motion.robot.robot import Robot, RobotError
+from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.simulation.multitasking import run_together
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.persistents import changed_persistents
-from rapidsim.simulation.result import (
-    CornerKind,
-    End,
-    Event,
-    EventKind,
-    ExecutedMove,
-    RobotRun,
-    Simulation,
-    Unsimulated,
-    WrittenFile,
-)
+from rapidsim.simulation.results.persistents import changed_persistents
+from rapidsim.simulation.results.simulation import End, RobotRun, Simulation, WrittenFile
+from rapidsim.simulation.results.smoothed_corners import corner_findings
 from rapidsim.simulation.run_findings import backward_findings, not_simulated_findings
-from rapidsim.simulation.smoothed_corners import corner_findings
 from rapidsim.simulation.task_run import Outcome, TaskRun, TaskSetup, prepare, run_to_end
 from rapidsim.syntax.collection import seldom_collected
 
@@ -88,7 +80,7 @@ def run_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> FinishedRun:
         _require_limits(arm, options)
     journal = Journal(setups[0].name)
     journals = (journal, *(journal.beside(setup.name) for setup in setups[1:]))
-    cell = Cell(options, journal)
+    cell = Cell(options.cell, journal)
     runs = [
         prepare(setup, arms[0], cell, own, options)
         for setup, own in zip(setups, journals, strict=True)

@@ -7,7 +7,7 @@ from typing import NoReturn, cast
 
 from rapidsim.analysis.program import DataSymbol, Program
 from rapidsim.files import InputError
-from rapidsim.interpreter.loader import FatalError, load
+from rapidsim.interpreter.linking.loader import FatalError, load
 from rapidsim.language.controller import Controller
 from rapidsim.language.errors import Stopped
 

@@ -9,25 +9,32 @@ from dataclasses import dataclass
 import numpy as np
 
 from rapidsim.analysis.program import Program
+from rapidsim.controller.cell.cell import Cell
+from rapidsim.controller.controller import VirtualController
+from rapidsim.controller.journal.failed_moves import FailedMove, failed_on_the_way
+from rapidsim.controller.journal.journal import Journal
+from rapidsim.controller.journal.stop_reasons import (
+    MoveImpossible,
+    TimeLimitReached,
+    TrapStorm,
+    WaitsForever,
+    ZoneReached,
+)
+from rapidsim.controller.moves.queued_move import MotionError
+from rapidsim.controller.moves.resolve import Resolver
+from rapidsim.controller.queue.solo_queue import RobotPath
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.interpreter.loader import Task, running
-from rapidsim.interpreter.stack import FatalError
-from rapidsim.language.controller import Place
+from rapidsim.interpreter.linking.loader import Task, running
+from rapidsim.interpreter.runtime.call_stack import FatalError
 from rapidsim.language.errors import CycleEnded, Stopped
-from rapidsim.motion.external_axes import ExternalAxis
-from rapidsim.motion.robot import Robot
-from rapidsim.motion.segments import Waypoint
-from rapidsim.motion.trajectory import Trajectory
-from rapidsim.simulation.cell import Cell
-from rapidsim.simulation.controller import VirtualController
-from rapidsim.simulation.failed_moves import FailedMove, failed_on_the_way
-from rapidsim.simulation.journal import Journal
+from rapidsim.language.moves import Place
+from rapidsim.motion.geometry.segments import Waypoint
+from rapidsim.motion.robot.external_axes import ExternalAxis
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.path_queue import MotionError
-from rapidsim.simulation.resolve import Resolver
-from rapidsim.simulation.result import End
-from rapidsim.simulation.robot_path import RobotPath
+from rapidsim.simulation.results.simulation import End
 from rapidsim.simulation.run_findings import (
     endless_wait_finding,
     fatal_finding,
@@ -38,14 +45,7 @@ from rapidsim.simulation.run_findings import (
     trap_storm_finding,
     zone_finding,
 )
-from rapidsim.simulation.stops import (
-    MoveImpossible,
-    TimeLimitReached,
-    TrapStorm,
-    WaitsForever,
-    ZoneReached,
-)
-from rapidsim.simulation.task_kind import TaskKind
+from rapidsim.station.task_kind import TaskKind
 
 
 @dataclass(frozen=True, slots=True)

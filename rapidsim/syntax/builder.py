@@ -222,7 +222,7 @@ class Builder:
         self,
         start: int,
         end: int,
-        target: tree.Path | tree.Placeholder,
+        target: tree.DataPath | tree.Placeholder,
         becomes: tree.Name,
         value: tree.Expression,
     ) -> tree.Assignment:
@@ -233,7 +233,7 @@ class Builder:
         self,
         start: int,
         end: int,
-        target: tree.Path | tree.Placeholder,
+        target: tree.DataPath | tree.Placeholder,
         equal: tree.Name,
         value: tree.Expression,
     ) -> tree.Assignment:

@@ -247,7 +247,7 @@ def _simple(statement: tree.Statement) -> str:
             raise AssertionError(f"{type(statement).__name__} is no statement of one line")
 
 
-def _target(target: tree.Path | tree.Placeholder) -> str:
+def _target(target: tree.DataPath | tree.Placeholder) -> str:
     if isinstance(target, tree.Placeholder):
         return "<VAR>"
     return print_expression(target)

@@ -10,22 +10,11 @@ from rapidsim.syntax import wording
 from rapidsim.syntax.blocks import CLOSERS, DIVIDERS, ITEMS, OPENERS
 from rapidsim.syntax.lexer import UNKNOWN, lex
 from rapidsim.syntax.recognition import in_list, takes
-from rapidsim.syntax.situation import (
-    Patch,
-    Row,
-    Situation,
-    deletion,
-    insertion,
-    replacement,
-)
+from rapidsim.syntax.situation import Patch, Row, Situation, deletion, insertion, replacement
 from rapidsim.syntax.spelling import near_words
 from rapidsim.syntax.stored_table import rapid_table
 from rapidsim.syntax.table import END
-from rapidsim.syntax.text_violations import (
-    NameWithParentheses,
-    ReservedName,
-    UnknownCharacter,
-)
+from rapidsim.syntax.text_violations import NameWithParentheses, ReservedName, UnknownCharacter
 from rapidsim.syntax.violations import (
     MissingSemicolon,
     MissingSymbol,

@@ -1,6 +1,6 @@
 """Text the parser could not read: no program, and no blame on names it may have declared."""
 
-from rapidsim.analysis.checker import check
+from rapidsim.analysis.passes.checker import check
 from rapidsim.diagnostics import Source
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse

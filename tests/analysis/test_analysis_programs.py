@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from rapidsim.analysis.checker import check
+from rapidsim.analysis.passes.checker import check
 from rapidsim.diagnostics import Severity, Source
 from rapidsim.syntax.parser import parse
 

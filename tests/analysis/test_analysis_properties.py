@@ -6,10 +6,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from laws import cases
 
-from rapidsim.analysis.checker import Checked, check
+from rapidsim.analysis.passes.checker import Checked, check
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suggestions import closest, is_slip, reserved_words
-from rapidsim.analysis.walk import descendants
+from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Severity, Source
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse

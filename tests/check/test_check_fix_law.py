@@ -14,11 +14,11 @@ from fuzzing.texts import characters_changed, inside, random_tokens, spliced, to
 
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.cli.boundary import run_commands
-from rapidsim.cli.fixes import choose_fixes, cured, harmless_fixes
+from rapidsim.cli.tools.fixes import choose_fixes, cured, harmless_fixes
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.export.text_edits import edited_text
 from rapidsim.files import SourceFile, TaskFiles, decode
-from rapidsim.simulation.check_files import check_tasks
+from rapidsim.jobs.check_files import check_tasks
 
 ROOT = Path(__file__).parents[2]
 PROGRAMS = [decode(path.read_bytes())[0] for path in sorted((ROOT / "programs").rglob("*.mod"))]

@@ -5,14 +5,14 @@ from __future__ import annotations
 import pytest
 from check_helper import CORPUS
 
-from rapidsim.analysis.checker import check
+from rapidsim.analysis.passes.checker import check
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
-from rapidsim.cli.fixes import choose_fixes
+from rapidsim.cli.tools.fixes import choose_fixes
 from rapidsim.diagnostics import Diagnostic, Severity, Source, all_rules
 from rapidsim.export.text_edits import edited_text
 from rapidsim.files import MODULE_SUFFIXES, decode
-from rapidsim.report.rules import programs
+from rapidsim.report.pages.rules import programs
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse
 from rapidsim.syntax.printer import print_module

@@ -15,10 +15,10 @@ from jsonschema import Draft4Validator
 
 import rapidsim
 from rapidsim.diagnostics import Diagnostic, Severity
-from rapidsim.report.github import github
-from rapidsim.report.junit import junit
-from rapidsim.report.merging import merged
-from rapidsim.report.sarif import sarif
+from rapidsim.report.findings.github import github
+from rapidsim.report.findings.junit import junit
+from rapidsim.report.findings.merging import merged
+from rapidsim.report.findings.sarif import sarif
 
 RULES = Path(rapidsim.__file__).with_name("rules")
 SCHEMA = json.loads((HERE / "schemas" / "sarif-2.1.0.json").read_text("utf-8"))

@@ -25,7 +25,7 @@ import rapidsim
 from rapidsim.analysis.rules.table import DETECTORS
 from rapidsim.cli.boundary import run_commands
 from rapidsim.diagnostics import Diagnostic, Rule, Violation, all_rules
-from rapidsim.report.rules import programs
+from rapidsim.report.pages.rules import programs
 
 ARM = "irb1600-6-1.2"
 KEYS = {"severity", "message", "help", "cf", "found-by", "station"}

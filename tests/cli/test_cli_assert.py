@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from cli_helper import rapidsim
 
-from rapidsim.report.asked_figures import ASKED_FIGURES
+from rapidsim.report.run.assertion_figures import ASKED_FIGURES
 
 DOCS = Path(__file__).parents[2] / "docs"
 CELL = """MODULE cell

@@ -7,8 +7,8 @@ import pytest
 from cli_helper import rapidsim
 
 from rapidsim.files import InputError
-from rapidsim.simulation.station.read import read_station
-from rapidsim.simulation.station.station import find_station
+from rapidsim.station.read import read_station
+from rapidsim.station.station import find_station
 
 
 def station_file(folder: Path, text: str) -> Path:

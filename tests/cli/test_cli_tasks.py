@@ -8,9 +8,9 @@ import pytest
 from cli_helper import Ended, rapidsim
 
 from rapidsim.files import InputError
-from rapidsim.simulation.run_files import simulate
-from rapidsim.simulation.station.read import read_station
-from rapidsim.simulation.task_kind import TaskKind
+from rapidsim.jobs.run_files import simulate
+from rapidsim.station.read import read_station
+from rapidsim.station.task_kind import TaskKind
 
 AXES = "[9E9,9E9,9E9,9E9,9E9,9E9]"
 STATION = """

@@ -11,13 +11,14 @@ from pathlib import Path
 
 import pytest
 
-from rapidsim.cli import debugger, viewer
+from rapidsim.cli import viewer
 from rapidsim.cli.boundary import run_commands
+from rapidsim.cli.tools import debugger
+from rapidsim.controller.cell import home_folder
 from rapidsim.files import read_tasks
+from rapidsim.jobs.checked_program import load
 from rapidsim.language.controller import FileMode
 from rapidsim.language.errors import RapidError
-from rapidsim.simulation import home
-from rapidsim.simulation.load import load
 
 SECRET = "SECRET-OF-ANOTHER-FOLDER"
 PROGRAM = 'MODULE job\n  PROC main()\n    TPWrite "done";\n  ENDPROC\nENDMODULE\n'
@@ -92,7 +93,7 @@ def test_links_to_themselves_in_the_home_folder_are_no_defect(here: Path, call: 
 def test_a_link_to_itself_hides_no_way_out(here: Path) -> None:
     (here / "loop").symlink_to("loop")
     (here / "out").symlink_to("../outside")
-    folder = home.HomeFolder(here)
+    folder = home_folder.HomeFolder(here)
     for name in ("loop/../out/secret.mod", "loop", "loop/a", "out/secret.mod"):
         with pytest.raises(RapidError):
             folder.open_file(name, FileMode.READ)
@@ -253,7 +254,7 @@ def test_what_the_station_file_names_does_not_steer_a_terminal(here: Path, call:
 def test_a_program_makes_so_many_files_and_no_more(
     here: Path, call: Call, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(home, "DISK_FILES", 20)
+    monkeypatch.setattr(home_folder, "DISK_FILES", 20)
     (here / "job.mod").write_text(
         "MODULE job\n  PROC main()\n    VAR iodev file;\n    WHILE TRUE DO\n"
         '      MakeDir "d"+ValToStr(n);\n      Incr n;\n    ENDWHILE\n'
@@ -263,11 +264,11 @@ def test_a_program_makes_so_many_files_and_no_more(
     assert (code, "may make 20 files and folders" in out) == (1, True)
     assert len(list((here / "job.home").iterdir())) == 19
     with pytest.raises(RapidError, match="may make 20 files"):
-        home.HomeFolder(here / "new").open_file("/".join("a" * 30), FileMode.WRITE)
+        home_folder.HomeFolder(here / "new").open_file("/".join("a" * 30), FileMode.WRITE)
 
 
 def test_a_program_has_so_many_files_open_and_no_more(here: Path) -> None:
-    folder = home.HomeFolder(here)
+    folder = home_folder.HomeFolder(here)
     opened = [folder.open_file(f"{n}.txt", FileMode.WRITE) for n in range(100)]
     with pytest.raises(RapidError, match="100 files are open already"):
         folder.open_file("one more.txt", FileMode.WRITE)

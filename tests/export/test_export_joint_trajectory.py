@@ -9,7 +9,7 @@ import numpy as np
 
 import rapidsim
 from rapidsim.export.trace import write_trace
-from rapidsim.motion.limits import limits_of
+from rapidsim.motion.timing.axis_limits import limits_of
 
 PROGRAM = """MODULE Turn
   PROC main()

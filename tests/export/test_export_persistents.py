@@ -6,10 +6,10 @@ import pytest
 
 from rapidsim.export.persistents import write_persistents
 from rapidsim.files import InputError, SourceFile, read_tasks
-from rapidsim.motion.robot import load_robot
-from rapidsim.simulation.load import load
+from rapidsim.jobs.checked_program import load
+from rapidsim.motion.robot.robot import load_robot
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.persistents import PersistentChange
+from rapidsim.simulation.results.persistents import PersistentChange
 from rapidsim.simulation.simulate import simulate
 
 ROBOT = load_robot("irb1600")

@@ -12,16 +12,17 @@ import numpy as np
 import pyarrow.parquet as pq
 import pytest
 
+from rapidsim.controller.journal.events import Event, EventKind
 from rapidsim.diagnostics import Source, Span
 from rapidsim.export.events import write_events
 from rapidsim.export.trace import WRITERS, write_trace
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Array
-from rapidsim.language.controller import Place
+from rapidsim.language.moves import Place
 from rapidsim.motion.model import MotionModel
-from rapidsim.motion.robot import Robot, load_robot
-from rapidsim.motion.trajectory import Samples, Trajectory
-from rapidsim.simulation.result import End, Event, EventKind, Simulation
+from rapidsim.motion.robot.robot import Robot, load_robot
+from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+from rapidsim.simulation.results.simulation import End, Simulation
 
 COLUMNS = [
     *("time_s", "move", "j1", "j2", "j3", "j4", "j5", "j6"),

@@ -6,12 +6,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import cast
 
-from rapidsim.analysis.checker import check
+from rapidsim.analysis.passes.checker import check
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Severity, Source, Span
-from rapidsim.interpreter.loader import FatalError, Task, load
-from rapidsim.language.controller import Controller, MotionSettings, Move, Place
+from rapidsim.interpreter.linking.loader import FatalError, Task, load
+from rapidsim.language.controller import Controller
 from rapidsim.language.errors import Stopped
+from rapidsim.language.moves import MotionSettings, Move, Place
 from rapidsim.syntax.parser import parse
 
 TICKS = 1000

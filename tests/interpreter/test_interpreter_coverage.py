@@ -11,10 +11,10 @@ from xml.etree import ElementTree
 
 import pytest
 
-from rapidsim.analysis.checker import check
+from rapidsim.analysis.passes.checker import check
 from rapidsim.diagnostics import Source
-from rapidsim.interpreter.executable_lines import module_lines, routine_lines
-from rapidsim.interpreter.translation import translate
+from rapidsim.interpreter.linking.translation import translate
+from rapidsim.interpreter.tools.executable_lines import module_lines, routine_lines
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse
 
@@ -126,7 +126,7 @@ def test_the_tree_and_the_code_name_the_same_lines(program: Path) -> None:
     assert statement_lines(code) - other == module_lines(module)
 
 
-CONFIGURATION = "[run]\nplugins = rapidsim.interpreter.coverage_plugin\n"
+CONFIGURATION = "[run]\nplugins = rapidsim.interpreter.tools.coverage_plugin\n"
 
 
 def coverage(folder: Path, *arguments: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from interpreter_cell import loaded, main, module, texts
 
-from rapidsim.interpreter.loader import FatalError
+from rapidsim.interpreter.linking.loader import FatalError
 from rapidsim.language.data import Pos
 
 

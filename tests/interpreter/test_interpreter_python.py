@@ -15,8 +15,8 @@ import pytest
 from interpreter_cell import RecordingController, checked, main, module, run
 
 from rapidsim.interpreter.limits import NotExecutableError
-from rapidsim.interpreter.loader import FatalError, load
-from rapidsim.interpreter.translation import show_python
+from rapidsim.interpreter.linking.loader import FatalError, load
+from rapidsim.interpreter.linking.translation import show_python
 from rapidsim.language.controller import Controller
 
 GOLDEN = Path(__file__).parent / "golden"

@@ -8,7 +8,7 @@ from datetime import datetime, timedelta
 from typing import Any
 
 from rapidsim.diagnostics import Source, Span
-from rapidsim.language.controller import FileMode, Flank, MotionSettings, Move, Place, SearchStop
+from rapidsim.language.controller import FileMode
 from rapidsim.language.data import (
     NO_EXTERNAL_AXES,
     TOOL0,
@@ -30,6 +30,7 @@ from rapidsim.language.error_numbers import (
     rapid_error,
 )
 from rapidsim.language.modules import Modules
+from rapidsim.language.moves import Flank, MotionSettings, Move, Place, SearchStop
 from rapidsim.language.path_events import Trigger, ZoneShape
 from rapidsim.language.reference import Reference
 from rapidsim.language.sockets import Connection, Listener

@@ -8,11 +8,11 @@ from library_controller import RecordingController
 from rapidsim.language import error_numbers as errors
 from rapidsim.language.data import ClockState, Orient, Pos, Signal
 from rapidsim.language.errors import CycleEnded, RapidError, Stopped
-from rapidsim.language.reference import Cell
+from rapidsim.language.reference import Box
 from rapidsim.language.single import single
 
-GUN: Cell[Any] = Cell(Signal("doGun"))
-PART: Cell[Any] = Cell(Signal("diPart"))
+GUN: Box[Any] = Box(Signal("doGun"))
+PART: Box[Any] = Box(Signal("diPart"))
 
 
 @pytest.fixture
@@ -30,14 +30,14 @@ def test_outputs(controller: RecordingController) -> None:
     controller.call("Reset", GUN)
     controller.call("Set", GUN)
     controller.call("InvertDO", GUN)
-    controller.call("SetAO", Cell(Signal("aoFlow")), 2.5)
-    controller.call("SetGO", Cell(Signal("goJob")), 5.0)
+    controller.call("SetAO", Box(Signal("aoFlow")), 2.5)
+    controller.call("SetGO", Box(Signal("goJob")), 5.0)
     assert controller.log == [
         *("doGun := 1", "doGun := 0 after 0.5", "doGun := 1", "doGun := 0", "doGun := 1"),
         *("doGun := 0", "aoFlow := 2.5", "goJob := 5"),
     ]
     assert controller.call("DOutput", GUN) == 0.0
-    assert controller.call("GOutput", Cell(Signal("goJob"))) == 5.0
+    assert controller.call("GOutput", Box(Signal("goJob"))) == 5.0
 
 
 def test_pulses(controller: RecordingController) -> None:
@@ -60,7 +60,7 @@ def test_inputs(controller: RecordingController) -> None:
 
 
 def test_waits_for_signals(controller: RecordingController) -> None:
-    flag: Cell[bool] = Cell(False)
+    flag: Box[bool] = Box(False)
     controller.call("WaitDI", PART, 1.0, max_time=2.0, time_flag=flag)
     assert flag.value is True
     with pytest.raises(RapidError, match=r"WaitDI diPart waited 2 s in vain") as caught:
@@ -71,7 +71,7 @@ def test_waits_for_signals(controller: RecordingController) -> None:
     assert flag.value is False
     controller.call("WaitAI", PART, 0.5, gt=True)
     controller.call("WaitGI", PART, 3.0, noteq=True)
-    reached: Cell[float] = Cell(0.0)
+    reached: Box[float] = Box(0.0)
     with pytest.raises(RapidError):
         controller.call("WaitAO", PART, 0.5, lt=True, max_time=1.0, value_at_timeout=reached)
     assert reached.value == 1.0
@@ -83,7 +83,7 @@ def test_a_window_of_a_wait_is_reported(controller: RecordingController) -> None
 
 
 def test_signal_variables_mean_what_they_are_connected_to(controller: RecordingController) -> None:
-    alias: Cell[Any] = Cell(Signal(""))
+    alias: Box[Any] = Box(Signal(""))
     assert controller.call("ValidIO", alias) is False
     with pytest.raises(RapidError, match="connected to no signal") as caught:
         controller.call("Set", alias)
@@ -116,7 +116,7 @@ def test_waits(controller: RecordingController) -> None:
 
 
 def test_clocks_count_virtual_time(controller: RecordingController) -> None:
-    clock = Cell(ClockState())
+    clock = Box(ClockState())
     controller.call("ClkStart", clock)
     controller.time_s = 1.2345678
     assert controller.call("ClkRead", clock) == single(1.234)
@@ -145,7 +145,7 @@ def test_date_and_time_are_what_the_clock_shows(controller: RecordingController)
 
 
 def test_interrupts(controller: RecordingController) -> None:
-    number: Cell[float] = Cell(3.0)
+    number: Box[float] = Box(3.0)
     controller.call("ITimer", 0.5, number)
     controller.call("ITimer", 0.5, number, single=True)
     controller.call("ISignalDI", PART, 1.0, number, single=True)
@@ -183,15 +183,15 @@ def test_writing_values(
 ) -> None:
     controller.call("TPWrite", "x=", **options)
     assert controller.log == [f"show {text}"]
-    device: Cell[Any] = Cell(None)
+    device: Box[Any] = Box(None)
     controller.call("Open", "HOME:", device, file="log.txt", write=True)
     controller.call("Write", device, "x=", **options)
     assert controller.files["HOME:/log.txt"] == f"{text}\n".encode()
 
 
 def test_questions(controller: RecordingController) -> None:
-    answer: Cell[float] = Cell(0.0)
-    flag: Cell[float] = Cell(7.0)
+    answer: Box[float] = Box(0.0)
+    flag: Box[float] = Box(7.0)
     controller.number = 0.1
     controller.call("TPReadNum", answer, "How many?", break_flag=flag)
     assert (answer.value, flag.value) == (single(0.1), 0.0)
@@ -206,9 +206,9 @@ def test_questions(controller: RecordingController) -> None:
 # --- files
 
 
-def opened(controller: RecordingController, content: bytes) -> Cell[Any]:
+def opened(controller: RecordingController, content: bytes) -> Box[Any]:
     controller.files["HOME:/in.txt"] = bytearray(content)
-    device: Cell[Any] = Cell(None)
+    device: Box[Any] = Box(None)
     controller.call("Open", "HOME:/in.txt", device, read=True)
     return device
 
@@ -238,7 +238,7 @@ def test_reading_numbers(controller: RecordingController) -> None:
 
 
 def test_bytes(controller: RecordingController) -> None:
-    device: Cell[Any] = Cell(None)
+    device: Box[Any] = Box(None)
     controller.call("Open", "HOME:/out.bin", device, bin_=True)
     controller.call("WriteBin", device, [1.0, 255.0, 3.0], 2.0)
     controller.call("WriteStrBin", device, "Å\n")
@@ -268,7 +268,7 @@ def test_a_device_is_opened_once_and_used_open(controller: RecordingController) 
 
 
 def test_no_new_line(controller: RecordingController) -> None:
-    device: Cell[Any] = Cell(None)
+    device: Box[Any] = Box(None)
     controller.call("Open", "HOME:/a.txt", device, append=True)
     controller.call("Write", device, "a", no_new_line=True)
     controller.call("Write", device, "b")
@@ -279,7 +279,7 @@ def test_no_new_line(controller: RecordingController) -> None:
 
 
 def test_booking_error_numbers(controller: RecordingController) -> None:
-    first, second = Cell(-1.0), Cell(-1.0)
+    first, second = Box(-1.0), Box(-1.0)
     controller.call("BookErrNo", first)
     controller.call("BookErrNo", second)
     controller.call("BookErrNo", first)

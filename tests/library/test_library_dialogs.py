@@ -6,7 +6,7 @@ from library_controller import RecordingController
 from rapidsim.language import error_numbers as errors
 from rapidsim.language.data import ListItem
 from rapidsim.language.errors import RapidError
-from rapidsim.language.reference import Cell
+from rapidsim.language.reference import Box
 from rapidsim.language.single import single
 from rapidsim.library.predefined import DATA
 
@@ -36,7 +36,7 @@ def value(name: str) -> object:
 )
 def test_buttons(controller: RecordingController, buttons: str, choice: int, result: str) -> None:
     controller.choice = choice
-    pressed: Cell[float] = Cell(0.0)
+    pressed: Box[float] = Box(0.0)
     controller.call("UIMsgBox", "Go on?", buttons=value(buttons), result=pressed)
     assert pressed.value == value(result)
     assert controller.call("UIMessageBox", message="?", buttons=value(buttons)) == value(result)
@@ -53,7 +53,7 @@ def test_message_boxes(controller: RecordingController) -> None:
 
 
 def test_what_ends_a_dialog_early_is_reported(controller: RecordingController) -> None:
-    flag: Cell[float] = Cell(9.0)
+    flag: Box[float] = Box(9.0)
     controller.call("UIMessageBox", message="?", max_time=5.0, break_flag=flag)
     assert controller.unsimulated == [(r"UIMessageBox \MaxTime", "ignored")]
     assert flag.value == 0.0
@@ -93,7 +93,7 @@ def test_texts_and_lists(controller: RecordingController) -> None:
     controller.text = "D2"
     assert controller.call("UIAlphaEntry", message="Name?", init_string="R2") == "D2"
     controller.choice = 1
-    result: Cell[float] = Cell(0.0)
+    result: Box[float] = Box(0.0)
     items = [ListItem("", "one"), ListItem("", "two")]
     assert controller.call("UIListView", items, header="Part?", result=result) == 2.0
     assert result.value == value("resOK")

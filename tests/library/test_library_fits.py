@@ -23,7 +23,7 @@ from rapidsim.language.data import (
     WobjData,
 )
 from rapidsim.language.errors import RapidError
-from rapidsim.language.reference import Cell
+from rapidsim.language.reference import Box
 
 ANGLES = st.floats(-170.0, 170.0)
 
@@ -38,8 +38,8 @@ def at(position: tuple[float, float, float]) -> RobTarget:
     return RobTarget(Pos(*position), Orient(1.0, 0.0, 0.0, 0.0), CONF, NO_EXTERNAL_AXES)
 
 
-def errors() -> tuple[Cell[float], Cell[float]]:
-    return Cell(-1.0), Cell(-1.0)
+def errors() -> tuple[Box[float], Box[float]]:
+    return Box(-1.0), Box(-1.0)
 
 
 CORNERS = ((0.0, 0.0, 0.0), (300.0, 0.0, 0.0), (0.0, 200.0, 0.0), (10.0, 20.0, 150.0))
@@ -79,8 +79,8 @@ def test_a_circle_is_found_again_from_points(angle: float, radius: float) -> Non
         )
         for turn in (0.0, 0.7, 1.9, 3.0, 4.4)
     ]
-    centre, found, normal = Cell(Pos(0, 0, 0)), Cell(0.0), Cell(Pos(0, 0, 0))
-    worst, index = Cell(-1.0), Cell(0.0)
+    centre, found, normal = Box(Pos(0, 0, 0)), Box(0.0), Box(Pos(0, 0, 0))
+    worst, index = Box(-1.0), Box(0.0)
     call("FitCircle", points, centre, found, normal, max_err=worst, index_worst=index)
     assert centre.value == pytest.approx((5.0, 6.0, 7.0), abs=1e-3)
     assert found.value == pytest.approx(radius, rel=1e-6)
@@ -113,7 +113,7 @@ class Pointing(RecordingController):
 
 def test_a_tool_centre_point_is_where_all_positions_meet() -> None:
     joints = [JointTarget(RobJoint(float(n), 0, 0, 0, 0, 0), NO_EXTERNAL_AXES) for n in range(4)]
-    tool = Cell(TOOL0)
+    tool = Box(TOOL0)
     worst, mean = errors()
     Pointing().call("MToolTCPCalib", *joints, tool, worst, mean)
     assert tool.value.tframe.trans == pytest.approx((10.0, -20.0, 200.0), abs=1e-3)

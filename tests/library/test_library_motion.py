@@ -8,13 +8,6 @@ from library_controller import CONF, HOME, JOINTS, RecordingController
 
 from rapidsim.frames.quaternion import angle_between
 from rapidsim.language import error_numbers as errors
-from rapidsim.language.controller import (
-    CirclePathMode,
-    Interpolation,
-    MotionSettings,
-    SingularArea,
-    StopTime,
-)
 from rapidsim.language.data import (
     FINE,
     LOAD0,
@@ -35,8 +28,15 @@ from rapidsim.language.data import (
     ZoneData,
 )
 from rapidsim.language.errors import RapidError
+from rapidsim.language.moves import (
+    CirclePathMode,
+    Interpolation,
+    MotionSettings,
+    SingularArea,
+    StopTime,
+)
 from rapidsim.language.path_events import SetOutput, Trigger
-from rapidsim.language.reference import Cell
+from rapidsim.language.reference import Box
 from rapidsim.library.catalogue import ROUTINES
 from rapidsim.library.predefined import DATA
 
@@ -44,7 +44,7 @@ P10 = RobTarget(Pos(600.0, 100.0, 400.0), Orient(0.0, 0.0, 1.0, 0.0), CONF, NO_E
 P20 = RobTarget(Pos(700.0, 200.0, 400.0), Orient(0.0, 0.0, 1.0, 0.0), CONF, NO_EXTERNAL_AXES)
 V100 = SpeedData(100.0, 500.0, 5000.0, 1000.0)
 Z10 = ZoneData(False, 10.0, 15.0, 15.0, 1.5, 15.0, 1.5)
-TOOL = Cell(TOOL0)
+TOOL = Box(TOOL0)
 GRIPPER = TOOL0._replace(tframe=Pose(Pos(0.0, 0.0, 100.0), Orient(1.0, 0.0, 0.0, 0.0)))
 TABLE = WOBJ0._replace(uframe=Pose(Pos(500.0, 0.0, 0.0), Orient(1.0, 0.0, 0.0, 0.0)))
 QUARTER = ROUTINES["orientzyx"].body(90.0, 0.0, 0.0)
@@ -60,7 +60,7 @@ def moved(name: str, *arguments: Any, **options: Any) -> Any:
 
 
 def test_move_l_passes_its_arguments_on() -> None:
-    move = moved("MoveL", P10, V100, Z10, Cell(GRIPPER), wobj=Cell(TABLE))
+    move = moved("MoveL", P10, V100, Z10, Box(GRIPPER), wobj=Box(TABLE))
     assert (move.instruction, move.interpolation) == ("MoveL", Interpolation.LINE)
     assert (move.to, move.speed, move.zone) == (P10, V100, Z10)
     assert (move.tool, move.wobj) == (GRIPPER, TABLE)
@@ -109,16 +109,16 @@ def test_all_moves_to_a_pose_take_the_same_arguments_alike(name: str) -> None:
         "to_point": P10,
         "speed": V100,
         "zone": Z10,
-        "tool": Cell(GRIPPER),
-        "signal": Cell(DO_GUN),
-        "search_point": Cell(P20),
-        "trigg_1": Cell(Trigger(SetOutput("doGun", 1.0))),
+        "tool": Box(GRIPPER),
+        "signal": Box(DO_GUN),
+        "search_point": Box(P20),
+        "trigg_1": Box(Trigger(SetOutput("doGun", 1.0))),
         "value": 1.0,
         "proc_name": "glue",
-        "wobj": Cell(TABLE),
+        "wobj": Box(TABLE),
         "t": 2.5,
         "conc": True,
-        "tload": Cell(LOAD0),
+        "tload": Box(LOAD0),
         "corr": True,
     }
     controller = RecordingController()
@@ -147,8 +147,8 @@ def test_all_moves_to_a_pose_take_the_same_arguments_alike(name: str) -> None:
     ("name", "options", "reported"),
     [
         ("MoveL", {"corr": True}, r"MoveL \Corr"),
-        ("MoveL", {"tload": Cell(LOAD0)}, r"MoveL \TLoad"),
-        ("MoveJ", {"id_": None, "tload": Cell(LOAD0)}, r"MoveJ \TLoad"),
+        ("MoveL", {"tload": Box(LOAD0)}, r"MoveL \TLoad"),
+        ("MoveJ", {"id_": None, "tload": Box(LOAD0)}, r"MoveJ \TLoad"),
     ],
 )
 def test_what_is_not_heeded_is_reported(
@@ -242,11 +242,11 @@ def test_acceleration_limits() -> None:
 def test_units_are_switched_by_name() -> None:
     controller = RecordingController()
     controller.place = replace(controller.place, arguments={"mechunit": "Track"})
-    controller.call("DeactUnit", Cell(None))
+    controller.call("DeactUnit", Box(None))
     assert controller.settings.inactive_units == {"track"}
-    assert controller.call("IsMechUnitActive", Cell(None)) is False
-    controller.call("ActUnit", Cell(None))
-    assert controller.call("IsMechUnitActive", Cell(None)) is True
+    assert controller.call("IsMechUnitActive", Box(None)) is False
+    controller.call("ActUnit", Box(None))
+    assert controller.call("IsMechUnitActive", Box(None)) is True
 
 
 def test_move_ext_j_takes_offsets_only_when_asked() -> None:
@@ -331,7 +331,7 @@ def test_kinematics_of_targets() -> None:
     with pytest.raises(RapidError) as caught:
         controller.call("CalcJointT", P10, TOOL)
     assert caught.value.errno == errors.ERR_OUTSIDE_REACH
-    number: Cell[float] = Cell(0.0)
+    number: Box[float] = Box(0.0)
     controller.call("CalcJointT", P10, TOOL, error_number=number)
     assert number.value == errors.ERR_OUTSIDE_REACH
 
@@ -340,7 +340,7 @@ def test_other_tasks_are_asked_by_name_only() -> None:
     controller = RecordingController()
     assert controller.call("CJointT", task_name="T_ROB2") == JOINTS
     assert not controller.unsimulated
-    controller.call("CJointT", task_ref=Cell(None))
+    controller.call("CJointT", task_ref=Box(None))
     assert controller.unsimulated == [(r"CJointT \TaskRef", "the robot of the task itself")]
 
 
@@ -352,9 +352,9 @@ def test_vmax_and_max_rob_speed_agree() -> None:
 
 def test_searches_and_moves_with_outputs_give_the_controller_all_it_needs() -> None:
     controller = RecordingController()
-    found: Cell[RobTarget] = Cell(P10)
-    controller.call("SearchL", Cell(DO_GUN), found, P10, V100, TOOL, p_stop=True)
-    controller.call("MoveLDO", P20, V100, Z10, TOOL, Cell(DO_GUN), 1.0, wobj=Cell(TABLE))
+    found: Box[RobTarget] = Box(P10)
+    controller.call("SearchL", Box(DO_GUN), found, P10, V100, TOOL, p_stop=True)
+    controller.call("MoveLDO", P20, V100, Z10, TOOL, Box(DO_GUN), 1.0, wobj=Box(TABLE))
     assert found.value == HOME
     search, move = controller.moves
     assert (search.instruction, search.zone, search.to) == ("SearchL", FINE, P10)
@@ -366,7 +366,7 @@ def test_searches_and_moves_with_outputs_give_the_controller_all_it_needs() -> N
 
 def test_arc_welding_moves_along_the_seam() -> None:
     controller = RecordingController()
-    controller.call("ArcLStart", P10, V100, (), (), FINE, TOOL, wobj=Cell(TABLE), seamname="s")
+    controller.call("ArcLStart", P10, V100, (), (), FINE, TOOL, wobj=Box(TABLE), seamname="s")
     controller.call("ArcC", P20, P10, V100, (), (), Z10, TOOL, v=20.0)
     start, arc = controller.moves
     assert (start.instruction, start.to, start.wobj) == ("MoveL", P10, TABLE)

@@ -11,7 +11,7 @@ from library_controller import call
 from rapidsim.language import error_numbers as errors
 from rapidsim.language.data import UNUSED_AXIS
 from rapidsim.language.errors import RapidError
-from rapidsim.language.reference import Cell
+from rapidsim.language.reference import Box
 from rapidsim.language.single import LARGEST_SINGLE, single
 from rapidsim.language.types import DNUM, NUM, Alias
 
@@ -124,7 +124,7 @@ def test_arc_functions_undo(angle: float) -> None:
 
 
 def test_counters_round_num_and_keep_dnum() -> None:
-    counter: Cell[float] = Cell(2.0**24)
+    counter: Box[float] = Box(2.0**24)
     call("Incr", counter, of=NUM)
     assert counter.value == 2.0**24
     call("Incr", counter, of=DNUM)
@@ -137,7 +137,7 @@ def test_counters_round_num_and_keep_dnum() -> None:
 
 
 def test_bits_of_variables() -> None:
-    flags: Cell[float] = Cell(0.0)
+    flags: Box[float] = Box(0.0)
     call("BitSet", flags, 8.0, of=NUM)
     assert flags.value == 128.0
     call("BitSet", flags, 52.0, of=DNUM)
@@ -155,7 +155,7 @@ def test_de_morgan(a: int, b: int) -> None:
 
 
 def test_test_and_set_takes_a_free_flag_once() -> None:
-    flag: Cell[bool] = Cell(False)
+    flag: Box[bool] = Box(False)
     assert call("TestAndSet", flag) is True
     assert call("TestAndSet", flag) is False
     assert flag.value is True

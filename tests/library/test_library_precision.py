@@ -14,7 +14,7 @@ from rapidsim.language.error_numbers import ERR_OVERFLOW
 from rapidsim.language.errors import RapidError
 from rapidsim.language.initial import initial_value
 from rapidsim.language.records import record_of
-from rapidsim.language.reference import Cell
+from rapidsim.language.reference import Box
 from rapidsim.language.types import DNUM, NUM, ArrayOf, Record, Type, resolved
 from rapidsim.library.catalogue import ROUTINES
 from rapidsim.library.precision import rounding_of
@@ -67,7 +67,7 @@ def at(value: Any, place: int) -> Any:
 
 def argument(parameter: Parameter, place: int = 0) -> Any:
     value = at(sample(parameter.types[0], parameter.name), place)
-    return value if parameter.mode is Mode.IN or isinstance(value, list) else Cell(value)
+    return value if parameter.mode is Mode.IN or isinstance(value, list) else Box(value)
 
 
 def numbers(value: Any, of: Type) -> Iterator[float]:
@@ -127,7 +127,7 @@ def test_results_are_singles(row: LibraryRoutine, monkeypatch: pytest.MonkeyPatc
         found += numbers(result, signature.result)
     for parameter in signature.parameters:
         one = given.get(parameter.name)
-        if parameter.mode not in (Mode.INOUT, Mode.VAR) or not isinstance(one, Cell):
+        if parameter.mode not in (Mode.INOUT, Mode.VAR) or not isinstance(one, Box):
             continue
         if one.value != sample(parameter.types[0], parameter.name):
             found += numbers(one.value, parameter.types[0])

@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 from library_controller import RecordingController
 
-from rapidsim.analysis.checker import check
+from rapidsim.analysis.passes.checker import check
 from rapidsim.diagnostics import Source
-from rapidsim.interpreter.loader import load
+from rapidsim.interpreter.linking.loader import load
 from rapidsim.language.errors import CycleEnded
 from rapidsim.syntax.parser import parse
 

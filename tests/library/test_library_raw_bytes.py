@@ -9,7 +9,7 @@ from library_controller import RecordingController, call
 
 from rapidsim.language import error_numbers as errors
 from rapidsim.language.errors import RapidError
-from rapidsim.language.reference import Cell
+from rapidsim.language.reference import Box
 from rapidsim.language.single import single
 from rapidsim.language.types import DNUM, NUM, STRING
 
@@ -31,10 +31,10 @@ PACKED: list[tuple[object, dict[str, object], str]] = [
 
 @pytest.mark.parametrize(("value", "options", "expected"), PACKED)
 def test_packing(value: object, options: dict[str, object], expected: str) -> None:
-    raw = Cell(b"")
+    raw = Box(b"")
     call("PackRawBytes", value, raw, 1.0, **options)
     assert raw.value.hex() == expected
-    back: Cell[Any] = Cell(value)
+    back: Box[Any] = Box(value)
     read = {**options, "ascii_": float(len(raw.value))} if "ascii_" in options else options
     call("UnpackRawBytes", raw, 1.0, back, of=STRING if isinstance(value, str) else DNUM, **read)
     assert back.value == value
@@ -42,16 +42,16 @@ def test_packing(value: object, options: dict[str, object], expected: str) -> No
 
 @given(st.floats(width=32, allow_nan=False, allow_infinity=False).filter(lambda x: abs(x) > 1e-37))
 def test_floats_come_back(x: float) -> None:
-    raw = Cell(b"")
+    raw = Box(b"")
     call("PackRawBytes", x, raw, 3.0, float4=True)
-    number: Cell[float] = Cell(0.0)
+    number: Box[float] = Box(0.0)
     call("UnpackRawBytes", raw, 3.0, number, float4=True, of=NUM)
     assert number.value == x
 
 
 def test_a_num_keeps_24_bits_of_an_integer() -> None:
-    raw = Cell((2**24 + 1).to_bytes(4, "little"))
-    number: Cell[float] = Cell(0.0)
+    raw = Box((2**24 + 1).to_bytes(4, "little"))
+    number: Box[float] = Box(0.0)
     call("UnpackRawBytes", raw, 1.0, number, int_x=4.0, of=NUM)
     assert number.value == single(2.0**24 + 1.0) == 2.0**24
     call("UnpackRawBytes", raw, 1.0, number, int_x=4.0, of=DNUM)
@@ -59,13 +59,13 @@ def test_a_num_keeps_24_bits_of_an_integer() -> None:
 
 
 def test_positions_length_and_copies() -> None:
-    raw = Cell(b"")
+    raw = Box(b"")
     call("PackRawBytes", 1.0, raw, 4.0, hex1=True)
     assert raw.value == b"\0\0\0\x01"
     call("PackRawBytes", 2.0, raw, 2.0, hex1=True)
     assert raw.value == b"\0\x02\0\x01"
     assert call("RawBytesLen", raw) == 4.0
-    other = Cell(b"xx")
+    other = Box(b"xx")
     call("CopyRawBytes", raw, 2.0, other, 2.0)
     assert other.value == b"x\x02\0\x01"
     call("CopyRawBytes", raw, 4.0, other, 1.0, no_of_bytes=1.0)
@@ -78,11 +78,11 @@ def test_positions_length_and_copies() -> None:
 
 def test_files_hold_raw_bytes() -> None:
     controller = RecordingController()
-    device: Cell[Any] = Cell(None)
+    device: Box[Any] = Box(None)
     controller.call("Open", "HOME:/raw.bin", device, write=True)
-    controller.call("WriteRawBytes", device, Cell(b"\x01\x02\x03"), no_of_bytes=2.0)
+    controller.call("WriteRawBytes", device, Box(b"\x01\x02\x03"), no_of_bytes=2.0)
     controller.call("Close", device)
-    raw = Cell(b"old")
+    raw = Box(b"old")
     controller.call("Open", "HOME:/raw.bin", device, read=True)
     controller.call("ReadRawBytes", device, raw)
     assert raw.value == b"\x01\x02"
@@ -104,12 +104,12 @@ REFUSED: list[tuple[object, float, dict[str, object], str]] = [
 @pytest.mark.parametrize(("value", "start", "options", "message"), REFUSED)
 def test_refusal(value: object, start: float, options: dict[str, object], message: str) -> None:
     with pytest.raises(RapidError, match=message) as caught:
-        call("PackRawBytes", value, Cell(b""), start, **options)
+        call("PackRawBytes", value, Box(b""), start, **options)
     assert caught.value.errno == errors.ERR_ARGVALERR
 
 
 def test_bytes_that_are_not_there_are_refused() -> None:
     with pytest.raises(RapidError, match="no 4 bytes from 2 in raw bytes of length 3"):
-        call("UnpackRawBytes", Cell(b"abc"), 2.0, Cell(0.0), float4=True, of=NUM)
+        call("UnpackRawBytes", Box(b"abc"), 2.0, Box(0.0), float4=True, of=NUM)
     with pytest.raises(RapidError, match="are no number"):
-        call("UnpackRawBytes", Cell(b"\xff" * 4), 1.0, Cell(0.0), float4=True, of=NUM)
+        call("UnpackRawBytes", Box(b"\xff" * 4), 1.0, Box(0.0), float4=True, of=NUM)

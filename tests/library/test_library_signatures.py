@@ -12,7 +12,7 @@ from library_controller import RecordingController
 from rapidsim.language.annotations import Mode
 from rapidsim.language.controller import Controller
 from rapidsim.language.initial import initial_value
-from rapidsim.language.reference import Cell
+from rapidsim.language.reference import Box
 from rapidsim.language.types import NUM, ArrayOf, Type
 from rapidsim.library.catalogue import CHAPTERS, ROUTINES
 from rapidsim.library.table import LibraryRoutine, Parameter
@@ -165,7 +165,7 @@ def _sample(parameter: Parameter) -> object:
     value = initial_value(NUM if of.name == "anytype" else of)
     if of.name.startswith("signal"):
         value = type(value)("doGun")  # type: ignore[call-arg]
-    return value if parameter.mode is Mode.IN else Cell(value)
+    return value if parameter.mode is Mode.IN else Box(value)
 
 
 @pytest.mark.parametrize("row", DECLARED, ids=lambda row: row.name)

@@ -18,7 +18,7 @@ from rapidsim.language.data import (
 )
 from rapidsim.language.errors import RapidError
 from rapidsim.language.records import record_of
-from rapidsim.language.reference import Cell
+from rapidsim.language.reference import Box
 from rapidsim.language.single import single
 from rapidsim.language.types import BOOL, DNUM, NUM, STRING, Alias, ArrayOf, Type
 
@@ -64,21 +64,21 @@ def test_value_as_text(value: object, of: Type, text: str) -> None:
 
 @pytest.mark.parametrize(("value", "of", "text"), TEXTS)
 def test_text_back_to_value(value: object, of: Type, text: str) -> None:
-    target: object = list(value) if isinstance(value, list) else Cell(value)
+    target: object = list(value) if isinstance(value, list) else Box(value)
     assert call("StrToVal", text, target, of=of) is True
-    read = target.value if isinstance(target, Cell) else target
+    read = target.value if isinstance(target, Box) else target
     assert call("ValToStr", read, of=of) == text
 
 
 def test_text_to_value_reads_what_programs_hold() -> None:
-    number: Cell[float] = Cell(0.0)
+    number: Box[float] = Box(0.0)
     for text, expected in {" 3.85 ": 3.85, ".5": 0.5, "5.": 5.0, "-1e2": -100.0, "+7": 7.0}.items():
         assert call("StrToVal", text, number, of=NUM) is True
         assert number.value == single(expected)
-    flag: Cell[bool] = Cell(False)
+    flag: Box[bool] = Box(False)
     assert call("StrToVal", "true", flag, of=BOOL) is True
     assert flag.value is True
-    place: Cell[object] = Cell(Pos(0.0, 0.0, 0.0))
+    place: Box[object] = Box(Pos(0.0, 0.0, 0.0))
     assert call("StrToVal", " [ 600, 500 , 225.3 ] ", place, of=record_of(Pos)) is True
     assert place.value == Pos(600.0, 500.0, single(225.3))
     assert isinstance(place.value, Pos)
@@ -106,7 +106,7 @@ def test_text_to_value_reads_what_programs_hold() -> None:
     ],
 )
 def test_text_that_is_no_value_changes_nothing(text: str, of: Type, before: object) -> None:
-    cell = Cell(before)
+    cell = Box(before)
     assert call("StrToVal", text, cell, of=of) is False
     assert cell.value == before
 
@@ -114,7 +114,7 @@ def test_text_that_is_no_value_changes_nothing(text: str, of: Type, before: obje
 @given(st.integers(-99999, 99999), st.integers(0, 5))
 def test_text_of_short_numbers_reads_back_exactly(digits: int, decimals: int) -> None:
     value = single(digits / 10.0**decimals)
-    cell: Cell[float] = Cell(0.0)
+    cell: Box[float] = Box(0.0)
     assert call("StrToVal", call("ValToStr", value, of=NUM), cell, of=NUM) is True
     assert cell.value == value
 
@@ -130,7 +130,7 @@ def test_fixed_decimals_of_a_single_read_back(digits: int, decimals: int) -> Non
 @examples()
 @given(st.text(alphabet=st.characters(codec="iso-8859-1"), max_size=20))
 def test_every_string_reads_back(text: str) -> None:
-    cell: Cell[str] = Cell("")
+    cell: Box[str] = Box("")
     literal = call("ValToStr", text, of=STRING)
     assert call("StrToVal", literal, cell, of=STRING) is True
     assert cell.value == text

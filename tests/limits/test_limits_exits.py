@@ -11,8 +11,8 @@ import pytest
 
 import rapidsim
 from rapidsim.cli.boundary import run_commands
-from rapidsim.simulation.result import End
-from rapidsim.simulation.run_files import ProgramRejectedError
+from rapidsim.jobs.run_files import ProgramRejectedError
+from rapidsim.simulation.results.simulation import End
 
 PROGRAMS = sorted((Path(__file__).parent / "programs").iterdir())
 ASKED = (

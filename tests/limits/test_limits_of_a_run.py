@@ -6,13 +6,13 @@ from pathlib import Path
 import pytest
 from command_line import call
 
+from rapidsim.controller.cell.home_folder import HomeFolder
+from rapidsim.controller.journal import journal
 from rapidsim.files import SourceFile
+from rapidsim.jobs.checked_program import load
 from rapidsim.language.controller import FileMode
 from rapidsim.language.errors import RapidError
-from rapidsim.motion.robot import load_robot
-from rapidsim.simulation import journal
-from rapidsim.simulation.home import HomeFolder
-from rapidsim.simulation.load import load
+from rapidsim.motion.robot.robot import load_robot
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.simulate import simulate
 

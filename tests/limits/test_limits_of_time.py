@@ -7,11 +7,11 @@ import pytest
 
 from rapidsim.cli.boundary import run_commands
 from rapidsim.files import SourceFile
-from rapidsim.motion.robot import load_robot
-from rapidsim.simulation.checking import by_run
-from rapidsim.simulation.load import load
+from rapidsim.jobs.checked_program import load
+from rapidsim.motion.robot.robot import load_robot
+from rapidsim.reach import trial_run
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.result import End, Simulation
+from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.simulation.simulate import simulate, simulate_tasks
 from rapidsim.simulation.task_run import TaskSetup
 
@@ -172,7 +172,7 @@ def test_recursion_meets_the_limit_of_virtual_time(tmp_path: Path) -> None:
 def test_the_run_of_a_check_is_cut_off_too(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(by_run, "LONGEST_WORK_S", WALL_S)
+    monkeypatch.setattr(trial_run, "LONGEST_WORK_S", WALL_S)
     file = tmp_path / "job.mod"
     file.write_text(UNREACHED, "utf-8")
     began_s = time.process_time()

@@ -7,11 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion.curves import Index
-from rapidsim.motion.limits import Limits
+from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.model import MotionModel
-from rapidsim.motion.path import Path
-from rapidsim.motion.trajectory import Piece, Samples, Trajectory
+from rapidsim.motion.path.path import Path
+from rapidsim.motion.timing.axis_limits import Limits
+from rapidsim.motion.trajectory.command import Piece
+from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 
 STEP = 1e-3
 MOST_SAMPLES = 30_000

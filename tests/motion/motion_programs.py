@@ -9,14 +9,14 @@ from dataclasses import replace
 import numpy as np
 from hypothesis import strategies as st
 
+from rapidsim.frames.rotation_vectors import rotation_from_vector, vector_from_rotation
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.following import PathFault
-from rapidsim.motion.limits import Limits
+from rapidsim.motion.geometry.segments import Geometry, Segment, Speed, Waypoint, Zone
 from rapidsim.motion.model import MotionModel
-from rapidsim.motion.path import Path, build_path
-from rapidsim.motion.robot import Robot, load_robot
-from rapidsim.motion.segments import Geometry, Segment, Speed, Waypoint, Zone
-from rapidsim.motion.turns import rotation_from_vector, vector_from_rotation
+from rapidsim.motion.path.curve_following import PathFault
+from rapidsim.motion.path.path import Path, build_path
+from rapidsim.motion.robot.robot import Robot, load_robot
+from rapidsim.motion.timing.axis_limits import Limits
 
 ROBOT: Robot = load_robot("irb1600-6-1.2")
 HOME = np.radians([0.0, -10.0, 20.0, 10.0, 60.0, 20.0])

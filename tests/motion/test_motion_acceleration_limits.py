@@ -7,9 +7,9 @@ import pytest
 from motion_programs import LIMITS, Programmer, path_of, zone
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion.path import Path
-from rapidsim.motion.planning import plan
-from rapidsim.motion.timing import Timing
+from rapidsim.motion.path.path import Path
+from rapidsim.motion.timing.planning import plan
+from rapidsim.motion.timing.time_scaling import Timing
 
 STEP_S = 2e-3
 

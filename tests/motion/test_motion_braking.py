@@ -12,11 +12,12 @@ from laws import examples
 from motion_law import excess_of
 from motion_programs import LIMITS, Programmer, path_of, path_or_fault, programs, zone
 
-from rapidsim.motion.braking import stop_at
-from rapidsim.motion.following import PathFault
-from rapidsim.motion.planning import plan
-from rapidsim.motion.segments import Speed
-from rapidsim.motion.trajectory import Piece, Trajectory
+from rapidsim.motion.geometry.segments import Speed
+from rapidsim.motion.path.curve_following import PathFault
+from rapidsim.motion.timing.braking import stop_at
+from rapidsim.motion.timing.planning import plan
+from rapidsim.motion.trajectory.command import Piece
+from rapidsim.motion.trajectory.trajectory import Trajectory
 
 
 def test_a_joint_move_stops_within_its_braking_distance() -> None:

@@ -5,10 +5,10 @@ from itertools import pairwise
 import numpy as np
 
 from rapidsim.frames.transform import Transform
-from rapidsim.motion.branches import LeastMotion, least_motion
-from rapidsim.motion.confdata import configurations
-from rapidsim.motion.reach import limit_excess
-from rapidsim.motion.robot import load_robot
+from rapidsim.motion.configurations.branch_choice import LeastMotion, least_motion
+from rapidsim.motion.configurations.confdata import configurations
+from rapidsim.motion.configurations.reachability import limit_excess
+from rapidsim.motion.robot.robot import load_robot
 
 ROBOT = load_robot("irb120")
 

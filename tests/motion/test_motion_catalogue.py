@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion.catalogue import aliases, aliases_of, find_entry, robots_folder
-from rapidsim.motion.opw import OrthoParallel
-from rapidsim.motion.opw_geometry import OpwGeometry
-from rapidsim.motion.robot import Robot, load_robot, robot_names
+from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
+from rapidsim.motion.kinematics.closed_form.opw_geometry import OpwGeometry
+from rapidsim.motion.robot.catalogue import aliases, aliases_of, find_entry, robots_folder
+from rapidsim.motion.robot.robot import Robot, load_robot, robot_names
 
 GROUND_TRUTH = Path(__file__).parents[2].parent / "shared" / "reference" / "ground_truth.json"
 MAKERS = {"ABB", "KUKA", "Mitsubishi"}
@@ -60,7 +60,7 @@ def test_an_arm_is_found_without_reading_the_others() -> None:
         "opened = []\n"
         "sys.addaudithook(lambda event, what: opened.append(str(what[0])) if event == 'open' "
         "else None)\n"
-        "from rapidsim.motion.robot import load_robot\n"
+        "from rapidsim.motion.robot.robot import load_robot\n"
         "load_robot('kr10')\n"
         "print(sum(name.endswith('robot.toml') for name in opened))\n"
     )

@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion.command import Index
-from rapidsim.motion.crossing import first_crossing
+from rapidsim.motion.trajectory.command import Index
+from rapidsim.motion.trajectory.zero_crossings import first_crossing
 
 zeros = st.lists(st.floats(0.001, 0.999), min_size=1, max_size=20)
 

@@ -3,18 +3,18 @@
 import numpy as np
 import pytest
 
+from rapidsim.frames.rotation_vectors import rotation_from_vector
 from rapidsim.frames.transform import Transform
-from rapidsim.motion.chain import AxesAtZero, SerialChain
-from rapidsim.motion.differential import (
+from rapidsim.motion.configurations.singularities import (
     differential,
     joint_speeds,
     pseudo_inverse,
     tcp_jacobian,
 )
-from rapidsim.motion.numerical import Numerical
-from rapidsim.motion.opw import OrthoParallel
-from rapidsim.motion.robot import load_robot
-from rapidsim.motion.turns import rotation_from_vector
+from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
+from rapidsim.motion.kinematics.numerical.solver import Numerical
+from rapidsim.motion.kinematics.serial_chain import AxesAtZero, SerialChain
+from rapidsim.motion.robot.robot import load_robot
 
 ARM = load_robot("irb120").kinematics
 STRETCHED_DEG = -76.9502  # the angle at which elbow and wrist centre line up with axis 2

@@ -13,13 +13,13 @@ import pytest
 from laws import cases
 
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.confdata import confdata_of, configurations, select, told_apart
-from rapidsim.motion.five_axis import FiveAxis
-from rapidsim.motion.kinematics import Branches, Kinematics
-from rapidsim.motion.opw import OrthoParallel
-from rapidsim.motion.palletizer import Palletizer
-from rapidsim.motion.reach import limit_excess
-from rapidsim.motion.robot import Robot, load_robot, robot_names
+from rapidsim.motion.configurations.confdata import confdata_of, configurations, select, told_apart
+from rapidsim.motion.configurations.reachability import limit_excess
+from rapidsim.motion.kinematics.arm import Branches, Kinematics
+from rapidsim.motion.kinematics.closed_form.five_axis import FiveAxis
+from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
+from rapidsim.motion.kinematics.closed_form.palletizer import Palletizer
+from rapidsim.motion.robot.robot import Robot, load_robot, robot_names
 
 EXACT = 1e-9
 """Way [m] and turn [rad] between a pose and what its solutions reach."""

@@ -10,14 +10,18 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from rapidsim.frames.rotation_vectors import rotation_from_vector
 from rapidsim.frames.transform import Transform
-from rapidsim.motion.confdata import confdata_of, select
-from rapidsim.motion.differential import differential, pseudo_inverse
-from rapidsim.motion.five_axis import FiveAxis, FiveAxisGeometry
-from rapidsim.motion.reach import limit_excess, turns_within_limits, why_unreachable
-from rapidsim.motion.robot import load_robot
-from rapidsim.motion.turns import rotation_from_vector
-from rapidsim.motion.whole_turns import principal
+from rapidsim.motion.configurations.confdata import confdata_of, select
+from rapidsim.motion.configurations.reachability import (
+    limit_excess,
+    turns_within_limits,
+    why_unreachable,
+)
+from rapidsim.motion.configurations.singularities import differential, pseudo_inverse
+from rapidsim.motion.kinematics.closed_form.five_axis import FiveAxis, FiveAxisGeometry
+from rapidsim.motion.kinematics.unwrapping import principal
+from rapidsim.motion.robot.robot import load_robot
 
 ARM = FiveAxis(FiveAxisGeometry(d1=0.152, a2=0.25, a3=0.16, d5=0.072))
 GROUND_TRUTH = Path(__file__).parents[2].parent / "shared" / "reference" / "ground_truth.json"

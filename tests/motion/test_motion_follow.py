@@ -6,18 +6,18 @@ import numpy as np
 import pytest
 from motion_truth import recorded
 
+from rapidsim.frames.rotation_vectors import rotation_from_vector
 from rapidsim.frames.transform import Array, Transform, quaternion_from_matrix
-from rapidsim.motion.catalogue import robots_folder
-from rapidsim.motion.pose_solutions import solve_pose_as
-from rapidsim.motion.reach import limit_excess
-from rapidsim.motion.robot import load_robot
-from rapidsim.motion.trajectories.follow import Followed, follow
-from rapidsim.motion.trajectories.plan import Plan, Refused, TcpMotion, Way, tcp_motion
-from rapidsim.motion.trajectories.points import Points, posed
-from rapidsim.motion.trajectories.points_file import points_from_text
-from rapidsim.motion.trajectories.profiles import Profile
-from rapidsim.motion.trajectories.reachable import reach
-from rapidsim.motion.turns import rotation_from_vector
+from rapidsim.motion.configurations.pose_solutions import solve_pose_as
+from rapidsim.motion.configurations.reachability import limit_excess
+from rapidsim.motion.robot.catalogue import robots_folder
+from rapidsim.motion.robot.robot import load_robot
+from rapidsim.motion.waypoints.follow import Followed, follow
+from rapidsim.motion.waypoints.plan import Plan, Refused, TcpMotion, Way, tcp_motion
+from rapidsim.motion.waypoints.points import Points, posed
+from rapidsim.motion.waypoints.points_file import points_from_text
+from rapidsim.motion.waypoints.reachability import reach
+from rapidsim.motion.waypoints.velocity_profiles import Profile
 
 KR10 = load_robot("kr10")
 RVM1 = load_robot("rv-m1")

@@ -7,15 +7,15 @@ from hypothesis import strategies as st
 from motion_truth import recorded
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion.trajectories.curves import BaseArc, Line, SplineCurve
-from rapidsim.motion.trajectories.piecewise import Piecewise
-from rapidsim.motion.trajectories.plan import JointMotion, Plan, Refused, quintic_motion
-from rapidsim.motion.trajectories.points import Points, between, linear_turn_rates, turn
-from rapidsim.motion.trajectories.profiles import Profile, law
-from rapidsim.motion.trajectories.quintic import overshoot, quintics
-from rapidsim.motion.trajectories.shell import shell_points
-from rapidsim.motion.trajectories.sphere import ThroughBaseError, around, nearest, pushed_out
-from rapidsim.motion.trajectories.spline import spline
+from rapidsim.motion.waypoints.curves import BaseArc, Line, SplineCurve
+from rapidsim.motion.waypoints.keep_out_sphere import ThroughBaseError, around, nearest, pushed_out
+from rapidsim.motion.waypoints.piecewise_polynomials import Piecewise
+from rapidsim.motion.waypoints.plan import JointMotion, Plan, Refused, quintic_motion
+from rapidsim.motion.waypoints.points import Points, between, linear_turn_rates, turn
+from rapidsim.motion.waypoints.quintic import overshoot, quintics
+from rapidsim.motion.waypoints.random_points import shell_points
+from rapidsim.motion.waypoints.spline import spline
+from rapidsim.motion.waypoints.velocity_profiles import Profile, law
 
 LENGTHS = st.floats(1e-4, 10.0)
 SPEEDS = st.floats(1e-3, 5.0)

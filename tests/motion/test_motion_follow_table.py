@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from rapidsim.files import InputError
-from rapidsim.motion.trajectories.points_file import points_from_text
+from rapidsim.motion.waypoints.points_file import points_from_text
 
 WRONG = {
     "a b\n1 2\n": ("points.csv:1: there is no column `a b`", "columns are"),

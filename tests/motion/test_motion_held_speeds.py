@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion.held_speeds import held_speeds
+from rapidsim.motion.timing.smoothed_speed_limits import held_speeds
 
 WINDOW_S = 0.08
 PLACES = np.linspace(0.0, 0.6, 1201)

@@ -9,10 +9,10 @@ from hypothesis import strategies as st
 from laws import examples
 
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.catalogue import arm_from_geometry
-from rapidsim.motion.opw import OrthoParallel
-from rapidsim.motion.opw_geometry import OpwGeometry
-from rapidsim.motion.robot import load_robot
+from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
+from rapidsim.motion.kinematics.closed_form.opw_geometry import OpwGeometry
+from rapidsim.motion.robot.catalogue import arm_from_geometry
+from rapidsim.motion.robot.robot import load_robot
 
 QUARTER = np.pi / 2.0
 CATALOGUE_ARMS = (

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from rapidsim.motion.confdata import confdata_of, configurations, select
-from rapidsim.motion.robot import Robot, load_robot
+from rapidsim.motion.configurations.confdata import confdata_of, configurations, select
+from rapidsim.motion.robot.robot import Robot, load_robot
 
 
 @pytest.fixture(params=["irb120", "irb1600", "irb6640-180-2.55"], scope="module")

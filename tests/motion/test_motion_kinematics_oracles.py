@@ -11,12 +11,12 @@ from laws import cases
 from motion_truth import turns_aside
 
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.catalogue import arm_from_geometry
-from rapidsim.motion.confdata import confdata_of
-from rapidsim.motion.kinematics import Mask
-from rapidsim.motion.opw import OrthoParallel
-from rapidsim.motion.opw_geometry import OpwGeometry
-from rapidsim.motion.robot import Robot, load_robot, robot_names
+from rapidsim.motion.configurations.confdata import confdata_of
+from rapidsim.motion.kinematics.arm import Mask
+from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
+from rapidsim.motion.kinematics.closed_form.opw_geometry import OpwGeometry
+from rapidsim.motion.robot.catalogue import arm_from_geometry
+from rapidsim.motion.robot.robot import Robot, load_robot, robot_names
 
 POSES = cases(10_000)
 OPW_SLOT_OF_BRANCH = [0, 4, 1, 5, 2, 6, 3, 7]

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.opw import OrthoParallel
-from rapidsim.motion.robot import load_robot
+from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
+from rapidsim.motion.robot.robot import load_robot
 
 IRB_120_STRETCHED = np.arctan2(0.070, 0.302) - np.pi / 2.0
 

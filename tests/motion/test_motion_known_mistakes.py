@@ -6,12 +6,16 @@ import numpy as np
 import pytest
 from motion_truth import assert_same_set, recorded
 
+from rapidsim.frames.rotation_vectors import rotation_from_vector, vector_from_rotation
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.differential import differential, joint_speeds, pseudo_inverse
-from rapidsim.motion.opw import OrthoParallel
-from rapidsim.motion.reach import limit_excess, turns_within_limits, why_unreachable
-from rapidsim.motion.robot import Robot, load_robot
-from rapidsim.motion.turns import rotation_from_vector, vector_from_rotation
+from rapidsim.motion.configurations.reachability import (
+    limit_excess,
+    turns_within_limits,
+    why_unreachable,
+)
+from rapidsim.motion.configurations.singularities import differential, joint_speeds, pseudo_inverse
+from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
+from rapidsim.motion.robot.robot import Robot, load_robot
 
 QUARTER = np.pi / 2.0
 KR_10_TOOL = 0.24

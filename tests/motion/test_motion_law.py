@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
-from pathlib import Path as File
+from pathlib import Path as FilePath
 
 import numpy as np
 import pytest
@@ -15,17 +15,18 @@ from motion_law import Excess, command_of, excess_of, off_curve, with_axes_smoot
 from motion_programs import LIMITS, ROBOT, Programmer, path_or_fault, programs, zone
 
 from rapidsim.files import SourceFile, decode
-from rapidsim.motion.following import PathFault
-from rapidsim.motion.limits import limits_of
+from rapidsim.jobs.checked_program import load
+from rapidsim.motion.geometry.segments import Speed
 from rapidsim.motion.model import Keeper, MotionModel
-from rapidsim.motion.planning import plan
-from rapidsim.motion.segments import Speed
-from rapidsim.motion.trajectory import Piece, Trajectory
-from rapidsim.simulation.load import load
+from rapidsim.motion.path.curve_following import PathFault
+from rapidsim.motion.timing.axis_limits import limits_of
+from rapidsim.motion.timing.planning import plan
+from rapidsim.motion.trajectory.command import Piece
+from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.simulate import simulate
 
-ROOT = File(__file__).parents[2]
+ROOT = FilePath(__file__).parents[2]
 _LOOK_AT_AXES = 3_000
 """So many samples of each program with smoothed axes, which take longer."""
 
@@ -35,7 +36,7 @@ LEAST = {"tests/check/corpus": 8, "tests/rapid/motion": 20}
 LEAST_OF_RULES = 40
 
 
-def moving(files: Iterable[File]) -> list[File]:
+def moving(files: Iterable[FilePath]) -> list[FilePath]:
     """The programs that move a robot, but those that wait for a partner."""
     moves = (b"MoveL", b"MoveJ", b"MoveC", b"MoveAbsJ")
     texts = ((file, file.read_bytes()) for file in files)
@@ -46,9 +47,9 @@ def moving(files: Iterable[File]) -> list[File]:
     ]
 
 
-def by_folder(files: Iterable[File]) -> dict[str, list[File]]:
+def by_folder(files: Iterable[FilePath]) -> dict[str, list[FilePath]]:
     """The programs of each folder of the repository."""
-    folders: dict[str, list[File]] = {}
+    folders: dict[str, list[FilePath]] = {}
     for file in files:
         folders.setdefault(file.parent.relative_to(ROOT).as_posix(), []).append(file)
     return folders
@@ -57,7 +58,7 @@ def by_folder(files: Iterable[File]) -> dict[str, list[File]]:
 FOLDERS = by_folder(moving(sorted([*ROOT.glob("programs/**/*.mod"), *ROOT.glob("tests/**/*.mod")])))
 
 
-def trajectory_of(file: File) -> Trajectory | None:
+def trajectory_of(file: FilePath) -> Trajectory | None:
     """What a program does in its first minute; None where it does not move."""
     loaded = load([SourceFile(file.name, decode(file.read_bytes())[0], "utf-8")])
     if loaded.program is None or "main" not in loaded.program.routines:
@@ -76,11 +77,11 @@ def test_programs_of_the_repository_keep_curves_and_limits(folder: str) -> None:
     assert_kept(FOLDERS[folder], LEAST.get(folder, 0))
 
 
-def test_programs_of_rules_keep_curves_and_limits(rule_programs: list[File]) -> None:
+def test_programs_of_rules_keep_curves_and_limits(rule_programs: list[FilePath]) -> None:
     assert_kept(moving(rule_programs), LEAST_OF_RULES)
 
 
-def assert_kept(files: Iterable[File], least: int) -> None:
+def assert_kept(files: Iterable[FilePath], least: int) -> None:
     """The TCP off a line or circle by less than 1 um; speeds over by less than 0.1 %; axis
     accelerations of the command over by less than 1 %.
 

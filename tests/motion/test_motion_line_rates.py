@@ -20,33 +20,26 @@ from motion_programs import (
     zone,
 )
 
+from rapidsim.frames.rotation_vectors import rotation_from_vector
 from rapidsim.frames.transform import Transform
-from rapidsim.motion import (
-    compiled,
-    corner_shape,
-    following,
-    held_loops,
-    limiters,
-    line_formulas,
-    line_loops,
-    line_rates,
-    solver_loops,
-    stages,
-)
-from rapidsim.motion import held_speeds as held_speeds_module
-from rapidsim.motion.drive import fastest_drive
-from rapidsim.motion.following import PathFault
-from rapidsim.motion.grid import Places, cells_of
-from rapidsim.motion.held_speeds import held_speeds
+from rapidsim.motion import compiled
+from rapidsim.motion.geometry import blend_shape
+from rapidsim.motion.geometry.segments import Geometry, Segment, Waypoint
+from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
 from rapidsim.motion.model import MotionModel
-from rapidsim.motion.opw import OrthoParallel
-from rapidsim.motion.path import Path, PathRates, build_path
-from rapidsim.motion.planning import plan
-from rapidsim.motion.problem import problem_of
-from rapidsim.motion.robot import load_robot
-from rapidsim.motion.rows import acceleration_rows
-from rapidsim.motion.segments import Geometry, Segment, Waypoint
-from rapidsim.motion.turns import rotation_from_vector
+from rapidsim.motion.path import curve_following, line_derivatives, line_formulas, line_loops
+from rapidsim.motion.path.curve_following import PathFault
+from rapidsim.motion.path.path import Path, build_path
+from rapidsim.motion.path.path_derivatives import PathRates
+from rapidsim.motion.robot.robot import load_robot
+from rapidsim.motion.timing import active_constraints, smoothed_speed_loops, stages, two_pass_loops
+from rapidsim.motion.timing import smoothed_speed_limits as held_speeds_module
+from rapidsim.motion.timing.constraints import acceleration_rows
+from rapidsim.motion.timing.discretisation import Places, cells_of
+from rapidsim.motion.timing.planning import plan
+from rapidsim.motion.timing.problem import problem_of
+from rapidsim.motion.timing.smoothed_speed_limits import held_speeds
+from rapidsim.motion.timing.time_optimal import fastest_drive
 
 PROGRAMMED_TURNS = MotionModel(orientation_zone="programmed")
 
@@ -98,7 +91,7 @@ def test_joint_moves_and_their_corners_are_not_lines() -> None:
     assert np.array_equal(lines.pieces, ~joint)
 
 
-def some_lines(model: MotionModel = MODEL) -> line_rates.Lines:
+def some_lines(model: MotionModel = MODEL) -> line_derivatives.Lines:
     """Three lines that turn the tool, with corners."""
     program = Programmer().line((0.05, 0, 0), (0, 0.1, 0), zone(10))
     program.line((0, 0.05, 0), (0.1, 0, 0), zone(5)).line((0, 0, 0.05))
@@ -117,7 +110,7 @@ def test_loops_do_what_columns_do(model: MotionModel, monkeypatch: pytest.Monkey
     piece = np.concatenate([lines.layout.piece_at(s[:40]), own, own])
     columns, _ = lines.rates(s, piece)
     joints, _ = lines.joints(s, piece)
-    monkeypatch.setattr(line_rates, "compiled", lambda module, name, rows: vars(module)[name])
+    monkeypatch.setattr(line_derivatives, "compiled", lambda module, name, rows: vars(module)[name])
     loops, regular = lines.rates(s, piece)
     assert regular.all()
     for ours, theirs in zip(loops.columns, columns.columns, strict=True):
@@ -133,7 +126,7 @@ def test_joints_on_lines_are_those_of_inverse_kinematics(program: Programmer) ->
         return
     s, piece = path.nodes.place, path.nodes.part
     joints, holds = path.lines.joints(s, piece)
-    expected, exists = following._joints_in_general(path.layout, path.arms, s, piece)
+    expected, exists = curve_following._joints_in_general(path.layout, path.arms, s, piece)
     assert exists[holds].all()
     assert joints[holds] == pytest.approx(expected[holds], abs=1e-9)
 
@@ -150,7 +143,7 @@ def test_speeds_are_held_alike(monkeypatch: pytest.MonkeyPatch) -> None:
         needed = random.random(count) < 0.6
         columns = held_speeds(places, speeds, needed, 0.3)
         with monkeypatch.context() as patch:
-            patch.setattr(held_speeds_module, "compiled", lambda *_: held_loops.hold)
+            patch.setattr(held_speeds_module, "compiled", lambda *_: smoothed_speed_loops.hold)
             loops = held_speeds(places, speeds, needed, 0.3)
         assert np.array_equal(loops, columns)
         assert (columns < speeds).any() or not needed.any() or count < 20
@@ -169,7 +162,7 @@ def test_loops_of_the_solver_do_what_columns_do(program: Programmer) -> None:
     slack, tilt = np.empty_like(columns.slack), np.empty_like(columns.tilt)
     widest = np.empty_like(columns.widest)
     span = 2.0 * (columns.end - columns.begin) * cells.width[columns.cell]
-    solver_loops.limit_stages(
+    two_pass_loops.limit_stages(
         (cells.at, rows.slope, rows.bend),
         (columns.cell, columns.begin, columns.end, span),
         (stages.LARGEST_X, np.arange(len(span))),
@@ -190,16 +183,18 @@ def test_loops_over_a_motion_do_what_columns_do(program: Programmer) -> None:
     cells, rows = problem.cells, problem.accelerations
     _, motion = fastest_drive(problem, 0.0)
     both = []
-    for module in (None, solver_loops):
+    for module in (None, two_pass_loops):
         with pytest.MonkeyPatch.context() as patch:
             if module is not None:
-                patch.setattr(stages, "compiled", lambda _, name, rows: vars(solver_loops)[name])
-                patch.setattr(limiters, "compiled", lambda _, name, rows: vars(solver_loops)[name])
+                patch.setattr(stages, "compiled", lambda _, name, rows: vars(two_pass_loops)[name])
+                patch.setattr(
+                    active_constraints, "compiled", lambda _, name, rows: vars(two_pass_loops)[name]
+                )
             both.append(
                 (
                     stages.loads(motion.stages, cells, rows, motion.x),
                     stages.fastest(motion.stages, cells, problem.slowness),
-                    limiters.limiters_of(problem, motion),
+                    active_constraints.limiters_of(problem, motion),
                 )
             )
     columns, loops = both
@@ -234,16 +229,16 @@ def test_compiled_plans_are_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_few_rows_and_a_switch_keep_numba_away(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(compiled, "_loaded", False)
-    assert compiled.compiled(solver_loops, "widest", 10) is None
+    assert compiled.compiled(two_pass_loops, "widest", 10) is None
     monkeypatch.setenv("RAPIDSIM_NUMBA", "0")
-    assert compiled.compiled(solver_loops, "both_passes", 10**9) is None
+    assert compiled.compiled(two_pass_loops, "both_passes", 10**9) is None
     monkeypatch.setenv("RAPIDSIM_NUMBA", "1")
     monkeypatch.setattr(compiled, "find_spec", lambda name: None)
-    assert compiled.compiled(solver_loops, "both_passes", 10**9) is None
+    assert compiled.compiled(two_pass_loops, "both_passes", 10**9) is None
 
 
 @pytest.mark.parametrize(
-    "module", [corner_shape, held_loops, line_formulas, line_loops, solver_loops]
+    "module", [blend_shape, smoothed_speed_loops, line_formulas, line_loops, two_pass_loops]
 )
 def test_what_is_listed_to_be_compiled_is_all_there_is(module: ModuleType) -> None:
     functions = {

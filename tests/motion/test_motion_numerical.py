@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 from rapidsim.frames.transform import Transform
-from rapidsim.motion.chain import AxesAtZero, SerialChain
-from rapidsim.motion.numerical import Numerical
-from rapidsim.motion.offset_wrist import near_arm
-from rapidsim.motion.pose_solutions import solve_pose
-from rapidsim.motion.reach import limit_excess, why_unreachable
-from rapidsim.motion.robot import Robot, load_robot
-from rapidsim.motion.scipy_search import METHODS, search
-from rapidsim.motion.whole_turns import principal
+from rapidsim.motion.configurations.pose_solutions import solve_pose
+from rapidsim.motion.configurations.reachability import limit_excess, why_unreachable
+from rapidsim.motion.configurations.scipy_solvers import METHODS, search
+from rapidsim.motion.kinematics.numerical.offset_wrist import near_arm
+from rapidsim.motion.kinematics.numerical.solver import Numerical
+from rapidsim.motion.kinematics.serial_chain import AxesAtZero, SerialChain
+from rapidsim.motion.kinematics.unwrapping import principal
+from rapidsim.motion.robot.robot import Robot, load_robot
 
 JOINT = """
   <link name="link_{n}"/>

@@ -9,12 +9,12 @@ from hypothesis import strategies as st
 
 from rapidsim.frames import rigid
 from rapidsim.frames.transform import Transform, matrix_from_quaternion
-from rapidsim.motion.catalogue import arm_from_geometry
-from rapidsim.motion.confdata import confdata_of, configurations, named
-from rapidsim.motion.opw import OrthoParallel
-from rapidsim.motion.opw_geometry import OpwGeometry
-from rapidsim.motion.robot import Robot, load_robot
-from rapidsim.motion.whole_turns import in_turn_of, turned_towards
+from rapidsim.motion.configurations.confdata import confdata_of, configurations, named
+from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
+from rapidsim.motion.kinematics.closed_form.opw_geometry import OpwGeometry
+from rapidsim.motion.kinematics.unwrapping import in_turn_of, turned_towards
+from rapidsim.motion.robot.catalogue import arm_from_geometry
+from rapidsim.motion.robot.robot import Robot, load_robot
 
 ARMS = (
     "irb120-3-0.58",

@@ -7,13 +7,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from rapidsim.frames.rotation_vectors import rotation_from_vector
 from rapidsim.frames.transform import Transform
 from rapidsim.language.data import ExtJoint, JointTarget, RobJoint
-from rapidsim.motion import targets
-from rapidsim.motion.catalogue import RobotError, kinematics_of, read_entry
-from rapidsim.motion.palletizer import Palletizer, PalletizerGeometry
-from rapidsim.motion.turns import rotation_from_vector
-from rapidsim.motion.whole_turns import principal
+from rapidsim.motion.configurations import targets
+from rapidsim.motion.kinematics.closed_form.palletizer import Palletizer, PalletizerGeometry
+from rapidsim.motion.kinematics.unwrapping import principal
+from rapidsim.motion.robot.catalogue import RobotError, kinematics_of, read_entry
 
 G = PalletizerGeometry(
     a1=0.26, c1=0.745, c2=0.945, c3=1.025, wrist_forward=0.225, flange_down=0.2515

@@ -13,10 +13,10 @@ from laws import examples
 from motion_programs import MODEL, ROBOT, TOOL, Programmer, path_of, path_or_fault, programs, zone
 
 from rapidsim.frames.transform import Transform
-from rapidsim.motion.following import PathFault
+from rapidsim.motion.geometry.segments import Speed, Waypoint, Zone
 from rapidsim.motion.model import MotionModel
-from rapidsim.motion.path import Path
-from rapidsim.motion.segments import Speed, Waypoint, Zone
+from rapidsim.motion.path.curve_following import PathFault
+from rapidsim.motion.path.path import Path
 
 PARABOLA = MotionModel(corner="parabola")
 PROGRAMMED = MotionModel(orientation_zone="programmed")

@@ -11,11 +11,11 @@ import pytest
 from motion_truth import assert_same_set, recorded
 
 from rapidsim.frames.transform import Array, Transform, quaternion_from_matrix
-from rapidsim.motion.confdata import confdata_of, configurations
-from rapidsim.motion.differential import differential, pseudo_inverse
-from rapidsim.motion.opw import OrthoParallel
-from rapidsim.motion.reach import limit_excess, turns_within_limits
-from rapidsim.motion.robot import Robot, load_robot
+from rapidsim.motion.configurations.confdata import confdata_of, configurations
+from rapidsim.motion.configurations.reachability import limit_excess, turns_within_limits
+from rapidsim.motion.configurations.singularities import differential, pseudo_inverse
+from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
+from rapidsim.motion.robot.robot import Robot, load_robot
 
 EXACT = 1e-9
 QUARTER = np.pi / 2.0

@@ -8,8 +8,8 @@ import pytest
 from motion_truth import recorded
 
 from rapidsim.frames.transform import Array, Transform, quaternion_from_matrix, slerp
-from rapidsim.motion.reach import limit_excess, turns_within_limits
-from rapidsim.motion.robot import Robot, load_robot
+from rapidsim.motion.configurations.reachability import limit_excess, turns_within_limits
+from rapidsim.motion.robot.robot import Robot, load_robot
 
 SAMPLES = 2001
 AT_THEIR_SAMPLES = 1e-5

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from rapidsim.frames.transform import Transform
-from rapidsim.motion.catalogue import find_entry, read_entry
-from rapidsim.motion.opw_geometry import OpwGeometry
-from rapidsim.motion.reach import Unreachable, why_unreachable
-from rapidsim.motion.robot import Robot, RobotError, load_robot, robot_names
+from rapidsim.motion.configurations.reachability import Unreachable, why_unreachable
+from rapidsim.motion.kinematics.closed_form.opw_geometry import OpwGeometry
+from rapidsim.motion.robot.catalogue import find_entry, read_entry
+from rapidsim.motion.robot.robot import Robot, RobotError, load_robot, robot_names
 
 MEGABYTE = 1_000_000
 

@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rapidsim.motion.catalogue import find_entry
-from rapidsim.motion.numerical import Numerical
-from rapidsim.motion.palletizer import Palletizer
-from rapidsim.motion.robot import Robot, RobotError, load_robot, robot_names
+from rapidsim.motion.kinematics.closed_form.palletizer import Palletizer
+from rapidsim.motion.kinematics.numerical.solver import Numerical
+from rapidsim.motion.robot.catalogue import find_entry
+from rapidsim.motion.robot.robot import Robot, RobotError, load_robot, robot_names
 
 MEGABYTE = 1_000_000
 SCRIPTS = Path(__file__).parents[2] / "scripts"

@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 from motion_programs import HOME, MODEL, ROBOT, TOOL, Programmer, path_of, path_or_fault, zone
 
+from rapidsim.frames.rotation_vectors import rotation_from_vector, vector_from_rotation
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.following import FaultKind, PathFault
-from rapidsim.motion.limits import limits_of
-from rapidsim.motion.path import Path
-from rapidsim.motion.planning import plan
-from rapidsim.motion.segments import CircleMode, Geometry, Segment, Waypoint
-from rapidsim.motion.turns import rotation_from_vector, vector_from_rotation
-from rapidsim.motion.wrist_lock import lock_axis_4
+from rapidsim.motion.configurations.wrist_lock import lock_axis_4
+from rapidsim.motion.geometry.segments import CircleMode, Geometry, Segment, Waypoint
+from rapidsim.motion.path.curve_following import FaultKind, PathFault
+from rapidsim.motion.path.path import Path
+from rapidsim.motion.timing.axis_limits import limits_of
+from rapidsim.motion.timing.planning import plan
 
 LIMITS = limits_of(ROBOT, MODEL)
 ABOVE = np.radians([0.0, 0.0, 0.0, 0.0, 15.0, 0.0])

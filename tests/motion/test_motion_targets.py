@@ -5,6 +5,7 @@ from math import pi, radians
 import numpy as np
 import pytest
 
+from rapidsim.frames.rotation_vectors import rotation_from_vector
 from rapidsim.frames.transform import Transform
 from rapidsim.language.data import (
     NO_EXTERNAL_AXES,
@@ -18,10 +19,9 @@ from rapidsim.language.data import (
     ToolData,
     WobjData,
 )
-from rapidsim.motion import targets
-from rapidsim.motion.external_axes import ExternalAxis
-from rapidsim.motion.robot import load_robot
-from rapidsim.motion.turns import rotation_from_vector
+from rapidsim.motion.configurations import targets
+from rapidsim.motion.robot.external_axes import ExternalAxis
+from rapidsim.motion.robot.robot import load_robot
 
 ROBOT = load_robot("irb1600")
 STANDS = Transform(rotation_from_vector(np.array([0.1, -0.2, 0.7])), np.array([0.4, 1.0, 0.5]))

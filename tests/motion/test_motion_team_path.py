@@ -10,11 +10,11 @@ from laws import examples
 from motion_programs import MODEL, ROBOT, Programmer, path_of, programs, zone
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion.limits import Limits, limits_of
-from rapidsim.motion.path import Path
-from rapidsim.motion.planning import plan
-from rapidsim.motion.team_path import TeamPath, team_path
-from rapidsim.motion.timing import Timing
+from rapidsim.motion.path.path import Path
+from rapidsim.motion.path.synchronised_path import TeamPath, team_path
+from rapidsim.motion.timing.axis_limits import Limits, limits_of
+from rapidsim.motion.timing.planning import plan
+from rapidsim.motion.timing.time_scaling import Timing
 
 LIMITS = limits_of(ROBOT, MODEL)
 

@@ -14,15 +14,15 @@ from laws import examples
 from motion_programs import LIMITS, MODEL, ROBOT, Programmer, path_of, path_or_fault, programs, zone
 
 from rapidsim.frames.transform import Transform
-from rapidsim.motion.following import PathFault
-from rapidsim.motion.limits import Limits, limits_of
+from rapidsim.motion.geometry.segments import Speed
 from rapidsim.motion.model import MotionModel
-from rapidsim.motion.path import Path
-from rapidsim.motion.planning import plan
-from rapidsim.motion.robot import RobotError
-from rapidsim.motion.segments import Speed
-from rapidsim.motion.sweep import sweep
-from rapidsim.motion.timing import Timing
+from rapidsim.motion.path.curve_following import PathFault
+from rapidsim.motion.path.path import Path
+from rapidsim.motion.robot.robot import RobotError
+from rapidsim.motion.timing.axis_limits import Limits, limits_of
+from rapidsim.motion.timing.planning import plan
+from rapidsim.motion.timing.smallest_line import sweep
+from rapidsim.motion.timing.time_scaling import Timing
 
 PARABOLA = MotionModel(corner="parabola", parabola_acceleration=1.0, filter_time=0.0)
 RAPID = Speed(7.0, math.radians(5000.0))

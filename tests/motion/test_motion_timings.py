@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from motion_programs import LIMITS, Programmer, path_of, zone
 
-from rapidsim.motion.planning import plan
-from rapidsim.motion.timings import timings_of
+from rapidsim.motion.timing.planning import plan
+from rapidsim.motion.trajectory.time_scalings import timings_of
 
 
 def test_all_at_once_is_one_by_one() -> None:

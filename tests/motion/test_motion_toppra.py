@@ -3,23 +3,23 @@
 from __future__ import annotations
 
 from importlib.util import module_from_spec, spec_from_file_location
-from pathlib import Path as File
+from pathlib import Path as FilePath
 from types import ModuleType
 
 import numpy as np
 import pytest
 from motion_programs import LIMITS, Programmer, path_of, zone
 
-from rapidsim.motion.grid import cells_of
-from rapidsim.motion.problem import problem_of
-from rapidsim.motion.segments import Speed
+from rapidsim.motion.geometry.segments import Speed
+from rapidsim.motion.timing.discretisation import cells_of
+from rapidsim.motion.timing.problem import problem_of
 
 
 @pytest.fixture(scope="module")
 def planning() -> ModuleType:
     """The benchmark that drives the other solver."""
     pytest.importorskip("toppra", reason="toppra is not installed")
-    file = File(__file__).parents[2] / "benchmarks" / "planning.py"
+    file = FilePath(__file__).parents[2] / "benchmarks" / "planning.py"
     spec = spec_from_file_location("planning", file)
     assert spec is not None
     assert spec.loader is not None

@@ -22,13 +22,14 @@ from motion_programs import (
 )
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion.following import PathFault
-from rapidsim.motion.model import Corner, MotionModel
-from rapidsim.motion.path import Path
-from rapidsim.motion.planning import plan
-from rapidsim.motion.segments import Speed, Waypoint
-from rapidsim.motion.timing import Timing
-from rapidsim.motion.trajectory import Piece, Trajectory
+from rapidsim.motion.geometry.segments import Speed, Waypoint
+from rapidsim.motion.model import BlendShape, MotionModel
+from rapidsim.motion.path.curve_following import PathFault
+from rapidsim.motion.path.path import Path
+from rapidsim.motion.timing.planning import plan
+from rapidsim.motion.timing.time_scaling import Timing
+from rapidsim.motion.trajectory.command import Piece
+from rapidsim.motion.trajectory.trajectory import Trajectory
 
 FILTER = 0.08
 
@@ -95,7 +96,7 @@ def test_the_visible_place_is_the_mean_of_the_commanded(pauses: list[float], sha
     speed=st.sampled_from([0.1, 0.5, 1.5]),
 )
 def test_smoothing_keeps_programmed_and_axis_speeds(
-    program: Programmer, corner: Corner, speed: float
+    program: Programmer, corner: BlendShape, speed: float
 ) -> None:
     segments = [
         replace(segment, speed=Speed(speed, np.radians(500.0))) for segment in program.segments

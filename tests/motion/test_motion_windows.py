@@ -12,11 +12,12 @@ from laws import examples
 from motion_law import STEP, command_of, excess_of, off_curve
 from motion_programs import LIMITS, Programmer, path_of, path_or_fault, programs, zone
 
-from rapidsim.motion.following import PathFault
+from rapidsim.motion.geometry.segments import Segment, Speed
 from rapidsim.motion.model import Keeper, MotionModel
-from rapidsim.motion.planning import plan
-from rapidsim.motion.segments import Segment, Speed
-from rapidsim.motion.trajectory import Piece, Trajectory
+from rapidsim.motion.path.curve_following import PathFault
+from rapidsim.motion.timing.planning import plan
+from rapidsim.motion.trajectory.command import Piece
+from rapidsim.motion.trajectory.trajectory import Trajectory
 
 FILTER = MotionModel().filter_time
 

@@ -10,16 +10,16 @@ from hypothesis import strategies as st
 from laws import examples
 from motion_programs import LIMITS, MODEL, zone
 
+from rapidsim.frames.rotation_vectors import rotation_from_vector
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.curves import curves_of
-from rapidsim.motion.following import FaultKind, PathFault
-from rapidsim.motion.path import Path, build_path
-from rapidsim.motion.planning import plan
-from rapidsim.motion.robot import Robot, load_robot
-from rapidsim.motion.segments import CircleMode, Geometry, Segment, Speed, Waypoint, Zone
-from rapidsim.motion.turns import rotation_from_vector
-from rapidsim.motion.wrist_circle import led_by_pair, start_on_circle
-from rapidsim.motion.wrist_pair import wrist_meets
+from rapidsim.motion.geometry.curves import curves_of
+from rapidsim.motion.geometry.segments import CircleMode, Geometry, Segment, Speed, Waypoint, Zone
+from rapidsim.motion.geometry.wrist_pair import wrist_meets
+from rapidsim.motion.path.curve_following import FaultKind, PathFault
+from rapidsim.motion.path.path import Path, build_path
+from rapidsim.motion.path.wrist_circle import led_by_pair, start_on_circle
+from rapidsim.motion.robot.robot import Robot, load_robot
+from rapidsim.motion.timing.planning import plan
 
 ARMS = {
     name: load_robot(name)

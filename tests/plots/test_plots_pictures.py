@@ -21,7 +21,7 @@ from rapidsim.plots.look import DARK, LIGHT, dressed
 from rapidsim.plots.path_picture import path_picture
 from rapidsim.plots.time_pictures import joints_picture, speed_picture
 from rapidsim.plots.write import PICTURES, write_plots
-from rapidsim.simulation.result import Simulation
+from rapidsim.simulation.results.simulation import Simulation
 
 ROOT = Path(__file__).parents[2]
 

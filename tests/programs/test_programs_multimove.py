@@ -6,18 +6,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rapidsim.cli.inputs import all_tasks, choose_station
+from rapidsim.cli.options.inputs import all_tasks, choose_station
+from rapidsim.controller.motion import TaskMotion
+from rapidsim.controller.moves.queued_move import QueuedMove
+from rapidsim.controller.queue.team_planner import Offer, Team, TeamMove
 from rapidsim.frames.transform import Array
-from rapidsim.language.controller import Move
-from rapidsim.motion.robot import load_robot
-from rapidsim.simulation.cell_tasks import task_setups
-from rapidsim.simulation.load_tasks import load_tasks
+from rapidsim.jobs.load_tasks import load_tasks
+from rapidsim.jobs.task_setups import task_setups
+from rapidsim.language.moves import Move
+from rapidsim.motion.robot.robot import load_robot
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.queued_move import QueuedMove
-from rapidsim.simulation.result import RobotRun, Simulation
+from rapidsim.simulation.results.simulation import RobotRun, Simulation
 from rapidsim.simulation.simulate import simulate_tasks
-from rapidsim.simulation.task.motion import TaskMotion
-from rapidsim.simulation.team import Offer, Team, TeamMove
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 

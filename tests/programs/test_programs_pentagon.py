@@ -11,7 +11,7 @@ import pytest
 from command_line import call
 
 from rapidsim.frames.transform import Transform, slerp
-from rapidsim.motion.robot import load_robot
+from rapidsim.motion.robot.robot import load_robot
 
 ROOT = Path(__file__).parents[2]
 PROGRAM = ROOT / "programs" / "pentagon.mod"

@@ -16,12 +16,13 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
+from rapidsim.controller.journal.events import EventKind
 from rapidsim.diagnostics import Diagnostic, Severity, Source
 from rapidsim.files import SourceFile, decode
-from rapidsim.motion.robot import Robot, load_robot
-from rapidsim.simulation.load import load
+from rapidsim.jobs.checked_program import load
+from rapidsim.motion.robot.robot import Robot, load_robot
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.result import EventKind, Simulation
+from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.simulate import simulate
 from rapidsim.syntax.lexer import lex
 

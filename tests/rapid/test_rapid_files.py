@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
+from rapidsim.controller.journal.events import EventKind
 from rapidsim.files import InputError
-from rapidsim.simulation.check_files import check
-from rapidsim.simulation.result import EventKind
-from rapidsim.simulation.run_files import simulate
+from rapidsim.jobs.check_files import check
+from rapidsim.jobs.run_files import simulate
 
 LINES = (
     "MODULE shop",

@@ -12,9 +12,11 @@ from pathlib import Path
 
 import numpy as np
 
+from rapidsim.controller.journal.events import Event, EventKind, ExecutedLine
+from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Source, Span
+from rapidsim.findings.runs import RoutineNotSimulated
 from rapidsim.frames.transform import Array, Transform, slerp
-from rapidsim.language.controller import Interpolation, Move, Place
 from rapidsim.language.data import (
     FINE,
     LOAD0,
@@ -29,21 +31,12 @@ from rapidsim.language.data import (
     WobjData,
     ZoneData,
 )
-from rapidsim.motion import targets
+from rapidsim.language.moves import Interpolation, Move, Place
+from rapidsim.motion.configurations import targets
 from rapidsim.motion.model import MotionModel
-from rapidsim.motion.robot import Robot, load_robot
-from rapidsim.motion.trajectory import Samples, Trajectory
-from rapidsim.simulation.result import (
-    CornerKind,
-    End,
-    Event,
-    EventKind,
-    ExecutedLine,
-    ExecutedMove,
-    RobotRun,
-    Simulation,
-)
-from rapidsim.simulation.violations import RoutineNotSimulated
+from rapidsim.motion.robot.robot import Robot, load_robot
+from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+from rapidsim.simulation.results.simulation import End, RobotRun, Simulation
 
 TEXT = r"""MODULE Frame
   ! Traces a rectangle with a pen and switches a pump.

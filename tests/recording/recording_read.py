@@ -11,9 +11,9 @@ import numpy as np
 from recording_cell import cell
 from rerun.chunk import RrdReader
 
-from rapidsim.motion.violations import PathNotReachable, UnreachableTarget
-from rapidsim.simulation.failed_moves import FailedMove
-from rapidsim.simulation.result import Simulation
+from rapidsim.controller.journal.failed_moves import FailedMove
+from rapidsim.findings.reach_and_motion_data import PathNotReachable, UnreachableTarget
+from rapidsim.simulation.results.simulation import Simulation
 
 SIMULATION = cell()
 

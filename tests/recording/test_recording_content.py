@@ -15,7 +15,7 @@ from recording_cell import TEXT, cell, two_robots
 from recording_read import SIMULATION, failed_run, rows, texts
 from rerun.chunk import RrdReader
 
-from rapidsim.recording.write import record
+from rapidsim.recording.layout.write import record
 
 UNLISTED = ("/robot/fixed", "/robot/base", f"/robot/{SIMULATION.robot.name}")
 """Fixed frames of the description, and the root of its shapes."""

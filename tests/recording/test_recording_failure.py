@@ -12,7 +12,7 @@ import pytest
 from recording_cell import cell
 
 from rapidsim.files import InputError
-from rapidsim.recording.write import record
+from rapidsim.recording.layout.write import record
 
 RECORD = """
 import resource, sys
@@ -22,7 +22,7 @@ if limit:
     resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
 from recording_cell import cell
 from rapidsim.files import InputError
-from rapidsim.recording.write import record
+from rapidsim.recording.layout.write import record
 try:
     record(cell(rounds=1), sys.argv[1])
 except InputError as error:

@@ -8,11 +8,11 @@ import pytest
 from rerun.chunk import RrdReader
 
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.robot import load_robot
-from rapidsim.motion.trajectories.follow import Followed, follow
-from rapidsim.motion.trajectories.plan import Plan
-from rapidsim.motion.trajectories.points import Points
-from rapidsim.recording.followed import record_followed
+from rapidsim.motion.robot.robot import load_robot
+from rapidsim.motion.waypoints.follow import Followed, follow
+from rapidsim.motion.waypoints.plan import Plan
+from rapidsim.motion.waypoints.points import Points
+from rapidsim.recording.layout.waypoint_recording import record_followed
 
 ROBOT = load_robot("rv-m1")
 PEN = Transform(np.eye(3), np.array([0.0, 0.0, 0.08]))

@@ -11,11 +11,11 @@ from rerun.chunk import RrdReader
 
 import rapidsim
 from rapidsim.frames.transform import Transform
-from rapidsim.motion.external_axes import ExternalAxis
-from rapidsim.motion.targets import world_from_base_at
-from rapidsim.recording.write import record
+from rapidsim.motion.configurations.targets import world_from_base_at
+from rapidsim.motion.robot.external_axes import ExternalAxis
+from rapidsim.recording.layout.write import record
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.result import Simulation
+from rapidsim.simulation.results.simulation import Simulation
 
 TRACK = ExternalAxis(
     unit="TRACK",

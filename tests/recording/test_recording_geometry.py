@@ -10,9 +10,9 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from rapidsim.frames.transform import matrix_from_quaternion
-from rapidsim.recording.circle import arc_through
-from rapidsim.recording.legend import emptiest_corner
-from rapidsim.recording.skeleton import z_to
+from rapidsim.recording.panels.legend import emptiest_corner
+from rapidsim.recording.scene.arc import arc_through
+from rapidsim.recording.scene.stick_figure import z_to
 
 coordinate = st.floats(-2.0, 2.0)
 point = st.tuples(coordinate, coordinate, coordinate).map(np.array)

@@ -13,10 +13,10 @@ from recording_read import SIMULATION, rows, texts
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Transform, matrix_from_quaternion
 from rapidsim.language.data import Pos, Pose
-from rapidsim.motion import targets
-from rapidsim.motion.limits import limits_of
-from rapidsim.motion.robot import load_robot
-from rapidsim.recording.write import record
+from rapidsim.motion.configurations import targets
+from rapidsim.motion.robot.robot import load_robot
+from rapidsim.motion.timing.axis_limits import limits_of
+from rapidsim.recording.layout.write import record
 
 
 @pytest.fixture(scope="module")

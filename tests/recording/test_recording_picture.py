@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from recording_cell import cell, two_robots
 
-from rapidsim.recording.write import record
+from rapidsim.recording.layout.write import record
 
 TIMES_S = tuple(np.random.default_rng(8).uniform(0.3, 9.0, 5).round(3).tolist())
 

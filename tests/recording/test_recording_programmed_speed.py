@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 from recording_cell import cell
 
-from rapidsim.recording.plots import _programmed_steps
+from rapidsim.recording.panels.plots import _programmed_steps
 
 
 def test_two_speeds_are_never_at_one_nanosecond() -> None:

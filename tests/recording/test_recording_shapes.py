@@ -9,7 +9,7 @@ from recording_cell import with_description, without_description
 from recording_read import SIMULATION, rows, texts
 from rerun.chunk import RrdReader
 
-from rapidsim.recording.write import record
+from rapidsim.recording.layout.write import record
 
 
 def test_a_robot_without_description_is_drawn_as_bars(tmp_path: Path) -> None:

@@ -11,11 +11,11 @@ from recording_read import SIMULATION, failed_run, rows, texts
 
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError
+from rapidsim.findings.runs import UncaughtError
 from rapidsim.frames.transform import Array
-from rapidsim.motion.trajectory import Samples, Trajectory
-from rapidsim.recording.write import record
-from rapidsim.simulation.result import End, Simulation
-from rapidsim.simulation.violations import UncaughtError
+from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+from rapidsim.recording.layout.write import record
+from rapidsim.simulation.results.simulation import End, Simulation
 
 
 def test_an_error_is_marked_where_the_robot_stopped(tmp_path: Path) -> None:
@@ -79,7 +79,7 @@ def test_an_interrupted_recording_keeps_the_older_one(
     def interrupt(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("rapidsim.recording.write.log_moves", interrupt)
+    monkeypatch.setattr("rapidsim.recording.layout.write.log_moves", interrupt)
     with pytest.raises(KeyboardInterrupt):
         record(SIMULATION, path)
     assert [file.name for file in tmp_path.iterdir()] == ["frame.rrd"]

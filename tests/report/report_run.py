@@ -4,9 +4,10 @@ from typing import cast
 
 import numpy as np
 
+from rapidsim.controller.journal.events import Event, EventKind, Unsimulated
+from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.diagnostics import Source, Span
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.language.controller import Interpolation, Move, Place
 from rapidsim.language.data import (
     FINE,
     NO_EXTERNAL_AXES,
@@ -18,19 +19,11 @@ from rapidsim.language.data import (
     RobTarget,
     SpeedData,
 )
+from rapidsim.language.moves import Interpolation, Move, Place
 from rapidsim.motion.model import MotionModel
-from rapidsim.motion.robot import load_robot
-from rapidsim.motion.trajectory import Samples, Trajectory
-from rapidsim.simulation.result import (
-    CornerKind,
-    End,
-    Event,
-    EventKind,
-    ExecutedMove,
-    Simulation,
-    Unsimulated,
-    WrittenFile,
-)
+from rapidsim.motion.robot.robot import load_robot
+from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+from rapidsim.simulation.results.simulation import End, Simulation, WrittenFile
 
 TEXT = """MODULE cell
   PROC main()

@@ -7,13 +7,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 from laws import examples
 
-from rapidsim.analysis.name_violations import UndefinedName
-from rapidsim.analysis.rules.conditions import ConstantCondition
+from rapidsim.analysis.names.name_violations import UndefinedName
+from rapidsim.analysis.rules.control_flow.conditions import ConstantCondition
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Rule, Source, Span
-from rapidsim.report.diagnostics import concise, diagnostic_json, full, summary_line
-from rapidsim.report.merging import is_selected, merged
+from rapidsim.report.findings.merging import is_selected, merged
+from rapidsim.report.findings.source_frame import printable, shown_line
+from rapidsim.report.findings.text import concise, diagnostic_json, full, summary_line
 from rapidsim.report.palette import COLOURED, PLAIN
-from rapidsim.report.source_frame import printable, shown_line
 
 
 def span(text: str, part: str, occurrence: int = 0, *, file: str = "a.mod") -> Span:

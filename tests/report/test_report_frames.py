@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 
 from rapidsim.files import SourceFile
 from rapidsim.frames.quaternion import angle_between, from_zyx
+from rapidsim.jobs.checked_program import load
 from rapidsim.language.data import Orient, Pos, Pose
-from rapidsim.report.frame_text import euler_zyx_deg, frame_json
-from rapidsim.report.frame_tree import FrameNode, composed, frame_tree
-from rapidsim.simulation.load import load
+from rapidsim.report.tables.frame_text import euler_zyx_deg, frame_json
+from rapidsim.report.tables.frame_tree import FrameNode, composed, frame_tree
 from rapidsim.simulation.start_values import start_values
 
 angles = st.floats(-math.pi, math.pi)

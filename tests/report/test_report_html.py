@@ -14,11 +14,12 @@ import numpy as np
 import pytest
 
 import rapidsim
+from rapidsim.controller.journal.events import Event, EventKind
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.report.html.packing import packed
 from rapidsim.report.html.write import report_page, write_report
-from rapidsim.simulation.result import Event, EventKind, Simulation
+from rapidsim.simulation.results.simulation import Simulation
 
 TARGET = "[[{x},{y},{z}],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
 FAR = TARGET.format(x=2500, y=0, z=700)

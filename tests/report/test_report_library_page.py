@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from rapidsim.library.catalogue import ROUTINES
-from rapidsim.report.library_page import library_page, signature_text
+from rapidsim.report.pages.library_page import library_page, signature_text
 
 PAGE = Path(__file__).parents[2] / "docs" / "library.md"
 

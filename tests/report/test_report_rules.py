@@ -6,8 +6,8 @@ from collections import Counter
 import pytest
 
 from rapidsim.diagnostics import Rule, all_rules
+from rapidsim.report.pages.rules import rule_list, rule_page
 from rapidsim.report.palette import COLOURED, PLAIN
-from rapidsim.report.rules import rule_list, rule_page
 
 
 def test_codes_and_names_are_not_used_twice() -> None:

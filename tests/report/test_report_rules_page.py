@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from rapidsim.diagnostics import all_rules
-from rapidsim.report.rules_page import FAMILIES, rules_page
+from rapidsim.report.pages.rules_page import FAMILIES, rules_page
 
 PAGE = Path(__file__).parents[2] / "docs" / "rules.md"
 

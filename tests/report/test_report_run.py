@@ -10,12 +10,13 @@ import pytest
 from report_run import HOME, PICK, ROBOT, SOURCE, run
 from rich.console import Console
 
+from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.diagnostics import Diagnostic, Span
-from rapidsim.report.figures import figures
-from rapidsim.report.run_json import rejected_json, run_json
-from rapidsim.report.summary import ASCII_BARS, BLOCK_BARS, Bars, Written, summary
-from rapidsim.simulation.result import CornerKind, End, Simulation
-from rapidsim.simulation.violations import QuestionUnanswered
+from rapidsim.findings.runs import QuestionUnanswered
+from rapidsim.report.run.figures import figures
+from rapidsim.report.run.json_report import rejected_json, run_json
+from rapidsim.report.run.summary import ASCII_BARS, BLOCK_BARS, Bars, Written, summary
+from rapidsim.simulation.results.simulation import End, Simulation
 
 RECORDING = Written(Path("cell.rrd"), "recording")
 

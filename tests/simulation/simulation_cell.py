@@ -5,9 +5,14 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from rapidsim.controller.cell import cell as shared
+from rapidsim.controller.controller import VirtualController
+from rapidsim.controller.journal.journal import Journal
+from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.controller.moves.resolve import Resolver
+from rapidsim.controller.queue.solo_queue import RobotPath
 from rapidsim.diagnostics import Source, Span
 from rapidsim.frames.transform import Transform
-from rapidsim.language.controller import Interpolation, Move, Place
 from rapidsim.language.data import (
     FINE,
     NO_EXTERNAL_AXES,
@@ -20,16 +25,11 @@ from rapidsim.language.data import (
     SpeedData,
     ZoneData,
 )
-from rapidsim.motion.robot import load_robot
-from rapidsim.motion.segments import Waypoint
-from rapidsim.motion.trajectory import Trajectory
-from rapidsim.simulation import cell as shared
-from rapidsim.simulation.controller import VirtualController
-from rapidsim.simulation.journal import Journal
+from rapidsim.language.moves import Interpolation, Move, Place
+from rapidsim.motion.geometry.segments import Waypoint
+from rapidsim.motion.robot.robot import load_robot
+from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.resolve import Resolver
-from rapidsim.simulation.result import ExecutedMove
-from rapidsim.simulation.robot_path import RobotPath
 
 Z10 = ZoneData(False, 10.0, 15.0, 15.0, 1.5, 15.0, 1.5)
 DOWN = Orient(0.0, 0.0, 1.0, 0.0)
@@ -57,7 +57,11 @@ class Cell:
         self.queue = RobotPath(self.robot, self.options.model, self.trajectory, start)
         resolver = Resolver(self.robot, self.journal, Transform.identity())
         self.controller = VirtualController(
-            shared.Cell(self.options, self.journal), self.queue, resolver, self.journal, place()
+            shared.Cell(self.options.cell, self.journal),
+            self.queue,
+            resolver,
+            self.journal,
+            place(),
         )
 
     def move(

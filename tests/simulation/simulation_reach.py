@@ -7,10 +7,10 @@ from functools import cache
 
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import SourceFile
-from rapidsim.motion.robot import Robot, load_robot
-from rapidsim.simulation.checking.reach import check_reach
-from rapidsim.simulation.coverage import ReachReport
-from rapidsim.simulation.load import load
+from rapidsim.jobs.checked_program import load
+from rapidsim.motion.robot.robot import Robot, load_robot
+from rapidsim.reach.checked_moves import ReachReport
+from rapidsim.reach.reach import check_reach
 from rapidsim.simulation.options import RunOptions
 
 

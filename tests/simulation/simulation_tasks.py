@@ -7,14 +7,16 @@ from dataclasses import dataclass
 
 from simulation_program import arm
 
+from rapidsim.controller.journal.events import EventKind
+from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import SourceFile, TaskFiles
-from rapidsim.simulation.load_tasks import load_tasks
+from rapidsim.jobs.load_tasks import load_tasks
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.result import EventKind, ExecutedMove, Simulation
+from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.simulate import simulate_tasks
-from rapidsim.simulation.task_kind import TaskKind
 from rapidsim.simulation.task_run import TaskSetup
+from rapidsim.station.task_kind import TaskKind
 
 JOINTS = "[9E9,9E9,9E9,9E9,9E9,9E9]"
 """No external axes."""

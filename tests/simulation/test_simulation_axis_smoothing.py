@@ -9,12 +9,12 @@ import pytest
 import simulation_tasks
 from simulation_program import Ran, ran
 
+from rapidsim.controller.cell.description import CellIo, Stimulus
+from rapidsim.frames.rotation_vectors import rotation_from_vector
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.external_axes import ExternalAxis
 from rapidsim.motion.model import MotionModel
-from rapidsim.motion.turns import rotation_from_vector
-from rapidsim.report.run_json import models
-from rapidsim.simulation.cell_io import CellIo, Stimulus
+from rapidsim.motion.robot.external_axes import ExternalAxis
+from rapidsim.report.run.json_report import models
 
 AXES = MotionModel(smoothing="axes")
 TABLE = ExternalAxis(

@@ -8,14 +8,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.files import backup_folders
-from rapidsim.simulation.cell_io import SignalDeclaration, SignalKind
-from rapidsim.simulation.run_files import simulate
-from rapidsim.simulation.signal_history import signal_changes
-from rapidsim.simulation.station.backup import backup_station
-from rapidsim.simulation.station.configuration import read_configuration
-from rapidsim.simulation.station.read import read_station
-from rapidsim.simulation.station.station import Station
+from rapidsim.jobs.run_files import simulate
+from rapidsim.simulation.results.signal_history import signal_changes
+from rapidsim.station.backup.backup import backup_station
+from rapidsim.station.backup.cfg_file import read_configuration
+from rapidsim.station.read import read_station
+from rapidsim.station.station import Station
 
 EIO = r"""EIO:CFG_1.0:6:1::
 

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 from rapidsim.files import InputError, SourceFile
+from rapidsim.jobs.checked_program import load
 from rapidsim.motion.model import MotionModel
-from rapidsim.motion.robot import load_robot
-from rapidsim.simulation.calibration import LoggedRun, calibrate
-from rapidsim.simulation.joint_log import JointLog, read_joint_log
-from rapidsim.simulation.load import load
+from rapidsim.motion.robot.robot import load_robot
+from rapidsim.simulation.calibration.fit import LoggedRun, calibrate
+from rapidsim.simulation.calibration.joint_log import JointLog, read_joint_log
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.simulate import simulate
 

@@ -13,17 +13,17 @@ import numpy as np
 import pytest
 from simulation_program import arm
 
+from rapidsim.controller import motion
+from rapidsim.controller.cell.description import CellIo
+from rapidsim.controller.motion import TaskMotion
 from rapidsim.files import read_tasks
+from rapidsim.jobs.checked_program import load
 from rapidsim.language.data import RobTarget
 from rapidsim.motion.model import MotionModel
-from rapidsim.simulation.cell_io import CellIo
-from rapidsim.simulation.load import load
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.result import Simulation
+from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.simulate import simulate
-from rapidsim.simulation.station.read import read_io
-from rapidsim.simulation.task import motion
-from rapidsim.simulation.task.motion import TaskMotion
+from rapidsim.station.read import read_io
 
 CELLS = sorted((Path(__file__).parent / "cells").glob("*.mod"), key=lambda file: file.name)
 ANSWERS = ("Part", "4", "2", "Leave")

@@ -3,9 +3,10 @@
 import pytest
 from simulation_program import Ran, ran
 
+from rapidsim.controller.journal.events import EventKind
+from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.files import SourceFile
-from rapidsim.simulation.load import load
-from rapidsim.simulation.result import CornerKind, EventKind
+from rapidsim.jobs.checked_program import load
 
 FRAME = r"""MODULE cell
   CONST robtarget a:=[[800,-300,600],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];

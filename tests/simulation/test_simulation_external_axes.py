@@ -12,16 +12,16 @@ import numpy as np
 import pytest
 from simulation_program import Ran, ran
 
+from rapidsim.controller.cell.description import CellIo, Stimulus
 from rapidsim.files import InputError
+from rapidsim.frames.rotation_vectors import rotation_from_vector
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.external_axes import ExternalAxis
-from rapidsim.motion.targets import world_from_base_at
-from rapidsim.motion.trajectory import Samples
-from rapidsim.motion.turns import rotation_from_vector
-from rapidsim.report.figures import figures
-from rapidsim.report.run_json import run_json
-from rapidsim.simulation.cell_io import CellIo, Stimulus
-from rapidsim.simulation.station.read import read_station
+from rapidsim.motion.configurations.targets import world_from_base_at
+from rapidsim.motion.robot.external_axes import ExternalAxis
+from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.report.run.figures import figures
+from rapidsim.report.run.json_report import run_json
+from rapidsim.station.read import read_station
 
 TRACK = ExternalAxis(
     "TRACK", "a", True, -0.5, 3.0, 1.0, 4.0, carries="robot", direction=(0.0, 1.0, 0.0)

@@ -7,11 +7,11 @@ import simulation_tasks
 from simulation_program import Ran, ran
 from simulation_reach import checked
 
-from rapidsim.analysis.rules.late_names import AmbiguousLateBinding
+from rapidsim.analysis.rules.names.late_names import AmbiguousLateBinding
+from rapidsim.analysis.rules.names.unused import UnusedData, UnusedRoutine
 from rapidsim.analysis.rules.table import detectors_of
-from rapidsim.analysis.rules.unused import UnusedData, UnusedRoutine
 from rapidsim.files import SourceFile
-from rapidsim.simulation.load import load
+from rapidsim.jobs.checked_program import load
 
 MAIN = r"""MODULE cell
   VAR num count:=5;

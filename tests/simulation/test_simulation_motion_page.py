@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from rapidsim.simulation.station.read import read_station
+from rapidsim.station.read import read_station
 
 PAGE = Path(__file__).parents[2] / "docs" / "motion.md"
 

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from simulation_cell import DOWN, Z10, Cell, place
 
-from rapidsim.language.controller import Interpolation, Move
 from rapidsim.language.data import (
     FINE,
     NO_EXTERNAL_AXES,
@@ -24,6 +23,7 @@ from rapidsim.language.data import (
 )
 from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH, ERR_ROBLIMIT
 from rapidsim.language.errors import RapidError
+from rapidsim.language.moves import Interpolation, Move
 
 V200 = SpeedData(200.0, 500.0, 5000.0, 1000.0)
 

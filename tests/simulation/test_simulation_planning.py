@@ -14,15 +14,15 @@ from simulation_program import arm, ran
 from test_simulation_cells import CELLS
 from test_simulation_cells import ran as ran_cell
 
+from rapidsim.controller.motion import TaskMotion
+from rapidsim.controller.moves.executed_move import CornerKind
+from rapidsim.controller.moves.queued_move import MotionError, QueuedMove
 from rapidsim.files import read_tasks
-from rapidsim.language.controller import Move
-from rapidsim.simulation.load import load
+from rapidsim.jobs.checked_program import load
+from rapidsim.language.moves import Move
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.path_queue import MotionError
-from rapidsim.simulation.queued_move import QueuedMove
-from rapidsim.simulation.result import CornerKind, Simulation
+from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.simulate import simulate
-from rapidsim.simulation.task.motion import TaskMotion
 
 PROGRAMS = sorted((Path(__file__).parents[2] / "programs").glob("*.mod"))
 STEP_S = 0.01

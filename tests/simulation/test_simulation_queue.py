@@ -10,11 +10,12 @@ import numpy as np
 import pytest
 from simulation_cell import Cell
 
+from rapidsim.controller import motion
+from rapidsim.controller.journal.events import EventKind
+from rapidsim.controller.journal.stop_reasons import TimeLimitReached, WaitsForever
+from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.language.data import FINE
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.result import CornerKind, EventKind
-from rapidsim.simulation.stops import TimeLimitReached, WaitsForever
-from rapidsim.simulation.task import motion
 
 CORNERS = [(800.0, 200.0), (1000.0, 200.0), (1000.0, 0.0), (900.0, -100.0)]
 

@@ -8,7 +8,7 @@ import simulation_tasks
 from simulation_program import ran
 
 from rapidsim.diagnostics import Severity
-from rapidsim.report.run_json import models
+from rapidsim.report.run.json_report import models
 
 JOINTS = simulation_tasks.JOINTS
 

@@ -19,7 +19,7 @@ from laws import examples
 from simulation_program import ran
 from simulation_reach import checked
 
-from rapidsim.motion.violations import UnreachableTarget
+from rapidsim.findings.reach_and_motion_data import UnreachableTarget
 
 Point = npt.NDArray[np.float64]
 

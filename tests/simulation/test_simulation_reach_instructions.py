@@ -5,7 +5,7 @@ from simulation_reach import checked
 
 from rapidsim.language.types import Type
 from rapidsim.library.catalogue import ROUTINES
-from rapidsim.simulation.checking.writes import is_move
+from rapidsim.reach.dataflow.side_effects import is_move
 
 OUT = "[9E9,9E9,9E9,9E9,9E9,9E9]"
 HEAD = f"""MODULE cell

@@ -10,12 +10,12 @@ from simulation_program import arm
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import InputError, read_tasks
 from rapidsim.frames.transform import Transform
-from rapidsim.motion.reach import why_unreachable
-from rapidsim.simulation.checking.poses import posed
-from rapidsim.simulation.checking.reach import check_reach
-from rapidsim.simulation.checking.walk import walk_program
-from rapidsim.simulation.coverage import ReachReport
-from rapidsim.simulation.load import Loaded, load
+from rapidsim.jobs.checked_program import Loaded, load
+from rapidsim.motion.configurations.reachability import why_unreachable
+from rapidsim.reach.checked_moves import ReachReport
+from rapidsim.reach.dataflow.interpretation import walk_program
+from rapidsim.reach.reach import check_reach
+from rapidsim.reach.target_poses import posed
 
 ROOT = Path(__file__).parents[2]
 PROGRAMS = sorted(

@@ -10,8 +10,8 @@ from simulation_program import arm
 from simulation_reach import checked
 
 from rapidsim.files import SourceFile
-from rapidsim.simulation.checking.walk import walk_program
-from rapidsim.simulation.load import load
+from rapidsim.jobs.checked_program import load
+from rapidsim.reach.dataflow.interpretation import walk_program
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.simulate import simulate
 

@@ -10,7 +10,7 @@ from simulation_program import ran
 from simulation_reach import checked
 
 from rapidsim.diagnostics import Fix
-from rapidsim.motion.violations import PathNotReachable
+from rapidsim.findings.reach_and_motion_data import PathNotReachable
 
 STOPS = ("K601", "K604", "K613", "K614", "K615")
 """Rules of moves that cannot be made."""

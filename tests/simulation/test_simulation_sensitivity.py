@@ -7,10 +7,10 @@ from dataclasses import replace
 import pytest
 from simulation_program import ran
 
-from rapidsim.motion.limits import limits_of
 from rapidsim.motion.model import MotionModel
-from rapidsim.simulation import sensitivity
-from rapidsim.simulation.sensitivity import extra_time_s
+from rapidsim.motion.timing.axis_limits import limits_of
+from rapidsim.simulation.results import acceleration_sensitivity
+from rapidsim.simulation.results.acceleration_sensitivity import extra_time_s
 
 PROGRAM = """MODULE cell
   CONST robtarget a:=[[600,-100,600],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
@@ -39,5 +39,5 @@ def test_another_run_with_other_accelerations_takes_that_long(factor: float) -> 
 
 def test_a_long_run_is_not_timed_again(monkeypatch: pytest.MonkeyPatch) -> None:
     run = ran(PROGRAM).run
-    monkeypatch.setattr(sensitivity, "MOST_SEGMENTS", 2)
+    monkeypatch.setattr(acceleration_sensitivity, "MOST_SEGMENTS", 2)
     assert extra_time_s(run.trajectory, limits_of(run.robot, run.model), 2.0) is None

@@ -5,11 +5,11 @@ from pathlib import Path
 import pytest
 from simulation_program import Ran, ran
 
+from rapidsim.controller.cell.description import CellIo, without_declared
+from rapidsim.controller.journal.events import EventKind
 from rapidsim.files import SourceFile
-from rapidsim.simulation.cell_io import CellIo, without_declared
-from rapidsim.simulation.load import load
-from rapidsim.simulation.result import EventKind
-from rapidsim.simulation.station.read import read_io
+from rapidsim.jobs.checked_program import load
+from rapidsim.station.read import read_io
 
 
 def io(folder: Path, text: str) -> CellIo:

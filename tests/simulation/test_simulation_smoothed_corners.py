@@ -9,8 +9,8 @@ import pytest
 from simulation_program import ran
 
 from rapidsim.diagnostics import Severity
+from rapidsim.findings.smoothing import CornerTooFast
 from rapidsim.motion.model import MotionModel
-from rapidsim.simulation.smoothing_violations import CornerTooFast
 
 DATA = "CONST robtarget p:=[[700,0,700],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];"
 

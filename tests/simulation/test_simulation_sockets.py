@@ -8,9 +8,9 @@ import pytest
 from simulation_program import Ran, ran
 from simulation_tasks import ran as ran_tasks
 
+from rapidsim.controller.cell.network import Network
 from rapidsim.files import InputError
-from rapidsim.simulation.network import Network
-from rapidsim.simulation.station.read import read_io
+from rapidsim.station.read import read_io
 
 SERVER = r"""MODULE cell
   VAR socketdev server;

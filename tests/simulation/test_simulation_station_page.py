@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from simulation_program import ran
 
-from rapidsim.simulation.station.read import read_io, read_station
+from rapidsim.station.read import read_io, read_station
 
 ROOT = Path(__file__).parents[2]
 PAGES = (

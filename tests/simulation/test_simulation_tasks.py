@@ -6,7 +6,7 @@ import pytest
 from simulation_tasks import JOINTS, Ran, ran
 
 from rapidsim.files import SourceFile, TaskFiles
-from rapidsim.simulation.load_tasks import load_tasks
+from rapidsim.jobs.load_tasks import load_tasks
 
 TASKS = 'PERS tasks both{2}:=[["T_ROB1"],["T_ROB2"]];\nVAR syncident here;\nVAR syncident there;\n'
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from simulation_tasks import JOINTS, Ran, ran
 
-from rapidsim.motion.limits import limits_of
+from rapidsim.motion.timing.axis_limits import limits_of
 
 DATA = """
 PERS tasks both{2}:=[["T_ROB1"],["T_ROB2"]];

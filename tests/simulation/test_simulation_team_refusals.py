@@ -3,8 +3,8 @@
 import pytest
 from simulation_tasks import JOINTS, Ran, ran
 
-from rapidsim.simulation.robot_path import RobotPath
-from rapidsim.simulation.team_seat import Seat
+from rapidsim.controller.queue.solo_queue import RobotPath
+from rapidsim.controller.queue.team_queue import Seat
 
 DATA = """
 PERS tasks both{2}:=[["T_ROB1"],["T_ROB2"]];

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from rapidsim.analysis.checker import check
+from rapidsim.analysis.passes.checker import check
 from rapidsim.diagnostics import Source
-from rapidsim.motion.robot import load_robot
-from rapidsim.report.figures import figures
+from rapidsim.motion.robot.robot import load_robot
+from rapidsim.report.run.figures import figures
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.result import End
+from rapidsim.simulation.results.simulation import End
 from rapidsim.simulation.simulate import simulate
 from rapidsim.syntax.parser import parse
 

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from simulation_program import Ran, ran
 
-from rapidsim.motion.limits import limits_of
+from rapidsim.controller.journal.events import EventKind
 from rapidsim.motion.model import MotionModel
-from rapidsim.simulation.result import EventKind
+from rapidsim.motion.timing.axis_limits import limits_of
 
 FRAME = """MODULE cell
   CONST robtarget a:=[[800,-300,600],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];

@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 from importlib.util import module_from_spec, spec_from_file_location
-from pathlib import Path as File
+from pathlib import Path as FilePath
 from types import ModuleType
 
 import pytest
 
-from rapidsim.motion.limits import limits_of
 from rapidsim.motion.model import MotionModel
-from rapidsim.motion.path import Path, build_path
-from rapidsim.motion.planning import plan
-from rapidsim.motion.robot import load_robot
+from rapidsim.motion.path.path import Path, build_path
+from rapidsim.motion.robot.robot import load_robot
+from rapidsim.motion.timing.axis_limits import limits_of
+from rapidsim.motion.timing.planning import plan
 
 
 def benchmark() -> ModuleType:
     """The benchmark that plans as a run does."""
-    file = File(__file__).parents[2] / "benchmarks" / "planning.py"
+    file = FilePath(__file__).parents[2] / "benchmarks" / "planning.py"
     spec = spec_from_file_location("planning", file)
     assert spec is not None
     assert spec.loader is not None

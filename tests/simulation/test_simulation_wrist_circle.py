@@ -10,12 +10,12 @@ from simulation_program import arm, ran
 from simulation_reach import checked
 from simulation_tasks import ran as together_ran
 
+from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.files import SourceFile
 from rapidsim.frames.transform import Transform
-from rapidsim.motion.external_axes import ExternalAxis
-from rapidsim.motion.robot import load_robot
-from rapidsim.simulation.failed_moves import FailedMove
-from rapidsim.simulation.load import load
+from rapidsim.jobs.checked_program import load
+from rapidsim.motion.robot.external_axes import ExternalAxis
+from rapidsim.motion.robot.robot import load_robot
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.simulate import simulate
 

@@ -227,11 +227,11 @@ class Drawing:
     def reference(self) -> tree.Reference:
         return tree.Reference(0, 0, self.name())
 
-    def path(self, depth: int) -> tree.Path:
+    def path(self, depth: int) -> tree.DataPath:
         if not depth:
             return self.reference()
         inside = depth - 1
-        makers: list[Callable[[], tree.Path]] = [
+        makers: list[Callable[[], tree.DataPath]] = [
             self.reference,
             lambda: tree.Index(
                 0, 0, self.path(inside), self.some(lambda: self.expression(inside), 1)
@@ -310,7 +310,7 @@ class Drawing:
         ]
         return self.one(*makers)
 
-    def target(self) -> tree.Path | tree.Placeholder:
+    def target(self) -> tree.DataPath | tree.Placeholder:
         return self.one(lambda: self.path(EXPRESSION_DEPTH), lambda: self.placeholder("VAR"))
 
     def call_in_parentheses(self) -> tree.Call:

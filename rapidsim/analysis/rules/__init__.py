@@ -1,1 +1,1 @@
-"""Rules that only `rapidsim check` applies: legal and yet likely wrong. Start at `table.py`."""
+"""Rules that only a check applies: legal and yet likely wrong. Their facts, and their table."""

@@ -5,30 +5,24 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from rapidsim.analysis.rules import (
+from rapidsim.analysis.program_parts import Facts
+from rapidsim.analysis.rules.control_flow import (
     conditions,
-    first_move,
     handlers,
-    late_names,
     mode_leak,
-    never_set,
-    numbers,
-    optional_parameters,
-    orientations,
     recursion,
-    shadowing,
-    style,
-    style_layout,
-    target_data,
-    text_rules,
-    tools,
     traps,
-    unsimulated,
-    unused,
     waits,
-    zones,
 )
-from rapidsim.analysis.rules.facts import Facts
+from rapidsim.analysis.rules.motion import first_move, orientations, target_data, tools, zones
+from rapidsim.analysis.rules.names import (
+    late_names,
+    never_set,
+    optional_parameters,
+    shadowing,
+    unused,
+)
+from rapidsim.analysis.rules.text import numbers, style, style_layout, text_rules, unsimulated
 from rapidsim.diagnostics import Diagnostic, Rule, Violation
 from rapidsim.language.target_violations import QuaternionNotUnit
 

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from rapidsim.report.figures import end_point
-from rapidsim.simulation.result import ExecutedMove
+from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.report.run.figures import end_point
 
 
 @dataclass(frozen=True, slots=True)

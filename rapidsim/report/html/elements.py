@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from html import escape
 
-from rapidsim.report.source_frame import printable
+from rapidsim.report.findings.source_frame import printable
 
 
 def text(words: object) -> str:

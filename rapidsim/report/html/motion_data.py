@@ -10,17 +10,23 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from rapidsim.controller.journal.events import Event, EventKind
+from rapidsim.controller.journal.failed_moves import FailedMove
+from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.language.controller import Interpolation
-from rapidsim.motion.limits import limits_of
-from rapidsim.motion.trajectory import Samples
-from rapidsim.report.figures import end_point
+from rapidsim.language.moves import Interpolation
+from rapidsim.motion.timing.axis_limits import limits_of
+from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.report.html.packing import packed, packed_columns
-from rapidsim.simulation.base_motion import is_shown_in_world, shown_end, shown_from_base
-from rapidsim.simulation.failed_moves import FailedMove
-from rapidsim.simulation.result import Event, EventKind, ExecutedMove, RobotRun, Simulation
-from rapidsim.simulation.sampling import evaluate, in_corner, motion_samples, rates_between
-from rapidsim.simulation.signal_history import signal_changes
+from rapidsim.report.run.figures import end_point
+from rapidsim.simulation.results.relative_motion import (
+    is_shown_in_world,
+    shown_end,
+    shown_from_base,
+)
+from rapidsim.simulation.results.sampling import evaluate, in_corner, motion_samples, rates_between
+from rapidsim.simulation.results.signal_history import signal_changes
+from rapidsim.simulation.results.simulation import RobotRun, Simulation
 
 MOST_SAMPLES = 12_000
 MOST_MOVES = 12_000

@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from rapidsim.controller.journal.events import Event, EventKind
+from rapidsim.controller.journal.failed_moves import FailedMove
+from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Severity
-from rapidsim.report.figures import Figures
+from rapidsim.report.findings.merging import Finding, merged
 from rapidsim.report.html.cycle_time import Share, by_line, by_routine
 from rapidsim.report.html.elements import bar, section, table, text, tile
-from rapidsim.report.merging import Finding, merged
-from rapidsim.report.run_json import models
-from rapidsim.simulation.failed_moves import FailedMove
-from rapidsim.simulation.result import End, Event, EventKind, ExecutedMove, Simulation
+from rapidsim.report.run.figures import Figures
+from rapidsim.report.run.json_report import models
+from rapidsim.simulation.results.simulation import End, Simulation
 
 _MOST_FINDINGS = 200
 _OPEN_FINDINGS = 6

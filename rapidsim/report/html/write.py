@@ -13,11 +13,11 @@ from pathlib import Path
 
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.output_files import whole_file
-from rapidsim.report.figures import figures
 from rapidsim.report.html import sections
 from rapidsim.report.html.elements import text
 from rapidsim.report.html.motion_data import motion_data
-from rapidsim.simulation.result import Simulation
+from rapidsim.report.run.figures import figures
+from rapidsim.simulation.results.simulation import Simulation
 
 _SCRIPTS = ("data.js", "plot.js", "lanes.js", "path.js", "page.js")
 

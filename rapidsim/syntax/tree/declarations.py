@@ -7,17 +7,8 @@ from functools import cached_property
 from typing import TypeAlias
 
 from rapidsim.diagnostics import Source, Span
-from rapidsim.syntax.tree.expressions import (
-    Expression,
-    Name,
-    Node,
-    Placeholder,
-)
-from rapidsim.syntax.tree.statements import (
-    Body,
-    Broken,
-    Data,
-)
+from rapidsim.syntax.tree.expressions import Expression, Name, Node, Placeholder
+from rapidsim.syntax.tree.statements import Body, Broken, Data
 
 
 @dataclass(frozen=True, eq=False, slots=True)

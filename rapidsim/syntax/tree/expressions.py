@@ -59,7 +59,7 @@ class Reference(Node):
 class Index(Node):
     """An element of an array: `a{i}`, `a{i,j}`."""
 
-    array: Path
+    array: DataPath
     indices: tuple[Expression, ...]
 
 
@@ -67,11 +67,11 @@ class Index(Node):
 class Component(Node):
     """A component of a record: `p.trans`."""
 
-    record: Path
+    record: DataPath
     name: Name
 
 
-Path: TypeAlias = Reference | Index | Component
+DataPath: TypeAlias = Reference | Index | Component
 
 
 @dataclass(frozen=True, eq=False, slots=True)

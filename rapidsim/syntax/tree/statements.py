@@ -5,21 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from rapidsim.syntax.tree.expressions import (
-    Argument,
-    Expression,
-    Name,
-    Node,
-    Path,
-    Placeholder,
-)
+from rapidsim.syntax.tree.expressions import Argument, DataPath, Expression, Name, Node, Placeholder
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Assignment(Node):
     """`target := value;`"""
 
-    target: Path | Placeholder
+    target: DataPath | Placeholder
     value: Expression
     operator_start: int
     equals_sign: bool = False
@@ -157,7 +150,7 @@ class TryNext(Node):
 class Connect(Node):
     """`CONNECT interrupt WITH trap;`; the trap may be late bound."""
 
-    interrupt: Path | Placeholder
+    interrupt: DataPath | Placeholder
     trap: Name | Expression
 
 

@@ -1,0 +1,237 @@
+"""What a name means where it is used; findings for names that mean nothing, or the wrong thing."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from rapidsim.analysis.context import Context
+from rapidsim.analysis.installed import (
+    installed_data_names,
+    installed_routine_names,
+    installed_symbol,
+)
+from rapidsim.analysis.names.name_violations import (
+    LOOKS_FOR_IT,
+    SKIPS,
+    UndefinedName,
+    UnknownRoutine,
+    WrongKind,
+)
+from rapidsim.analysis.program import (
+    CounterSymbol,
+    DataSymbol,
+    LibrarySymbol,
+    ParameterSymbol,
+    RoutineSymbol,
+    Storage,
+    Symbol,
+    TypeSymbol,
+    UnknownSymbol,
+)
+from rapidsim.analysis.suggestions import closest, reserved_words, slip_of
+from rapidsim.language import types
+from rapidsim.language.annotations import Mode
+from rapidsim.language.types import Type
+from rapidsim.syntax import tree
+
+DataLike = DataSymbol | ParameterSymbol | CounterSymbol
+
+
+# Programmers name signals after their kind: diStart, DO10_1, gi_part.
+_SIGNAL_NAME = re.compile(r"(di|do|ai|ao|gi|go)(?=[A-Z0-9_])|(DI|DO|AI|AO|GI|GO)(?=[0-9_])")
+_SIGNAL_OF_KIND = {signal.name[-2:]: signal for signal in types.SIGNALS}
+
+
+def find(key: str, context: Context) -> Symbol | None:
+    """The symbol of a folded name: of the program, else of the controller."""
+    return context.scope.find(key) or installed_symbol(key)
+
+
+def data_named(reference: tree.Reference, context: Context) -> DataLike | None:
+    """The data a reference reads; None where there are none.
+
+    A name that nothing declares may still be a signal: this is decided when the whole task is
+    known, see `undeclared`.
+    """
+    symbol = find(reference.name.key, context)
+    if symbol is None:
+        context.analysis.undeclared.append((reference, context))
+        return None
+    return as_data(symbol, reference, context)
+
+
+def type_of_undeclared(reference: tree.Reference, context: Context) -> Type | None:
+    """The kind of signal that a name means by its spelling, where nothing declares it."""
+    if find(reference.name.key, context) is not None:
+        return None
+    return named_like_a_signal(reference.name, context)
+
+
+def as_data(symbol: Symbol, reference: tree.Reference, context: Context) -> DataLike | None:
+    """The symbol, if it is data; a finding if it is a routine or a type."""
+    if isinstance(symbol, DataLike):
+        context.analysis.symbol_of[reference] = symbol
+        return symbol
+    name, cure = reference.name.text, ""
+    if is_function(symbol):
+        cure = f"call it with its arguments in parentheses, as in `{name}(...)`"
+    wrong = WrongKind(name, kind_of(symbol), "data", cure)
+    context.report(wrong, reference, *context.declaration(symbol))
+    return None
+
+
+def routine_named(name: tree.Name, context: Context, *, function: bool) -> Symbol | None:
+    """The routine a call names: a `RoutineSymbol`, `LibrarySymbol` or `UnknownSymbol`.
+
+    Returns:
+        None, after a finding, where the name is no routine that can be called so.
+    """
+    symbol = find(name.key, context)
+    if symbol is None:
+        return _unknown_routine(name, context)
+    if function and is_function(symbol):
+        return symbol
+    if not function and is_procedure(symbol):
+        return symbol
+    wanted = "a function" if function else "a procedure"
+    wrong = WrongKind(name.text, kind_of(symbol), wanted, _cure(symbol, name.text, function))
+    context.report(wrong, name, *context.declaration(symbol))
+    return None
+
+
+def report_undefined(name: tree.Name, context: Context) -> None:
+    """Report a name that nothing declares, unless its declaration may be in unread text."""
+    if context.analysis.may_be_unread(name.key):
+        return
+    compares = context.analysis.may_compare(name.key)
+    nearest = closest(name.text, _known_names(context)) if compares else None
+    reserved = nearest in reserved_words()
+    loads = context.analysis.loads_modules
+    context.report(UndefinedName(name.text, nearest, reserved, loads), name)
+
+
+def take_for_signal(reference: tree.Reference, of: Type, context: Context) -> None:
+    """Let an undeclared name be a signal of its own name."""
+    analysis = context.analysis
+    analysis.signals.setdefault(reference.name.key, of)
+    analysis.undeclared.append((reference, context))
+    analysis.symbol_of[reference] = analysis.unknown_symbol(reference.name.text)
+    analysis.type_of[reference] = of
+
+
+def take_for_unknown(reference: tree.Reference, context: Context) -> None:
+    """Let an undeclared name stand in the arguments of a call that is skipped anyway."""
+    name = reference.name
+    compares = context.analysis.may_compare(name.key)
+    if compares and slip_of(name.text, _known_names(context)):
+        report_undefined(name, context)
+    else:
+        context.analysis.symbol_of[reference] = context.analysis.unknown_symbol(name.text)
+
+
+def named_like_a_signal(name: tree.Name, context: Context) -> Type | None:
+    """The kind of signal that a name means by its spelling; None where it looks like no signal."""
+    match = _SIGNAL_NAME.match(name.text)
+    if match is None or slip_of(name.text, _known_names(context)):
+        return None
+    return _SIGNAL_OF_KIND[match.group().lower()]
+
+
+def kind_of(symbol: Symbol) -> str:
+    """What a symbol is, in words."""
+    match symbol:
+        case DataSymbol(storage=Storage.CONST):
+            return "a constant"
+        case DataSymbol(storage=Storage.PERS):
+            return "a persistent"
+        case DataSymbol():
+            return "a variable"
+        case ParameterSymbol(mode=Mode.PERS):
+            return "a persistent parameter"
+        case ParameterSymbol():
+            return "a parameter"
+        case CounterSymbol():
+            return "the counter of a FOR loop"
+        case RoutineSymbol(node=tree.Func()):
+            return "a function"
+        case RoutineSymbol(node=tree.Trap()):
+            return "a trap"
+        case RoutineSymbol():
+            return "a procedure"
+        case LibrarySymbol(routine=routine):
+            return "an instruction" if routine.signature.result is None else "a function"
+        case TypeSymbol():
+            return "a type"
+        case UnknownSymbol():
+            return "not declared"
+
+
+def is_function(symbol: Symbol) -> bool:
+    """Whether a symbol is called in expressions."""
+    match symbol:
+        case RoutineSymbol(node=node):
+            return isinstance(node, tree.Func)
+        case LibrarySymbol(routine=routine):
+            return routine.signature.result is not None
+        case _:
+            return False
+
+
+def is_procedure(symbol: Symbol) -> bool:
+    """Whether a symbol is called by statements."""
+    match symbol:
+        case RoutineSymbol(node=node):
+            return isinstance(node, tree.Proc)
+        case LibrarySymbol(routine=routine):
+            return routine.signature.result is None
+        case _:
+            return False
+
+
+def _unknown_routine(name: tree.Name, context: Context) -> UnknownSymbol | None:
+    analysis = context.analysis
+    if analysis.may_be_unread(name.key):
+        return None
+    compares = analysis.may_compare(name.key)
+    known = [*_routine_names(context), *installed_routine_names()] if compares else []
+    meant = (*known, *reserved_words())
+    slip = slip_of(name.text, meant) if compares and not analysis.loads_modules else None
+    if slip is not None:
+        context.report(UndefinedName(name.text, slip, slip in reserved_words()), name)
+        return None
+    instead = LOOKS_FOR_IT if analysis.loads_modules else SKIPS
+    unknown = UnknownRoutine(name.text, closest(name.text, known), instead)
+    context.report(unknown, name)
+    return analysis.unknown_symbol(name.text)
+
+
+def _cure(symbol: Symbol, name: str, function: bool) -> str:
+    match symbol:
+        case _ if function and is_procedure(symbol):
+            return f"call `{name}` by a statement of its own; it has no value"
+        case _ if is_function(symbol):
+            return f"give its value to data, as in `x:={name}(...)`"
+        case RoutineSymbol(node=tree.Trap()):
+            return f"connect it to an interrupt, as in `CONNECT i WITH {name}`"
+        case DataSymbol() | ParameterSymbol() if not function:
+            return f"give it a value with `{name}:=...`"
+        case DataSymbol() | ParameterSymbol():
+            return f"elements of arrays stand in braces, as in `{name}{{1}}`"
+        case _:
+            return ""
+
+
+def _known_names(context: Context) -> Iterator[str]:
+    """Names of data and routines, of the program and of the controller."""
+    for symbol in context.scope.symbols():
+        if not isinstance(symbol, TypeSymbol):
+            yield symbol.name
+    yield from installed_data_names()
+    yield from reserved_words()
+
+
+def _routine_names(context: Context) -> Iterator[str]:
+    for symbol in context.scope.symbols():
+        if isinstance(symbol, RoutineSymbol):
+            yield symbol.name

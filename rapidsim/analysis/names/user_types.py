@@ -1,0 +1,193 @@
+"""RECORD and ALIAS declarations, and what a type name means in a module.
+
+A type that no module declares and no controller has without an option is not an error: its data are
+kept as they are written. The first initial value tells how many values it holds.
+"""
+
+from __future__ import annotations
+
+import keyword
+from collections import namedtuple
+from collections.abc import Mapping, Sequence
+
+from rapidsim.analysis.context import Context
+from rapidsim.analysis.installed import installed_type, installed_type_names
+from rapidsim.analysis.names.declaration_violations import BadAlias, CircularDefinition
+from rapidsim.analysis.names.name_violations import DuplicateName, UndefinedName, UnknownType
+from rapidsim.analysis.program import TypeSymbol
+from rapidsim.analysis.suggestions import slip_of
+from rapidsim.analysis.tree_walk import data_of
+from rapidsim.diagnostics import Related
+from rapidsim.language import types
+from rapidsim.language.types import Alias, ArrayOf, Atomic, Component, Record, Type
+from rapidsim.syntax import tree
+
+TypeNode = tree.RecordType | tree.AliasType
+
+
+class UserTypes:
+    """The types of a task, built when first asked for, because records name each other."""
+
+    def __init__(
+        self, nodes: Mapping[tuple[tree.Module | None, str], TypeNode], homes: Sequence[Context]
+    ) -> None:
+        """Take the type declarations of a task.
+
+        Args:
+            nodes: By module and folded name; the module is None for global types.
+            homes: A context for each module.
+        """
+        self._nodes = nodes
+        self._homes = {context.module: context for context in homes}
+        self._home_of = {
+            node: context
+            for context in homes
+            for node in context.module.items
+            if isinstance(node, TypeNode)
+        }
+        self._built: dict[TypeNode, Type] = {}
+        self._building: list[TypeNode] = []
+        self._unknown: dict[str, Type] = {}
+        self._first_values = _first_values(homes)
+
+    def declare(self) -> list[tuple[TypeSymbol, Context]]:
+        """Build every type of the task, in order of declaration."""
+        declared = []
+        for node in self._nodes.values():
+            home = self._home_of[node]
+            symbol = TypeSymbol(node.name.text, self._type_of(node), node, home.module)
+            declared.append((symbol, home))
+        return declared
+
+    def named(self, name: tree.Name, context: Context) -> Type:
+        """The type a name means in a module."""
+        node = self._nodes.get((context.module, name.key)) or self._nodes.get((None, name.key))
+        if node is not None:
+            return self._type_of(node)
+        return installed_type(name.key) or self._unknown_type(name, context)
+
+    def _type_of(self, node: TypeNode) -> Type:
+        built = self._built.get(node)
+        if built is not None:
+            return built
+        context = self._home_of[node]
+        if node in self._building:
+            circle = [*self._building[self._building.index(node) :], node]
+            names = " -> ".join(part.name.text for part in circle)
+            context.report(CircularDefinition(node.name.text, names), node.name)
+            return Atomic(node.name.text)
+        self._building.append(node)
+        if isinstance(node, tree.RecordType):
+            built = self._record(node, context)
+        else:
+            built = self._alias(node, context)
+        self._building.pop()
+        self._built[node] = built
+        return built
+
+    def _record(self, node: tree.RecordType, context: Context) -> Record:
+        components: dict[str, Component] = {}
+        places: dict[str, tree.Name] = {}
+        for field in node.components:
+            if isinstance(field, tree.Placeholder):
+                continue
+            key = field.name.key
+            if key in components:
+                first = Related(context.module.span(places[key]), "the first one is here")
+                where = f" in `{node.name.text}`"
+                context.report(DuplicateName(field.name.text, where), field.name, first)
+                continue
+            of = self.named(field.type, context)
+            components[key] = Component(field.name.text, of)
+            places[key] = field.name
+        return _record(node.name.text, list(components.values()))
+
+    def _alias(self, node: tree.AliasType, context: Context) -> Type:
+        of = self.named(node.type, context)
+        if isinstance(of, Alias):
+            kind = f"an alias of `{of.of.name}`"
+            context.report(BadAlias(node.name.text, node.type.text, kind), node.type)
+            of = of.of
+        assert not isinstance(of, ArrayOf)
+        return Alias(node.name.text, of)
+
+    def _unknown_type(self, name: tree.Name, context: Context) -> Type:
+        known = [
+            node.name.text
+            for (module, _), node in self._nodes.items()
+            if module in (None, context.module)
+        ]
+        slip = slip_of(name.text, [*known, *installed_type_names()])
+        analysis = context.analysis
+        if slip is not None:
+            context.report(UndefinedName(name.text, slip), name)
+            meant = tree.Name(name.start, name.end, slip)
+            return self.named(meant, context)
+        if not analysis.may_be_unread(name.key):
+            context.report(UnknownType(name.text), name)
+        analysis.shapeless.add(name.key)
+        shape = self._unknown.get(name.key)
+        if shape is None:
+            value, dimensions = self._first_values.get(name.key, (None, 0))
+            shape = _shape(name.text, value, dimensions)
+            self._unknown[name.key] = shape
+        return shape
+
+
+def _first_values(homes: Sequence[Context]) -> dict[str, tuple[tree.LiteralValue | None, int]]:
+    """By type name, the first initial value that data of it have, and their dimensions."""
+    found: dict[str, tuple[tree.LiteralValue | None, int]] = {}
+    for context in homes:
+        for node in data_of(context.module):
+            value = None if node.value is None else literal_value(node.value)
+            if value is not None:
+                found.setdefault(node.type.key, (value, len(node.dimensions)))
+    return found
+
+
+def literal_value(expression: tree.Expression) -> tree.LiteralValue | None:
+    """The value of an expression of literals alone; None if it holds anything else."""
+    match expression:
+        case tree.Number(value=value) | tree.String(value=value) | tree.Bool(value=value):
+            return value
+        case tree.LiteralAggregate(value=values):
+            return values
+        case tree.Unary(operator="-" | "+" as sign, operand=tree.Number(value=number)):
+            return -number if sign == "-" else number
+        case tree.Aggregate(elements=elements):
+            parts = [literal_value(element) for element in elements]
+            known = tuple(part for part in parts if part is not None)
+            return known if len(known) == len(parts) else None
+        case _:
+            return None
+
+
+def _shape(name: str, value: tree.LiteralValue | None, dimensions: int) -> Type:
+    """A type for data of which only a value is known."""
+    for _ in range(dimensions):
+        value = value[0] if isinstance(value, tuple) and value else None
+    match value:
+        case None:
+            return Atomic(name)
+        case bool():
+            return Alias(name, types.BOOL)
+        case str():
+            return Alias(name, types.STRING)
+        case tuple():
+            parts = [
+                Component(f"component {k}", _shape(f"component {k} of {name}", part, 0))
+                for k, part in enumerate(value, 1)
+            ]
+            return _record(name, parts)
+        case _:
+            return Alias(name, types.NUM)
+
+
+def _record(name: str, components: Sequence[Component]) -> Record:
+    """A record type with a class of its own for its values."""
+    spelled = name if name.isidentifier() and not keyword.iskeyword(name) else "record"
+    # A component may have a name that no Python attribute can have; its position is what counts.
+    python: type[tuple[object, ...]] = namedtuple(  # type: ignore[misc]
+        spelled, [part.name.lower() for part in components], rename=True
+    )
+    return Record(name, tuple(components), python)

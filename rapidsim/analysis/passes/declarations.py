@@ -1,0 +1,276 @@
+"""What a task declares: types, data and routines of all its modules, with their symbols.
+
+Types come first, then data of one value, then arrays, because the size of an array may be a
+constant; parameters of routines need only types. Data of routines are declared when the routine is
+checked, see `declare_locals`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from rapidsim.analysis.context import Analysis, Context
+from rapidsim.analysis.context import Scope as Names
+from rapidsim.analysis.names.declaration_violations import BadArraySize, BadParameterType
+from rapidsim.analysis.names.name_violations import DuplicateName, MisplacedScope
+from rapidsim.analysis.names.user_types import TypeNode, UserTypes
+from rapidsim.analysis.program import (
+    DataSymbol,
+    ParameterSymbol,
+    RoutineSymbol,
+    Scope,
+    Storage,
+    Symbol,
+)
+from rapidsim.analysis.syntax_violations import UnfinishedDeclaration
+from rapidsim.analysis.tree_walk import children, clauses, statements
+from rapidsim.analysis.types.constant_folding import constant_number
+from rapidsim.analysis.types.operators import has_value
+from rapidsim.diagnostics import Related
+from rapidsim.language import types
+from rapidsim.language.annotations import Mode
+from rapidsim.language.types import ArrayOf, Type
+from rapidsim.syntax import tree
+
+MAX_DIMENSIONS = 3
+MAX_SIZE = 2**31 - 1
+Declaration = tree.RecordType | tree.AliasType | tree.Data | tree.Proc | tree.Func | tree.Trap
+
+
+def declare_task(
+    modules: Sequence[tree.Module], analysis: Analysis
+) -> tuple[list[Context], UserTypes]:
+    """Declare everything that stands outside routines.
+
+    Returns:
+        A context for each module, and what type names mean.
+    """
+    shared = Names({})
+    homes = [Context(analysis, module, Names({}, shared)) for module in modules]
+    for home in homes:
+        analysis.home_of[home.module] = home
+    accepted = _without_duplicates(homes)
+    user_types = UserTypes(
+        {
+            (home.module if node.scope == "LOCAL" else None, node.name.key): node
+            for home, node in accepted
+            if isinstance(node, TypeNode)
+        },
+        homes,
+    )
+    for symbol, home in user_types.declare():
+        _enter(symbol, symbol.node.scope == "LOCAL", home)
+    data = [(home, node) for home, node in accepted if isinstance(node, tree.Data)]
+    for arrays in (False, True):
+        for home, node in data:
+            if bool(node.dimensions) == arrays:
+                _enter(declare_data(node, home, user_types), node.scope == "LOCAL", home)
+    for home, routine in accepted:
+        if isinstance(routine, tree.Proc | tree.Func | tree.Trap):
+            _enter(_declare_routine(routine, home, user_types), routine.scope == "LOCAL", home)
+    return homes, user_types
+
+
+def show_local_names(visitors: Sequence[tree.Module], homes: Sequence[Context]) -> None:
+    """Let modules use the LOCAL names of all others, where one module alone has the name.
+
+    Their own names and the global ones hide them.
+    """
+    by_name: dict[str, list[Symbol]] = {}
+    for home in homes:
+        if home.module not in visitors:
+            for key, symbol in home.scope.names.items():
+                by_name.setdefault(key, []).append(symbol)
+    for home in homes:
+        if home.module in visitors:
+            for key, symbols in by_name.items():
+                if len(symbols) == 1 and home.scope.find(key) is None:
+                    home.scope.names[key] = symbols[0]
+
+
+def declare_data(
+    node: tree.Data, context: Context, user_types: UserTypes, *, local: bool = False
+) -> DataSymbol:
+    """The symbol of a data declaration."""
+    of = user_types.named(node.type, context)
+    sizes = tuple(_size(dimension, node, context) for dimension in node.dimensions)
+    if len(sizes) > MAX_DIMENSIONS:
+        problem = f"`{node.name.text}` has {len(sizes)} dimensions; an array has at most 3"
+        context.report(BadArraySize(problem), node.name)
+    if of in (types.SWITCH, types.ANYTYPE):
+        why = "it is a type of parameters only"
+        context.report(BadParameterType(node.name.text, of.name, why), node.type)
+    if local:
+        scope = Scope.ROUTINE
+        for word in (node.scope, node.storage if node.storage == "PERS" else None):
+            if word is not None:
+                context.report(MisplacedScope(word, node.name.text), node)
+    else:
+        scope = {"LOCAL": Scope.LOCAL, "TASK": Scope.TASK}.get(node.scope or "", Scope.GLOBAL)
+    complete = _array(of, sizes) if sizes else of
+    symbol = DataSymbol(
+        node.name.text, complete, Storage(node.storage), scope, context.module, node
+    )
+    _remember(symbol, node, context)
+    return symbol
+
+
+def declare_locals(routine: RoutineSymbol, home: Context, user_types: UserTypes) -> Context:
+    """The context inside a routine, where its parameters and data are known."""
+    context = replace(home, scope=Names({}, home.scope), routine=routine)
+    names = context.scope.names
+    for parameter in routine.parameters:
+        first = names.setdefault(parameter.name.lower(), parameter)
+        if first is not parameter:
+            _report_duplicate(parameter.node.name, first, context)
+    node = routine.node
+    for part in statements(*clauses(node)):
+        if isinstance(part, tree.Data):
+            symbol = declare_data(part, context, user_types, local=True)
+            first_symbol = names.setdefault(part.name.key, symbol)
+            if first_symbol is not symbol:
+                _report_duplicate(part.name, first_symbol, context)
+    for part in statements(*clauses(node)):
+        if isinstance(part, tree.Label) and part.name.key in names:
+            _report_duplicate(part.name, names[part.name.key], context)
+    return context
+
+
+def _without_duplicates(homes: Sequence[Context]) -> list[tuple[Context, Declaration]]:
+    """The declarations of a task in order, without those whose name is taken."""
+    accepted: list[tuple[Context, Declaration]] = []
+    modules: dict[str, Context] = {}
+    shared: dict[str, tuple[Context, Declaration]] = {}
+    for home in homes:
+        first_home = modules.setdefault(home.module.name.key, home)
+        if first_home is not home:
+            place = first_home.module.span(first_home.module.name)
+            violation = DuplicateName(home.module.name.text, " as a module")
+            home.report(violation, home.module.name, Related(place, "the first one is here"))
+        own: dict[str, Declaration] = {}
+        for node in home.module.items:
+            if not isinstance(node, Declaration):
+                continue
+            name = node.name
+            if name.text.startswith("<"):
+                home.report(UnfinishedDeclaration(name.text), name)
+                continue
+            here = own.setdefault(name.key, node)
+            if here is not node:
+                _report_declared_here(name, here, home, home)
+                continue
+            if node.scope != "LOCAL":
+                other, there = shared.setdefault(name.key, (home, node))
+                if there is not node:
+                    _report_declared_here(name, there, other, home)
+                    continue
+            accepted.append((home, node))
+    return accepted
+
+
+def _report_declared_here(
+    name: tree.Name, first: Declaration, first_home: Context, home: Context
+) -> None:
+    between = first_home is not home
+    where = f", in `{first_home.module.name.text}` and in `{home.module.name.text}`"
+    violation = DuplicateName(name.text, where if between else "", between)
+    place = first_home.module.span(first.name)
+    home.report(violation, name, Related(place, "the first one is here"))
+
+
+def _report_duplicate(name: tree.Name, first: Symbol, context: Context) -> None:
+    routine = context.routine
+    where = f" in `{routine.name}`" if routine else ""
+    context.report(DuplicateName(name.text, where), name, *context.declaration(first))
+
+
+def _enter(symbol: Symbol, is_local: bool, home: Context) -> None:
+    scope = home.scope if is_local else home.scope.outer
+    assert scope is not None
+    scope.names[symbol.name.lower()] = symbol
+    node = getattr(symbol, "node", None)
+    assert isinstance(node, tree.Node)
+    _remember(symbol, node, home)
+
+
+def _remember(symbol: Symbol, node: tree.Node, context: Context) -> None:
+    context.analysis.symbol_of[node] = symbol
+    context.analysis.module_of[symbol] = context.module
+
+
+def _declare_routine(node: tree.Routine, context: Context, user_types: UserTypes) -> RoutineSymbol:
+    parameters = []
+    group = 0
+    for part in node.parameters:
+        if isinstance(part, tree.Placeholder):
+            continue
+        group += 1
+        optional = isinstance(part, tree.OptionalGroup)
+        # Where an alternative is not filled in, a placeholder stands among them.
+        alternatives = children(part) if optional else (part,)
+        parameters += [
+            _declare_parameter(parameter, optional, group, context, user_types)
+            for parameter in alternatives
+            if isinstance(parameter, tree.Parameter)
+        ]
+    result = user_types.named(node.type, context) if isinstance(node, tree.Func) else None
+    if isinstance(node, tree.Func) and result is not None and not has_value(result):
+        why = "a function returns a value, and this type has none"
+        context.report(BadParameterType(node.name.text, result.name, why), node.type)
+    scope = Scope.LOCAL if node.scope == "LOCAL" else Scope.GLOBAL
+    return RoutineSymbol(node.name.text, node, context.module, scope, tuple(parameters), result)
+
+
+def _declare_parameter(
+    node: tree.Parameter, optional: bool, group: int, context: Context, user_types: UserTypes
+) -> ParameterSymbol:
+    of = user_types.named(node.type, context)
+    mode = Mode(node.mode)
+    why = _why_not(of, node, optional)
+    if why:
+        context.report(BadParameterType(node.name.text, of.name, why), node.type)
+    if node.dimensions > MAX_DIMENSIONS:
+        problem = f"`{node.name.text}` has {node.dimensions} dimensions; an array has at most 3"
+        context.report(BadArraySize(problem), node.name)
+    complete = _array(of, (None,) * node.dimensions) if node.dimensions else of
+    symbol = ParameterSymbol(
+        node.name.text, complete, mode, optional, of == types.SWITCH, node, group
+    )
+    _remember(symbol, node, context)
+    return symbol
+
+
+def _why_not(of: Type, node: tree.Parameter, optional: bool) -> str:
+    """Why a parameter cannot have a type; empty if it can."""
+    if of == types.ANYTYPE:
+        return "only installed routines have such parameters"
+    if of == types.SWITCH:
+        if not optional:
+            return "only optional parameters are switches"
+        if node.mode != "IN" or node.dimensions:
+            return "a switch is passed by value and has no dimensions"
+    elif node.mode == "IN" and not has_value(of):
+        return "it has no value; pass it as VAR"
+    return ""
+
+
+def _array(element: Type, sizes: Iterable[int | None]) -> ArrayOf:
+    assert not isinstance(element, ArrayOf)
+    return ArrayOf(element, tuple(sizes))
+
+
+def _size(dimension: tree.Expression, node: tree.Data, context: Context) -> int | None:
+    """The size of one dimension; None, after a finding, where it is no size."""
+    if isinstance(dimension, tree.Placeholder):
+        return None
+    number = constant_number(dimension, context)
+    written = context.module.span(dimension).text
+    if number is None:
+        problem = f"the size `{written}` of `{node.name.text}` is not a constant number"
+    elif not 1 <= number <= MAX_SIZE or number != int(number):
+        problem = f"the size of `{node.name.text}` is {number:g}, not a whole number from 1 up"
+    else:
+        return int(number)
+    context.report(BadArraySize(problem), dimension)
+    return None

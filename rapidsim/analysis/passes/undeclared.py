@@ -1,0 +1,31 @@
+"""Names that nothing declares: signals, if they are used or named like one; mistakes else."""
+
+from __future__ import annotations
+
+from rapidsim.analysis.context import Analysis
+from rapidsim.analysis.names.names import named_like_a_signal, report_undefined
+from rapidsim.analysis.names.signal_violations import UnknownSignal
+from rapidsim.analysis.types.assignability import agrees, report_mismatch
+
+
+def decide_undeclared(analysis: Analysis) -> None:
+    """Take undeclared names for signals if they are used or named like one, report the others.
+
+    A signal is reported where it stands first.
+    """
+    reported: set[str] = set()
+    for reference, context in analysis.undeclared:
+        name = reference.name
+        of = analysis.signals.get(name.key) or named_like_a_signal(name, context)
+        if of is None:
+            report_undefined(name, context)
+            continue
+        if name.key not in reported:
+            context.report(UnknownSignal(name.text, of.name), name)
+            reported.add(name.key)
+        analysis.signals.setdefault(name.key, of)
+        analysis.symbol_of[reference] = analysis.unknown_symbol(name.text)
+        analysis.type_of.setdefault(reference, of)
+        wanted = analysis.wanted_of_undeclared.get(reference)
+        if wanted is not None and not agrees(of, wanted.type):
+            report_mismatch(reference, of, wanted, context)

@@ -1,0 +1,154 @@
+"""What the rules look at: the files of a task, cut into parts, with what analysis knows of them.
+
+A part is one routine, or what a module declares outside its routines. Its nodes are listed once, so
+that thirty rules do not walk the tree thirty times.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TypeVar
+
+from rapidsim.analysis.context import Analysis
+from rapidsim.analysis.program import RoutineSymbol, Symbol
+from rapidsim.analysis.tree_walk import descendants
+from rapidsim.diagnostics import Diagnostic, Fix, Related, Span, Violation
+from rapidsim.syntax import tree
+
+N = TypeVar("N", bound=tree.Node)
+ENTRY = "main"
+
+
+@dataclass(frozen=True, eq=False)
+class Part:
+    """One routine, or the declarations of a module; `routine` is None for the latter."""
+
+    module: tree.Module
+    routine: tree.Routine | None
+    nodes: Mapping[type[tree.Node], Sequence[tree.Node]]
+
+    def all(self, kind: type[N]) -> Sequence[N]:
+        """The nodes of one class, in the order of the text."""
+        return self.nodes.get(kind, ())  # type: ignore[return-value]
+
+    def finding(
+        self, violation: Violation, node: tree.Node, *related: Related, fix: Fix | None = None
+    ) -> Diagnostic:
+        """A finding at a node of this part."""
+        return self.finding_at(violation, self.module.span(node), *related, fix=fix)
+
+    def finding_at(
+        self, violation: Violation, span: Span, *related: Related, fix: Fix | None = None
+    ) -> Diagnostic:
+        """A finding at a place of this part."""
+        routine = None if self.routine is None else self.routine.name.text
+        return Diagnostic(violation, span, related=related, fix=fix, routine=routine)
+
+    def place(self, node: tree.Node, message: str) -> Related:
+        """Another place of this part that explains a finding."""
+        return Related(self.module.span(node), message)
+
+    @property
+    def calls(self) -> tuple[tree.Call | tree.FunctionCall, ...]:
+        """The calls of this part: statements first, then functions."""
+        return (*self.all(tree.Call), *self.all(tree.FunctionCall))
+
+    @cached_property
+    def names(self) -> frozenset[str]:
+        """Folded names that are used here: data, routines, traps. Parameters' names are not."""
+        return frozenset(self._names())
+
+    def _names(self) -> Iterator[str]:
+        for node in (*self.all(tree.Reference), *self.calls):
+            yield node.name.key
+        for passed_on in self.all(tree.Conditional):
+            yield passed_on.present.key
+        for connect in self.all(tree.Connect):
+            if isinstance(connect.trap, tree.Name):
+                yield connect.trap.key
+
+
+@dataclass(frozen=True, eq=False)
+class Facts:
+    """The modules of a task and the side tables of their check."""
+
+    files: tuple[tree.File, ...]
+    analysis: Analysis
+
+    @cached_property
+    def parts(self) -> tuple[Part, ...]:
+        """All parts, module by module; of each the declarations, then the routines."""
+        return tuple(
+            part
+            for file in self.files
+            for module in file.modules
+            for part in self._parts_of(module)
+        )
+
+    def _parts_of(self, module: tree.Module) -> Iterator[Part]:
+        outside = [item for item in module.items if not isinstance(item, tree.RoutineNode)]
+        yield Part(module, None, _by_kind(outside))
+        for routine in module.routines:
+            yield Part(module, routine, _by_kind([routine]))
+
+    @cached_property
+    def routine_parts(self) -> tuple[Part, ...]:
+        """The parts that are routines."""
+        return tuple(part for part in self.parts if part.routine is not None)
+
+    @cached_property
+    def part_of(self) -> Mapping[tree.Node, Part]:
+        """The part of each routine node."""
+        return {part.routine: part for part in self.routine_parts if part.routine is not None}
+
+    @cached_property
+    def names(self) -> frozenset[str]:
+        """Folded names that are used anywhere in the task."""
+        return frozenset().union(*(part.names for part in self.parts))
+
+    @cached_property
+    def strings(self) -> frozenset[str]:
+        """Folded texts of all strings: routines and data can be reached by a name in a string."""
+        return frozenset(
+            node.value.lower() for part in self.parts for node in part.all(tree.String)
+        )
+
+    @cached_property
+    def entry(self) -> Part | None:
+        """The routine `main`; a task without one is not looked at as a whole."""
+        for part in self.routine_parts:
+            routine = part.routine
+            if isinstance(routine, tree.Proc) and routine.name.key == ENTRY:
+                return part
+        return None
+
+    @cached_property
+    def is_whole(self) -> bool:
+        """Whether all modules of the task seem to be here: there is a main, no call leads away."""
+        analysis = self.analysis
+        leads_away = bool(analysis.unknown) or analysis.loads_modules
+        return self.entry is not None and not leads_away and self.is_read
+
+    @property
+    def is_read(self) -> bool:
+        """Whether the parser could read all of the text."""
+        return not self.analysis.unread_text
+
+    def symbol(self, node: tree.Node | None) -> Symbol | None:
+        """What a node refers to or declares, if that is known."""
+        return None if node is None else self.analysis.symbol_of.get(node)
+
+    def routine_called(self, node: tree.Node) -> tree.Routine | None:
+        """The user's routine that a call leads to."""
+        symbol = self.symbol(node)
+        return symbol.node if isinstance(symbol, RoutineSymbol) else None
+
+
+def _by_kind(roots: Sequence[tree.Node]) -> Mapping[type[tree.Node], Sequence[tree.Node]]:
+    found: dict[type[tree.Node], list[tree.Node]] = defaultdict(list)
+    for node in descendants(*roots):
+        found[type(node)].append(node)
+    return dict(found)

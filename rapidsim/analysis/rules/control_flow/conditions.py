@@ -1,0 +1,112 @@
+"""Rules F402, F403 and F409: decisions that are none, loops that never end, tests with a gap."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rapidsim.analysis.program import LibrarySymbol
+from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.tree_walk import descendants
+from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.syntax import tree
+
+# Instructions that take no time; a loop of nothing else keeps the task busy.
+_INSTANT = frozenset(
+    {
+        *("add", "clear", "incr", "decr", "set", "reset", "setdo", "setgo", "setao", "invertdo"),
+        *("tpwrite", "tperase", "clkstart", "clkstop", "clkreset", "bitset", "bitclear"),
+    }
+)
+_LEAVES = (tree.Return, tree.Exit, tree.Goto, tree.Raise, tree.LateCall, tree.Broken)
+
+
+class ConstantCondition(Violation, code="F402"):
+    value: str
+
+
+class EndlessLoop(Violation, code="F403"):
+    pass
+
+
+class TestWithoutDefault(Violation, code="F409"):
+    pass
+
+
+def find_constant_conditions(facts: Facts) -> Iterator[Diagnostic]:
+    """Conditions of IF and WHILE that are made of literals alone."""
+    for part in facts.parts:
+        conditions = [
+            *(node.condition for node in part.all(tree.Branch)),
+            *(node.condition for node in part.all(tree.CompactIf)),
+            *(node.condition for node in part.all(tree.While)),
+        ]
+        endless = {node.condition for node in part.all(tree.While)}
+        for condition in conditions:
+            value = _literal_truth(condition)
+            if value is None or (value and condition in endless):
+                continue
+            yield part.finding(ConstantCondition("TRUE" if value else "FALSE"), condition)
+
+
+def find_endless_loops(facts: Facts) -> Iterator[Diagnostic]:
+    """WHILE TRUE with nothing in it that takes time or leaves."""
+    for part in facts.parts:
+        for loop in part.all(tree.While):
+            if _literal_truth(loop.condition) and not _takes_time(loop, part, facts):
+                keyword = tree.Node(loop.start, loop.condition.end)
+                yield part.finding(EndlessLoop(), keyword)
+
+
+def find_tests_without_default(facts: Facts) -> Iterator[Diagnostic]:
+    """TEST statements without DEFAULT."""
+    for part in facts.parts:
+        for test in part.all(tree.Test):
+            if test.default is None:
+                head = tree.Node(test.start, test.subject.end)
+                yield part.finding(TestWithoutDefault(), head)
+
+
+def _literal_truth(condition: tree.Expression) -> bool | None:
+    """Whether a condition of literals holds; None where it holds anything else."""
+    match condition:
+        case tree.Bool(value=value):
+            return value
+        case tree.Parenthesised(inner=inner):
+            return _literal_truth(inner)
+        case tree.Unary(operator="NOT", operand=operand):
+            inner_truth = _literal_truth(operand)
+            return None if inner_truth is None else not inner_truth
+        case tree.Binary(left=tree.Number(value=a), operator=operator, right=tree.Number(value=b)):
+            compared = {
+                "=": a == b,
+                "<>": a != b,
+                "<": a < b,
+                ">": a > b,
+                "<=": a <= b,
+                ">=": a >= b,
+            }
+            return compared.get(operator)
+        case _:
+            return None
+
+
+def _takes_time(loop: tree.While, part: Part, facts: Facts) -> bool:
+    """Whether something in a loop moves, waits, leaves it, or may do so."""
+    for node in descendants(*loop.body):
+        match node:
+            case tree.Call():
+                if node.name.key not in _INSTANT:
+                    return True
+            case tree.FunctionCall():
+                symbol = facts.symbol(node)
+                if not isinstance(symbol, LibrarySymbol) or node.name.key.startswith("ui"):
+                    return True
+            case tree.Reference():
+                # What nothing declares may be anything.
+                if facts.symbol(node) is None:
+                    return True
+            case _ if isinstance(node, _LEAVES):
+                return True
+            case _:
+                continue
+    return False

@@ -1,0 +1,97 @@
+"""What rules ask about calls: which argument is for which parameter, what moves, what waits."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from rapidsim.analysis.parameters import Formal
+from rapidsim.analysis.program import LibrarySymbol, RoutineSymbol
+from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.types.callees import callee_of_installed
+from rapidsim.syntax import tree
+
+LINEAR_MOVES = frozenset(
+    {
+        *("movel", "movec", "moveldo", "movecdo", "movelsync", "movecsync", "movelao", "movecao"),
+        *("movelgo", "movecgo", "triggl", "triggc", "trigglios", "searchl", "searchc"),
+        *("arcl", "arcc", "arclstart", "arccstart", "arclend", "arccend", "spotl"),
+    }
+)
+"""Moves on a line or a circle, by folded name."""
+JOINT_MOVES = frozenset(
+    {
+        *("movej", "moveabsj", "movejdo", "movejsync", "movejao", "movejgo", "triggj", "searchj"),
+        *("spotj", "triggabsj"),
+    }
+)
+"""Moves on which each axis goes its own way."""
+MOVES = LINEAR_MOVES | JOINT_MOVES | {"moveextj"}
+WAITS = frozenset(
+    {
+        *("waittime", "waituntil", "waitdi", "waitdo", "waitai", "waitao", "waitgi", "waitgo"),
+        *("waitrob", "waitsynctask", "stop", "tpreadfk", "tpreadnum", "tpreaddnum", "uimsgbox"),
+        *("waittestandset", "waitwobj", "waitload", "waitsensor"),
+    }
+)
+"""Instructions that hold the program until something happens."""
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """A call that moves the robot, with the arguments rules look at."""
+
+    call: tree.Call
+    arguments: Mapping[str, tree.Expression | None]
+    """By folded parameter name; None for a switch."""
+
+    @property
+    def name(self) -> str:
+        """The folded name of the instruction."""
+        return self.call.name.key
+
+
+def arguments_of(
+    call: tree.Call | tree.FunctionCall, facts: Facts
+) -> list[tuple[Formal | None, tree.Expression | None]]:
+    """Each argument with its parameter; None where the routine or the parameter is not known."""
+    symbol = facts.symbol(call)
+    formals: tuple[Formal, ...] = ()
+    if isinstance(symbol, LibrarySymbol):
+        formals = callee_of_installed(symbol).parameters
+    elif isinstance(symbol, RoutineSymbol) and symbol in facts.analysis.callees:
+        formals = facts.analysis.callees[symbol].parameters
+    required = (formal for formal in formals if not formal.optional)
+    found: list[tuple[Formal | None, tree.Expression | None]] = []
+    for argument in call.arguments:
+        match argument:
+            case tree.Required(value=value):
+                found.append((next(required, None), value))
+            case tree.Optional(name=name, value=value):
+                found.append((_named(name.key, formals), value))
+            case tree.Conditional(name=name):
+                found.append((_named(name.key, formals), None))
+    return found
+
+
+def _named(key: str, formals: Sequence[Formal]) -> Formal | None:
+    return next((formal for formal in formals if formal.key == key), None)
+
+
+def moves(part: Part, facts: Facts) -> Iterator[Move]:
+    """The calls of installed instructions that move the robot."""
+    for call in part.all(tree.Call):
+        if (move := as_move(call, facts)) is not None:
+            yield move
+
+
+def as_move(statement: tree.Node, facts: Facts) -> Move | None:
+    """A statement as a move, if it is one."""
+    if not isinstance(statement, tree.Call) or statement.name.key not in MOVES:
+        return None
+    if not isinstance(facts.symbol(statement), LibrarySymbol):
+        return None
+    arguments = {
+        formal.key: value for formal, value in arguments_of(statement, facts) if formal is not None
+    }
+    return Move(statement, arguments)

@@ -1,0 +1,1 @@
+"""Zones, targets, tools and first moves that will surprise."""

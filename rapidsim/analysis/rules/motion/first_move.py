@@ -1,0 +1,79 @@
+"""Rules M512 and M515: a first move on a line, and moves without speed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rapidsim.analysis.program import DataSymbol, Storage
+from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.rules.facts.instruction_questions import LINEAR_MOVES, Move, as_move, moves
+from rapidsim.analysis.rules.facts.known_values import known_value, numbers
+from rapidsim.analysis.tree_walk import descendants, statements
+from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.syntax import tree
+
+
+class FirstMoveLinear(Violation, code="M512"):
+    move: str
+
+
+class MoveWithoutSpeed(Violation, code="M515"):
+    speed: str
+    value: float
+
+
+def find_first_move(facts: Facts) -> Iterator[Diagnostic]:
+    """The first move that main comes to, if it is a line."""
+    if facts.entry is None:
+        return
+    found = _first_move(facts.entry, facts, set())
+    if found is not None and found[1].name in LINEAR_MOVES and _is_fixed(found[1], facts):
+        part, move = found
+        yield part.finding(FirstMoveLinear(move.call.name.text), move.call.name)
+
+
+def find_moves_without_speed(facts: Facts) -> Iterator[Diagnostic]:
+    """Moves on lines with a speed that is known to be none."""
+    for part in facts.routine_parts:
+        for move in moves(part, facts):
+            if move.name not in LINEAR_MOVES or {"v", "t"} & move.arguments.keys():
+                continue
+            speed = move.arguments.get("speed")
+            value = numbers(known_value(speed, facts), 4)
+            if speed is None or value is None or value[0] > 0.0:
+                continue
+            # What no external axis turns either is no coordinated move.
+            shown = " ".join(part.module.span(speed).text.split())
+            yield part.finding(MoveWithoutSpeed(shown, value[0]), speed)
+
+
+def _is_fixed(move: Move, facts: Facts) -> bool:
+    """Whether the target stands in the text; one that was computed may be beside the robot."""
+    target = move.arguments.get("topoint")
+    if target is None:
+        return False
+    for node in descendants(target):
+        if isinstance(node, tree.FunctionCall) and node.name.key not in ("offs", "reltool"):
+            return False
+        symbol = facts.symbol(node) if isinstance(node, tree.Reference) else None
+        if isinstance(node, tree.Reference) and not isinstance(symbol, DataSymbol):
+            return False
+        if isinstance(symbol, DataSymbol) and symbol.type.name == "robtarget":
+            return symbol.storage is not Storage.VAR
+    return True
+
+
+def _first_move(part: Part, facts: Facts, seen: set[tree.Routine]) -> tuple[Part, Move] | None:
+    """The first move in the order of the text, through calls of the user's procedures."""
+    assert part.routine is not None
+    seen.add(part.routine)
+    for statement in statements(part.routine.body):
+        move = as_move(statement, facts)
+        if move is not None:
+            return part, move
+        routine = facts.routine_called(statement)
+        if routine is not None and routine in facts.part_of and routine not in seen:
+            found = _first_move(facts.part_of[routine], facts, seen)
+            if found is not None:
+                return found
+    return None

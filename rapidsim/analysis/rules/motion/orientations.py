@@ -1,0 +1,99 @@
+"""Rule M501 where it can be read from the text: quaternions that are written out."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from rapidsim.analysis.names.user_types import literal_value
+from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.rules.facts.known_values import numbers
+from rapidsim.analysis.rules.facts.written_numbers import part_span
+from rapidsim.diagnostics import Diagnostic, Edit, Fix
+from rapidsim.language.target_violations import TOLERATED_NORM_ERROR, QuaternionNotUnit
+from rapidsim.language.types import ArrayOf, Record, Type, resolved
+from rapidsim.syntax import tree
+
+_TYPO = 0.1
+"""Lengths further from 1 come from a wrong number; dividing would only hide that."""
+
+
+def find_bad_orientations(facts: Facts) -> Iterator[Diagnostic]:
+    """Literal quaternions in declarations and in statements, of whatever record they are part."""
+    paths: dict[type, tuple[tuple[int, ...], ...]] = {}
+    for part in facts.parts:
+        names = {
+            node.value: node.name.text for node in part.all(tree.Data) if node.value is not None
+        }
+        inside: set[tree.Node] = set()
+        written: list[tree.Aggregate | tree.LiteralAggregate] = [
+            *part.all(tree.Aggregate),
+            *part.all(tree.LiteralAggregate),
+        ]
+        for node in written:
+            of = facts.analysis.type_of.get(node)
+            value = literal_value(node)
+            if of is None or value is None or node in inside:
+                continue
+            if isinstance(node, tree.Aggregate):
+                inside.update(node.elements)
+            yield from _in_value(node, value, of, names.get(node), part, paths)
+
+
+def _in_value(
+    node: tree.Node,
+    value: object,
+    of: Type,
+    name: str | None,
+    part: Part,
+    paths: dict[type, tuple[tuple[int, ...], ...]],
+    prefix: tuple[int, ...] = (),
+) -> Iterator[Diagnostic]:
+    base = resolved(of)
+    if isinstance(base, ArrayOf):
+        element: Type = base.element
+        if len(base.dimensions) > 1:
+            element = ArrayOf(base.element, base.dimensions[1:])
+        for k, inner in enumerate(value if isinstance(value, tuple) else ()):
+            yield from _in_value(node, inner, element, name, part, paths, (*prefix, k))
+        return
+    if not isinstance(base, Record):
+        return
+    # Two records of one name have classes of their own, and a class hashes faster than its type.
+    if base.python not in paths:
+        paths[base.python] = tuple(_orientations(base))
+    for path in paths[base.python]:
+        quaternion = numbers(_inner(value, path), 4)
+        if quaternion is None:
+            continue
+        length = math.hypot(*quaternion)
+        if abs(length - 1.0) <= TOLERATED_NORM_ERROR:
+            continue
+        place = part_span(part.module, node, (*prefix, *path))
+        violation = QuaternionNotUnit(name or " ".join(place.text.split()), length)
+        fix = None
+        if abs(length - 1.0) < _TYPO:
+            text = ",".join(f"{q / length:.9g}" for q in quaternion)
+            fix = Fix("divide by the length", (Edit(place, f"[{text}]"),))
+        yield part.finding_at(violation, place, fix=fix)
+
+
+def _orientations(of: Type) -> Iterator[tuple[int, ...]]:
+    """Paths to the components of a record that are orientations."""
+    base = resolved(of)
+    if not isinstance(base, Record):
+        return
+    if base.name == "orient":
+        yield ()
+        return
+    for k, component in enumerate(base.components):
+        for path in _orientations(component.type):
+            yield (k, *path)
+
+
+def _inner(value: object, path: tuple[int, ...]) -> object:
+    for k in path:
+        if not isinstance(value, tuple) or k >= len(value):
+            return None
+        value = value[k]
+    return value

@@ -1,0 +1,136 @@
+"""Rules M510, M511 and M514: what is written in targets, one by one and beside each other."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.rules.facts.known_values import known_value, numbers
+from rapidsim.analysis.rules.facts.written_numbers import part_span
+from rapidsim.analysis.types.constant_folding import Value
+from rapidsim.diagnostics import Diagnostic, Related, Violation
+from rapidsim.syntax import tree
+
+_UNUSED = 8.9e9
+"""External axes are not connected from here: 9E9, written in many ways."""
+_ALSO_UNUSED = (0.0, 9999.0)
+"""What other tools write for axes that are not connected."""
+_CONFIGURATION, _EXTERNAL = 2, 3
+_QUARTERS = 12
+"""Three turns of an axis either way; more is no axis of a robot."""
+
+
+class ExternalAxisValue(Violation, code="M510"):
+    target: str
+    here: str
+    axis: str
+    others: str
+    there: str
+
+
+class BadConfdata(Violation, code="M511"):
+    component: str
+    target: str
+    value: str
+    allowed: str
+
+
+class DuplicateTargets(Violation, code="M514"):
+    target: str
+    other: str
+
+
+@dataclass(frozen=True, slots=True)
+class _Target:
+    """A declared target with the value in the text."""
+
+    part: Part
+    node: tree.Data
+    value: tuple[Value, ...]
+
+
+def find_external_axes(facts: Facts) -> Iterator[Diagnostic]:
+    """Targets of a module that differ from most others in whether they use an external axis."""
+    by_module: dict[tree.Module, list[tuple[_Target, tuple[float, ...]]]] = {}
+    for target in _targets(facts):
+        axes = numbers(target.value[_EXTERNAL], 6)
+        if axes is not None:
+            by_module.setdefault(target.part.module, []).append((target, axes))
+    for rows in by_module.values():
+        for k, letter in enumerate("abcdef"):
+            # Zero may be a place on a track or nothing at all, so it never counts.
+            telling = [
+                (target, axes[k] >= _UNUSED) for target, axes in rows if axes[k] not in _ALSO_UNUSED
+            ]
+            counts = Counter(is_unused for _, is_unused in telling)
+            if len(counts) < 2 or counts[True] == counts[False]:
+                continue
+            usual = counts[True] > counts[False]
+            others = f"{counts[usual]} others" if counts[usual] > 1 else "the other"
+            for target, is_unused in telling:
+                if is_unused is not usual:
+                    here = ("9E9", "a position") if is_unused else ("a position", "9E9")
+                    words = target.node.name.text, here[0], letter, others, f"give {here[1]}"
+                    place = part_span(target.part.module, _value(target.node), (_EXTERNAL, k))
+                    yield target.part.finding_at(ExternalAxisValue(*words), place)
+
+
+def find_bad_confdata(facts: Facts) -> Iterator[Diagnostic]:
+    """Declared targets whose configuration cannot be."""
+    for target in _targets(facts):
+        configuration = numbers(target.value[_CONFIGURATION], 4)
+        if configuration is None or max(abs(cf) for cf in configuration) >= _UNUSED:
+            continue
+        for k, (component, cf) in enumerate(
+            zip(("cf1", "cf4", "cf6", "cfx"), configuration, strict=True)
+        ):
+            allowed = _allowed(component, cf)
+            if allowed is not None:
+                name = target.node.name.text
+                place = part_span(target.part.module, _value(target.node), (_CONFIGURATION, k))
+                violation = BadConfdata(component, name, f"{cf:g}", allowed)
+                yield target.part.finding_at(violation, place)
+
+
+def find_duplicates(facts: Facts) -> Iterator[Diagnostic]:
+    """Declared targets with the same value as an earlier one."""
+    first: dict[tuple[Value, ...], _Target] = {}
+    for target in _targets(facts):
+        other = first.setdefault(target.value, target)
+        if other is not target:
+            name = other.node.name
+            place = Related(other.part.module.span(name), "the first one")
+            violation = DuplicateTargets(target.node.name.text, name.text)
+            yield target.part.finding(violation, target.node.name, place)
+
+
+def _targets(facts: Facts) -> Iterator[_Target]:
+    for part in facts.parts:
+        for node in part.all(tree.Data):
+            if node.type.key != "robtarget" or node.dimensions:
+                continue
+            if not isinstance(node.value, tree.LiteralAggregate | tree.Aggregate):
+                continue
+            value = known_value(node.value, facts)
+            if isinstance(value, tuple) and len(value) == 4:
+                yield _Target(part, node, value)
+
+
+def _value(node: tree.Data) -> tree.Node:
+    assert node.value is not None
+    return node.value
+
+
+def _allowed(component: str, cf: float) -> str | None:
+    """What a component may be; None where it is that."""
+    if component == "cfx":
+        digits = f"{cf:.0f}".zfill(4)
+        # Arms with seven axes: which of four choices are made, one digit each.
+        is_seven = cf.is_integer() and len(digits) == 4 and digits[0] in "0145"
+        is_seven = is_seven and set(digits[1:]) <= {"0", "1", "4", "5"}
+        fits = cf.is_integer() and (0 <= cf <= 7 or is_seven)
+        return None if fits else "0 to 7"
+    fits = cf.is_integer() and abs(cf) <= _QUARTERS
+    return None if fits else "a whole number of quarter turns"

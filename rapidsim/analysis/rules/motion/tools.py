@@ -1,0 +1,142 @@
+"""Rules M507 to M509: tools, work objects and loads that do not fit each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from rapidsim.analysis.program import DataSymbol, Storage, Symbol
+from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.rules.facts.instruction_questions import Move, moves
+from rapidsim.analysis.rules.facts.known_values import known_value, numbers
+from rapidsim.diagnostics import Diagnostic, Related, Violation
+from rapidsim.syntax import tree
+
+_UNIDENTIFIED = -1.0
+"""The mass that a new tool has until somebody defines it."""
+
+
+class ToolOrWobjMissing(Violation, code="M507"):
+    target: str
+    here: str
+    there: str
+
+
+class BadLoadData(Violation, code="M508"):
+    data: str
+    problem: str
+
+
+class StationaryToolMismatch(Violation, code="M509"):
+    tool: str
+    wobj: str
+    problem: str
+
+
+@dataclass(frozen=True, slots=True)
+class _Use:
+    """A move to a named target, with names of tool and work object."""
+
+    part: Part
+    move: Move
+    tool: str
+    wobj: str
+
+
+def find_mixed_frames(facts: Facts) -> Iterator[Diagnostic]:
+    """Moves to a target whose tool or work object differs from that of its first move."""
+    uses: dict[Symbol, list[_Use]] = {}
+    for part in facts.routine_parts:
+        for move in moves(part, facts):
+            target = move.arguments.get("topoint")
+            symbol = facts.symbol(target)
+            if isinstance(symbol, DataSymbol) and symbol.storage is not Storage.VAR:
+                use = _Use(part, move, _name(move, "tool", "tool0"), _name(move, "wobj", "wobj0"))
+                uses.setdefault(symbol, []).append(use)
+    for symbol, moved in uses.items():
+        usual = next((use for use in moved if use.tool != "tool0"), moved[0])
+        for use in moved:
+            if use.tool == "tool0" != usual.tool:
+                pair = "tool0", f"`{usual.tool}`"
+                place = use.move.arguments.get("tool") or use.move.call
+            elif use.wobj != moved[0].wobj:
+                usual = moved[0]
+                pair = f"`{use.wobj}`", f"`{usual.wobj}`"
+                place = use.move.arguments.get("wobj") or use.move.call
+            else:
+                continue
+            elsewhere = Related(usual.part.module.span(usual.move.call), "the other move")
+            violation = ToolOrWobjMissing(symbol.name, pair[0], pair[1])
+            yield use.part.finding(violation, place, elsewhere)
+
+
+def find_bad_loads(facts: Facts) -> Iterator[Diagnostic]:
+    """Declared tools and loads whose numbers cannot be."""
+    for part in facts.parts:
+        for node in part.all(tree.Data):
+            kind = node.type.key
+            if kind not in ("tooldata", "loaddata") or node.dimensions or node.value is None:
+                continue
+            value = known_value(node.value, facts)
+            if not isinstance(value, tuple):
+                continue
+            if kind == "tooldata":
+                # What a stationary tool weighs does not matter.
+                if len(value) != 3 or value[0] is not True:
+                    continue
+                value = value[2]
+            problem = _load_problem(value)
+            if problem is not None:
+                yield part.finding(BadLoadData(node.name.text, problem), node.name)
+
+
+def find_holding_mismatch(facts: Facts) -> Iterator[Diagnostic]:
+    """Moves whose tool and work object are held by the same or by none."""
+    for part in facts.routine_parts:
+        for move in moves(part, facts):
+            tool = move.arguments.get("tool")
+            wobj = move.arguments.get("wobj")
+            tool_held = _robhold(tool, facts)
+            wobj_held = False if "wobj" not in move.arguments else _robhold(wobj, facts)
+            if tool_held is None or wobj_held is None or tool_held is not wobj_held:
+                continue
+            if move.name == "moveabsj":
+                continue
+            problem = "the robot holds both" if tool_held else "the robot holds neither"
+            names = _name(move, "tool", "tool0"), _name(move, "wobj", "wobj0")
+            place = tool if tool is not None else move.call
+            yield part.finding(StationaryToolMismatch(*names, problem), place)
+
+
+def _load_problem(load: object) -> str | None:
+    """What is wrong with a load; None if nothing is to be seen."""
+    if not isinstance(load, tuple) or len(load) != 6:
+        return None
+    mass, centre, inertia = load[0], numbers(load[1], 3), numbers(load[3:], 3)
+    if not isinstance(mass, float) or centre is None or inertia is None:
+        return None
+    if mass == _UNIDENTIFIED:
+        return "has mass -1: nobody has defined it yet"
+    if mass <= 0.0:
+        return f"has mass {mass:g} kg"
+    if min(inertia) < 0.0:
+        return f"has a moment of inertia of {min(inertia):g} kgm2"
+    return None
+
+
+def _robhold(expression: tree.Expression | None, facts: Facts) -> bool | None:
+    value = known_value(expression, facts)
+    if isinstance(value, tuple) and value and isinstance(value[0], bool):
+        return value[0]
+    return None
+
+
+def _name(move: Move, parameter: str, default: str) -> str:
+    """The name an argument is written with; another text where it is no plain name."""
+    if parameter not in move.arguments:
+        return default
+    match move.arguments[parameter]:
+        case tree.Reference(name=name):
+            return name.key
+        case _:
+            return "another"

@@ -1,0 +1,1 @@
+"""Names and data nobody uses, sets or can see."""

@@ -1,0 +1,71 @@
+"""Rule N207: calls by a name that is put together at run time, such as `%"part"+ValToStr(n)%;`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from rapidsim.analysis.installed import installed_symbol
+from rapidsim.analysis.program_parts import Facts
+from rapidsim.analysis.rules.facts.known_values import known_value
+from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.syntax import tree
+
+
+class AmbiguousLateBinding(Violation, code="N207"):
+    shape: str
+
+
+def find_late_names(facts: Facts) -> Iterator[Diagnostic]:
+    """Calls by name that no procedure of the task can answer."""
+    if not facts.is_read or facts.analysis.loads_modules:
+        return
+    procedures = [
+        part.routine.name.key for part in facts.routine_parts if isinstance(part.routine, tree.Proc)
+    ]
+    for part in facts.parts:
+        for call in part.all(tree.LateCall):
+            pieces = _pieces(call.routine, facts)
+            if not any(piece for piece in pieces if piece is not None):
+                continue
+            pattern = _pattern(pieces)
+            if any(pattern.fullmatch(name) for name in procedures):
+                continue
+            if len(pieces) == 1 and pieces[0] and installed_symbol(pieces[0].lower()):
+                continue
+            shape = "".join("..." if piece is None else piece for piece in pieces)
+            yield part.finding(AmbiguousLateBinding(f"`{shape}`"), call.routine)
+
+
+def late_patterns(facts: Facts) -> list[re.Pattern[str]]:
+    """What the names in calls by name may be, one pattern a call."""
+    found = [
+        _pattern(_pieces(call.routine, facts))
+        for part in facts.parts
+        for call in part.all(tree.LateCall)
+    ]
+    # CallByVar puts a number behind a name.
+    for part in facts.parts:
+        for call in part.all(tree.Call):
+            if call.name.key == "callbyvar" and call.arguments:
+                first = call.arguments[0]
+                value = first.value if isinstance(first, tree.Required) else None
+                found.append(_pattern([*_pieces(value, facts), None]))
+    return found
+
+
+def _pieces(expression: tree.Expression | None, facts: Facts) -> list[str | None]:
+    """The parts of a name in their order; None for what only a run knows."""
+    match expression:
+        case tree.Parenthesised(inner=inner):
+            return _pieces(inner, facts)
+        case tree.Binary(operator="+", left=left, right=right):
+            return [*_pieces(left, facts), *_pieces(right, facts)]
+        case _:
+            value = known_value(expression, facts, persistents=False)
+            # A module may stand before the name: "module:procedure".
+            return [value.rpartition(":")[2]] if isinstance(value, str) else [None]
+
+
+def _pattern(pieces: list[str | None]) -> re.Pattern[str]:
+    return re.compile("".join(".*" if p is None else re.escape(p.lower()) for p in pieces))

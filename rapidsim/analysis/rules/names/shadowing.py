@@ -1,0 +1,73 @@
+"""Rules N203 and N206: names that hide other names."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rapidsim.analysis.installed import installed_symbol
+from rapidsim.analysis.program import DataSymbol, LibrarySymbol
+from rapidsim.analysis.program_parts import Facts
+from rapidsim.diagnostics import Diagnostic, Related, Violation
+from rapidsim.syntax import tree
+
+_OF_MOTION = frozenset({"speeddata", "zonedata", "tooldata", "wobjdata", "loaddata"})
+"""Types whose predefined data a reader knows by name; `low` and `edge` may well name something."""
+
+
+class ShadowedName(Violation, code="N203"):
+    hidden: str
+    type: str
+    where: str
+
+
+class RedefinedBuiltin(Violation, code="N206"):
+    defined: str
+    what: str
+
+
+def find_shadowed(facts: Facts) -> Iterator[Diagnostic]:
+    """Data declared inside that hide data declared outside."""
+    outside: dict[str, list[tuple[tree.Module, tree.Data]]] = {}
+    for part in facts.parts:
+        if part.routine is None:
+            for node in part.all(tree.Data):
+                outside.setdefault(node.name.key, []).append((part.module, node))
+    for part in facts.parts:
+        for node in part.all(tree.Data):
+            if part.routine is None and node.scope != "LOCAL":
+                continue
+            for module, hidden in outside.get(node.name.key, ()):
+                here = module is part.module
+                if hidden is node or (hidden.scope == "LOCAL" and not here):
+                    continue
+                if part.routine is None and here:
+                    continue
+                place = Related(module.span(hidden.name), "this one is hidden")
+                where = "this module" if here else f"module {module.name.text}"
+                violation = ShadowedName(node.name.text, hidden.type.text, where)
+                yield part.finding(violation, node.name, place)
+                break
+
+
+def find_redefined(facts: Facts) -> Iterator[Diagnostic]:
+    """Declarations of names that the controller predefines."""
+    for part in facts.parts:
+        declared: list[tree.Name] = [node.name for node in part.all(tree.Data)]
+        if part.routine is not None:
+            declared.append(part.routine.name)
+        for name in declared:
+            match installed_symbol(name.key):
+                case DataSymbol(type=of) if part.routine is None or of.name in _OF_MOTION:
+                    what = f"a {of.name}"
+                case LibrarySymbol(routine=routine):
+                    is_function = routine.signature.result is not None
+                    what = "a function" if is_function else "an instruction"
+                case _:
+                    continue
+            if not _is_their_home(part.module):
+                yield part.finding(RedefinedBuiltin(name.text, what), name)
+
+
+def _is_their_home(module: tree.Module) -> bool:
+    """Whether a module is one that the controller itself ships predefined data in."""
+    return module.name.key in ("base", "user")

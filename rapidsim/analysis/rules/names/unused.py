@@ -1,0 +1,85 @@
+"""Rules N204 and N205: data and routines that nothing uses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rapidsim.analysis.program_parts import ENTRY, Facts, Part
+from rapidsim.analysis.rules.names.late_names import late_patterns
+from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.syntax import tree
+
+_PREDEFINED_HOMES = ("user", "base")
+"""Modules that come with the controller; a program need not use what is in them."""
+# Instructions that reach data by a name which the program puts together.
+_BY_NAME = frozenset({"getdataval", "setdataval", "setdatasearch", "setalldataval", "getnextsym"})
+
+
+class UnusedData(Violation, code="N204"):
+    data: str
+    type: str
+
+
+class UnusedRoutine(Violation, code="N205"):
+    routine: str
+    kind: str
+    used: str
+
+
+def find_unused_data(facts: Facts) -> Iterator[Diagnostic]:
+    """Data whose name nothing uses in the text that can see it."""
+    by_name = not _BY_NAME.isdisjoint(facts.names)
+    module_names: dict[tree.Module, frozenset[str]] = {}
+    for part in facts.parts:
+        known = module_names.get(part.module, frozenset())
+        module_names[part.module] = known | part.names
+    for part in facts.parts:
+        for node in part.all(tree.Data):
+            if part.routine is not None:
+                used = part.names
+            elif by_name or part.module.name.key in _PREDEFINED_HOMES:
+                continue
+            elif node.scope == "LOCAL":
+                used = module_names[part.module]
+            elif facts.is_whole and (node.storage != "PERS" or node.scope == "TASK"):
+                used = facts.names
+            else:
+                continue
+            key = node.name.key
+            if key in used or key in facts.strings or facts.analysis.may_be_unread(key):
+                continue
+            yield part.finding(UnusedData(node.name.text, node.type.text), node.name)
+
+
+def find_unused_routines(facts: Facts) -> Iterator[Diagnostic]:
+    """Routines that nothing calls, connects, or could name in a string."""
+    patterns = late_patterns(facts)
+    used_elsewhere: dict[str, int] = {}
+    for part in facts.parts:
+        for name in part.names:
+            used_elsewhere[name] = used_elsewhere.get(name, 0) + 1
+    for part in facts.routine_parts:
+        routine = part.routine
+        assert routine is not None
+        key = routine.name.key
+        if key == ENTRY or key in facts.strings or facts.analysis.may_be_unread(key):
+            continue
+        own_call = key in part.names
+        if used_elsewhere.get(key, 0) > own_call or any(p.fullmatch(key) for p in patterns):
+            continue
+        if routine.scope == "LOCAL" or (facts.is_whole and _needs_a_caller(part)):
+            yield part.finding(_unused(routine), routine.name)
+
+
+def _needs_a_caller(part: Part) -> bool:
+    return not isinstance(part.routine, tree.Proc) or bool(part.routine.parameters)
+
+
+def _unused(routine: tree.Routine) -> UnusedRoutine:
+    match routine:
+        case tree.Trap():
+            return UnusedRoutine(routine.name.text, "trap", "connected")
+        case tree.Func():
+            return UnusedRoutine(routine.name.text, "function", "called")
+        case _:
+            return UnusedRoutine(routine.name.text, "procedure", "called")

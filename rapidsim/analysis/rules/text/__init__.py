@@ -1,0 +1,1 @@
+"""Bytes, numbers, layout and house style."""

@@ -1,0 +1,54 @@
+"""Rules E106 and E107: bytes of a file that controllers or other tools stumble over."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from rapidsim.analysis.program_parts import Facts
+from rapidsim.diagnostics import Diagnostic, Edit, Fix, Span, Violation
+
+_DOUBLED = re.compile(r"\r{2,}\n")
+_OUTSIDE = re.compile(r"[^\x00-\xff\ufffd]")
+# Code page 1252 has these where ISO 8859-1 has control characters; controllers show them.
+_WINDOWS = frozenset("€‚ƒ„…†‡ˆ‰Š‹ŒŽ‘’“”•–—˜™š›œžŸ")
+
+
+class BadLineEndings(Violation, code="E106"):
+    lines: str
+
+
+class BadEncoding(Violation, code="E107"):
+    character: str
+    number: int
+    others: str
+
+
+def find_bad_line_endings(facts: Facts) -> Iterator[Diagnostic]:
+    """One finding a file, with the edits that leave CR LF."""
+    for file in facts.files:
+        source = file.source
+        doubled = list(_DOUBLED.finditer(source.text))
+        if not doubled:
+            continue
+        edits = tuple(Edit(Span(source, m.start(), m.end()), "\r\n") for m in doubled)
+        count = "1 line ends" if len(doubled) == 1 else f"{len(doubled)} lines end"
+        fix = Fix("leave CR LF at the end of lines", edits)
+        first = source.line_starts[source.position(doubled[0].start())[0] - 1]
+        place = Span(source, first, max(first, doubled[0].start()))
+        yield Diagnostic(BadLineEndings(count), place, fix=fix)
+
+
+def find_bad_encoding(facts: Facts) -> Iterator[Diagnostic]:
+    """One finding a file, at the first character that is outside the set."""
+    for file in facts.files:
+        text = file.source.text
+        if text.isascii():
+            continue
+        outside = [match for match in _OUTSIDE.finditer(text) if match.group() not in _WINDOWS]
+        if outside:
+            first = outside[0]
+            count = len({match.group() for match in outside}) - 1
+            others = f", nor are {count} others" if count > 1 else ", nor is another" * count
+            violation = BadEncoding(first.group(), ord(first.group()), others)
+            yield Diagnostic(violation, Span(file.source, first.start(), first.end()))

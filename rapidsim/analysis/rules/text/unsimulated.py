@@ -1,0 +1,25 @@
+"""Rule E105: what is checked and will not be simulated."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rapidsim.analysis.program import LibrarySymbol
+from rapidsim.analysis.program_parts import Facts
+from rapidsim.diagnostics import Diagnostic, Violation
+
+
+class UnsupportedConstruct(Violation, code="E105"):
+    routine: str
+    treated_as: str
+
+
+def find_unsupported(facts: Facts) -> Iterator[Diagnostic]:
+    """Calls of installed routines that are not simulated."""
+    for part in facts.parts:
+        for call in part.calls:
+            symbol = facts.symbol(call)
+            if isinstance(symbol, LibrarySymbol) and symbol.routine.treated_as is not None:
+                instead = symbol.routine.treated_as
+                violation = UnsupportedConstruct(symbol.name, instead)
+                yield part.finding(violation, call.name)

@@ -1,0 +1,170 @@
+"""Which argument of a call goes to which parameter.
+
+Required arguments stand in the order of their parameters. Optional ones are named and keep their
+place between the required ones; among themselves any order is accepted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import combinations
+from math import comb
+from typing import TypeAlias
+
+from rapidsim.analysis.context import Context
+from rapidsim.analysis.names.names import find
+from rapidsim.analysis.parameters import Callee, Formal
+from rapidsim.analysis.program import CounterSymbol, DataSymbol, ParameterSymbol
+from rapidsim.analysis.suggestions import closest
+from rapidsim.analysis.types.argument_violations import BadArguments, BadOption, UnknownArgument
+from rapidsim.analysis.types.assignability import agrees
+from rapidsim.analysis.types.callees import callee_of
+from rapidsim.analysis.types.data_paths import type_of_data
+from rapidsim.language import types
+from rapidsim.language.types import ArrayOf, Record, Type, resolved
+from rapidsim.syntax import tree
+
+Bound: TypeAlias = tuple[tree.Argument, Formal]
+_MOST_WAYS = 200
+"""Ways of leaving parameters out that are compared."""
+_NUMBERS = (types.NUM, types.DNUM, types.ANYTYPE)
+
+
+def bind(
+    call: tree.Node, arguments: Sequence[tree.Argument], callee: Callee, context: Context
+) -> tuple[list[Bound], list[tree.Argument]]:
+    """Give each argument its parameter; a finding for what has none and for what is missing.
+
+    Returns:
+        The arguments with their parameters, and those without.
+    """
+    formals = callee.parameters
+    left_out = _likely_missing(arguments, formals, context)
+    bound: list[Bound] = []
+    filled: set[str] = set()
+    next_required = 0
+    extra: list[tree.Argument] = []
+    for argument in arguments:
+        if isinstance(argument, tree.Required) and argument.name is None:
+            while next_required < len(formals) and (
+                formals[next_required].optional or next_required in left_out
+            ):
+                next_required += 1
+            if next_required == len(formals):
+                extra.append(argument)
+                continue
+            formal = formals[next_required]
+            next_required += 1
+        else:
+            position = _named(argument, callee, context)
+            if position is None:
+                extra.append(argument)
+                continue
+            formal = formals[position]
+            if formal.key in filled:
+                problem = f"`{formal.spelled}` of `{callee.name}` is given twice"
+                context.report(BadOption(problem, "leave one of them out"), argument)
+                continue
+            if _is_misplaced(position, next_required, formals):
+                problem = f"`{formal.spelled}` of `{callee.name}` stands in the wrong place"
+                context.report(BadArguments(problem, callee.order), argument, *callee.declared)
+            if not formal.optional:
+                next_required = max(next_required, position + 1)
+        filled.add(formal.key)
+        bound.append((argument, formal))
+    positional = [a for a in extra if isinstance(a, tree.Required) and a.name is None]
+    if positional:
+        count = sum(not formal.optional for formal in formals)
+        problem = f"`{callee.name}` takes {_counted(count)}, {count + len(positional)} given"
+        context.report(BadArguments(problem, callee.order), positional[0], *callee.declared)
+    missing = [f for f in formals if not f.optional and f.key not in filled]
+    if missing:
+        names = " and ".join(f"`{formal.name}`" for formal in missing)
+        problem = f"the call of `{callee.name}` lacks {names}"
+        context.report(BadArguments(problem, callee.order), call, *callee.declared)
+    return bound, extra
+
+
+def _named(argument: tree.Argument, callee: Callee, context: Context) -> int | None:
+    """The position of the parameter a named argument names."""
+    optional = not isinstance(argument, tree.Required)
+    name = argument.name
+    assert name is not None
+    for position, formal in enumerate(callee.parameters):
+        if formal.key == name.key and formal.optional == optional:
+            return position
+    if not callee.is_complete:
+        return None
+    known = tuple(f.spelled for f in callee.parameters if f.optional == optional)
+    mark = "\\" if optional else ""
+    nearest = closest(mark + name.text, known)
+    kind = "option" if optional else "parameter"
+    violation = UnknownArgument(callee.name, kind, mark + name.text, nearest, known)
+    context.report(violation, name, *callee.declared)
+    return None
+
+
+def _is_misplaced(position: int, next_required: int, formals: Sequence[Formal]) -> bool:
+    """Whether a named argument stands on the wrong side of a required one.
+
+    The required arguments up to `next_required` have been given, the others follow.
+    """
+    low, high = sorted((position, next_required))
+    return any(not formal.optional for formal in formals[low:high])
+
+
+def _likely_missing(
+    arguments: Sequence[tree.Argument], formals: Sequence[Formal], context: Context
+) -> frozenset[int]:
+    """Positions of the required parameters that a call with too few arguments leaves out.
+
+    Chosen so that the types of the arguments given fit best: a call without its zone is told that
+    the zone is missing, not that the tool is no zone.
+    """
+    required = [k for k, formal in enumerate(formals) if not formal.optional]
+    values = [part.value for part in arguments if isinstance(part, tree.Required)]
+    is_named = any(isinstance(part, tree.Required) and part.name for part in arguments)
+    too_few = len(values) < len(required)
+    if is_named or not too_few or comb(len(required), len(values)) > _MOST_WAYS:
+        return frozenset()
+    kept = min(
+        combinations(required, len(values)),
+        key=lambda way: sum(
+            not _fits(value, formals[k], context) for value, k in zip(values, way, strict=True)
+        ),
+    )
+    return frozenset(required) - frozenset(kept)
+
+
+def _fits(value: tree.Expression, formal: Formal, context: Context) -> bool:
+    """Whether an argument looks like one for a parameter; True where nothing speaks against it."""
+    found = _evident_type(value, context)
+    if found is not None:
+        return any(agrees(found, of) for of in formal.types)
+    if isinstance(value, tree.Number):
+        return any(resolved(of) in _NUMBERS for of in formal.types)
+    if isinstance(value, tree.Aggregate | tree.LiteralAggregate):
+        return any(isinstance(resolved(of), Record | ArrayOf) for of in formal.types)
+    return True
+
+
+def _evident_type(value: tree.Expression, context: Context) -> Type | None:
+    match value:
+        case tree.String():
+            return types.STRING
+        case tree.Bool():
+            return types.BOOL
+        case tree.Reference(name=name):
+            symbol = find(name.key, context)
+            if isinstance(symbol, DataSymbol | ParameterSymbol | CounterSymbol):
+                return type_of_data(symbol)
+            return None
+        case tree.FunctionCall(name=name):
+            callee = callee_of(find(name.key, context), context)
+            return callee.result if callee is not None else None
+        case _:
+            return None
+
+
+def _counted(count: int) -> str:
+    return {0: "no argument", 1: "1 argument"}.get(count, f"{count} arguments")

@@ -1,0 +1,178 @@
+"""One argument against its parameter: its type, and that a reference refers to what it may.
+
+Source: RAPID Overview, "Routines", the table of parameter access modes.
+"""
+
+from __future__ import annotations
+
+from rapidsim.analysis.context import Context, TypeOf
+from rapidsim.analysis.names.name_violations import UnknownUnit
+from rapidsim.analysis.names.names import find, kind_of, report_undefined, take_for_signal
+from rapidsim.analysis.parameters import Formal, Wanted
+from rapidsim.analysis.program import CounterSymbol, DataSymbol, ParameterSymbol, Storage, Symbol
+from rapidsim.analysis.tree_walk import descendants
+from rapidsim.analysis.types.argument_violations import BadArgumentMode, PersistentElement
+from rapidsim.analysis.types.assignability import agrees, report_mismatch, require_value
+from rapidsim.analysis.types.data_paths import root_of
+from rapidsim.analysis.types.operators import is_literal_number, value_type
+from rapidsim.language import types
+from rapidsim.language.annotations import Mode
+from rapidsim.language.single import LARGEST_EXACT_INTEGER
+from rapidsim.language.types import Atomic, Type, resolved
+from rapidsim.syntax import tree
+
+_CONFIGURED = frozenset({"mecunit", "taskid", "cameradev"})
+"""Types of data that a controller takes from its configuration."""
+_WORDS = {
+    Mode.VAR: "a variable",
+    Mode.INOUT: "a variable or a persistent",
+    Mode.PERS: "a persistent",
+    Mode.REF: "data",
+}
+
+
+def check_argument(
+    value: tree.Expression,
+    formal: Formal,
+    context: Context,
+    type_of: TypeOf,
+    *,
+    beside: Type | None = None,
+) -> Type | None:
+    """Check the value of an argument.
+
+    Args:
+        value: The argument.
+        formal: Its parameter.
+        context: Where the call stands.
+        type_of: Finds the types of expressions.
+        beside: Type of the argument before it that may be num or dnum; literals follow it.
+
+    Returns:
+        The type of the argument; None where it is not known.
+    """
+    plain = _without_parentheses(value)
+    if isinstance(plain, tree.Reference) and find(plain.name.key, context) is None:
+        signal = formal.signal
+        if signal is not None:
+            take_for_signal(plain, signal, context)
+            return None
+        unit = next((of for of in formal.types if _is_configured(of)), None)
+        if unit is not None:
+            _take_for_unit(plain, unit, context)
+            return None
+        if formal.mode is not Mode.IN:
+            report_undefined(plain.name, context)
+            return None
+    wanted = _wanted(plain, formal, beside)
+    found = type_of(value, context, wanted)
+    if found is not None and not _fits(found, formal):
+        _report_types(value, found, formal, context)
+        return found
+    if formal.mode is not Mode.IN and found is not None:
+        _check_mode(value, formal, context)
+    elif found is not None and formal.types == (types.ANYTYPE,):
+        require_value(value, found, "passed by value", context)
+    return found
+
+
+def _wanted(value: tree.Expression, formal: Formal, beside: Type | None) -> Wanted:
+    """The type that guides literals and aggregates where several are taken.
+
+    A literal follows the data it is used with, as in `Add d, 0.2`; without any it is a num unless
+    only a dnum holds it exactly, as in `SetGO go, 4294967295`.
+    """
+    is_open = types.DNUM in formal.types or formal.types == (types.ANYTYPE,)
+    if not (is_open and is_literal_number(value)) or formal.types == (types.DNUM,):
+        return formal.wanted
+    is_dnum = beside is not None and resolved(beside) == types.DNUM
+    if not is_dnum and beside is None:
+        is_dnum = any(
+            abs(part.value) > LARGEST_EXACT_INTEGER
+            for part in descendants(value)
+            if isinstance(part, tree.Number)
+        )
+    return Wanted(types.DNUM if is_dnum else types.NUM, formal.wanted.by)
+
+
+def _fits(found: Type, formal: Formal) -> bool:
+    if formal.mode is not Mode.IN and value_type(found) != resolved(found):
+        # What is referred to is the signal itself, not the number it reads as.
+        wanted = formal.types if formal.only is None else formal.only.types
+        return types.ANYTYPE in wanted or resolved(found) in map(resolved, wanted)
+    fits = any(agrees(found, of) for of in formal.types)
+    return fits and (formal.only is None or any(agrees(found, of) for of in formal.only.types))
+
+
+def _report_types(value: tree.Expression, found: Type, formal: Formal, context: Context) -> None:
+    wanted = formal.wanted
+    if formal.only is not None:
+        wanted = Wanted(Atomic(formal.only.words), wanted.by, wanted.declared)
+    elif len(formal.types) > 1:
+        names = " or ".join(dict.fromkeys(of.name for of in formal.types))
+        wanted = Wanted(Atomic(names), wanted.by, wanted.declared)
+    report_mismatch(value, found, wanted, context)
+
+
+def _check_mode(value: tree.Expression, formal: Formal, context: Context) -> None:
+    words = _WORDS[formal.mode]
+    if isinstance(value, tree.String) and formal.mode is Mode.REF and formal.signal is not None:
+        # A signal may be named by a string where it is only looked up.
+        return
+    if not isinstance(value, tree.DataPath):
+        found = "not an expression" if formal.mode is not Mode.REF else "not a computed value"
+        context.report(
+            BadArgumentMode(formal.wanted.by, words, found), value, *formal.wanted.declared
+        )
+        return
+    root = root_of(value)
+    symbol = find(root.name.key, context)
+    if symbol is None or _may_refer(symbol, formal.mode):
+        is_part = not isinstance(value, tree.Reference)
+        if is_part and formal.mode in (Mode.PERS, Mode.INOUT) and _is_persistent(symbol):
+            context.report(PersistentElement(formal.wanted.by), value)
+        return
+    found = f"`{root.name.text}` is {kind_of(symbol)}"
+    violation = BadArgumentMode(formal.wanted.by, words, found)
+    context.report(violation, value, *context.declaration(symbol), *formal.wanted.declared)
+
+
+def _may_refer(symbol: Symbol, mode: Mode) -> bool:
+    """Whether a parameter of a mode may be bound to data."""
+    match symbol:
+        case CounterSymbol() | DataSymbol(storage=Storage.CONST):
+            return mode is Mode.REF
+        case ParameterSymbol(mode=Mode.INOUT):
+            # What it is bound to is not known here.
+            return True
+        case _ if mode is Mode.PERS:
+            return _is_persistent(symbol)
+        case _:
+            return mode is not Mode.VAR or not _is_persistent(symbol)
+
+
+def _is_persistent(symbol: Symbol | None) -> bool:
+    match symbol:
+        case DataSymbol(storage=Storage.PERS) | ParameterSymbol(mode=Mode.PERS):
+            return True
+        case _:
+            return False
+
+
+def _is_configured(of: Type) -> bool:
+    return resolved(of).name.lower() in _CONFIGURED
+
+
+def _take_for_unit(reference: tree.Reference, of: Type, context: Context) -> None:
+    analysis = context.analysis
+    name = reference.name
+    if name.key not in analysis.unknown:
+        context.report(UnknownUnit(name.text, of.name), name)
+    analysis.symbol_of[reference] = analysis.unknown_symbol(name.text)
+    analysis.type_of[reference] = of
+
+
+def _without_parentheses(expression: tree.Expression) -> tree.Expression:
+    while isinstance(expression, tree.Parenthesised):
+        expression = expression.inner
+    return expression

@@ -1,0 +1,62 @@
+"""Whether an expression has the type its place takes, and the finding where it has not."""
+
+from __future__ import annotations
+
+from rapidsim.analysis.context import Context, TypeOf
+from rapidsim.analysis.parameters import Wanted
+from rapidsim.analysis.types.operators import has_value, value_type
+from rapidsim.analysis.types.type_violations import NoValue, TypeMismatch
+from rapidsim.language import types
+from rapidsim.language.types import ArrayOf, Type, resolved
+from rapidsim.syntax import tree
+
+
+def require(expression: tree.Expression, wanted: Wanted, context: Context, type_of: TypeOf) -> None:
+    """Type an expression and report it where its value does not have the type that is wanted."""
+    found = type_of(expression, context, wanted)
+    if found is not None and not agrees(found, wanted.type):
+        report_mismatch(expression, found, wanted, context)
+
+
+def agrees(found: Type, wanted: Type) -> bool:
+    """Whether a value of one type fits where another is wanted; anytype takes everything."""
+    if found is wanted or wanted is types.ANYTYPE:
+        return True
+    value = value_type(found)
+    target = resolved(wanted)
+    if isinstance(value, ArrayOf) and isinstance(target, ArrayOf):
+        return value.element == target.element and _sizes_agree(value, target)
+    return value == target or resolved(found) == target
+
+
+def report_mismatch(expression: tree.Node, found: Type, wanted: Wanted, context: Context) -> None:
+    """Report a value of the wrong type."""
+    violation = TypeMismatch(wanted.by, wanted.type.name, found.name)
+    context.report(violation, expression, *wanted.declared)
+
+
+def require_value(expression: tree.Node, found: Type, used: str, context: Context) -> bool:
+    """Report a type without values where a value is needed.
+
+    Args:
+        expression: What has the type.
+        found: The type.
+        used: What is done with the value, as in "assigned".
+        context: Where it is done.
+
+    Returns:
+        Whether it has values.
+    """
+    if has_value(found):
+        return True
+    context.report(NoValue(found.name, used), expression)
+    return False
+
+
+def _sizes_agree(found: ArrayOf, wanted: ArrayOf) -> bool:
+    if len(found.dimensions) != len(wanted.dimensions):
+        return False
+    return all(
+        a is None or b is None or a == b
+        for a, b in zip(found.dimensions, wanted.dimensions, strict=True)
+    )

@@ -1,0 +1,136 @@
+"""Calls of procedures and functions: what is called, and every argument against its parameter."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rapidsim.analysis.context import Context, TypeOf
+from rapidsim.analysis.names.names import find, routine_named, take_for_unknown
+from rapidsim.analysis.parameters import Callee, Formal, Wanted
+from rapidsim.analysis.program import ParameterSymbol
+from rapidsim.analysis.types.argument_binding import bind
+from rapidsim.analysis.types.argument_violations import BadOption
+from rapidsim.analysis.types.arguments import check_argument
+from rapidsim.analysis.types.callees import callee_of
+from rapidsim.language import types
+from rapidsim.language.types import Type
+from rapidsim.syntax import tree
+
+
+def check_call(call: tree.Call, context: Context, type_of: TypeOf) -> None:
+    """Check a procedure call."""
+    symbol = routine_named(call.name, context, function=False)
+    if symbol is not None:
+        context.analysis.symbol_of[call] = symbol
+    callee = callee_of(symbol, context)
+    if callee is None:
+        check_unbound(call.arguments, context, type_of)
+    else:
+        _check_arguments(call, call.arguments, callee, context, type_of)
+
+
+def type_of_call(
+    call: tree.FunctionCall, context: Context, wanted: Wanted | None, type_of: TypeOf
+) -> Type | None:
+    """Check a function call; its type is None if the function is not known.
+
+    The value of an unknown function is taken to have the type that its place wants.
+    """
+    symbol = routine_named(call.name, context, function=True)
+    if symbol is not None:
+        context.analysis.symbol_of[call] = symbol
+    callee = callee_of(symbol, context)
+    if callee is None:
+        check_unbound(call.arguments, context, type_of)
+        is_open = wanted is None or wanted.type is types.ANYTYPE
+        context.analysis.type_of[call] = types.NUM if wanted is None or is_open else wanted.type
+        return None
+    _check_arguments(call, call.arguments, callee, context, type_of)
+    if callee.result is not None:
+        context.analysis.type_of[call] = callee.result
+    return callee.result
+
+
+def check_unbound(arguments: Sequence[tree.Argument], context: Context, type_of: TypeOf) -> None:
+    """Check the arguments of a call whose parameters are not known.
+
+    The call is skipped, so a name that nothing declares is no mistake in its arguments unless it is
+    a slip for one that is known.
+    """
+    for argument in arguments:
+        match argument:
+            case tree.Required(value=value) | tree.Optional(value=tree.Node() as value):
+                if isinstance(value, tree.Aggregate | tree.LiteralAggregate):
+                    continue
+                if isinstance(value, tree.Reference) and find(value.name.key, context) is None:
+                    take_for_unknown(value, context)
+                    continue
+                type_of(value, context, None)
+            case tree.Conditional():
+                _check_conditional(argument, context)
+            case _:
+                pass
+
+
+def _check_arguments(
+    call: tree.Node,
+    arguments: Sequence[tree.Argument],
+    callee: Callee,
+    context: Context,
+    type_of: TypeOf,
+) -> None:
+    bound, unbound = bind(call, arguments, callee, context)
+    check_unbound(unbound, context, type_of)
+    given: dict[int, tree.Argument] = {}
+    beside: Type | None = None
+    for argument, formal in bound:
+        if formal.group:
+            other = given.setdefault(formal.group, argument)
+            both_conditional = isinstance(argument, tree.Conditional) and isinstance(
+                other, tree.Conditional
+            )
+            if other is not argument and not both_conditional:
+                names = [f"`{f.spelled}`" for a, f in bound if f.group == formal.group]
+                problem = f"{' and '.join(names)} of `{callee.name}` exclude each other"
+                context.report(BadOption(problem, "give one of them"), argument)
+        match argument:
+            case tree.Required(value=value):
+                found = check_argument(value, formal, context, type_of, beside=beside)
+                if types.DNUM in formal.types:
+                    beside = found
+            case tree.Optional(value=value):
+                _check_option(argument, value, formal, context, type_of)
+            case tree.Conditional():
+                _check_conditional(argument, context)
+
+
+def _check_option(
+    argument: tree.Optional,
+    value: tree.Expression | None,
+    formal: Formal,
+    context: Context,
+    type_of: TypeOf,
+) -> None:
+    if formal.is_switch:
+        if value is not None:
+            problem = f"`{formal.spelled}` is a switch and takes no value"
+            context.report(BadOption(problem, f"write `{formal.spelled}` alone"), argument)
+            type_of(value, context, None)
+    elif value is None:
+        problem = f"`{formal.spelled}` lacks its value"
+        cure = f"write `{formal.spelled}:=` and a value of type {formal.types[0].name}"
+        context.report(BadOption(problem, cure), argument)
+    else:
+        check_argument(value, formal, context, type_of)
+
+
+def _check_conditional(argument: tree.Conditional, context: Context) -> None:
+    r"""`\Par?q`: q is an optional parameter of the routine that the call stands in."""
+    symbol = context.scope.find(argument.present.key)
+    if isinstance(symbol, ParameterSymbol) and symbol.optional:
+        context.analysis.symbol_of[argument] = symbol
+        return
+    name = argument.present.text
+    problem = f"`{name}` is no optional parameter of the routine it stands in"
+    cure = f"give the value itself, `\\{argument.name.text}:={name}`"
+    context.report(BadOption(problem, cure), argument.present, *context.declaration(symbol))

@@ -1,0 +1,123 @@
+"""Data by name, element and component: `count`, `heights{2}`, `home.trans.x`."""
+
+from __future__ import annotations
+
+from rapidsim.analysis.context import Context, TypeOf
+from rapidsim.analysis.names.name_violations import ComponentOfUnknownType, UnknownComponent
+from rapidsim.analysis.names.names import (
+    DataLike,
+    as_data,
+    data_named,
+    find,
+    kind_of,
+    report_undefined,
+    type_of_undeclared,
+)
+from rapidsim.analysis.parameters import Wanted
+from rapidsim.analysis.program import CounterSymbol, DataSymbol, Storage
+from rapidsim.analysis.suggestions import closest
+from rapidsim.analysis.types.assignability import require
+from rapidsim.analysis.types.constant_folding import constant_number
+from rapidsim.analysis.types.operators import value_type
+from rapidsim.analysis.types.type_violations import (
+    ArrayIndexOutOfBounds,
+    NotAnArray,
+    WriteToReadOnly,
+)
+from rapidsim.language import types
+from rapidsim.language.types import ArrayOf, Record, Type, resolved
+from rapidsim.syntax import tree
+
+
+def type_of_path(path: tree.DataPath, context: Context, type_of: TypeOf) -> Type | None:
+    """The type of the data at a path; None, after a finding, where there are none."""
+    if isinstance(path, tree.Reference):
+        symbol = data_named(path, context)
+        found = type_of_undeclared(path, context) if symbol is None else type_of_data(symbol)
+    elif isinstance(path, tree.Index):
+        found = _element_type(path, context, type_of)
+    else:
+        found = _component_type(path, context, type_of)
+    if found is not None:
+        context.analysis.type_of[path] = found
+    return found
+
+
+def type_of_target(path: tree.DataPath, context: Context, type_of: TypeOf) -> Type | None:
+    """The type of data that are given a value; a finding where they cannot be."""
+    root = root_of(path)
+    symbol = find(root.name.key, context)
+    if symbol is None:
+        report_undefined(root.name, context)
+        return None
+    data = as_data(symbol, root, context)
+    if data is None:
+        return None
+    if isinstance(data, CounterSymbol) or (
+        isinstance(data, DataSymbol) and data.storage is Storage.CONST
+    ):
+        name = root.name.text
+        violation = WriteToReadOnly(name, kind_of(data))
+        context.report(violation, path, *context.declaration(data))
+    return type_of_path(path, context, type_of)
+
+
+def root_of(path: tree.DataPath) -> tree.Reference:
+    """The name a path begins with."""
+    while not isinstance(path, tree.Reference):
+        path = path.array if isinstance(path, tree.Index) else path.record
+    return path
+
+
+def type_of_data(symbol: DataLike) -> Type:
+    """The declared type of data."""
+    return types.NUM if isinstance(symbol, CounterSymbol) else symbol.type
+
+
+def _element_type(path: tree.Index, context: Context, type_of: TypeOf) -> Type | None:
+    array = type_of_path(path.array, context, type_of)
+    written = context.module.span(path.array).text
+    wanted = Wanted(types.NUM, f"an index of `{written}`")
+    for index in path.indices:
+        require(index, wanted, context, type_of)
+    if array is None:
+        return None
+    target = resolved(array)
+    given = len(path.indices)
+    if not isinstance(target, ArrayOf):
+        context.report(NotAnArray(written, array.name, "no indices", given), path)
+        return None
+    dimensions = target.dimensions
+    if len(dimensions) != given:
+        count = "1 index" if len(dimensions) == 1 else f"{len(dimensions)} indices"
+        context.report(NotAnArray(written, array.name, count, given), path)
+        return None
+    for index, size in zip(path.indices, dimensions, strict=True):
+        number = None if size is None else constant_number(index, context)
+        if number is not None and size is not None and not 1 <= number <= size:
+            context.report(ArrayIndexOutOfBounds(f"{number:g}", written, size), index)
+    return array.element if isinstance(array, ArrayOf) else target.element
+
+
+def _component_type(path: tree.Component, context: Context, type_of: TypeOf) -> Type | None:
+    record = type_of_path(path.record, context, type_of)
+    if record is None:
+        return None
+    target = value_type(record)
+    components = target.components if isinstance(target, Record) else ()
+    for component in components:
+        if component.name.lower() == path.name.key:
+            return component.type
+    if target.name.lower() in context.analysis.shapeless:
+        written = context.module.span(path.record).text
+        context.report(ComponentOfUnknownType(written, record.name, path.name.text), path.name)
+        context.analysis.needs_shape = True
+        return None
+    known = tuple(component.name for component in components)
+    if known:
+        described = f"`{record.name}`"
+    else:
+        described = f"`{context.module.span(path.record).text}` is {record.name}, which"
+    nearest = closest(path.name.text, known)
+    context.report(UnknownComponent(described, path.name.text, known, nearest), path.name)
+    return None

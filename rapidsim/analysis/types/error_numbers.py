@@ -1,0 +1,22 @@
+"""Comparisons of ERRNO: with names, with the numbers a program may raise, not with others."""
+
+from __future__ import annotations
+
+from rapidsim.analysis.context import Context
+from rapidsim.analysis.names.names import find
+from rapidsim.analysis.program import DataSymbol
+from rapidsim.analysis.types.error_violations import RawErrorNumber
+from rapidsim.syntax import tree
+
+_LARGEST_OF_PROGRAMS = 90.0
+"""RAISE takes 1 to 90 without asking."""
+
+
+def check_error_number(subject: tree.Expression, value: tree.Expression, context: Context) -> None:
+    """Report a number that ERRNO is compared with and never has."""
+    if not (isinstance(subject, tree.Reference) and subject.name.key == "errno"):
+        return
+    symbol = find("errno", context)
+    is_predefined = isinstance(symbol, DataSymbol) and symbol.node is None
+    if is_predefined and isinstance(value, tree.Number) and value.value > _LARGEST_OF_PROGRAMS:
+        context.report(RawErrorNumber(value.text), value)

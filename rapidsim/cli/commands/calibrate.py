@@ -1,0 +1,85 @@
+"""`rapidsim calibrate`: fit the motion model to logs of a real controller."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import click
+
+from rapidsim.cli.exit_codes import ExitCode
+from rapidsim.cli.options.inputs import choose_robot, choose_station
+from rapidsim.cli.options.numbers import Number
+from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
+from rapidsim.files import MODULE_SUFFIXES, InputError, read_tasks
+
+
+@click.command()
+@click.argument("logs", nargs=-1, required=True, metavar="LOG...", type=Path)
+@click.option("--program", metavar="PATH", help="What ran, if it is not LOG's name with .mod.")
+@click.option("--robot", metavar="NAME|FILE.urdf", help="The arm.")
+@click.option("--station", metavar="FILE.toml", help="Where the fit starts from.")
+@click.option(
+    "--clock",
+    metavar="RATIO",
+    type=Number(0.5, 2.0),
+    default=1.0,
+    show_default=True,
+    help="Real seconds per second of the logs.",
+)
+@table_or_json
+@terminal_options
+def calibrate(
+    logs: tuple[Path, ...],
+    program: str | None,
+    robot: str | None,
+    station: str | None,
+    clock: float,
+    output_format: str,
+) -> int:
+    """Fit acceleration, smoothing and dwell to moves that a controller logged.
+
+    LOG is a CSV file of times and joint angles in degrees (`time,j1,...,j6`), taken every 4 to 12
+    ms from standstill before the program starts until the arm stands again. The program that ran is
+    the module of the same name beside it. A good set: one long straight move at moderate speed,
+    five or more short moves to stop points, and ten or more corners with small zones at full speed.
+    """
+    from rapidsim.cli.options.robot_choice import open_robot
+    from rapidsim.jobs.checked_program import load
+    from rapidsim.report.run.calibration import as_json, as_text
+    from rapidsim.simulation.calibration.fit import LoggedRun
+    from rapidsim.simulation.calibration.fit import calibrate as fit
+    from rapidsim.simulation.calibration.joint_log import read_joint_log
+
+    programs = [program or _program_beside(log) for log in logs]
+    settings = choose_station(programs, station)
+    arm = open_robot(choose_robot(robot, settings).name)
+    runs = []
+    for log, path in zip(logs, programs, strict=True):
+        read = read_joint_log(log, len(arm.joints))
+        tasks = read_tasks([path])
+        loaded = load(tasks[0].files)
+        if loaded.program is None:
+            raise InputError(f"{path} has mistakes", f"see them with `rapidsim check {path}`")
+        runs.append(LoggedRun(loaded.program, replace(read, times=read.times * clock)))
+    calibration = fit(runs, arm, settings.model)
+    if output_format == "json":
+        say(json.dumps(as_json(calibration), indent=2, allow_nan=False))
+    else:
+        current_terminal().show(as_text(calibration), soft_wrap=True)
+    return ExitCode.CLEAN
+
+
+def _program_beside(log: Path) -> str:
+    """The module that has the name of a log."""
+    for suffix in MODULE_SUFFIXES:
+        module = log.with_suffix(suffix)
+        if module.is_file():
+            return str(module)
+    if not log.exists():
+        raise InputError(f"{log} does not exist")
+    raise InputError(
+        f"no program belongs to {log}",
+        f"name it with --program, or call it {log.with_suffix('.mod').name}",
+    )

@@ -1,0 +1,220 @@
+"""`rapidsim check`: find the mistakes in a program without running it."""
+
+from __future__ import annotations
+
+import time
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import click
+
+from rapidsim.analysis.rules.table import detectors_of
+from rapidsim.analysis.suppressions import without_suppressed
+from rapidsim.cli.exit_codes import ExitCode
+from rapidsim.cli.options.check_settings import (
+    Selection,
+    choose_selection,
+    choose_settings,
+    fails_at,
+)
+from rapidsim.cli.options.inputs import all_tasks, choose_robot, choose_station, missing_neighbours
+from rapidsim.cli.options.move_checks import arm_and_reason, choose_move_check
+from rapidsim.cli.terminal import current_terminal, say, terminal_options
+from rapidsim.cli.tools.check_output import FORMATS, SPOKEN_FORMATS, checked_text
+from rapidsim.cli.tools.fixes import cured, difference, harmless_fixes
+from rapidsim.controller.cell.description import without_declared
+from rapidsim.diagnostics import Diagnostic, Severity
+from rapidsim.export.text_edits import write_edits
+from rapidsim.files import InputError, TaskFiles, input_text
+from rapidsim.jobs.check_files import CheckMoves, CheckResult, check_tasks
+from rapidsim.jobs.undriven_inputs import find_never_driven
+from rapidsim.output_files import whole_file
+from rapidsim.report.findings.baseline import Key, baseline_text, read_baseline, without_known
+from rapidsim.report.findings.checked_moves import coverage_lines
+from rapidsim.report.findings.merging import merged
+from rapidsim.report.findings.statistics import statistics
+from rapidsim.report.findings.text import summary_line
+from rapidsim.station.station import Station
+
+_SEVERITIES = tuple(Severity)
+
+
+@click.command(no_args_is_help=False)
+@click.argument("paths", metavar="PATH...", nargs=-1, required=True)
+@click.option("--robot", metavar="NAME|FILE.urdf", help="The arm the program is for.")
+@click.option("--station", metavar="FILE.toml", help="The station file, instead of a near one.")
+@click.option(
+    "--output-format",
+    type=click.Choice(FORMATS),
+    default="full",
+    show_default=True,
+    help="Source frames, one line a finding, or what other tools read.",
+)
+@click.option("--select", metavar="CODES", help="Only these rules: `K6,N201,syntax-error`.")
+@click.option("--extend-select", metavar="CODES", help="These rules besides, such as `S9`.")
+@click.option("--ignore", metavar="CODES", help="Not these rules.")
+@click.option("--fix", is_flag=True, help="Apply the fixes that change nothing in a run.")
+@click.option("--unsafe-fixes", is_flag=True, help="With --fix or --diff: all other fixes too.")
+@click.option("--diff", is_flag=True, help="Show what --fix would change, and change nothing.")
+@click.option(
+    "--baseline",
+    metavar="FILE",
+    help="Findings that are known; the file is made if there is none.",
+)
+@click.option("--update-baseline", is_flag=True, help="Write what is found now to the baseline.")
+@click.option("--statistics", "counted", is_flag=True, help="How often each rule is broken.")
+@click.option("--no-reach", is_flag=True, help="Do not ask whether the robot can make the moves.")
+@click.option("--no-run", is_flag=True, help="Do not run main for moves that only a run can tell.")
+@click.option("--no-merge", is_flag=True, help="Show each of the findings that repeat.")
+@click.option(
+    "--fail-on",
+    type=click.Choice([severity.value for severity in Severity]),
+    help="The least severity that makes the exit code 1.  [default: warning]",
+)
+@terminal_options
+def check(
+    paths: tuple[str, ...],
+    robot: str | None,
+    station: str | None,
+    output_format: str,
+    select: str | None,
+    extend_select: str | None,
+    ignore: str | None,
+    fix: bool,
+    unsafe_fixes: bool,
+    diff: bool,
+    baseline: str | None,
+    update_baseline: bool,
+    counted: bool,
+    no_reach: bool,
+    no_run: bool,
+    no_merge: bool,
+    fail_on: str | None,
+) -> int:
+    """Find the mistakes in RAPID modules: syntax, names, types, flow, data of motion.
+
+    PATH is a module (.mod .modx .sys .sysx .prg), a .pgf program file, a folder, a controller
+    backup, or - for standard input. What is named together is checked together, as one task.
+
+    A comment `! rapidsim: ignore[K601] reason` behind a statement, or on the line before it, takes
+    findings back.
+    """
+    started = time.perf_counter()
+    terminal = current_terminal()
+    cell = choose_station(paths, station)
+    settings = choose_settings(paths, cell.check)
+    cell = replace(cell, check=settings)
+    selection = choose_selection(settings, select, extend_select, ignore)
+    known_file = Path(baseline) if baseline else settings.baseline
+    if unsafe_fixes and not (fix or diff):
+        raise click.UsageError("--unsafe-fixes goes with --fix or --diff")
+    if update_baseline and known_file is None:
+        raise click.UsageError("--update-baseline needs --baseline FILE")
+    choice = choose_robot(robot, cell)
+    moves = choose_move_check(choice, cell, run=not no_run)
+    wanted = None if no_reach else moves
+    tasks = all_tasks(paths, cell)
+    result, kept = _found(tasks, cell, selection, wanted)
+    if diff:
+        chosen = harmless_fixes(kept, tasks, unsafe=unsafe_fixes)
+        say(difference(chosen.edits, tasks), nl=False)
+        return ExitCode.FINDINGS if chosen.edits else ExitCode.CLEAN
+    fixed = left_out = 0
+    if fix:
+        cure = cured(
+            tasks,
+            kept,
+            lambda new: _found(new, cell, selection, wanted)[1],
+            unsafe=unsafe_fixes,
+        )
+        fixed, left_out = cure.count, cure.left_out
+        if fixed:
+            sources = [file for task in tasks for file in task.files]
+            write_edits(cure.edits_of(tasks), sources, what="fixes")
+            tasks = all_tasks(paths, cell)
+            result, kept = _found(tasks, cell, selection, wanted)
+    new, known, made = kept, 0, None
+    if known_file is not None:
+        # A setting alone writes nothing: the repository that holds it is not trusted.
+        anew = update_baseline or (baseline is not None and not known_file.exists())
+        made = known_file if anew else None
+        new, known = without_known(kept, _baseline(known_file, kept, anew=made is not None))
+    findings = merged(new, merge=not no_merge)
+    if counted:
+        say(statistics(new, terminal.palette), palette=terminal.palette, nl=False)
+    else:
+        text = checked_text(output_format, findings, result, terminal.palette, terminal.width)
+        say(text, palette=terminal.palette, nl=False)
+    if output_format in SPOKEN_FORMATS and not terminal.quiet:
+        seconds = time.perf_counter() - started
+        files = len(result.files)
+        say(summary_line(findings, files=files, seconds=seconds, known=known))
+        for line in _remarks(paths, kept, fixed=fixed, left_out=left_out, known=known):
+            say(line)
+        if made is not None:
+            say(f"Written: {made} (baseline)")
+        if settings.cycle_budget_s is not None and (no_run or no_reach):
+            say("The cycle budget was not checked, because main was not run.")
+        for line in () if no_reach else coverage_lines(result.coverage, arm_and_reason(choice)):
+            say(line)
+    failing = _SEVERITIES[: _SEVERITIES.index(fails_at(fail_on, settings)) + 1]
+    failed = any(diagnostic.severity in failing for diagnostic in new)
+    return ExitCode.FINDINGS if failed else ExitCode.CLEAN
+
+
+def _found(
+    tasks: Sequence[TaskFiles], cell: Station, selection: Selection, moves: CheckMoves | None
+) -> tuple[CheckResult, tuple[Diagnostic, ...]]:
+    """What checking found, and what of it is shown."""
+    result = check_tasks(
+        tasks,
+        detectors_of(selection.wants),
+        moves,
+        even_without_moves=cell.check.cycle_budget_s is not None,
+    )
+    declared = without_declared(result.diagnostics, cell.io, cell.units)
+    undriven = find_never_driven(result.trees, cell.io)
+    unsuppressed = without_suppressed(
+        (*declared, *undriven),
+        result.trees,
+        is_looked_for=lambda code: selection.is_looked_for(code) and result.looked_for(code),
+    )
+    return result, selection.kept(unsuppressed)
+
+
+def _baseline(file: Path, found: Sequence[Diagnostic], *, anew: bool) -> Counter[Key]:
+    """The findings that are known; what was found now, where the baseline is written anew."""
+    if anew:
+        if file.exists():
+            # What is no baseline is not written over.
+            read_baseline(input_text(file), str(file))
+        text = baseline_text(found)
+        with whole_file(file) as temporary:
+            temporary.write_text(text, encoding="utf-8")
+        return read_baseline(text, str(file))
+    if not file.exists():
+        raise InputError(f"the baseline {file} does not exist", "`--update-baseline` writes it")
+    return read_baseline(input_text(file), str(file))
+
+
+def _remarks(
+    paths: Sequence[str],
+    found: Sequence[Diagnostic],
+    *,
+    fixed: int,
+    left_out: int,
+    known: int,
+) -> Iterator[str]:
+    """What a person wants to know besides the findings, one line each."""
+    if fixed:
+        yield f"Fixed {fixed}."
+    elif "-" not in paths and (curable := sum(bool(one.fix and one.fix.safe) for one in found)):
+        yield f"`--fix` cures {curable} of them."
+    if left_out:
+        yield f"Fixes left out, because they would leave more errors: {left_out}."
+    if known:
+        yield f"{known} more are in the baseline."
+    if hint := missing_neighbours(paths, found):
+        yield hint

@@ -1,0 +1,59 @@
+"""`rapidsim frames`: the frame tree of a program, without running it."""
+
+from __future__ import annotations
+
+import json
+
+import click
+
+from rapidsim.cli.exit_codes import ExitCode
+from rapidsim.cli.options.inputs import choose_robot, choose_station, one_task
+from rapidsim.cli.options.robot_choice import open_robot
+from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
+from rapidsim.jobs.checked_program import load
+from rapidsim.language.data import IDENTITY_POSE
+from rapidsim.motion.configurations.targets import pose
+from rapidsim.report.findings.merging import merged
+from rapidsim.report.findings.text import full, summary_line
+from rapidsim.report.tables.frame_text import frame_json, frame_text
+from rapidsim.report.tables.frame_tree import frame_tree
+from rapidsim.simulation.start_values import start_values
+
+
+@click.command()
+@click.argument("paths", metavar="PATH...", nargs=-1, required=True)
+@click.option("--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them.")
+@click.option("--station", metavar="FILE.toml", help="The station file, instead of a near one.")
+@click.option("--task", metavar="NAME", help="Only this one of several tasks.")
+@table_or_json
+@terminal_options
+def frames(
+    paths: tuple[str, ...],
+    robot: str | None,
+    station: str | None,
+    task: str | None,
+    output_format: str,
+) -> int:
+    """Show the frames of a program: world, base, tools, work objects, targets.
+
+    Positions are in mm in the frame above, angles in degrees about z, y and x as OrientZYX takes
+    them. Values are those before the program runs.
+    """
+    terminal = current_terminal()
+    cell = choose_station(paths, station)
+    files = one_task(paths, cell, task)
+    arm = open_robot(choose_robot(robot, cell).name)
+    loaded = load(files)
+    if loaded.program is None:
+        findings = merged(loaded.diagnostics)
+        text = full(findings, terminal.palette, width=terminal.width)
+        say(text, palette=terminal.palette, nl=False, err=True)
+        say(summary_line(findings, files=len(files), seconds=None), err=True)
+        return ExitCode.FINDINGS
+    stands = IDENTITY_POSE if cell.world_from_base is None else pose(cell.world_from_base)
+    root = frame_tree(loaded.program, start_values(loaded.program), arm.name, stands)
+    if output_format == "json":
+        say(json.dumps({"schema": 1, "root": frame_json(root)}, indent=2, allow_nan=False))
+    else:
+        terminal.show(frame_text(root))
+    return ExitCode.CLEAN

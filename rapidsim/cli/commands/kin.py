@@ -1,0 +1,264 @@
+"""`rapidsim kin`: forward and inverse kinematics and the Jacobian of one pose."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from time import perf_counter
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+
+from rapidsim.cli.exit_codes import ExitCode
+from rapidsim.cli.options.inputs import DEFAULT_ROBOT
+from rapidsim.cli.options.numbers import numbers
+from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
+from rapidsim.files import InputError
+
+if TYPE_CHECKING:
+    from rapidsim.frames.transform import Array, Transform
+    from rapidsim.motion.robot.robot import Robot
+    from rapidsim.report.tables.kin_json import Searched
+
+SEARCHES = ("lm", "bfgs", "trf")
+_UNIT_TOLERANCE = 1e-3
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+
+def _common(command: Command) -> Command:
+    """The options of all three commands."""
+    for option in (
+        terminal_options,
+        table_or_json,
+        click.option(
+            "--tool",
+            type=numbers(3, 7),
+            metavar="X,Y,Z[,Q1,Q2,Q3,Q4]",
+            help="The TCP in the flange [mm]; without it, the flange itself.",
+        ),
+        click.option(
+            "--robot",
+            metavar="NAME|FILE.urdf",
+            default=DEFAULT_ROBOT,
+            show_default=True,
+            help="The arm; `rapidsim robots` lists them.",
+        ),
+    ):
+        command = option(command)
+    return command
+
+
+@click.group(invoke_without_command=True)
+@terminal_options
+@click.pass_context
+def kin(context: click.Context) -> int | None:
+    """Forward and inverse kinematics and the Jacobian of one pose.
+
+    Positions are in mm in the robot's base frame, angles in degrees, quaternions scalar first.
+    """
+    if context.invoked_subcommand is None:
+        say(context.get_help())
+        return ExitCode.USAGE
+    return None
+
+
+@kin.command()
+@click.option("--joints", type=numbers(), required=True, metavar="A,B,...", help="Joints [deg].")
+@_common
+def fk(
+    joints: tuple[float, ...], robot: str, tool: tuple[float, ...] | None, output_format: str
+) -> int:
+    """Show where the flange is, or the TCP, and every link."""
+    from rapidsim.cli.options.robot_choice import open_robot
+    from rapidsim.report.tables.kin_json import forward_json
+    from rapidsim.report.tables.kin_tables import forward_page
+
+    arm = open_robot(robot)
+    angles = _joints(arm, joints)
+    flange_from_tcp = _tool(tool)
+    if output_format == "json":
+        _print_json(forward_json(arm, angles, flange_from_tcp))
+    else:
+        current_terminal().show(forward_page(arm, angles, flange_from_tcp))
+    return ExitCode.CLEAN
+
+
+@kin.command()
+@click.option(
+    "--position", type=numbers(3), required=True, metavar="X,Y,Z", help="Of the TCP in base [mm]."
+)
+@click.option(
+    "--quaternion", type=numbers(4), required=True, metavar="Q1,Q2,Q3,Q4", help="Scalar first."
+)
+@click.option(
+    "--conf",
+    type=numbers(4),
+    metavar="CF1,CF4,CF6,CFX",
+    help="Only the solution in this configuration.",
+)
+@click.option(
+    "--all", "everything", is_flag=True, help="Every whole turn, and what is outside the limits."
+)
+@click.option(
+    "--solver",
+    type=click.Choice(["auto", "analytic", *SEARCHES]),
+    default="auto",
+    show_default=True,
+    help="Closed form where the arm has one, else a search; or one of SciPy's by name.",
+)
+@_common
+def ik(
+    position: tuple[float, ...],
+    quaternion: tuple[float, ...],
+    conf: tuple[float, ...] | None,
+    everything: bool,
+    solver: str,
+    robot: str,
+    tool: tuple[float, ...] | None,
+    output_format: str,
+) -> int:
+    """Show the joints that bring the TCP to a pose.
+
+    One solution a branch within the joint limits, in the turn nearest to joint values 0. The exit
+    code is 1 if there is none.
+    """
+    from rapidsim.cli.options.robot_choice import open_robot
+    from rapidsim.motion.configurations.confdata import told_apart
+    from rapidsim.motion.configurations.pose_solutions import solve_pose, solve_pose_as
+    from rapidsim.report.tables.kin_json import inverse_json
+    from rapidsim.report.tables.kin_tables import inverse_page
+
+    arm = open_robot(robot)
+    closed_form = told_apart(arm.kinematics)
+    pose = _pose(position, quaternion, "--quaternion") @ _tool(tool).inverse()
+    searched: Searched | None = None
+    if solver in SEARCHES:
+        if conf is not None or everything:
+            raise InputError(
+                f"--solver {solver} finds one solution, in no configuration in particular",
+                "leave out --conf and --all, or use --solver analytic",
+            )
+        name = solver
+        found, searched = _search(arm, pose, solver)
+    elif solver == "analytic" and not closed_form:
+        raise InputError(f"{arm.name} has no closed form", "use --solver auto, lm, bfgs or trf")
+    else:
+        name = "analytic" if closed_form else "damped-least-squares"
+        if conf is None:
+            found = solve_pose(arm, pose, everything=everything)
+        elif not closed_form:
+            raise InputError(f"the solutions of {arm.name} are not told apart by confdata")
+        else:
+            found = solve_pose_as(arm, pose, _whole(conf))
+    if output_format == "json":
+        _print_json(inverse_json(arm, name, found, searched))
+    else:
+        current_terminal().show(inverse_page(arm, name, found, searched))
+    return ExitCode.CLEAN if found.why is None else ExitCode.FINDINGS
+
+
+@kin.command(short_help="Show how joints move the TCP, and how near singularities are.")
+@click.option("--joints", type=numbers(), required=True, metavar="A,B,...", help="Joints [deg].")
+@click.option(
+    "--twist",
+    type=numbers(6),
+    metavar="VX,VY,VZ,WX,WY,WZ",
+    help="Velocity of the TCP in base [mm/s, deg/s]: shows the joint speeds for it.",
+)
+@_common
+def jacobian(
+    joints: tuple[float, ...],
+    twist: tuple[float, ...] | None,
+    robot: str,
+    tool: tuple[float, ...] | None,
+    output_format: str,
+) -> int:
+    """Show how joint speeds move the TCP, and which singularity is near."""
+    import numpy as np
+
+    from rapidsim.cli.options.robot_choice import open_robot
+    from rapidsim.motion.configurations.singularities import differential
+    from rapidsim.report.tables.kin_json import jacobian_json
+    from rapidsim.report.tables.kin_tables import jacobian_page
+
+    arm = open_robot(robot)
+    found = differential(arm.kinematics, _joints(arm, joints), _tool(tool))
+    wanted: Array | None = None
+    if twist is not None:
+        wanted = np.array([*(v / 1000.0 for v in twist[:3]), *np.radians(twist[3:])])
+    if output_format == "json":
+        _print_json(jacobian_json(arm, found, wanted))
+    else:
+        current_terminal().show(jacobian_page(arm, found, wanted))
+    return ExitCode.CLEAN
+
+
+def _joints(arm: Robot, degrees: tuple[float, ...]) -> Array:
+    """Joints [rad]; those outside the limits are noted on stderr."""
+    import numpy as np
+
+    from rapidsim.motion.configurations.reachability import Unreachable, limit_excess
+
+    if len(degrees) != len(arm.joints):
+        raise InputError(
+            f"--joints has {len(degrees)} numbers, but {arm.name} has {len(arm.joints)} joints"
+        )
+    angles: Array = np.radians(np.array(degrees, dtype=np.float64))
+    for number, excess in enumerate(limit_excess(arm, angles).tolist(), start=1):
+        if excess and not current_terminal().quiet:
+            message = Unreachable(0.0, joint=number, excess=excess).message
+            say(f"note: {message}", err=True)
+    return angles
+
+
+def _tool(given: tuple[float, ...] | None) -> Transform:
+    """flange_from_tcp."""
+    given = given or (0.0, 0.0, 0.0)
+    return _pose(given[:3], given[3:] or (1.0, 0.0, 0.0, 0.0), "--tool")
+
+
+def _pose(position: tuple[float, ...], quaternion: tuple[float, ...], option: str) -> Transform:
+    import numpy as np
+
+    from rapidsim.frames.transform import Transform
+
+    length = float(np.linalg.norm(quaternion))
+    if abs(length - 1.0) > _UNIT_TOLERANCE:
+        raise InputError(
+            f"{option}: the quaternion has length {length:.4g}, not 1",
+            "the scalar part comes first, as RAPID writes it",
+        )
+    return Transform.from_quaternion(quaternion, [value / 1000.0 for value in position])
+
+
+def _whole(conf: tuple[float, ...]) -> tuple[int, ...]:
+    if any(value != int(value) for value in conf):
+        raise InputError("--conf takes whole numbers: cf1, cf4, cf6 and cfx")
+    return tuple(int(value) for value in conf)
+
+
+def _search(arm: Robot, pose: Transform, method: str) -> tuple[Any, Searched]:
+    """Search with one of SciPy's solvers."""
+    from rapidsim.motion.configurations.pose_solutions import PoseSolutions, solution
+    from rapidsim.motion.configurations.reachability import Unreachable, why_unreachable
+    from rapidsim.motion.configurations.scipy_solvers import TOLERANCE, search
+    from rapidsim.report.tables.kin_json import Searched
+
+    began = perf_counter()
+    found = search(arm, pose, method)
+    seconds = perf_counter() - began
+    searched = Searched(found.starts, found.iterations, TOLERANCE, seconds)
+    if found.solved:
+        return PoseSolutions((solution(arm, pose, found.joints),), None), searched
+    known = why_unreachable(arm, pose)
+    came = Unreachable(found.distance, tilt=found.angle, searched=True)
+    if found.distance <= TOLERANCE and found.angle <= TOLERANCE:
+        why = f"{method} found joints outside the limits only"
+        nearest = (solution(arm, pose, found.joints),)
+        return PoseSolutions(nearest, known.message if known else why), searched
+    return PoseSolutions((), known.message if known else came.message), searched
+
+
+def _print_json(report: dict[str, object]) -> None:
+    say(json.dumps(report, indent=2, allow_nan=False))

@@ -1,0 +1,100 @@
+"""Which findings a check shows: what command line, station file and pyproject.toml say together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fnmatch import fnmatch
+from pathlib import Path, PurePath
+
+from rapidsim.cli.options.selectors import expect_rules
+from rapidsim.diagnostics import Diagnostic, Rule, Severity
+from rapidsim.report.findings.merging import is_selected
+from rapidsim.station.check import CheckSettings, find_project_settings
+
+
+@dataclass(frozen=True, slots=True)
+class Selection:
+    """What is looked for and shown."""
+
+    settings: CheckSettings
+    select: tuple[str, ...]
+    """Rules that are looked for; none means those that are on by default."""
+    also: tuple[str, ...]
+    """Rules besides."""
+    ignore: tuple[str, ...]
+    """Rules that are left out."""
+
+    def wants(self, rule: Rule) -> bool:
+        """Whether a rule is looked for."""
+        return is_selected(rule, self.select, self.ignore, self.also)
+
+    def is_looked_for(self, selector: str) -> bool:
+        """Whether something that a selector means is surely looked for in every check."""
+        # Only the rules that this command has not narrowed or widened are sure to be looked for.
+        return not self.select and not any(
+            selector.upper().startswith(one.upper()) or one.upper().startswith(selector.upper())
+            for one in self.ignore
+        )
+
+    def kept(self, diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+        """The findings that are shown."""
+        return tuple(
+            diagnostic
+            for diagnostic in diagnostics
+            if self.wants(diagnostic.violation.rule) and not self._is_left_out(diagnostic)
+        )
+
+    def _is_left_out(self, diagnostic: Diagnostic) -> bool:
+        file = diagnostic.span.file if diagnostic.span else ""
+        return any(
+            any(diagnostic.violation.rule.matches(one) for one in selectors)
+            and _fits(file, pattern, self.settings.file)
+            for pattern, selectors in self.settings.per_file_ignores.items()
+        )
+
+
+def choose_settings(paths: Sequence[str], station: CheckSettings) -> CheckSettings:
+    """The settings of the station file; where it has none, those of the project."""
+    if station != CheckSettings(file=station.file):
+        return station
+    return find_project_settings(paths) or station
+
+
+def choose_selection(
+    settings: CheckSettings, select: str | None, also: str | None, ignore: str | None
+) -> Selection:
+    """What the options say, and where they are silent the settings.
+
+    Raises:
+        InputError: If something names no rule.
+    """
+    selected = _listed(select) or settings.select
+    widened = (*_listed(also), *settings.extend_select)
+    ignored = (*_listed(ignore), *settings.ignore)
+    for_files = [one for codes in settings.per_file_ignores.values() for one in codes]
+    if everything := (*selected, *widened, *ignored, *for_files):
+        expect_rules(everything)
+    return Selection(settings, selected, widened, ignored)
+
+
+def fails_at(option: str | None, settings: CheckSettings) -> Severity:
+    """The least severity that makes the exit code 1."""
+    return Severity(option) if option else settings.fail_on or Severity.WARNING
+
+
+def _listed(option: str | None) -> tuple[str, ...]:
+    return tuple(code.strip() for code in (option or "").split(",") if code.strip())
+
+
+def _fits(file: str, pattern: str, settings_file: Path | None) -> bool:
+    """Whether a pattern means a file: by its name, or by its path from the settings."""
+    path = PurePath(file)
+    if fnmatch(path.name.lower(), pattern.lower()):
+        return True
+    shown = path.as_posix()
+    if settings_file is not None:
+        folder, place = settings_file.parent.resolve(), Path(file).resolve()
+        if place.is_relative_to(folder):
+            shown = place.relative_to(folder).as_posix()
+    return fnmatch(shown.lower(), pattern.lower())

@@ -1,0 +1,241 @@
+"""The files that `rapidsim run` writes: refused before a long run rather than after it."""
+
+from __future__ import annotations
+
+import functools
+import os
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, fields
+from pathlib import Path
+
+import click
+
+from rapidsim.cli.options.numbers import POSITIVE
+from rapidsim.cli.viewer import require_screen
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.files import InputError, SourceFile, did_you_mean
+from rapidsim.report.run.summary import Written
+from rapidsim.simulation.results.simulation import Simulation
+
+TRACE_STEP_S = 0.012
+VALUES = "values of persistents"
+"""What was written into files of the program."""
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """What the command line says about files to write, as it was typed."""
+
+    record: str | None
+    no_record: bool
+    record_dt: float | None
+    view: bool
+    report: str | None
+    plots: str | None
+    trace: str | None
+    dt: float
+    events: str | None
+
+
+_OPTIONS = (
+    click.option("--record", metavar="FILE.rrd", help="The recording; else <program>.rrd here."),
+    click.option("--no-record", is_flag=True, help="Write no recording."),
+    click.option(
+        "--record-dt",
+        metavar="SECONDS",
+        type=POSITIVE,
+        help="Step of the recording; else 0.012, and more where it would get over 100 MB.",
+    ),
+    click.option("--view", is_flag=True, help="Open the recording when it is written."),
+    click.option("--report", metavar="FILE.html", help="A report to mail: one file, no network."),
+    click.option("--plots", metavar="DIR", help="Pictures of path, joints, speed and times."),
+    click.option("--trace", metavar="FILE", help="Joints and TCP: .csv .parquet .json .ros.json"),
+    click.option(
+        "--dt",
+        metavar="SECONDS",
+        type=POSITIVE,
+        default=TRACE_STEP_S,
+        show_default=True,
+        help="Step of the trace.",
+    ),
+    click.option("--events", metavar="FILE.jsonl", help="What happened, a JSON object a line."),
+)
+
+
+def output_options(command: Callable[..., int]) -> Callable[..., int]:
+    """Give a command the options above; it gets what was typed as one `asked`."""
+
+    @functools.wraps(command)
+    def asking(*arguments: object, **options: object) -> int:
+        typed = {field.name: options.pop(field.name) for field in fields(Asked)}
+        return command(*arguments, asked=Asked(**typed), **options)  # type: ignore[arg-type]
+
+    # Decorators stand on the help page from the last applied to the first.
+    for option in reversed(_OPTIONS):
+        asking = option(asking)
+    return asking
+
+
+@dataclass(frozen=True, slots=True)
+class Outputs:
+    """Files to write; None is not written."""
+
+    recording: Path | None
+    recording_step_s: float | None
+    """None leaves it to the length of the run."""
+    view: bool
+    report: Path | None
+    plots: Path | None
+    trace: Path | None
+    trace_step_s: float
+    events: Path | None
+
+
+def new_outputs(asked: Asked, program: str) -> Outputs:
+    """The places to write to, for a program of some name.
+
+    Raises:
+        InputError: If something contradicts itself or cannot be written.
+    """
+    if asked.no_record:
+        for name, given in (
+            ("--record", asked.record),
+            ("--record-dt", asked.record_dt),
+            ("--view", asked.view),
+        ):
+            if given:
+                raise InputError(f"{name} and --no-record exclude each other")
+    if asked.view:
+        require_screen()
+    if asked.plots:
+        _require_matplotlib()
+    recording = None if asked.no_record else asked.record or f"{program}.rrd"
+    return Outputs(
+        recording=new_file(recording, (".rrd",)) if recording else None,
+        recording_step_s=asked.record_dt,
+        view=asked.view,
+        report=new_file(asked.report, (".html", ".htm")) if asked.report else None,
+        plots=_new_folder(asked.plots) if asked.plots else None,
+        trace=new_file(asked.trace, (".csv", ".parquet", ".json")) if asked.trace else None,
+        trace_step_s=asked.dt,
+        events=new_file(asked.events, (".jsonl",)) if asked.events else None,
+    )
+
+
+def new_profile(name: str) -> Path:
+    """The place of a profile of the interpreter.
+
+    Raises:
+        InputError: If nothing of that kind can be written there.
+    """
+    return new_file(name, (".prof",))
+
+
+def write(
+    simulation: Simulation, findings: tuple[Diagnostic, ...], outputs: Outputs
+) -> tuple[tuple[Written, ...], InputError | None]:
+    """Write the files asked for; what can be written is, even if something else cannot.
+
+    Args:
+        simulation: The run.
+        findings: What checking and running found.
+        outputs: What to write.
+
+    Returns:
+        The files written, and the first mistake that kept one from being written.
+    """
+    written: list[Written] = []
+    refused: InputError | None = None
+    for what, path, writer in _writers(simulation, findings, outputs):
+        try:
+            writer()
+            written.append(Written(path, what))
+        except InputError as error:
+            refused = refused or error
+    return tuple(written), refused
+
+
+def _writers(
+    simulation: Simulation, findings: tuple[Diagnostic, ...], outputs: Outputs
+) -> Iterator[tuple[str, Path, Callable[[], object]]]:
+    """What is written, where, and by what; it imports rerun and more, so only when asked for."""
+    if outputs.recording:
+        # rerun would repeat on stderr, in its own words, what our messages say.
+        os.environ.setdefault("RUST_LOG", "off")
+        from rapidsim.recording.layout.write import record
+
+        step = outputs.recording_step_s
+        yield (
+            "recording",
+            outputs.recording,
+            functools.partial(record, simulation, outputs.recording, dt=step),
+        )
+    if outputs.report:
+        from rapidsim.report.html.write import write_report
+
+        writer = functools.partial(write_report, simulation, findings, outputs.report)
+        yield "report", outputs.report, writer
+    if outputs.plots:
+        from rapidsim.plots.write import write_plots
+
+        yield "plots", outputs.plots, functools.partial(write_plots, simulation, outputs.plots)
+    if outputs.trace:
+        from rapidsim.export.trace import write_trace
+
+        trace = functools.partial(write_trace, simulation, outputs.trace, outputs.trace_step_s)
+        yield "trace", outputs.trace, trace
+    if outputs.events:
+        from rapidsim.export.events import write_events
+
+        yield "events", outputs.events, functools.partial(write_events, simulation, outputs.events)
+
+
+def write_values(simulation: Simulation, files: Iterable[SourceFile]) -> tuple[Written, ...]:
+    """Write what persistents hold into the program's files.
+
+    Raises:
+        InputError: If one of them cannot be written; then none is.
+    """
+    from rapidsim.export.persistents import write_persistents
+
+    written = write_persistents(simulation.persistents, files)
+    return tuple(Written(path, VALUES) for path in written)
+
+
+def new_file(name: str, suffixes: tuple[str, ...]) -> Path:
+    """The place of a file with one of some suffixes, refused if it cannot be written there."""
+    path = Path(name)
+    if path.suffix.lower() not in suffixes:
+        raise InputError(f"{path} must end in {' or '.join(suffixes)}")
+    if path.is_dir():
+        raise InputError(f"{path} cannot be written: it is a folder")
+    _require_writable(path, path.parent)
+    return path
+
+
+def _new_folder(name: str) -> Path:
+    path = Path(name)
+    if path.exists() and not path.is_dir():
+        raise InputError(f"{path} is a file; pictures need a folder")
+    _require_writable(path, path if path.exists() else path.parent)
+    return path
+
+
+def _require_writable(path: Path, folder: Path) -> None:
+    if not folder.is_dir():
+        near = [one.name for one in folder.parent.iterdir()] if folder.parent.is_dir() else []
+        raise InputError(
+            f"{path} cannot be written: {folder} is no folder", did_you_mean(folder.name, near)
+        )
+    if not os.access(folder, os.W_OK | os.X_OK):
+        raise InputError(f"{path} cannot be written: the folder {folder} may not be written to")
+
+
+def _require_matplotlib() -> None:
+    from importlib.util import find_spec
+
+    if find_spec("matplotlib") is None:
+        raise InputError(
+            "--plots needs matplotlib, which is not installed",
+            "pip install matplotlib; --report needs nothing more",
+        )

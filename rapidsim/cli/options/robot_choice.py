@@ -1,0 +1,23 @@
+"""Open the robot a command is to use; imports NumPy, so commands import it late."""
+
+from __future__ import annotations
+
+from rapidsim.cli.terminal import say
+from rapidsim.files import InputError
+from rapidsim.motion.robot.catalogue import RobotError
+from rapidsim.motion.robot.robot import Robot, load_robot
+
+
+def open_robot(name: str) -> Robot:
+    """A robot of the catalogue or of a URDF file; what is special about it is said on stderr.
+
+    Raises:
+        InputError: If it is unknown, unreadable, or not supported.
+    """
+    try:
+        robot = load_robot(name)
+    except RobotError as error:
+        raise InputError(str(error), "`rapidsim robots` lists the catalogue") from error
+    for notice in robot.notices:
+        say(f"note: {notice}", err=True)
+    return robot

@@ -1,0 +1,1 @@
+"""Debugger, profiler, viewer, fixes: what commands do beside their job."""

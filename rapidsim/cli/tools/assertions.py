@@ -1,0 +1,182 @@
+"""`rapidsim run --assert` and the cycle budget: what is asked before a run and judged after it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from rapidsim.analysis.names.name_violations import UndefinedName
+from rapidsim.analysis.names.signal_violations import UnknownSignal
+from rapidsim.analysis.program import Program, UnknownSymbol
+from rapidsim.cli.terminal import Terminal, say
+from rapidsim.controller.cell.description import CellIo, without_declared
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.files import InputError, did_you_mean
+from rapidsim.interpreter.tools.questions import NotAskedError, Question, answers, ask, own_names
+from rapidsim.report.findings.source_frame import source_frame
+from rapidsim.report.run.assertion_figures import ASKED_FIGURES
+from rapidsim.report.run.verdicts import BudgetVerdict, Verdict
+from rapidsim.simulation.results.simulation import End
+from rapidsim.simulation.simulate import FinishedRun
+
+LABEL = "--assert"
+_MAIN = "main"
+_PREFIX = re.compile(r"\s*([A-Za-z]\w*)\s*:(?!=)")
+_CUT = {
+    End.ERROR: "the run stopped with an error",
+    End.TIME_LIMIT: "the run was cut off at the time limit",
+}
+"""Ends after which nothing is judged: what the program would have left is not known."""
+
+
+@dataclass(frozen=True, slots=True)
+class Assertion:
+    """An expression, and the task it is asked of."""
+
+    text: str
+    """As the user gave it."""
+    task: str
+    question: Question
+
+
+def read_assertions(
+    texts: Sequence[str],
+    programs: Mapping[str, Program],
+    io: CellIo,
+    terminal: Terminal,
+) -> tuple[Assertion, ...]:
+    """Check expressions before the run.
+
+    Args:
+        texts: As the user gave them.
+        programs: Of the tasks, by name.
+        io: The signals that the station declares.
+        terminal: Where mistakes in them are shown.
+
+    Raises:
+        InputError: If one is wrong.
+    """
+    return tuple(_read(text, programs, io, terminal) for text in texts)
+
+
+def judge_assertions(
+    assertions: Sequence[Assertion], run: FinishedRun, figures: Mapping[str, float]
+) -> tuple[Verdict, ...]:
+    """Judge expressions after the run, in the order they were given."""
+    reason = _CUT.get(run.simulation.end)
+    if reason is not None:
+        return tuple(Verdict(one.text, one.task, None, reason=reason) for one in assertions)
+    verdicts: dict[int, Verdict] = {}
+    for name, task in run.tasks.items():
+        asked = [(place, one) for place, one in enumerate(assertions) if one.task == name]
+        if not asked:
+            continue
+        found = answers(task, [one.question for _, one in asked], figures)
+        for (place, one), answer in zip(asked, found, strict=True):
+            verdicts[place] = Verdict(one.text, name, answer.holds, answer.values, answer.error)
+    return tuple(verdicts[place] for place in range(len(assertions)))
+
+
+def judge_budget(
+    budget_s: float | None, run: FinishedRun, cycles: int, entry: str
+) -> BudgetVerdict | None:
+    """Whether a cycle of main keeps its budget; None where the station file gives none."""
+    if budget_s is None:
+        return None
+    end, time_s = run.simulation.end, run.simulation.time_s
+    reason = _CUT.get(end)
+    if entry.lower() != _MAIN:
+        reason = f"it is about `main`, and `{entry}` was run"
+    elif end is End.STOPPED and (cycles > 1 or time_s <= budget_s):
+        reason = "the program stopped itself before the end of its cycle"
+    if reason is not None:
+        return BudgetVerdict(budget_s, cycles, reason=reason)
+    return BudgetVerdict(budget_s, cycles, time_s / cycles)
+
+
+def _read(text: str, programs: Mapping[str, Program], io: CellIo, terminal: Terminal) -> Assertion:
+    expression, asked = _tasks(text, programs)
+    good: dict[str, Question] = {}
+    bad: dict[str, tuple[Diagnostic, ...]] = {}
+    for name, program in asked.items():
+        try:
+            found = ask(expression, LABEL, program, ASKED_FIGURES)
+        except NotAskedError as error:
+            raise InputError(f"{LABEL} `{text}`: {error}") from None
+        wrong = without_declared(found.findings, io)
+        if found.question is None or wrong:
+            bad[name] = wrong
+        else:
+            good[name] = found.question
+    if not good:
+        name, (first, *_) = min(bad.items(), key=lambda item: len(item[1]))
+        _show_place(first, terminal)
+        nowhere = f"; in the other task{'s' if len(bad) > 2 else ''} neither"
+        raise InputError(
+            f"{LABEL}: {_words(first)}{nowhere if len(bad) > 1 else ''}",
+            _cure(first, asked[name], io),
+        )
+    name, question = next(iter(good.items()))
+    if len(good) > 1 and any(one.is_of_task for one in good.values()):
+        raise InputError(
+            f"{LABEL} `{text}`: the tasks {', '.join(good)} may each answer it otherwise",
+            f"name one: {LABEL} '{name}:{expression.strip()}'",
+        )
+    _say_hidden(expression, asked[name])
+    return Assertion(text.strip(), name, question)
+
+
+def _tasks(text: str, programs: Mapping[str, Program]) -> tuple[str, Mapping[str, Program]]:
+    """The expression without the task that stands before it, and the tasks to ask."""
+    match = _PREFIX.match(text)
+    if match is None:
+        return text, programs
+    named = {name: one for name, one in programs.items() if name.lower() == match[1].lower()}
+    if not named:
+        raise InputError(
+            f"{LABEL} `{text.strip()}`: there is no task `{match[1]}`",
+            did_you_mean(match[1], programs) or f"the run has {', '.join(programs)}",
+        )
+    return text[match.end() :], named
+
+
+def _show_place(finding: Diagnostic, terminal: Terminal) -> None:
+    """Show the expression with carets under what is wrong."""
+    if finding.span is not None:
+        palette, width = terminal.palette, terminal.width
+        frame = source_frame(finding.span, "", palette, colour=palette.error, width=width)
+        say("\n".join(frame), palette=palette, err=True)
+
+
+def _words(finding: Diagnostic) -> str:
+    """What is wrong, without the function that the checker was given around the expression."""
+    violation = finding.violation
+    if isinstance(violation, UnknownSignal):
+        return f"neither the station nor the program has a signal `{violation.signal}`"
+    text = violation.message.replace("`;` is expected", "its end is expected")
+    text = text.replace(" in the RETURN statement", "")
+    return re.sub(r"RETURN in `\w+`|the RETURN statement", "the expression", text)
+
+
+def _cure(finding: Diagnostic, program: Program, io: CellIo) -> str | None:
+    """How the expression could be mended."""
+    violation = finding.violation
+    if isinstance(violation, UndefinedName) and violation.nearest is None:
+        return f"it may name data and signals of the program, and {', '.join(ASKED_FIGURES)}"
+    if not isinstance(violation, UnknownSignal):
+        return violation.help
+    used = {one.name for one in program.symbol_of.values() if isinstance(one, UnknownSymbol)}
+    known = sorted((used | {one.name for one in io.signals}) - {violation.signal})
+    return did_you_mean(violation.signal, known)
+
+
+def _say_hidden(expression: str, program: Program) -> None:
+    """Say which names mean the program's own data and not the figure of the run."""
+    words = {word.lower() for word in re.findall(r"[A-Za-z]\w*", expression)}
+    for name in ASKED_FIGURES:
+        if name in words & own_names(program):
+            say(
+                f"note: {LABEL}: `{name}` is the program's own here, not the figure of the run",
+                err=True,
+            )

@@ -1,0 +1,65 @@
+"""What a check prints: the findings in one of six formats."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+
+from rapidsim import __version__
+from rapidsim.jobs.check_files import CheckResult
+from rapidsim.report.findings.merging import Finding
+from rapidsim.report.findings.text import concise, diagnostic_json, full
+from rapidsim.report.palette import Palette
+
+FORMATS = ("full", "concise", "json", "sarif", "github", "junit")
+SPOKEN_FORMATS = ("full", "concise")
+"""Formats that a person reads; a summary follows."""
+
+
+def checked_text(
+    format: str, findings: Sequence[Finding], result: CheckResult, palette: Palette, width: int
+) -> str:
+    """The findings as text that ends in a line end, where there is any."""
+    match format:
+        case "full":
+            return full(findings, palette, width=width)
+        case "concise":
+            return concise(findings, palette)
+        case "sarif":
+            from rapidsim.report.findings.sarif import sarif
+
+            return _json(sarif(findings, __version__))
+        case "github":
+            from rapidsim.report.findings.github import github
+
+            return github(findings)
+        case "junit":
+            from rapidsim.report.findings.junit import junit
+
+            return junit(findings, result.files)
+        case _:
+            return _json(_report(findings, result))
+
+
+def _json(value: object) -> str:
+    return f"{json.dumps(value, indent=2, allow_nan=False)}\n"
+
+
+def _report(findings: Sequence[Finding], result: CheckResult) -> dict[str, object]:
+    coverage = result.coverage
+    unchecked = [
+        {"file": move.span.file, "line": move.span.line, "reason": move.reason}
+        for move in coverage.unchecked
+    ]
+    return {
+        "schema": 1,
+        "files": len(result.files),
+        "diagnostics": [diagnostic_json(finding) for finding in findings],
+        "coverage": {
+            "moves": coverage.moves,
+            "checked": coverage.checked,
+            "by_value": coverage.by_value,
+            "by_run": coverage.by_run,
+            "unchecked": unchecked,
+        },
+    }

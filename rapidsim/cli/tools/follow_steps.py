@@ -1,0 +1,265 @@
+"""The steps of `rapidsim follow`; imports NumPy, so the command imports it late."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from time import perf_counter
+
+import numpy as np
+from rich.console import Group, RenderableType
+from rich.text import Text
+
+from rapidsim.files import InputError
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.configurations.pose_solutions import solve_pose_as
+from rapidsim.motion.kinematics.closed_form.five_axis import FiveAxis
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.waypoints.follow import Followed, follow
+from rapidsim.motion.waypoints.keep_out_sphere import ThroughBaseError, pushed_out
+from rapidsim.motion.waypoints.plan import Plan, Refused, Way
+from rapidsim.motion.waypoints.points import Points, posed
+from rapidsim.motion.waypoints.reachability import reach
+from rapidsim.report.run.summary import Written, files_text
+from rapidsim.report.tables.follow_tables import (
+    Asked,
+    Attempt,
+    compare_page,
+    over_speed,
+    points_page,
+    trajectory_page,
+    turns_page,
+)
+
+_DOWN = (0.0, 1.0, 0.0, 0.0)
+"""The tool straight down, its x axis forward."""
+_UNIT_TOLERANCE = 1e-3
+_METRES = 10.0
+"""Points that are all nearer to the origin than this [mm] were hardly meant in mm."""
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """What the command line says, numbers in mm and degrees as written."""
+
+    robot: Robot
+    tool: tuple[float, ...]
+    plan: Plan
+    via_speed: tuple[float, ...] | None
+    start: tuple[float, ...] | None
+    conf: tuple[float, ...] | None
+    dt: float
+    skip_unreachable: bool
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Task:
+    """Points with attitudes, ready to be followed."""
+
+    asked: Asked
+    points: Points
+    """Those to be followed."""
+    attitudes: Array
+    flange_from_tcp: Transform
+    missing: int
+    """How many points are out of reach and not left out."""
+    start: Array | None
+    first: Array | None
+    dt: float
+    remarks: tuple[str, ...]
+    """What was assumed, a line each."""
+
+    @property
+    def all_reached(self) -> bool:
+        """Whether the arm reaches every point of the table."""
+        return all(point.reachable for point in self.asked.reached)
+
+
+def prepared(given: Given, points: Points) -> Task:
+    """Complete points, and look at which the arm reaches.
+
+    Raises:
+        InputError: If options do not fit the arm.
+    """
+    robot = given.robot
+    flange_from_tcp = _tool(given.tool)
+    remarks = []
+    if given.plan.avoid:
+        outside = _moved_out(points, given.plan.least_radius)
+        moved = int(np.any(outside.positions != points.positions, axis=1).sum())
+        remarks += [f"points inside the sphere are moved to its surface: {moved}"] if moved else []
+        points = outside
+    if points.attitudes is None and isinstance(robot.kinematics, FiveAxis):
+        remarks.append("no column gives the pitch of the tool: it is chosen point by point")
+    elif points.attitudes is None:
+        points = replace(points, attitudes=np.tile(_DOWN, (len(points), 1)))
+        remarks.append("no column gives the attitude of the tool: it points straight down")
+    if given.via_speed is not None:
+        points = replace(points, speeds=_via_speeds(robot, points, given.via_speed))
+    reached, attitudes = reach(robot, points, flange_from_tcp)
+    rows = np.flatnonzero([point.reachable for point in reached])
+    some, some_attitudes = points, attitudes
+    missing = len(points) - len(rows)
+    if missing and given.skip_unreachable:
+        some, some_attitudes, missing = points.some(rows), attitudes[rows], 0
+    first = None
+    if given.conf is not None and not missing and len(some):
+        pose = posed(some.positions[:1], some_attitudes[:1])[0] @ flange_from_tcp.inverse()
+        first = _first(robot, pose, given.conf)
+    return Task(
+        asked=Asked(robot, points, reached, attitudes, given.plan),
+        points=some,
+        attitudes=some_attitudes,
+        flange_from_tcp=flange_from_tcp,
+        missing=missing,
+        start=None if given.start is None else _joints(robot, given.start, "--start"),
+        first=first,
+        dt=given.dt,
+        remarks=tuple(remarks),
+    )
+
+
+def attempt_all(task: Task, plan: Plan, ways: Sequence[Way]) -> tuple[Attempt, ...]:
+    """Solve the trajectory in some ways, and take the time that it costs."""
+    return tuple(_attempt(task, replace(plan, way=way)) for way in ways)
+
+
+def unused(task: Task, plan: Plan) -> tuple[str, ...]:
+    """What was assumed or given in vain, a line each."""
+    points, quintic = task.asked.points, plan.way is Way.JOINT_QUINTIC
+    remarks = list(task.remarks)
+    furthest_mm = 1000.0 * float(np.abs(points.positions).max())
+    if furthest_mm < _METRES:
+        remarks.append(f"no coordinate is beyond {furthest_mm:g} mm: x, y and z are mm, not m")
+    for values, what in (
+        (points.speeds, "joint speeds"),
+        (points.accelerations, "joint accelerations"),
+        (points.times, "times"),
+    ):
+        if values is not None and not quintic:
+            remarks.append(f"{what} at the points count for --path joint-quintic only")
+    if points.knots is not None and plan.way is not Way.SPLINE:
+        remarks.append("knots count for --path spline only")
+    if plan.least_radius and not plan.way.of_tcp:
+        remarks.append("--min-radius is not looked at between points in joint space")
+    return tuple(remarks)
+
+
+def written(
+    result: Followed | Refused, title: str, recording: Path | None, trace: Path | None
+) -> tuple[Written, ...]:
+    """Write the files asked for, if there is a trajectory."""
+    if isinstance(result, Refused):
+        return ()
+    files = []
+    if recording:
+        from rapidsim.recording.layout.waypoint_recording import record_followed
+
+        record_followed(result, Path(title).name, recording)
+        files.append(Written(recording, "recording"))
+    if trace:
+        from rapidsim.export.trace import write_samples
+
+        write_samples(result.samples, trace)
+        files.append(Written(trace, "trace"))
+    return tuple(files)
+
+
+def shown(
+    task: Task, attempts: Sequence[Attempt], files: Sequence[Written], *, compare: bool
+) -> RenderableType:
+    """Everything a person is told."""
+    parts: list[RenderableType] = [points_page(task.asked), Text()]
+    if compare:
+        parts.append(compare_page(attempts))
+        turns = turns_page(task.attitudes)
+        parts += [] if turns is None else [Text(), turns]
+        return Group(*parts)
+    (attempt,) = attempts
+    parts.append(trajectory_page(attempt))
+    if isinstance(attempt.result, Followed):
+        over = over_speed(attempt.result)
+        parts += [Text(line, "red") for line in over]
+        if over:
+            most = max(ratio for ratio in attempt.result.speed_ratios if ratio is not None)
+            parts.append(Text(f" help: about {100.0 / most:.2g} % of the speed would do"))
+        if any(joint.max_speed is None for joint in task.asked.robot.joints):
+            parts.append(Text("no source gives the axis speeds of this arm: not checked", "dim"))
+    if files:
+        parts += [Text(), files_text(files)]
+    return Group(*parts)
+
+
+def _attempt(task: Task, plan: Plan) -> Attempt:
+    if task.missing:
+        count = len(task.asked.points)
+        refused = Refused(
+            f"{task.missing} of {count} points are out of reach",
+            "--skip-unreachable leaves them out",
+        )
+        return Attempt(plan, refused, 0.0)
+    began = perf_counter()
+    result = follow(
+        task.asked.robot,
+        task.points,
+        task.attitudes,
+        task.flange_from_tcp,
+        plan,
+        start=task.start,
+        first=task.first,
+        dt=task.dt,
+    )
+    return Attempt(plan, result, perf_counter() - began)
+
+
+def _tool(given: tuple[float, ...]) -> Transform:
+    """flange_from_tcp."""
+    quaternion = given[3:] or (1.0, 0.0, 0.0, 0.0)
+    length = float(np.linalg.norm(quaternion))
+    if abs(length - 1.0) > _UNIT_TOLERANCE:
+        raise InputError(
+            f"--tool: the quaternion has length {length:.4g}, not 1",
+            "the scalar part comes first, as RAPID writes it",
+        )
+    return Transform.from_quaternion(quaternion, [value / 1000.0 for value in given[:3]])
+
+
+def _joints(robot: Robot, degrees: tuple[float, ...], option: str) -> Array:
+    if len(degrees) != len(robot.joints):
+        raise InputError(
+            f"{option} has {len(degrees)} numbers, but {robot.name} has {len(robot.joints)} joints"
+        )
+    angles: Array = np.radians(np.array(degrees, dtype=np.float64))
+    return angles
+
+
+def _moved_out(points: Points, radius: float) -> Points:
+    """Points with those inside a sphere [m] around the base moved to its surface."""
+    try:
+        return replace(points, positions=pushed_out(points.positions, radius))
+    except ThroughBaseError:
+        raise InputError(
+            "a point lies in the origin of the base: no side of it is nearer", "move it"
+        ) from None
+
+
+def _via_speeds(robot: Robot, points: Points, given: tuple[float, ...]) -> Array:
+    """Joint speeds (k, n) [rad/s]: at rest at both ends, the same at all points between."""
+    if points.speeds is not None:
+        raise InputError("--via-speed: the table has joint speeds of its own", "leave one out")
+    if len(given) == 1:
+        given *= len(robot.joints)
+    speeds = np.tile(_joints(robot, given, "--via-speed"), (len(points), 1))
+    speeds[[0, -1]] = 0.0
+    return speeds
+
+
+def _first(robot: Robot, base_from_flange: Transform, conf: tuple[float, ...]) -> Array:
+    """Joints (n,) [rad] of the first pose in a configuration."""
+    if any(value != int(value) for value in conf):
+        raise InputError("--conf takes whole numbers: cf1, cf4, cf6 and cfx")
+    found = solve_pose_as(robot, base_from_flange, [int(value) for value in conf])
+    if found.why is not None:
+        raise InputError(f"--conf: the first point cannot be taken so: {found.why}")
+    return found.solutions[0].joints

@@ -1,0 +1,306 @@
+"""What all tasks of a cell share: signals and what drives them, the home folder, the operator.
+
+A signal that changes makes everything happen that hangs on it, at the same instant: signals that
+follow it, interrupts, and stimuli whose condition comes true. Changes that are still to come wait
+in one list; a task lets them happen while it passes time.
+
+Passing time goes through `turns`, so that several tasks can share one clock.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Protocol
+
+from rapidsim.controller.cell.description import CrossConnection, Stimulus
+from rapidsim.controller.cell.home_folder import HomeFolder
+from rapidsim.controller.cell.inputs import CellInputs
+from rapidsim.controller.cell.operator import Operator
+from rapidsim.controller.cell.rendezvous import Meetings
+from rapidsim.controller.cell.signals import SignalTable
+from rapidsim.controller.cell.streams import SocketTable
+from rapidsim.controller.cell.text_tables import TextTables
+from rapidsim.controller.cell.watchdog import Watchdog
+from rapidsim.controller.journal.events import EventKind
+from rapidsim.controller.journal.journal import Instant, Journal, Moment
+from rapidsim.language.moves import Place
+
+OUTSIDE = "cell"
+"""Stands for a task's name at events that no task causes."""
+
+
+class Listener(Protocol):
+    """Who wants to know of signals that change: a task's interrupts, a search."""
+
+    def listens_to(self, signal: str) -> bool:
+        """Whether changes of this signal matter."""
+        ...
+
+    def signal_changed(self, signal: str, old: float, value: float, now_s: float) -> None:
+        """A signal this listens to has changed."""
+        ...
+
+
+class Turns(Protocol):
+    """Who may pass time: the one place a scheduler of several tasks takes over."""
+
+    def until(self, task: object, time_s: float) -> float:
+        """Let the other tasks come up to a time [s].
+
+        Returns:
+            How far the task may go: the time it asked for, or an earlier one if something has
+            happened by then that it may want to know of. Infinite if it was asked for and nothing
+            will ever happen.
+        """
+        ...
+
+    def next_s(self, task: object) -> float:
+        """When the next of the other tasks wants to go on [s]; infinite if none does."""
+        ...
+
+    def look_again(self, time_s: float) -> None:
+        """Wake the other tasks at a time [s] at which something happens."""
+        ...
+
+    def rest(self, task: object) -> bool:
+        """Note that a task waits for what others do; whether all of them do the same."""
+        ...
+
+
+class Alone:
+    """One task has the clock to itself."""
+
+    def until(self, task: object, time_s: float) -> float:
+        """As far as it likes."""
+        del task
+        return time_s
+
+    def next_s(self, task: object) -> float:
+        """There are no others."""
+        del task
+        return math.inf
+
+    def look_again(self, time_s: float) -> None:
+        """Nobody to wake."""
+
+    def rest(self, task: object) -> bool:
+        """Nobody else does anything."""
+        del task
+        return True
+
+
+@dataclass(frozen=True, slots=True)
+class Cause:
+    """Whose doing a change is."""
+
+    journal: Journal
+    place: Place | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class _Coming:
+    """Something that will happen at a moment."""
+
+    moment: Moment
+    act: Callable[[Moment], None]
+    signals: tuple[str, ...]
+    """Folded names of those it may change."""
+
+
+class Cell:
+    """The signals, the world around the robot, and who waits for what."""
+
+    def __init__(self, inputs: CellInputs, journal: Journal) -> None:
+        """Set the cell up at time zero; what happens by itself is noted beside `journal`."""
+        self.max_time_s = inputs.max_time_s
+        self.watchdog = Watchdog(inputs.max_wall_s)
+        self.signals = SignalTable(inputs.io.signals)
+        self.home = HomeFolder(inputs.home)
+        self.operator = Operator(inputs.answers, inputs.answers_are_typed)
+        self.texts = TextTables()
+        self.sockets = SocketTable(inputs.io.sockets, self.happen)
+        self.network = inputs.network
+        """None where sockets may not use the network."""
+        self.starts_at = inputs.starts_at
+        """Date and time of day at time zero."""
+        self.meetings = Meetings()
+        self.turns: Turns = Alone()
+        self.is_shared = False
+        """Whether other tasks may change what one task waits for."""
+        self.listeners: list[Listener] = []
+        self.happenings = 0
+        """Grows with everything that another task may have to look at."""
+        self._io = inputs.io
+        self._outside = Cause(journal.beside(OUTSIDE))
+        self._coming: list[_Coming] = []
+        self._true: set[int] = set()
+        """Indices of the stimuli whose condition holds."""
+        sources = [cross.condition for cross in self._io.crosses]
+        sources += [stimulus.when for stimulus in self._io.stimuli if stimulus.when]
+        self._sources = {name.lower() for source in sources for name in source.signals()}
+        self._begin()
+
+    def share(self, turns: Turns) -> None:
+        """Let several tasks take turns."""
+        self.turns, self.is_shared = turns, True
+
+    def end_sharing(self) -> None:
+        """Let whoever looks at what the run has left look without waiting for others."""
+        self.turns, self.is_shared = Alone(), False
+
+    def hears(self, name: str) -> bool:
+        """Whether anything hangs on a signal, so that a change must have a known time."""
+        folded = name.lower()
+        return (
+            self.is_shared
+            or folded in self._sources
+            or any(one.listens_to(name) for one in self.listeners)
+            or any(folded in one.signals for one in self._coming)
+        )
+
+    def set_signal(self, cause: Cause, moment: Moment, name: str, value: float) -> None:
+        """Change a signal at a moment, with all that hangs on it; the time is known if any does."""
+        old = self.signals.read(name)
+        changed = self.signals.write(name, value)
+        cause.journal.event(
+            moment,
+            EventKind.SIGNAL,
+            cause.place,
+            f"{name} = {value:g}",
+            signal=name,
+            value=value,
+        )
+        if not changed:
+            return
+        self.tell(moment)
+        for listener in tuple(self.listeners):
+            if listener.listens_to(name):
+                listener.signal_changed(name, old, value, moment.time_s)
+        if name.lower() in self._sources:
+            self._follow(name, cause, moment)
+            self._stimulate(name, moment)
+
+    def schedule(self, cause: Cause, moment: Moment, values: Mapping[str, float]) -> None:
+        """Change signals at a later moment, whose time may be unknown yet."""
+
+        def change(now: Moment) -> None:
+            for name, value in values.items():
+                self.set_signal(cause, now, name, value)
+
+        self._coming.append(_Coming(moment, change, _folded(values)))
+        self.tell(moment)
+
+    def close(self) -> None:
+        """Close the files and connections that the program left open."""
+        self.home.close_all()
+        if self.network is not None:
+            self.network.close()
+
+    def happen(self, time_s: float, act: Callable[[float], None]) -> None:
+        """Let something happen at a later time [s] that changes no signal."""
+        moment = Moment(Instant(time_s))
+        self._coming.append(_Coming(moment, lambda now: act(now.time_s), ()))
+        self.tell(moment)
+
+    def tell(self, moment: Moment) -> None:
+        """Let the other tasks look at what happens at a moment."""
+        self.happenings += 1
+        if self.is_shared:
+            self.turns.look_again(moment.time_s)
+
+    def next_change_s(self) -> float | None:
+        """Time [s] of the next change whose time is known; None if there is none."""
+        times = [one.moment.time_s for one in self._coming if one.moment.instant.time is not None]
+        return min(times, default=None)
+
+    def make_next_change(self) -> None:
+        """Let the earliest change happen whose time is known."""
+        known = [one for one in self._coming if one.moment.instant.time is not None]
+        coming = min(known, key=lambda one: one.moment.time_s)
+        self._coming.remove(coming)
+        self.happenings += 1
+        coming.act(coming.moment)
+
+    def may_change(self, name: str) -> bool:
+        """Whether a signal may change without any program doing it, at once or after others."""
+        changing: set[str] = set()
+        new = {signal for one in self._coming for signal in one.signals}
+        while new - changing:
+            changing |= new
+            new = {
+                cross.result.lower()
+                for cross in self._io.crosses
+                if changing.intersection(_folded(cross.condition.signals()))
+            }
+            for stimulus in self._io.stimuli:
+                if stimulus.when and changing.intersection(_folded(stimulus.when.signals())):
+                    new |= set(_folded(stimulus.values))
+        return name.lower() in changing
+
+    def _begin(self) -> None:
+        """Wire the cell at time zero."""
+        start = Moment(Instant(0.0))
+        for cross in self._io.crosses:
+            self.signals.write(cross.result, float(cross.condition.holds(self.signals.read)))
+        for index, stimulus in enumerate(self._io.stimuli):
+            if stimulus.when is None:
+                first_s = stimulus.every_s if stimulus.at_s is None else stimulus.at_s
+                self._come(stimulus, first_s or 0.0)
+            elif stimulus.when.holds(self.signals.read):
+                self._true.add(index)
+                self._come(stimulus, start.time_s + stimulus.after_s)
+
+    def _follow(self, name: str, cause: Cause, moment: Moment) -> None:
+        """Let the signals follow that are wired to one that has changed."""
+        for cross in self._io.crosses:
+            if name.lower() in _folded(cross.condition.signals()):
+                value = float(cross.condition.holds(self.signals.read))
+                if cross.after_s > 0.0:
+                    self._follow_later(cross, value, moment.time_s + cross.after_s)
+                elif self.signals.read(cross.result) != value:
+                    self.set_signal(cause, moment, cross.result, value)
+
+    def _follow_later(self, cross: CrossConnection, value: float, time_s: float) -> None:
+        """Let a signal follow at a time [s]."""
+
+        def act(now: Moment) -> None:
+            if self.signals.read(cross.result) != value:
+                self.set_signal(self._outside, now, cross.result, value)
+
+        moment = Moment(Instant(time_s))
+        self._coming.append(_Coming(moment, act, _folded((cross.result,))))
+        self.tell(moment)
+
+    def _stimulate(self, name: str, moment: Moment) -> None:
+        """Start the stimuli whose condition has come true with a signal."""
+        for index, stimulus in enumerate(self._io.stimuli):
+            if stimulus.when is None or name.lower() not in _folded(stimulus.when.signals()):
+                continue
+            if not stimulus.when.holds(self.signals.read):
+                self._true.discard(index)
+            elif index not in self._true:
+                self._true.add(index)
+                self._come(stimulus, moment.time_s + stimulus.after_s)
+
+    def _come(self, stimulus: Stimulus, time_s: float) -> None:
+        """Let a stimulus act at a time, and again if it comes again."""
+
+        def act(now: Moment) -> None:
+            before = {name: self.signals.read(name) for name in stimulus.values}
+            if stimulus.pulse_s is not None:
+                later = Moment(Instant(now.time_s + stimulus.pulse_s))
+                self.schedule(self._outside, later, before)
+            for name, value in stimulus.values.items():
+                if value != before[name]:
+                    self.set_signal(self._outside, now, name, value)
+            if stimulus.every_s is not None:
+                self._come(stimulus, now.time_s + stimulus.every_s)
+
+        moment = Moment(Instant(time_s))
+        self._coming.append(_Coming(moment, act, _folded(stimulus.values)))
+
+
+def _folded(names: Mapping[str, float] | tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(name.lower() for name in names)

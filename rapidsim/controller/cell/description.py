@@ -1,0 +1,124 @@
+"""What is around the program: signals, how they are wired, what happens to inputs, socket peers.
+
+All of it is plain data, read from a station file or from the file that `--io` names.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from enum import StrEnum
+
+from rapidsim.controller.cell.conditions import Condition
+from rapidsim.controller.cell.socket_scripts import SocketScript
+from rapidsim.diagnostics import Diagnostic, Violation
+
+UNDECLARED_CODE = "I801"
+"""The rule that finds signals nobody declares; a station may declare them."""
+UNDECLARED_UNIT_CODE = "N214"
+"""The rule that finds mechanical units nobody declares; likewise."""
+
+
+class SignalKind(StrEnum):
+    """What a signal carries, and who sets it."""
+
+    DI = "di"
+    DO = "do"
+    GI = "gi"
+    GO = "go"
+    AI = "ai"
+    AO = "ao"
+
+
+GROUP_WIDTH = 32
+"""Bits of a group that nobody declares, and the most a group can have."""
+
+
+@dataclass(frozen=True, slots=True)
+class SignalDeclaration:
+    """One signal of the I/O configuration."""
+
+    name: str
+    kind: SignalKind
+    value: float = 0.0
+    """What it is at the start."""
+    lowest: float | None = None
+    highest: float | None = None
+    """Logical limits; None where there are none."""
+
+
+@dataclass(frozen=True, slots=True)
+class Stimulus:
+    """What happens to inputs by itself: at a time, or after a condition became true."""
+
+    values: Mapping[str, float]
+    """What the signals become."""
+    at_s: float | None = None
+    """Virtual time of the first change."""
+    every_s: float | None = None
+    """Time from one change to the next; None happens once."""
+    when: Condition | None = None
+    after_s: float = 0.0
+    """From the condition becoming true to the change."""
+    pulse_s: float | None = None
+    """After this time the signals are again what they were."""
+
+
+@dataclass(frozen=True, slots=True)
+class CrossConnection:
+    """A signal that follows others, by the I/O system or a device and not by the program."""
+
+    result: str
+    condition: Condition
+    after_s: float = 0.0
+    """So much later, each time."""
+
+
+@dataclass(frozen=True, slots=True)
+class CellIo:
+    """The signals of a cell and what drives them."""
+
+    signals: tuple[SignalDeclaration, ...] = ()
+    crosses: tuple[CrossConnection, ...] = ()
+    stimuli: tuple[Stimulus, ...] = ()
+    sockets: tuple[SocketScript, ...] = ()
+    """Who is at the other end of the program's sockets."""
+
+    def and_also(self, other: CellIo) -> CellIo:
+        """Both; where both declare a signal, the other's declaration counts."""
+        later = {signal.name.lower() for signal in other.signals}
+        kept = tuple(signal for signal in self.signals if signal.name.lower() not in later)
+        return replace(
+            self,
+            signals=(*kept, *other.signals),
+            crosses=(*self.crosses, *other.crosses),
+            stimuli=(*self.stimuli, *other.stimuli),
+            sockets=(*self.sockets, *other.sockets),
+        )
+
+
+def without_declared(
+    diagnostics: Iterable[Diagnostic], io: CellIo, units: Iterable[str] = ()
+) -> tuple[Diagnostic, ...]:
+    """Findings of a check, less those about signals and units that the station names."""
+    known = {
+        *((UNDECLARED_CODE, name.lower()) for name in _named(io)),
+        *((UNDECLARED_UNIT_CODE, unit.lower()) for unit in units),
+    }
+    return tuple(found for found in diagnostics if not _undeclared(found.violation) & known)
+
+
+def _named(io: CellIo) -> Iterator[str]:
+    """The signals that are declared, wired or driven."""
+    yield from (signal.name for signal in io.signals)
+    for cross in io.crosses:
+        yield from (cross.result, *cross.condition.signals())
+    for stimulus in io.stimuli:
+        yield from stimulus.values
+        yield from stimulus.when.signals() if stimulus.when else ()
+
+
+def _undeclared(violation: Violation) -> set[tuple[str, str]]:
+    """The signal or unit that a finding says is not declared."""
+    names = (getattr(violation, field, "") for field in ("signal", "unit"))
+    return {(violation.code, name.lower()) for name in names}

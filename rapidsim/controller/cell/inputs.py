@@ -1,0 +1,40 @@
+"""What a cell is given: signals, answers, folders, network, date and limits."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+
+from rapidsim.controller.cell.description import CellIo
+from rapidsim.controller.cell.network import Network
+
+Answers = Callable[[str], str | None]
+"""Answers an operator's question by its prompt; None where nobody answers."""
+
+
+START_OF_TIME = datetime(2000, 1, 1)
+"""A fixed day, so that two runs are the same."""
+
+
+@dataclass(frozen=True, slots=True)
+class CellInputs:
+    """What all tasks of a cell share from the start; `RunOptions` says what it is by default."""
+
+    answers: Answers | None
+    """None answers every question with its default and a warning."""
+    answers_are_typed: bool
+    """Whether a person answers, who is asked again after an answer that is none."""
+    io: CellIo
+    """Signals, how they are wired, and what happens to inputs."""
+    home: Path | None
+    """The folder HOME: stands for; None makes file instructions fail with a clear error."""
+    network: Network | None
+    """What sockets may use of the network; None lets them reach the station's scripts only."""
+    starts_at: datetime
+    """Date and time of day that the controller's clock shows when the run begins."""
+    max_time_s: float
+    """Virtual time at which the run ends."""
+    max_wall_s: float | None
+    """How long the run may take on our clock; the only thing in a run that depends on it."""

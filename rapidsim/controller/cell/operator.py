@@ -1,0 +1,84 @@
+"""The person at the FlexPendant: answers from a file, a terminal, or nobody.
+
+A run in CI must never hang on a question, so where nobody answers a default is taken and said.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+from rapidsim.controller.cell.inputs import Answers
+from rapidsim.diagnostics import Violation
+from rapidsim.findings.runs import AnswerNotAChoice, AnswerNotANumber, QuestionUnanswered
+
+DEFAULT_NUMBER = 0.0
+
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True, slots=True)
+class Answer(Generic[T]):
+    """What was answered, and what was wrong with getting it."""
+
+    value: T
+    findings: tuple[Violation, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Operator:
+    """Asks whoever answers."""
+
+    answers: Answers | None
+    can_be_asked_again: bool = False
+    """Whether somebody sits there who can mend an answer; lines of a file cannot."""
+
+    def number(self, prompt: str) -> Answer[float]:
+        """The answer to a question for a number."""
+        text = self._ask(prompt)
+        default = f"{DEFAULT_NUMBER:g}"
+        while text is not None:
+            value = _number(text)
+            if value is not None:
+                return Answer(value)
+            if not self.can_be_asked_again:
+                return Answer(DEFAULT_NUMBER, (AnswerNotANumber(prompt, text, default),))
+            text = self._ask(f"`{text}` is no number, such as 12 or -0.5. {prompt}")
+        return Answer(DEFAULT_NUMBER, (QuestionUnanswered(prompt, default),))
+
+    def choice(self, prompt: str, choices: Sequence[str]) -> Answer[int]:
+        """The index of a key, answered by its text or by its number from 1; "" is no key."""
+        keys = [index for index, text in enumerate(choices) if text]
+        first = keys[0] if keys else 0
+        offered = f"{prompt} {' / '.join(choices[index] for index in keys)}"
+        text = self._ask(offered)
+        while text is not None:
+            for index in keys:
+                if text.strip().lower() in (choices[index].strip().lower(), str(index + 1)):
+                    return Answer(index)
+            if not self.can_be_asked_again:
+                return Answer(first, (AnswerNotAChoice(prompt, text, choices[first]),))
+            text = self._ask(f"`{text}` is none of the keys. {offered}")
+        return Answer(first, (QuestionUnanswered(prompt, choices[first]),))
+
+    def text(self, prompt: str, proposal: str) -> Answer[str]:
+        """A text; the proposal where nobody answers."""
+        text = self._ask(prompt)
+        if text is None:
+            return Answer(proposal, (QuestionUnanswered(prompt, proposal),))
+        return Answer(text)
+
+    def _ask(self, prompt: str) -> str | None:
+        return self.answers(prompt) if self.answers else None
+
+
+def _number(text: str) -> float | None:
+    """The finite number that a text says; None if it says none."""
+    try:
+        value = float(text)
+    except ValueError:
+        return None
+    return value if math.isfinite(value) else None

@@ -1,0 +1,51 @@
+"""The signals of the cell, by name without case: what they are, and what the program may write."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
+from rapidsim.language.error_numbers import ERR_AO_LIM, ERR_GO_LIM, ERR_SIG_NAME, rapid_error
+
+_INPUTS = (SignalKind.DI, SignalKind.GI, SignalKind.AI)
+
+
+class SignalTable:
+    """Values of all signals; those nobody declares come to be, at 0, when they are first used."""
+
+    def __init__(self, declared: Iterable[SignalDeclaration]) -> None:
+        """Start with the declared signals at their start values."""
+        self._declared = {signal.name.lower(): signal for signal in declared}
+        self._values = {name: signal.value for name, signal in self._declared.items()}
+
+    def read(self, name: str) -> float:
+        """The value of a signal."""
+        return self._values.setdefault(name.lower(), 0.0)
+
+    def write(self, name: str, value: float) -> bool:
+        """Set a signal; returns whether that changed it."""
+        changed = self.read(name) != value
+        self._values[name.lower()] = value
+        return changed
+
+    def require_output(self, name: str, value: float) -> None:
+        """Refuse what the I/O configuration does not let a program write.
+
+        Raises:
+            RapidError: ERR_SIG_NAME for an input, ERR_GO_LIM or ERR_AO_LIM outside the limits.
+        """
+        signal = self._declared.get(name.lower())
+        if signal is None:
+            return
+        if signal.kind in _INPUTS:
+            raise rapid_error(
+                ERR_SIG_NAME, f"`{signal.name}` is an input ({signal.kind}), and is written"
+            )
+        low, high = signal.lowest, signal.highest
+        if (low is not None and value < low) or (high is not None and value > high):
+            number = ERR_AO_LIM if signal.kind is SignalKind.AO else ERR_GO_LIM
+            least = "" if low is None else f"{low:g}"
+            most = "" if high is None else f"{high:.10g}"
+            raise rapid_error(
+                number, f"`{signal.name}` cannot be {value:.10g}: its limits are {least} .. {most}"
+            )

@@ -1,0 +1,194 @@
+"""Streams of bytes between the program and who talks to it: scripts, and other tasks.
+
+A connection has two ends. What one end sends is at the other at once; a script answers after the
+time it says. Nothing here waits: tasks wait, and things that happen later are scheduled.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+
+from rapidsim.controller.cell.socket_scripts import SocketScript, SocketStep
+from rapidsim.language.error_numbers import ERR_SOCK_ADDR_INUSE, rapid_error
+
+Schedule = Callable[[float, Callable[[float], None]], None]
+"""Lets a function be called with the time at a virtual time [s]."""
+
+_LOCAL = ("localhost", "127.0.0.1", "0.0.0.0", "")
+
+
+@dataclass(eq=False, slots=True)
+class StreamEnd:
+    """One end of a connection; implements `language.sockets.Connection`."""
+
+    peer: str
+    received: bytearray = field(default_factory=bytearray)
+    has_ended: bool = False
+    is_open: bool = True
+    other: StreamEnd | None = None
+    notice: Callable[[float], None] | None = None
+    """What happens, at a time [s], when something arrived or the other end closed."""
+
+    def send(self, data: bytes, now_s: float) -> None:
+        """Bring bytes to the other end."""
+        other = self.other
+        if other is None or self.has_ended:
+            return
+        other.received += data
+        if other.notice is not None:
+            other.notice(now_s)
+
+    def close(self, now_s: float) -> None:
+        """End the connection; the other end may still read what has arrived."""
+        self.is_open = False
+        other, self.other = self.other, None
+        if other is not None:
+            other.has_ended = True
+            if other.notice is not None:
+                other.notice(now_s)
+
+
+def connected(near_peer: str, far_peer: str) -> tuple[StreamEnd, StreamEnd]:
+    """Both ends of a new connection, each with the address of the other."""
+    near, far = StreamEnd(near_peer), StreamEnd(far_peer)
+    near.other, far.other = far, near
+    return near, far
+
+
+@dataclass(eq=False, slots=True)
+class Port:
+    """A port on which a program listens, and the clients it has not accepted yet."""
+
+    port: int
+    waiting: list[StreamEnd] = field(default_factory=list)
+    is_open: bool = True
+
+
+@dataclass(eq=False, slots=True)
+class _Peer:
+    """A script at one end of a connection, as far as it has come."""
+
+    script: SocketScript
+    end: StreamEnd
+    schedule: Schedule
+    ended: Callable[[float], None]
+    """Called when the connection is over."""
+    _at: int = 0
+    _is_busy: bool = False
+    """A step waits for its time."""
+
+    def notice(self, now_s: float) -> None:
+        """Go on as far as what has arrived allows."""
+        if self.end.has_ended:
+            self.ended(now_s)
+            return
+        while not self._is_busy and self.end.is_open and (step := self._step()) is not None:
+            if step.expect:
+                place = self.end.received.find(step.expect)
+                if place < 0:
+                    return
+                del self.end.received[: place + len(step.expect)]
+            self._at += 1
+            if step.after_s > 0.0:
+                self._is_busy = True
+                self.schedule(now_s + step.after_s, partial(self._later, step))
+                return
+            self._act(step, now_s)
+
+    def _step(self) -> SocketStep | None:
+        steps = self.script.steps
+        if self._at >= len(steps) and self.script.repeats:
+            self._at = 0
+        return steps[self._at] if self._at < len(steps) else None
+
+    def _later(self, step: SocketStep, now_s: float) -> None:
+        self._is_busy = False
+        self._act(step, now_s)
+        self.notice(now_s)
+
+    def _act(self, step: SocketStep, now_s: float) -> None:
+        if step.send:
+            self.end.send(step.send, now_s)
+        if step.close and self.end.is_open:
+            self.end.close(now_s)
+            self.ended(now_s)
+
+
+class SocketTable:
+    """The ports that programs listen on and the scripts that talk to them."""
+
+    def __init__(self, scripts: Sequence[SocketScript], schedule: Schedule) -> None:
+        """Let scripts do what they do at the times they say."""
+        self._scripts = tuple(scripts)
+        self._schedule = schedule
+        self._ports: dict[int, Port] = {}
+        self._busy: set[int] = set()
+        """Indices of the scripts that are connected, on their way, or done."""
+
+    def is_scripted(self, port: int, *, serves: bool) -> bool:
+        """Whether a script serves a port, or connects to it."""
+        return any(one.port == port and one.serves == serves for one in self._scripts)
+
+    def listen(self, port: int, now_s: float) -> Port:
+        """Open a port; scripts that connect to it set out.
+
+        Raises:
+            RapidError: ERR_SOCK_ADDR_INUSE.
+        """
+        if port in self._ports:
+            raise rapid_error(ERR_SOCK_ADDR_INUSE, f"somebody listens on port {port} already")
+        opened = self._ports[port] = Port(port)
+        for index, script in enumerate(self._scripts):
+            if script.port == port and not script.serves and index not in self._busy:
+                self._set_out(index, now_s)
+        return opened
+
+    def close_port(self, port: Port) -> None:
+        """Listen no more."""
+        port.is_open = False
+        if self._ports.get(port.port) is port:
+            del self._ports[port.port]
+
+    def connect(self, address: str, port: int, now_s: float) -> StreamEnd | None:
+        """Connect to a script that serves, or to a task that listens; None if there is none."""
+        name = f"{address}:{port}"
+        for script in self._scripts:
+            if script.serves and script.port == port and script.address in ("", address):
+                near, far = connected(name, "the program")
+                peer = _Peer(script, far, self._schedule, lambda _: None)
+                far.notice = peer.notice
+                peer.notice(now_s)
+                return near
+        listening = self._ports.get(port)
+        if listening is None:
+            return None
+        host = "127.0.0.1" if address in _LOCAL else address
+        near, far = connected(name, f"{host}:{port}")
+        listening.waiting.append(far)
+        return near
+
+    def _set_out(self, index: int, now_s: float) -> None:
+        """Let a script connect to the program's port after its time."""
+        script = self._scripts[index]
+        self._busy.add(index)
+
+        def arrive(time_s: float) -> None:
+            listening = self._ports.get(script.port)
+            if listening is None:
+                self._busy.discard(index)
+                return
+            near, far = connected(f"{script.address or '127.0.0.1'}:{script.port}", "the program")
+            peer = _Peer(script, far, self._schedule, again)
+            far.notice = peer.notice
+            listening.waiting.append(near)
+            peer.notice(time_s)
+
+        def again(time_s: float) -> None:
+            if script.reconnects:
+                self._busy.discard(index)
+                if script.port in self._ports:
+                    self._set_out(index, time_s)
+
+        self._schedule(now_s + script.after_s, arrive)

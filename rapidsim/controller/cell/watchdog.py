@@ -1,0 +1,80 @@
+"""The end of a run that takes longer on the computer's clock than it may.
+
+This is the only thing in a run that knows that clock, and it only ends the run. Nobody pays for
+reading it: a thread sleeps until the time is over, then raises a flag that long work looks at, and
+takes away the ticks of the tasks, so that every loop asks for new ones at its next turn.
+"""
+
+from __future__ import annotations
+
+import math
+from threading import Event, Thread
+from time import monotonic
+from typing import Final, Protocol
+
+from rapidsim.controller.journal.stop_reasons import WallLimitReached
+from rapidsim.controller.pointer_time import NO_TICKS
+
+_AGAIN_S: Final = 0.02
+"""So long after it took the ticks of a task away it does so again, if it was just given others."""
+
+
+class Ticking(Protocol):
+    """What runs loops."""
+
+    left: int
+    """Ticks that are left; below zero a loop asks for others, and who grants them looks."""
+
+
+class Watchdog:
+    """Watches one run."""
+
+    def __init__(self, limit_s: float | None) -> None:
+        """Begin to watch a run that may take so long [s]; None for ever."""
+        self._limit_s = math.inf if limit_s is None else limit_s
+        self._ends_s = monotonic() + self._limit_s
+        self._is_over = False
+        self._rests = Event()
+        self._tasks: list[Ticking] = []
+        if limit_s is not None:
+            Thread(target=self._watch, name="rapidsim --max-wall", daemon=True).start()
+
+    @property
+    def has_ended_the_run(self) -> bool:
+        """Whether `look` has raised; from then on nothing that takes long may begin."""
+        return self._is_over and self._rests.is_set()
+
+    @property
+    def left_s(self) -> float:
+        """How long the run may still take [s]; infinite without a limit."""
+        return max(0.0, self._ends_s - monotonic()) if self._limit_s < math.inf else math.inf
+
+    def watch(self, task: Ticking) -> None:
+        """Interrupt the loops of one more task when the time is over."""
+        self._tasks.append(task)
+
+    def look(self) -> None:
+        """End the run, once, if its time is over. Costs next to nothing.
+
+        Raises:
+            WallLimitReached: If it is.
+        """
+        if self._is_over and not self._rests.is_set():
+            self._rests.set()
+            raise WallLimitReached(
+                f"the run was cut off after {self._limit_s:g} s on the computer's clock"
+            )
+
+    def rest(self) -> None:
+        """Watch no longer: the run is over."""
+        self._rests.set()
+
+    def _watch(self) -> None:
+        if self._rests.wait(self._limit_s):
+            return
+        self._is_over = True
+        while True:
+            for task in self._tasks:
+                task.left = NO_TICKS
+            if self._rests.wait(_AGAIN_S):
+                return

@@ -1,0 +1,284 @@
+"""Interrupt numbers, what they are connected to, what raises them, and which are due.
+
+Interrupts that are raised wait in a queue and are served in the order in which they came.
+
+Source: Technical reference manual RAPID Overview, "Interrupts".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from rapidsim.controller.journal.stop_reasons import TrapStorm
+from rapidsim.language.error_log import LoggedError
+from rapidsim.language.error_numbers import ERR_INOISSAFE, ERR_UNKINO
+from rapidsim.language.errors import RapidError
+from rapidsim.language.reference import Reference
+
+MIN_TIMER_PERIOD_S = 0.1
+"""The shortest period ITimer takes when it repeats."""
+MIN_TIMER_SINGLE_S = 0.01
+"""The shortest time ITimer takes when it fires once."""
+LONGEST_QUEUE = 1000
+"""So many interrupts may wait for their traps."""
+MOST_AT_ONCE = 10_000
+"""So many traps may run without any time passing."""
+
+
+@dataclass(frozen=True, slots=True)
+class Due:
+    """An interrupt whose time has come."""
+
+    number: float
+    time_s: float
+    trap: Callable[[], None]
+    trap_name: str
+    is_trap: bool = True
+    """Not a procedure that runs at a place of the path."""
+    cause: LoggedError | None = None
+    """The entry of the event log that raised it."""
+
+
+@dataclass(slots=True)
+class _Connection:
+    trap: Callable[[], None]
+    trap_name: str
+    asleep: bool = False
+    next_s: float | None = None
+    """When a timer fires next."""
+    period_s: float | None = None
+    signal: str | None = None
+    """Folded name of the signal whose change may raise the interrupt."""
+    matches: Callable[[float], bool] = bool
+    """Whether a change to a value does."""
+    watched: Reference[object] | None = None
+    """The persistent whose change raises the interrupt."""
+    seen: object = None
+    """Its value when it was last looked at."""
+    single: bool = False
+    wanted: Callable[[LoggedError], bool] | None = None
+    """Whether an entry of the event log raises the interrupt."""
+
+    @property
+    def ordered(self) -> bool:
+        """Whether anything can raise the interrupt."""
+        orders = (self.next_s, self.signal, self.watched, self.wanted)
+        return any(order is not None for order in orders)
+
+    def withdraw(self) -> None:
+        """Forget the order."""
+        self.next_s = self.period_s = self.signal = self.watched = self.wanted = None
+
+
+@dataclass(slots=True)
+class InterruptTable:
+    """The interrupts of one task."""
+
+    held: bool = False
+    """IDisable: interrupts wait until IEnable."""
+    _connections: dict[float, _Connection] = field(default_factory=dict)
+    _queue: list[Due] = field(default_factory=list)
+    _last_number: int = 0
+    _last_s: float = -1.0
+    _at_once: int = 0
+
+    def connect(self, trap: Callable[[], None], trap_name: str) -> float:
+        """Book the next number for a trap."""
+        self._last_number += 1
+        self._connections[float(self._last_number)] = _Connection(trap, trap_name)
+        return float(self._last_number)
+
+    def is_connected(self, number: float) -> bool:
+        """Whether a number belongs to a trap."""
+        return number in self._connections
+
+    def order_timer(self, number: float, now_s: float, seconds: float, *, single: bool) -> None:
+        """Raise an interrupt once, or every so many seconds.
+
+        Raises:
+            RapidError: If the interrupt is not connected, has an order already, or the time is too
+                short.
+        """
+        connection = self._find_free(number)
+        shortest = MIN_TIMER_SINGLE_S if single else MIN_TIMER_PERIOD_S
+        if seconds < shortest:
+            raise RapidError(
+                ERR_INOISSAFE,
+                f"a timer of {seconds:g} s is too short; the least is {shortest:g} s",
+                cf="ABB 40622",
+            )
+        connection.next_s = now_s + seconds
+        connection.period_s = None if single else seconds
+
+    def order_signal(
+        self, number: float, signal: str, matches: Callable[[float], bool], *, single: bool
+    ) -> None:
+        """Raise an interrupt when a signal changes to a value that matches.
+
+        Raises:
+            RapidError: If the interrupt is not connected or has an order already.
+        """
+        connection = self._find_free(number)
+        connection.signal, connection.matches = signal.lower(), matches
+        connection.single = single
+
+    def order_persistent(self, number: float, data: Reference[object], *, single: bool) -> None:
+        """Raise an interrupt when a persistent has changed.
+
+        Raises:
+            RapidError: If the interrupt is not connected or has an order already.
+        """
+        connection = self._find_free(number)
+        connection.watched, connection.seen = data, _frozen(data.value)
+        connection.single = single
+
+    def order_logged(self, number: float, wanted: Callable[[LoggedError], bool]) -> None:
+        """Raise an interrupt when an entry that is wanted comes into the event log.
+
+        Raises:
+            RapidError: If the interrupt is not connected or has an order already.
+        """
+        self._find_free(number).wanted = wanted
+
+    def error_logged(self, entry: LoggedError, now_s: float) -> None:
+        """Make the interrupts due that want this entry."""
+        for number, connection in self._connections.items():
+            if connection.wanted is not None and connection.wanted(entry):
+                self._raise(number, connection, now_s, entry)
+
+    @property
+    def hears_errors(self) -> bool:
+        """Whether an entry of the event log may raise an interrupt."""
+        return any(c.wanted is not None for c in self._connections.values())
+
+    def signal_changed(self, signal: str, old: float, value: float, now_s: float) -> None:
+        """Make the interrupts due that wait for this change."""
+        del old
+        for number, connection in self._connections.items():
+            if connection.signal == signal.lower() and connection.matches(value):
+                self._raise(number, connection, now_s)
+
+    def look(self, now_s: float) -> None:
+        """Make the interrupts due whose persistents have changed since somebody looked."""
+        for number, connection in self._connections.items():
+            if connection.watched is None:
+                continue
+            value = _frozen(connection.watched.value)
+            if value != connection.seen:
+                connection.seen = value
+                self._raise(number, connection, now_s)
+
+    @property
+    def watches(self) -> bool:
+        """Whether any persistent must be looked at."""
+        return any(c.watched is not None for c in self._connections.values())
+
+    def raise_now(self, number: float, now_s: float) -> None:
+        """Make one interrupt due.
+
+        Raises:
+            RapidError: If it is not connected.
+        """
+        self._raise(number, self._find(number), now_s)
+
+    def post(self, due: Due) -> None:
+        """Let a procedure run like a trap."""
+        self._queue.append(due)
+
+    def delete(self, number: float) -> None:
+        """Forget an interrupt; one that is not connected is no mistake."""
+        self._connections.pop(number, None)
+        self._queue = [due for due in self._queue if due.number != number]
+
+    def sleep(self, number: float, *, asleep: bool) -> None:
+        """Switch one interrupt off or on."""
+        self._find(number).asleep = asleep
+
+    @property
+    def armed(self) -> bool:
+        """Whether any interrupt may come."""
+        return bool(self._queue) or any(c.ordered for c in self._connections.values())
+
+    def listens_to(self, signal: str) -> bool:
+        """Whether a change of this signal raises an interrupt."""
+        return any(c.signal == signal.lower() for c in self._connections.values())
+
+    def next_due_s(self) -> float | None:
+        """Time [s] at which the next interrupt comes; None while none can."""
+        if self.held:
+            return None
+        times = [c.next_s for c in self._connections.values() if c.next_s is not None]
+        times += [due.time_s for due in self._queue[:1]]
+        return min(times, default=None)
+
+    def take_due(self, until_s: float) -> Due | None:
+        """The earliest interrupt due by `until_s`, taken off; sleeping ones are dropped.
+
+        Raises:
+            TrapStorm: If traps follow each other without time passing.
+        """
+        while (time_s := self.next_due_s()) is not None and time_s <= until_s:
+            due = self._take(time_s)
+            connection = self._connections.get(due.number)
+            if connection is None or not connection.asleep:
+                self._count(due)
+                return due
+        return None
+
+    def _take(self, time_s: float) -> Due:
+        """The interrupt that is due at a time: one that was raised before a timer."""
+        if self._queue and self._queue[0].time_s <= time_s:
+            return self._queue.pop(0)
+        number, connection = next(
+            item for item in self._connections.items() if item[1].next_s == time_s
+        )
+        period_s = connection.period_s
+        connection.next_s = None if period_s is None else time_s + period_s
+        return Due(number, time_s, connection.trap, connection.trap_name)
+
+    def _raise(
+        self,
+        number: float,
+        connection: _Connection,
+        now_s: float,
+        cause: LoggedError | None = None,
+    ) -> None:
+        if connection.asleep:
+            return
+        if connection.single:
+            connection.withdraw()
+        due = Due(number, now_s, connection.trap, connection.trap_name, cause=cause)
+        self._queue.append(due)
+        if len(self._queue) > LONGEST_QUEUE:
+            raise TrapStorm(
+                f"more than {LONGEST_QUEUE} interrupts wait for their traps, the last for "
+                f"{connection.trap_name}"
+            )
+
+    def _count(self, due: Due) -> None:
+        """Watch for traps that raise themselves."""
+        self._at_once = self._at_once + 1 if due.time_s <= self._last_s else 0
+        self._last_s = max(due.time_s, self._last_s)
+        if self._at_once > MOST_AT_ONCE:
+            raise TrapStorm(
+                f"{due.trap_name} was raised {MOST_AT_ONCE} times without time passing: does it "
+                "change what raises it?"
+            )
+
+    def _find_free(self, number: float) -> _Connection:
+        connection = self._find(number)
+        if connection.ordered:
+            raise RapidError(ERR_INOISSAFE, "the interrupt has an order already; IDelete it first")
+        return connection
+
+    def _find(self, number: float) -> _Connection:
+        connection = self._connections.get(number)
+        if connection is None:
+            raise RapidError(ERR_UNKINO, "the interrupt is not connected to a trap routine")
+        return connection
+
+
+def _frozen(value: object) -> object:
+    """A value to compare with later: arrays change in place."""
+    return [_frozen(one) for one in value] if isinstance(value, list) else value

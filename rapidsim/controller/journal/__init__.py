@@ -1,0 +1,1 @@
+"""What happened when, while the times themselves may still be unknown."""

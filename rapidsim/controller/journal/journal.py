@@ -1,0 +1,151 @@
+"""What happened when, while the times themselves may still be unknown.
+
+The program runs ahead of the robot: an output set after a fly-by move happens when the robot starts
+that move, and that time is only known once the path is planned. An `Instant` stands for such a
+time until it is; entries refer to it and are dated when the run is over.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from rapidsim.controller.journal.events import Event, EventKind, ExecutedLine, Unsimulated
+from rapidsim.controller.journal.failed_moves import FailedMove
+from rapidsim.controller.journal.stop_reasons import EventLimitReached
+from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.language.moves import Place
+
+MOST_EVENTS = 1_000_000
+"""A loop that writes texts or sets outputs for ever would otherwise use up the memory."""
+
+
+class Instant:
+    """A point in virtual time; `time` [s] is None until the path that decides it is planned."""
+
+    __slots__ = ("time",)
+
+    def __init__(self, time: float | None = None) -> None:
+        """Known from the start, or to be known later."""
+        self.time = time
+
+
+@dataclass(frozen=True, slots=True)
+class Moment:
+    """So many seconds after an instant."""
+
+    instant: Instant
+    offset_s: float = 0.0
+
+    @property
+    def time_s(self) -> float:
+        """Virtual time [s]; the instant must be known."""
+        assert self.instant.time is not None
+        return self.instant.time + self.offset_s
+
+
+@dataclass(frozen=True, slots=True)
+class _Entry:
+    task: str
+    moment: Moment
+    kind: EventKind
+    place: Place | None
+    message: str
+    details: Mapping[str, object]
+
+
+@dataclass(slots=True)
+class Journal:
+    """Everything a task reports while it runs."""
+
+    task: str
+    _events: list[_Entry] = field(default_factory=list)
+    _lines: list[tuple[Moment, Place]] = field(default_factory=list)
+    _diagnostics: list[Diagnostic] = field(default_factory=list)
+    _failed_moves: list[FailedMove] = field(default_factory=list)
+    _reported: set[object] = field(default_factory=set)
+    _unsimulated: dict[tuple[str, str], int] = field(default_factory=dict)
+    _first_met: dict[tuple[str, str], Place] = field(default_factory=dict)
+
+    def beside(self, task: str) -> Journal:
+        """The journal of another task of the cell, whose events go into the same list.
+
+        So what happens at one instant keeps the order in which it happened.
+        """
+        return Journal(task, _events=self._events)
+
+    def event(
+        self, moment: Moment, kind: EventKind, place: Place | None, message: str, **details: object
+    ) -> None:
+        """Note an event."""
+        if len(self._events) >= MOST_EVENTS:
+            raise EventLimitReached(
+                f"the run was cut off: {MOST_EVENTS} events are as many as it may note"
+            )
+        self._events.append(_Entry(self.task, moment, kind, place, message, details))
+
+    def line(self, moment: Moment, place: Place) -> None:
+        """Note that the program pointer reached a statement."""
+        if not self._lines or self._lines[-1] != (moment, place):
+            self._lines.append((moment, place))
+
+    def finding(self, violation: Violation, place: Place | None, *, once: object = None) -> None:
+        """Note a finding; with `once`, only the first of those that share the key."""
+        if once is not None:
+            if self.has_found(once):
+                return
+            self._reported.add(once)
+        span = place.span if place else None
+        routine = place.routine if place else None
+        self._diagnostics.append(Diagnostic(violation, span, routine=routine))
+
+    def failed_move(self, failed: FailedMove) -> None:
+        """Note a move that could not be made; a loop that tries it again notes it once."""
+        key = (failed.place.span, failed.violation)
+        if key not in self._reported:
+            self._reported.add(key)
+            self._failed_moves.append(failed)
+
+    def has_found(self, once: object) -> bool:
+        """Whether a finding with this key has been noted, so that its facts need no work."""
+        return once in self._reported
+
+    def unsimulated(self, name: str, treated_as: str, place: Place) -> None:
+        """Count a routine that was not simulated, and note where it was first met."""
+        key = (name, treated_as)
+        self._unsimulated[key] = self._unsimulated.get(key, 0) + 1
+        self._first_met.setdefault(key, place)
+
+    def events(self) -> tuple[Event, ...]:
+        """All events of the cell in order of time; those at one time in the order of noting."""
+        dated = [
+            Event(e.moment.time_s, e.task, e.kind, e.place, e.message, e.details)
+            for e in self._events
+            if e.moment.instant.time is not None
+        ]
+        return tuple(sorted(dated, key=lambda event: event.time_s))
+
+    def lines(self) -> tuple[ExecutedLine, ...]:
+        """All statements in order of time."""
+        dated = [
+            ExecutedLine(moment.time_s, self.task, place)
+            for moment, place in self._lines
+            if moment.instant.time is not None
+        ]
+        return tuple(sorted(dated, key=lambda line: line.time_s))
+
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """All findings, in the order they were made."""
+        return tuple(self._diagnostics)
+
+    def failed_moves(self) -> tuple[FailedMove, ...]:
+        """The moves that could not be made, in the order they were tried."""
+        return tuple(self._failed_moves)
+
+    def not_simulated(self) -> tuple[Unsimulated, ...]:
+        """All routines that were not simulated, in the order they were met."""
+        return tuple(Unsimulated(n, count, how) for (n, how), count in self._unsimulated.items())
+
+    def first_met(self, one: Unsimulated) -> Place:
+        """Where a routine that was not simulated was met first."""
+        return self._first_met[one.name, one.treated_as]

@@ -1,0 +1,279 @@
+"""How the arm stands at the end of a move to a pose: which of its configurations, which turns.
+
+The controller wants the stored configuration exactly when ConfJ or ConfL is on, and stops when it
+does not work. We take the nearest that works and say so once for each target: programs are often
+run against another work object than they were taught with, and the rest of them is worth seeing.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from rapidsim.controller.journal.failed_moves import failed_on_the_way, refused_move
+from rapidsim.controller.journal.journal import Journal
+from rapidsim.controller.moves.configuration_choice import (
+    by_distance,
+    conf_text,
+    nearest,
+    nearest_without_switch,
+    rounded,
+    stored_or_nearest,
+)
+from rapidsim.controller.moves.motion_findings import fault_violation
+from rapidsim.controller.moves.move_request import AskedMove, MoveRefusedError
+from rapidsim.controller.moves.target_checks import excess_text
+from rapidsim.findings.reach_and_motion_data import (
+    CircleUncertain,
+    ConfigurationNotReachable,
+    JointOutOfRange,
+    OrientationDeviates,
+    UnreachableTarget,
+)
+from rapidsim.frames.rotation_vectors import vector_from_rotation
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.language.data import ConfData
+from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH, ERR_ROBLIMIT
+from rapidsim.language.moves import SingularArea
+from rapidsim.motion.configurations.confdata import (
+    Configuration,
+    confdata_of,
+    configurations,
+    named,
+    told_apart,
+)
+from rapidsim.motion.configurations.reach_cures import reason_with_lengths
+from rapidsim.motion.configurations.reachability import limit_excess, why_unreachable
+from rapidsim.motion.configurations.wrist_lock import AXIS_4, lock_axis_4
+from rapidsim.motion.geometry.curves import Curves, circle_fault, curves_of
+from rapidsim.motion.geometry.joint_mapping import Arms, arms_of
+from rapidsim.motion.geometry.segments import Geometry, Segment, Waypoint
+from rapidsim.motion.model import MotionModel
+from rapidsim.motion.path.curve_following import PathFault
+from rapidsim.motion.path.path import build_path
+from rapidsim.motion.path.wrist_circle import findings_on_pair, led_by_pair
+from rapidsim.motion.robot.robot import Robot
+
+CURVE_SAMPLES = 33
+"""Poses along a line or arc by which the whole turns of the joints are followed to its end."""
+_ALONG = np.linspace(0.0, 1.0, CURVE_SAMPLES)
+_ROWS = np.zeros(CURVE_SAMPLES, dtype=np.int64)
+_TOLD_DEVIATION = np.radians(0.5)
+
+
+@dataclass(frozen=True, slots=True)
+class Arrivals:
+    """Finds how one robot arrives."""
+
+    robot: Robot
+    journal: Journal
+
+    def of(
+        self, asked: AskedMove, stored: ConfData, segment: Segment, *, is_short: bool
+    ) -> tuple[Segment, Configuration]:
+        """A segment to a pose with the joints of its end.
+
+        Args:
+            asked: The move.
+            stored: The configuration in its target.
+            segment: Ends at the pose.
+            is_short: It is a short line, and the joints of its end are those it arrives with; else
+                they do not count.
+
+        Raises:
+            MoveRefusedError: When the end cannot be reached, or an arc is no sure circle.
+        """
+        if segment.wrist_pair is not None and circle_fault(segment) is None:
+            return self._led(asked, segment)
+        try:
+            self._require_circle(asked, segment)
+            if is_short:
+                arrival = self.configuration(segment.end.joints)
+            else:
+                arrival = self._chosen(asked, stored, segment)
+            self._tell_configuration(asked, stored, segment, arrival)
+            if asked.settings.singular_area is SingularArea.LOCK_AXIS_4 and _has_axis_4(segment):
+                arrival = self._locked(asked, arrival, segment)
+        except MoveRefusedError as refused:
+            if segment.carrier is None:
+                violation = refused.violation
+                self.journal.failed_move(refused_move(asked.place, violation, segment, self.robot))
+            raise
+        if is_short:
+            return segment, arrival
+        pose, external = segment.end.base_from_tcp, segment.end.external
+        if segment.wrist_in_joints:
+            pose = asked.placed.standing_at(self.robot.kinematics, arrival.joints, external)
+        arrived = replace(segment, end=Waypoint(arrival.joints, pose, external))
+        if segment.wrist_in_joints:
+            self._tell_turn_on_the_way(asked, arrived)
+        return arrived, arrival
+
+    def configuration(self, joints: Array) -> Configuration:
+        """A joint vector (n,) [rad] with its confdata."""
+        cf1, cf4, cf6, cfx = confdata_of(self.robot.kinematics, joints).tolist()
+        return Configuration(joints, (cf1, cf4, cf6, cfx))
+
+    def working(self, base_from_flange: Transform, name: str) -> tuple[Configuration, ...]:
+        """Every configuration that reaches a pose.
+
+        Raises:
+            MoveRefusedError: When there is none.
+        """
+        working = configurations(self.robot, base_from_flange)
+        if working:
+            return working
+        why = why_unreachable(self.robot, base_from_flange)
+        assert why is not None
+        errno = ERR_OUTSIDE_REACH if why.joint is None else ERR_ROBLIMIT
+        reason = reason_with_lengths(self.robot, base_from_flange, why)
+        raise MoveRefusedError(errno, UnreachableTarget(name, self.robot.title, reason))
+
+    def _require_circle(self, asked: AskedMove, segment: Segment) -> None:
+        fault = circle_fault(segment)
+        if fault is not None:
+            raise MoveRefusedError(ERR_OUTSIDE_REACH, CircleUncertain(asked.name, fault))
+        if len(segment.end.external):
+            wide = np.concatenate([segment.start.joints, segment.end.external])
+            over = excess_text(self.robot, wide)
+            if over:
+                violation = JointOutOfRange(asked.name, self.robot.title, over)
+                raise MoveRefusedError(ERR_ROBLIMIT, violation)
+
+    def _chosen(self, asked: AskedMove, stored: ConfData, segment: Segment) -> Configuration:
+        """The configuration as stored, where that works; else the nearest."""
+        near = segment.start.joints
+        in_joints = segment.geometry is Geometry.JOINT
+        if not in_joints and not segment.wrist_in_joints:
+            arrived = self._end_of_curve(segment)
+            return arrived or nearest(self._working(asked, segment), near)
+        if not self._is_monitored(asked, segment):
+            working = self._working(asked, segment)
+            return nearest_without_switch(working, self.configuration(near))
+        as_stored = named(self.robot, self._base_from_flange(asked, segment), rounded(stored))
+        return as_stored or stored_or_nearest(self._working(asked, segment), stored, near)
+
+    def _tell_configuration(
+        self, asked: AskedMove, stored: ConfData, segment: Segment, chosen: Configuration
+    ) -> None:
+        """Tell of a configuration that is not the stored one, where the controller would stop."""
+        wanted = rounded(stored)
+        if chosen.confdata == wanted or not self._is_monitored(asked, segment):
+            return
+        key = ("configuration", asked.written)
+        if self.journal.has_found(key):
+            return
+        self.journal.finding(
+            ConfigurationNotReachable(
+                asked.name,
+                conf_text(wanted),
+                conf_text(chosen.confdata),
+                tuple(
+                    conf_text(c.confdata)
+                    for c in by_distance(self._working(asked, segment), chosen.joints)
+                ),
+            ),
+            asked.place,
+            once=key,
+        )
+
+    def _is_monitored(self, asked: AskedMove, segment: Segment) -> bool:
+        """Whether ConfJ or ConfL is on for a move of an arm whose solutions confdata names."""
+        in_joints = segment.geometry is Geometry.JOINT
+        monitored = asked.settings.conf_j if in_joints else asked.settings.conf_l
+        return monitored and told_apart(self.robot.kinematics)
+
+    def _working(self, asked: AskedMove, segment: Segment) -> tuple[Configuration, ...]:
+        """Every configuration at the end of a segment; raises as `working` does."""
+        return self.working(self._base_from_flange(asked, segment), asked.name)
+
+    def _base_from_flange(self, asked: AskedMove, segment: Segment) -> Transform:
+        """Where the flange must be at the end of a segment."""
+        end = segment.end
+        return asked.placed.base_from_flange(self.robot.kinematics, end.base_from_tcp, end.external)
+
+    def _end_of_curve(self, segment: Segment) -> Configuration | None:
+        """Where a line or arc arrives: on the branch it starts on, with the turns made on the way.
+
+        None where that branch does not get there, or only past a joint limit; the planner then says
+        where the path fails.
+        """
+        curves, arms = self._curve(segment)
+        x = _ALONG * curves.length[0]
+        base_from_flange = arms.base_from_flange(
+            curves.at(_ROWS, x), _ROWS, curves.joints_at(_ROWS, x)
+        )
+        followed = self.robot.kinematics.inverse_on_branch(
+            base_from_flange, segment.branch, segment.start.joints
+        )
+        joints = followed.joints[-1]
+        if not followed.exists[-1] or np.any(limit_excess(self.robot, joints) != 0.0):
+            return None
+        return self.configuration(joints)
+
+    def _curve(self, segment: Segment) -> tuple[Curves, Arms]:
+        kinematics = self.robot.kinematics
+        curves = curves_of((segment,), kinematics)
+        return curves, arms_of((segment,), kinematics, curves.joint_travel, curves.length)
+
+    def _led(self, asked: AskedMove, segment: Segment) -> tuple[Segment, Configuration]:
+        """An arc that two wrist axes lead: it ends where they take the tool, whatever is stored.
+
+        Raises:
+            MoveRefusedError: Where they cannot, or not within their limits.
+        """
+        kinematics, end = self.robot.kinematics, segment.end
+        led = led_by_pair(kinematics, segment)
+        aim = end.base_from_tcp.translation
+        taken = segment.start.joints if led is None else led.arrival
+        arrived = replace(segment, end=Waypoint(taken, end.base_from_tcp, end.external, aim))
+        # Such a failure is of this arc alone; with the corners of its neighbours it would be told
+        # only after they have been looked at, and they start from where it ends.
+        fault = build_path(self.robot, [replace(arrived, zone=None)], MotionModel())
+        if isinstance(fault, PathFault):
+            violation = fault_violation(fault, asked.name)
+            way = (asked.place, violation, segment, fault.fraction, self.robot)
+            self.journal.failed_move(failed_on_the_way(*way))
+            raise MoveRefusedError(ERR_OUTSIDE_REACH if fault.cure else ERR_ROBLIMIT, violation)
+        for found in () if led is None else findings_on_pair(led, segment, asked.name):
+            self.journal.finding(found, asked.place, once=(found.code, asked.written))
+        return arrived, self.configuration(taken)
+
+    def _locked(self, asked: AskedMove, arrival: Configuration, segment: Segment) -> Configuration:
+        r"""The arrival with axis 4 at 0 or half a turn; tells how far that turns the tool."""
+        pose = segment.end.base_from_tcp
+        kinematics = self.robot.kinematics
+        joints = lock_axis_4(kinematics, pose, segment.tcp_from_flange, arrival.joints)
+        if joints is None:
+            why = r"with axis 4 locked (SingArea \LockAxis4) the TCP does not get there"
+            violation = UnreachableTarget(asked.name, self.robot.title, why)
+            raise MoveRefusedError(ERR_OUTSIDE_REACH, violation)
+        taken = asked.placed.standing_at(kinematics, joints, segment.end.external)
+        turn = vector_from_rotation(taken.rotation @ pose.rotation.T)
+        self._tell_turn(asked, r"\LockAxis4", float(np.linalg.norm(turn)), "at")
+        return self.configuration(joints)
+
+    def _tell_turn_on_the_way(self, asked: AskedMove, segment: Segment) -> None:
+        """Tell how far a wrist that turns in joints takes the tool off its orientation."""
+        if self.journal.has_found(("turned on the way to", asked.written)):
+            return
+        curves, arms = self._curve(segment)
+        x = _ALONG * curves.length[0]
+        motion = curves.at(_ROWS, x)
+        joints, exists = arms.joints(motion, _ROWS, curves.joints_at(_ROWS, x))
+        taken = arms.curve_from_tcp(joints[exists], _ROWS[exists]).rotation
+        turn = vector_from_rotation(taken @ np.swapaxes(motion.rotation[exists], -1, -2))
+        angle = float(np.linalg.norm(turn, axis=-1).max(initial=0.0))
+        locked = asked.settings.singular_area is SingularArea.LOCK_AXIS_4
+        self._tell_turn(asked, r"\LockAxis4" if locked else r"\Wrist", angle, "on the way to")
+
+    def _tell_turn(self, asked: AskedMove, switch: str, angle: float, where: str) -> None:
+        if angle > _TOLD_DEVIATION:
+            note = OrientationDeviates(asked.name, switch, np.degrees(angle), where)
+            self.journal.finding(note, asked.place, once=(f"turned {where}", asked.written))
+
+
+def _has_axis_4(segment: Segment) -> bool:
+    """Whether axis 4 can be locked on a segment: six axes, the wrist in joints."""
+    return segment.wrist_in_joints and len(segment.start.joints) > AXIS_4 + 2

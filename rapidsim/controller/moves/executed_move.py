@@ -1,0 +1,46 @@
+"""A move as it was carried out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.language.data import ConfData
+from rapidsim.language.moves import Move, Place
+
+
+class CornerKind(StrEnum):
+    """What became of the end of a move."""
+
+    FLY_BY = "fly-by"
+    STOP = "stop"
+    STOP_CORNER_PATH_FAILURE = "stop(corner path failure)"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ExecutedMove:
+    """A move as it was carried out; target, joints and configuration are the programmed end."""
+
+    index: int
+    task: str
+    move: Move
+    place: Place
+    corner: CornerKind
+    zone_m: float
+    """Radius of the zone that was used; 0 for a stop."""
+    start_s: float
+    end_s: float
+    length_m: float
+    """Along the programmed path, before corners are cut."""
+    base_from_tcp: Transform
+    tcp_from_flange: Transform
+    joints: Array
+    """Shape (n,) [rad]."""
+    conf: ConfData
+    corner_reason: str = ""
+    """Why the zone is not the programmed one, or why the arm stops; empty where it is."""
+    external: Array = field(default_factory=lambda: np.zeros(0))
+    """Shape (e,) [m or rad]: the external axes at the end."""

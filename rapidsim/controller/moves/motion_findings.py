@@ -1,0 +1,58 @@
+"""Findings about the way between two points, bound to the move that wanted it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from rapidsim.controller.moves.queued_move import MotionError, QueuedMove
+from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.findings.reach_and_motion_data import (
+    PathConfiguration,
+    PathNotReachable,
+    PathThroughSingularity,
+    TooLittleTime,
+)
+from rapidsim.findings.wrist_circles import WristCircleFails
+from rapidsim.motion.path.curve_following import FaultKind, PathFault
+
+_EXCESS = 1.01
+"""A timed move is planned to a tenth of a per cent; beyond this it could not be kept."""
+
+
+def path_violation(error: MotionError) -> Violation:
+    """What is wrong with a move that cannot be made."""
+    queued = error.queued
+    target = queued.place.arguments.get("topoint", queued.move.instruction)
+    return fault_violation(error.fault, target)
+
+
+def fault_violation(fault: PathFault, target: str) -> Violation:
+    """What is wrong with the way to a target."""
+    if fault.kind is FaultKind.WRIST_PAIR:
+        percent, distance_mm = 100.0 * fault.fraction, 1000.0 * fault.distance
+        return WristCircleFails(target, percent, distance_mm, fault.reason, fault.cure)
+    of_kind = {
+        FaultKind.SINGULARITY: PathThroughSingularity,
+        FaultKind.CONFIGURATION: PathConfiguration,
+    }
+    return of_kind.get(fault.kind, PathNotReachable)(
+        target=target,
+        percent=100.0 * fault.fraction,
+        distance_mm=1000.0 * fault.distance,
+        why=fault.reason,
+    )
+
+
+def hasty_move_findings(moves: Iterable[QueuedMove]) -> tuple[Diagnostic, ...]:
+    r"""A warning for each move that takes longer than its `\T`: no axis turns any faster."""
+    found = []
+    for queued in moves:
+        programmed_s, started_s = queued.move.duration_s, queued.started.time
+        if programmed_s is None or started_s is None or queued.ended_s is None:
+            continue
+        needed_s = queued.ended_s - started_s
+        if needed_s > _EXCESS * programmed_s:
+            violation = TooLittleTime(programmed_s, needed_s)
+            place = queued.place
+            found.append(Diagnostic(violation, place.span, routine=place.routine))
+    return tuple(found)

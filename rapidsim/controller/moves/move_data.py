@@ -1,0 +1,121 @@
+"""What a move instruction says beside its target, in SI: speeds, zone, accelerations, modes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from rapidsim.language.moves import (
+    LEAST_RAMP_PERCENT,
+    CirclePathMode,
+    Interpolation,
+    MotionSettings,
+    Move,
+)
+from rapidsim.motion.configurations.targets import MM
+from rapidsim.motion.geometry.segments import CircleMode, Geometry, Speed, Zone
+from rapidsim.motion.robot.external_axes import ExternalAxis
+
+GEOMETRY = {
+    Interpolation.JOINT: Geometry.JOINT,
+    Interpolation.AXES: Geometry.JOINT,
+    Interpolation.EXTERNAL_AXES: Geometry.JOINT,
+    Interpolation.LINE: Geometry.LINE,
+    Interpolation.CIRCLE: Geometry.ARC,
+}
+CIRCLE_MODES = {
+    CirclePathMode.PATH_FRAME: CircleMode.PATH_FRAME,
+    CirclePathMode.OBJECT_FRAME: CircleMode.OBJECT_FRAME,
+    CirclePathMode.CIR_POINT_ORI: CircleMode.CIRCLE_POINT,
+    CirclePathMode.WRIST45: CircleMode.WRIST_45,
+    CirclePathMode.WRIST46: CircleMode.WRIST_46,
+    CirclePathMode.WRIST56: CircleMode.WRIST_56,
+}
+
+_SLOWEST_M_S = 1e-5
+_SLOWEST_RAD_S = 1e-4
+"""A programmed speed of 0 never arrives; this late it ends by the run's time limit."""
+_UNHURRIED_M_S = 1.0
+"""TCP speed of moves on which the TCP stays where it is on the robot: it limits nothing."""
+
+
+def speed_of(move: Move, settings: MotionSettings) -> Speed:
+    """Programmed speeds of TCP and tool with VelSet applied."""
+    share = settings.speed_override_percent / 100.0
+    if move.interpolation is Interpolation.EXTERNAL_AXES:
+        return Speed(_UNHURRIED_M_S, math.inf)
+    tcp_mm_s = move.speed.v_tcp * share
+    if settings.max_speed_mm_s is not None:
+        tcp_mm_s = min(tcp_mm_s, settings.max_speed_mm_s)
+    return Speed(
+        tcp=max(tcp_mm_s * MM, _SLOWEST_M_S),
+        reorientation=max(math.radians(move.speed.v_ori * share), _SLOWEST_RAD_S),
+    )
+
+
+def acceleration_share_of(
+    move: Move, settings: MotionSettings, rated_kg: float | None, with_rated: float
+) -> float:
+    """Share of the axis accelerations that AccSet and the load in the hand leave.
+
+    Args:
+        move: Its tool weighs, too.
+        settings: AccSet and GripLoad.
+        rated_kg: Payload of the arm [kg]; None where no source gives it: then loads change nothing.
+        with_rated: The share that the rated payload leaves; above it no more is taken.
+    """
+    share = settings.acceleration_percent / 100.0
+    if rated_kg is None:
+        return share
+    load = min(1.0, max(0.0, move.tool.tload.mass + settings.grip_load_kg) / rated_kg)
+    return share * (1.0 - (1.0 - with_rated) * load)
+
+
+def stop_ramp_of(settings: MotionSettings) -> float:
+    r"""How quickly braking rises at stop points, as a share of what the arm can.
+
+    That is AccSet's Ramp times its \FinePointRamp, and no less than one of them may be.
+    """
+    both = settings.ramp_percent * settings.fine_ramp_percent / 100.0
+    return max(both, LEAST_RAMP_PERCENT) / 100.0
+
+
+def circle_mode_of(move: Move, settings: MotionSettings) -> CircleMode:
+    """How the tool turns on an arc, as CirPathMode asks; of other moves it says nothing."""
+    on_arc = move.interpolation is Interpolation.CIRCLE
+    return CIRCLE_MODES[settings.circle_path] if on_arc else CircleMode.PATH_FRAME
+
+
+def external_speeds_of(
+    move: Move, settings: MotionSettings, axes: Sequence[ExternalAxis]
+) -> tuple[float, ...]:
+    """Speed of each external axis [m/s or rad/s], VelSet applied; no more than it can.
+
+    Speeds for one kind of axis, such as vlin100, have 0 for the other kind: it says nothing of it.
+    """
+    share = settings.speed_override_percent / 100.0
+    return tuple(
+        min((move.speed.v_leax if axis.linear else move.speed.v_reax) * share / axis.scale, top)
+        or top
+        for axis in axes
+        for top in (axis.max_speed,)
+    )
+
+
+def zone_of(move: Move) -> Zone | None:
+    """The zone of a fly-by point; None at a stop point."""
+    zone = move.zone
+    if zone.finep:
+        return None
+    return Zone(
+        position=zone.pzone_tcp * MM,
+        orientation=max(zone.pzone_ori, zone.pzone_tcp) * MM,
+        angle=math.radians(zone.zone_ori),
+        linear_axes=zone.zone_leax * MM,
+        rotating_axes=math.radians(zone.zone_reax),
+    )
+
+
+def unbounded(limit_m_s2: float | None) -> float:
+    """An acceleration limit [m/s2]; infinite where there is none."""
+    return math.inf if limit_m_s2 is None else limit_m_s2

@@ -1,0 +1,51 @@
+"""A move instruction on its way to become a segment, and the error of one that cannot."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rapidsim.controller.moves.target_words import named_target
+from rapidsim.diagnostics import Violation
+from rapidsim.language.errors import RapidError
+from rapidsim.language.moves import MotionSettings, Move, Place
+from rapidsim.motion.configurations.targets import Placement
+
+
+class MoveRefusedError(RapidError):
+    """A move whose end cannot be reached, with the finding that says why."""
+
+    def __init__(self, errno: float, violation: Violation) -> None:
+        """Carry the finding along."""
+        super().__init__(errno, violation.message, cf=violation.cf)
+        self.violation = violation
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AskedMove:
+    """A move and all that it depends on but the robot."""
+
+    move: Move
+    settings: MotionSettings
+    place: Place
+    placed: Placement
+    """Where its tool and its work object are."""
+
+    @property
+    def name(self) -> str:
+        """What it goes to, as findings name it."""
+        return target_name(self.place, self.move)
+
+    @property
+    def written(self) -> str:
+        """What it goes to, as the program writes it: what is said of a target is said once."""
+        return _target_text(self.place, self.move)
+
+
+def target_name(place: Place, move: Move) -> str:
+    """What a move goes to, as findings name it; else the name of the instruction."""
+    return named_target(_target_text(place, move))
+
+
+def _target_text(place: Place, move: Move) -> str:
+    arguments = place.arguments
+    return arguments.get("topoint", arguments.get("tojointpos", move.instruction))

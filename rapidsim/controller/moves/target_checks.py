@@ -1,0 +1,112 @@
+"""What is wrong with a target by itself: orientation, external axes, axes past their limits."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rapidsim.controller.journal.failed_moves import refused_axes
+from rapidsim.controller.journal.journal import Journal
+from rapidsim.controller.journal.stop_reasons import MoveImpossible
+from rapidsim.controller.moves.move_request import AskedMove, MoveRefusedError
+from rapidsim.findings.reach_and_motion_data import (
+    ExternalAxisMissing,
+    ExternalAxisUnknown,
+    JointOutOfRange,
+)
+from rapidsim.frames.quaternion import norm
+from rapidsim.frames.transform import Array
+from rapidsim.language.data import NO_EXTERNAL_AXES, UNUSED_AXIS, ExtJoint, Orient
+from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH, ERR_ROBLIMIT
+from rapidsim.language.target_violations import QuaternionNotUnit
+from rapidsim.motion.configurations.reachability import limit_excess
+from rapidsim.motion.configurations.targets import (
+    REFUSED_NORM_ERROR,
+    TOLERATED_NORM_ERROR,
+    external_values,
+)
+from rapidsim.motion.robot.robot import Robot
+
+_NOTHING_MEANT = (0.0, 9999.0)
+"""What old and generated programs write for axes that are not there."""
+
+
+def check_orientation(asked: AskedMove, name: str, rotation: Orient, journal: Journal) -> None:
+    """Report a quaternion that is not quite a unit; refuse one that is no orientation.
+
+    Raises:
+        MoveRefusedError: When it is far off.
+    """
+    length = norm(rotation)
+    if abs(length - 1.0) > TOLERATED_NORM_ERROR:
+        require_orientation(name, rotation)
+        violation = QuaternionNotUnit(name, length)
+        journal.finding(violation, asked.place, once=("norm", asked.written, name))
+
+
+def require_orientation(name: str, rotation: Orient) -> None:
+    """Refuse a quaternion that is no orientation.
+
+    Raises:
+        MoveRefusedError: When it is far off.
+    """
+    length = norm(rotation)
+    if abs(length - 1.0) > REFUSED_NORM_ERROR:
+        raise MoveRefusedError(ERR_OUTSIDE_REACH, QuaternionNotUnit(name, length))
+
+
+def external_end(
+    asked: AskedMove, extax: ExtJoint, near: Array, robot: Robot, journal: Journal
+) -> Array:
+    """External axes (e,) [m or rad] that a move goes to; those of units that are off stay.
+
+    Raises:
+        MoveImpossible: When an active axis has no value.
+    """
+    axes = robot.external
+    if not axes and extax == NO_EXTERNAL_AXES:
+        return near
+    values, missing = external_values(extax, axes, near)
+    inactive = asked.settings.inactive_units
+    for axis in missing:
+        if axis.unit.lower() not in inactive:
+            raise MoveImpossible(ExternalAxisMissing(asked.name, axis.component, axis.unit))
+    # The additional joint of a seven-axis arm stands in `eax_a`, too.
+    known = {axis.component for axis in axes} | ({"eax_a"} if len(robot.joints) > 6 else set())
+    unknown = [
+        f"{field} = {value:g}"
+        for field, value in zip(extax._fields, extax, strict=True)
+        if value < UNUSED_AXIS and value not in _NOTHING_MEANT and field not in known
+    ]
+    if unknown:
+        told = ExternalAxisUnknown(asked.name, ", ".join(unknown))
+        journal.finding(told, asked.place, once=("external", asked.written))
+    passive = [axis.unit.lower() in inactive for axis in axes]
+    return np.where(passive, near, values)
+
+
+def require_limits(
+    asked: AskedMove, joints: Array, external: Array, robot: Robot, journal: Journal
+) -> None:
+    """Refuse joints (n,) [rad] and external axes (e,) [m or rad] past their limits.
+
+    Raises:
+        MoveRefusedError: When one is.
+    """
+    over = excess_text(robot, np.concatenate([joints, external]))
+    if over:
+        violation = JointOutOfRange(asked.name, robot.title, over)
+        base_from_tcp = asked.placed.base_from_tcp(robot.kinematics, joints, external)
+        journal.failed_move(refused_axes(asked.place, violation, base_from_tcp))
+        raise MoveRefusedError(ERR_ROBLIMIT, violation)
+
+
+def excess_text(robot: Robot, wide: Array) -> str:
+    """What is past the limits of joints and external axes (n + e,); empty if nothing is."""
+    axes, n = robot.axes, robot.axes.joint_count
+    excess = np.maximum(wide - axes.upper, axes.lower - wide)
+    # With its tolerance for rounding.
+    excess[:n] = np.abs(limit_excess(robot, wide[:n]))
+    return ", ".join(
+        f"{axes.name(i)} at {axes.text(i, wide[i])}, {axes.text(i, excess[i])} past its limit"
+        for i in map(int, np.flatnonzero(excess > 0.0))
+    )

@@ -1,0 +1,181 @@
+"""One task's way to the others of its cell: waiting for them, asking about them.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types, "WaitSyncTask",
+"CRobT", "GetTaskName". That a task takes part under the name that stands at the call is our
+reading: a synchronization point is known by the name of its variable.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from types import MappingProxyType
+
+from rapidsim.controller.cell.rendezvous import Meeting
+from rapidsim.controller.journal.stop_reasons import WaitsForever
+from rapidsim.controller.motion import TaskMotion
+from rapidsim.controller.moves.queued_move import MotionError
+from rapidsim.controller.pointer_time import BACKGROUND_TICK_S
+from rapidsim.frames.transform import Array
+from rapidsim.language.data import JointTarget, RobTarget, ToolData, WobjData
+from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_TASKNAME, rapid_error
+from rapidsim.motion.configurations.targets import rob_joint
+
+
+class TaskOthers(TaskMotion):
+    """Implements `language.controller.Tasks`, but for moving together."""
+
+    has_robot = True
+    neighbours: Mapping[str, TaskOthers] = MappingProxyType({})
+    """The controllers of all tasks of the cell, its own too, by folded name."""
+
+    @property
+    def task_name(self) -> str:
+        """Name of the task."""
+        return self._journal.task
+
+    @property
+    def task_number(self) -> int:
+        """Place of the task in the station, from 1."""
+        return 1 + list(self._tasks()).index(self.task_name.lower())
+
+    @property
+    def robot_number(self) -> int:
+        """Place of the task's robot among those of the station, from 1; 0 without a robot."""
+        robots = [key for key, one in self._tasks().items() if one.has_robot]
+        return 1 + robots.index(self.task_name.lower()) if self.has_robot else 0
+
+    def has_task(self, name: str) -> bool:
+        """Whether a task of this name is in the run."""
+        return name.lower() in self._tasks()
+
+    def meet(
+        self,
+        instruction: str,
+        name: str,
+        tasks: Sequence[str],
+        *,
+        max_time: float | None = None,
+        in_position: bool = False,
+    ) -> bool:
+        """Wait at a synchronization point until some tasks are there, this one among them.
+
+        Raises:
+            RapidError: ERR_ARGVALERR, if the task is not among them or others wait for others.
+            Stopped: When one of them can never come.
+        """
+        self._note_line()
+        self._require_listed(instruction, name, tasks)
+        if in_position:
+            self._come_to_rest()
+        return self._meet(instruction, name, tasks, max_time) is not None
+
+    def joints_of(self, task: str) -> JointTarget:
+        """Where the axes of a task's robot are now.
+
+        Raises:
+            RapidError: ERR_TASKNAME, if there is no such task or it has no robot.
+        """
+        other = self._robot_of(task)
+        joints, external = other.stand_at(self.come_up())
+        return JointTarget(rob_joint(joints), other._resolver.ext_joint(external))
+
+    def target_of(self, task: str, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
+        """Where the TCP of a task's robot is now; None takes what its last move used.
+
+        Raises:
+            RapidError: See `joints_of`.
+        """
+        other = self._robot_of(task)
+        joints, external = other.stand_at(self.come_up())
+        active_tool, active_wobj = other._active
+        tool, wobj = tool or active_tool, wobj or active_wobj
+        return other._resolver.target(joints, external, tool, wobj, self.place)
+
+    def stand_at(self, time_s: float) -> tuple[Array, Array]:
+        """Joints (n,) [rad] and external axes (e,) [m or rad] at a time [s] that has come."""
+        samples = self._queue.samples_at(time_s)
+        return samples.joints[0], samples.external[0]
+
+    def stop_other_robots(self) -> None:
+        """Stop the robots of all other tasks on their paths."""
+        now_s = self.come_up()
+        for other in self._tasks().values():
+            if other is not self and other.has_robot:
+                other.stop_robot(now_s)
+        self.tell()
+
+    def start_other_robots(self) -> None:
+        """Let the robots of all other tasks go on."""
+        now_s = self.come_up()
+        for other in self._tasks().values():
+            if other is not self and other._queue.is_halted:
+                other._queue.resume(now_s)
+        self.tell()
+
+    def run_in_background(self) -> None:
+        """Take longer for loops than tasks that are started and stopped."""
+        self._time.tick_s = BACKGROUND_TICK_S
+
+    def begin_again(self) -> None:
+        """Go back to main; a task of the background that does nothing takes a little time."""
+        self.left -= 1
+        if self.left < 0:
+            self.service()
+
+    def stop_robot(self, time_s: float) -> None:
+        """Stop the robot at a time [s]: another task has failed, or the run is over."""
+        if self._cell.watchdog.has_ended_the_run:
+            # Stopping would plan what is open, which may be what took too long.
+            self._queue.leave()
+            return
+        with suppress(MotionError):
+            if not self._queue.is_halted:
+                self._queue.halt(time_s)
+
+    def pointer_s(self) -> float:
+        """Time [s] of the program pointer, or when its robot's path ends if nobody knows."""
+        time = self._time
+        return time.known_s if time.is_known else self._queue.trajectory.command_end
+
+    def tell(self) -> None:
+        """Let the other tasks look: what they share has changed."""
+        self._cell.tell(self._moment())
+
+    def _meet(
+        self, instruction: str, name: str, tasks: Sequence[str], max_time: float | None
+    ) -> Meeting | None:
+        """Come to a synchronization point; None if `max_time` [s] ran out first."""
+        now_s = self.come_up()
+        deadline_s = math.inf if max_time is None else now_s + max_time
+        meeting = self._cell.meetings.arrive(instruction, name, self.task_name, tasks)
+        self.tell()
+        while not meeting.is_complete:
+            if self._observe() >= deadline_s:
+                self._cell.meetings.leave(instruction, meeting, self.task_name)
+                return None
+            if not self._await_event(deadline_s):
+                missing = ", ".join(one for one in tasks if one.lower() not in meeting.arrived)
+                raise WaitsForever(f"{instruction} {name} waits for {missing}, which never comes")
+        # Those who waited go on in their order, not the one who came last before them.
+        self.come_up()
+        return meeting
+
+    def _require_listed(self, instruction: str, name: str, tasks: Sequence[str]) -> None:
+        if self.task_name.lower() not in (one.lower() for one in tasks):
+            raise rapid_error(
+                ERR_ARGVALERR,
+                f"{instruction} {name}: {self.task_name} is not in its own list of tasks",
+            )
+
+    def _tasks(self) -> Mapping[str, TaskOthers]:
+        return self.neighbours or {self.task_name.lower(): self}
+
+    def _robot_of(self, task: str) -> TaskOthers:
+        other = self._tasks().get(task.lower())
+        if other is None:
+            raise rapid_error(ERR_TASKNAME, f"there is no task {task} in this run")
+        if not other.has_robot:
+            raise rapid_error(ERR_TASKNAME, f"the task {task} has no robot")
+        return other

@@ -1,0 +1,100 @@
+"""Places on the path where something happens: outputs, interrupts, calls at exact places.
+
+A mark lies so far before the end of a move, or after its start, along the programmed curve, and so
+many seconds before the robot is there. When that is follows from the preview of the motion: while
+time passes, no further move can come, so the preview is what will be.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from rapidsim.controller.moves.queued_move import QueuedMove
+from rapidsim.controller.queue.solo_queue import RobotPath
+from rapidsim.motion.trajectory.trajectory import Trajectory
+
+_ROUNDING_M = 1e-9
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PathMark:
+    """One place, and what happens there."""
+
+    move: QueuedMove
+    distance_m: float
+    """From the end of the move back, or from its start on."""
+    from_start: bool
+    ahead_s: float
+    """So long before the robot is there; below 0 so long after."""
+    act: Callable[[float], None]
+    """Called with the time [s] at which it happens."""
+    interrupts: bool = False
+    """It makes a trap or a procedure run."""
+
+
+@dataclass(slots=True)
+class PathMarks:
+    """The marks of one robot's path that it has not passed."""
+
+    queue: RobotPath
+    _pending: list[PathMark] = field(default_factory=list)
+    _due: tuple[int, int, tuple[float, ...]] | None = None
+    """Of which version of the path and how many marks these are the times."""
+
+    @property
+    def is_pending(self) -> bool:
+        """Whether the robot has places before it where something happens."""
+        return bool(self._pending)
+
+    @property
+    def may_interrupt(self) -> bool:
+        """Whether a trap or a procedure may run at one of them."""
+        return any(mark.interrupts for mark in self._pending)
+
+    def add(self, mark: PathMark) -> None:
+        """Put a mark on the path."""
+        self._pending.append(mark)
+
+    def clear(self) -> None:
+        """Forget those the robot has not passed."""
+        self._pending.clear()
+
+    def next_s(self) -> float | None:
+        """When the robot passes the next mark [s]; None if it passes none."""
+        earliest_s = min(self._times(), default=math.inf)
+        return None if math.isinf(earliest_s) else earliest_s
+
+    def pass_next(self, now_s: float) -> None:
+        """Let happen what the next mark stands for, not before a time [s]."""
+        times = self._times()
+        index = min(range(len(times)), key=times.__getitem__)
+        mark = self._pending.pop(index)
+        mark.act(max(times[index], now_s))
+
+    def _times(self) -> tuple[float, ...]:
+        """When the robot passes each mark [s]; infinite where it does not get there."""
+        if not self._pending:
+            return ()
+        key = (self.queue.version, len(self._pending))
+        if self._due is None or self._due[:2] != key:
+            preview = self.queue.preview()
+            key = (self.queue.version, len(self._pending))
+            self._due = (*key, tuple(self._time(mark, preview) for mark in self._pending))
+        return self._due[2]
+
+    def _time(self, mark: PathMark, preview: Trajectory) -> float:
+        places = self.queue.places_of(mark.move)
+        if places is None:
+            return math.inf
+        start_m, end_m = places
+        if mark.from_start:
+            place_m = min(start_m + mark.distance_m, end_m)
+        else:
+            place_m = max(end_m - mark.distance_m, start_m)
+        if place_m > preview.length + _ROUNDING_M:
+            return math.inf
+        # A robot that stood at the start came there earlier; the move begins when it leaves.
+        begins_s = mark.move.command_start_s or 0.0
+        return max(preview.time_at_place(place_m), begins_s) - mark.ahead_s

@@ -1,0 +1,194 @@
+"""World zones: when the TCP, or the arm, comes into a zone and leaves it.
+
+The motion is looked at every millimetre of its path, however fast it is, and the instant of a
+crossing is then found by halving. Only what cuts out a shorter piece of the path is missed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from rapidsim.controller.queue.solo_queue import RobotPath
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.language.path_events import AxisRange, Box, Cylinder, Sphere, ZoneShape
+from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+
+LOOK_M = 0.001
+_LOOK_S = 0.02
+"""Looks are evenly spaced within so long."""
+_LOOKS = 1000
+"""So many are made in one go."""
+_HALVINGS = 40
+_MM = 1e-3
+
+
+@dataclass(slots=True)
+class Zone:
+    """One zone that is watched."""
+
+    shape: ZoneShape
+    crossed: Callable[[bool, float], None]
+    """Called with whether the arm is in the zone now, and the time [s]."""
+    enabled: bool = True
+    inside: bool = False
+
+
+@dataclass(slots=True)
+class WorldZoneTable:
+    """The zones that are watched while one robot moves."""
+
+    queue: RobotPath
+    world_from_base: Transform
+    _zones: dict[float, Zone] = field(default_factory=dict)
+    _looked_to_s: float = 0.0
+    _next: tuple[int, float | None] | None = None
+    """For which version of the path what was found."""
+
+    def add(self, zone: Zone, now_s: float) -> float:
+        """Watch a zone; what holds at once is told at once. Returns its number."""
+        number = float(max(self._zones, default=0.0) + 1.0)
+        self._zones[number] = zone
+        self._begin(zone, now_s)
+        return number
+
+    def enable(self, number: float, now_s: float, *, enabled: bool) -> None:
+        """Switch a zone on or off.
+
+        Raises:
+            KeyError: If there is none.
+        """
+        zone = self._zones[number]
+        if enabled and not zone.enabled:
+            zone.enabled = True
+            self._begin(zone, now_s)
+        elif not enabled and zone.enabled:
+            zone.enabled = False
+            if zone.inside:
+                zone.inside = False
+                zone.crossed(False, now_s)
+
+    def free(self, number: float) -> None:
+        """Forget a zone.
+
+        Raises:
+            KeyError: If there is none.
+        """
+        del self._zones[number]
+        self._next = None
+
+    @property
+    def is_watching(self) -> bool:
+        """Whether any zone is on."""
+        return any(zone.enabled for zone in self._zones.values())
+
+    def next_s(self) -> float | None:
+        """When the arm next enters or leaves a zone [s], as far as its motion is known."""
+        if not self.is_watching:
+            return None
+        if self._next is None or self._next[0] != self.queue.version:
+            preview = self.queue.preview()
+            times = [self._crossing(z, preview) for z in self._zones.values() if z.enabled]
+            found = min((time_s for time_s in times if time_s is not None), default=None)
+            self._next = (self.queue.version, found)
+        return self._next[1]
+
+    def pass_next(self, now_s: float) -> None:
+        """Let the next crossing happen."""
+        time_s = self.next_s()
+        assert time_s is not None
+        preview = self.queue.preview()
+        self._looked_to_s, self._next = time_s, None
+        for zone in list(self._zones.values()):
+            if (
+                zone.enabled
+                and self._inside(zone, preview.at(np.array([time_s])))[0] != zone.inside
+            ):
+                zone.inside = not zone.inside
+                zone.crossed(zone.inside, max(time_s, now_s))
+
+    def look_from(self, now_s: float) -> None:
+        """Nothing before a time [s] matters any more."""
+        self._looked_to_s = max(now_s, self._looked_to_s)
+
+    def _begin(self, zone: Zone, now_s: float) -> None:
+        self._next = None
+        self._looked_to_s = max(now_s, self._looked_to_s)
+        samples = self.queue.preview().at(np.array([now_s]))
+        zone.inside = bool(self._inside(zone, samples)[0])
+        if zone.inside:
+            zone.crossed(True, now_s)
+
+    def _crossing(self, zone: Zone, preview: Trajectory) -> float | None:
+        """The first time [s] after the last look at which being in a zone changes."""
+        looks = _looks(preview, self._looked_to_s)
+        for begin in range(0, len(looks), _LOOKS):
+            times = looks[begin : begin + _LOOKS]
+            changed = np.flatnonzero(self._inside(zone, preview.at(times)) != zone.inside)
+            if len(changed):
+                break
+        else:
+            return None
+        late = float(times[changed[0]])
+        early = float(looks[max(begin + int(changed[0]) - 1, 0)])
+        for _ in range(_HALVINGS):
+            middle = 0.5 * (early + late)
+            if self._inside(zone, preview.at(np.array([middle])))[0] == zone.inside:
+                early = middle
+            else:
+                late = middle
+        return late
+
+    def _inside(self, zone: Zone, samples: Samples) -> Array:
+        """Whether the arm is in a zone, shape (k,)."""
+        shape = zone.shape
+        if isinstance(shape.volume, AxisRange):
+            within = _axes_within(shape.volume, np.degrees(samples.joints))
+        else:
+            world_from_tcp = self.world_from_base @ samples.base_from_tcp
+            within = _holds(shape.volume, world_from_tcp.translation / _MM)
+        result: Array = within != shape.outside
+        return result
+
+
+def _looks(preview: Trajectory, start_s: float) -> Array:
+    """Times [s] from one on between which the arm makes at most about a millimetre of its path."""
+    if preview.duration <= start_s:
+        return np.zeros(0)
+    times = np.linspace(start_s, preview.duration, int((preview.duration - start_s) / _LOOK_S) + 2)
+    counts = np.ceil(np.diff(preview.place_at(times)) / LOOK_M).astype(int)
+    counts = np.maximum(counts, 1)
+    since = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+    looks: Array = np.repeat(times[:-1], counts) + since * np.repeat(
+        np.diff(times) / counts, counts
+    )
+    return np.append(looks, times[-1])
+
+
+def _holds(volume: Box | Cylinder | Sphere, points: Array) -> Array:
+    """Whether points (k, 3) [mm] of the world are in a volume, shape (k,)."""
+    within: Array
+    match volume:
+        case Box(low=low, high=high):
+            least, most = np.minimum(low, high), np.maximum(low, high)
+            within = np.all((points >= least) & (points <= most), axis=1)
+        case Cylinder(centre=centre, radius=radius, height=height):
+            off = points - np.array(centre)
+            above = off[:, 2] * np.sign(height)
+            round_it = np.hypot(off[:, 0], off[:, 1]) <= radius
+            within = round_it & (above >= 0.0) & (above <= abs(height))
+        case Sphere(centre=centre, radius=radius):
+            within = np.linalg.norm(points - np.array(centre), axis=1) <= radius
+    return within
+
+
+def _axes_within(volume: AxisRange, joints_deg: Array) -> Array:
+    """Whether joints (k, n) [deg] are between two joint targets, shape (k,)."""
+    count = joints_deg.shape[1]
+    low, high = np.array(volume.low.robax)[:count], np.array(volume.high.robax)[:count]
+    within: Array = np.all(
+        (joints_deg[:, : len(low)] >= low) & (joints_deg[:, : len(low)] <= high), axis=1
+    )
+    return within

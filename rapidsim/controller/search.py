@@ -1,0 +1,146 @@
+r"""Searching: a move on which a signal or a persistent is watched.
+
+A hit is exact: the position is that of the arm at the instant of the flank. A persistent has no
+instant of its own; it is looked at every few milliseconds.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types, "SearchL".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+
+from rapidsim.controller.journal.journal import Instant
+from rapidsim.controller.path_control import TaskPathControl
+from rapidsim.language.data import FINE, JointTarget, RobTarget
+from rapidsim.language.error_numbers import (
+    ERR_PERSSUPSEARCH,
+    ERR_SIGSUPSEARCH,
+    ERR_WHLSEARCH,
+    rapid_error,
+)
+from rapidsim.language.moves import Flank, Move, SearchStop
+from rapidsim.motion.configurations.targets import rob_joint
+
+LOOK_S = 0.012
+"""How often a persistent is looked at."""
+_AT_START = {Flank.RISING: True, Flank.FALLING: False}
+"""What the value must not be when the search begins."""
+_RISING = (Flank.RISING, Flank.ONLY_RISING, Flank.EITHER)
+_FALLING = (Flank.FALLING, Flank.ONLY_FALLING, Flank.EITHER)
+
+
+@dataclass(slots=True)
+class _Watch:
+    """Notes when a value makes the flank that is searched for."""
+
+    signal: str
+    flank: Flank
+    hits: list[float] = field(default_factory=list)
+
+    def listens_to(self, signal: str) -> bool:
+        return signal.lower() == self.signal
+
+    def signal_changed(self, signal: str, old: float, value: float, now_s: float) -> None:
+        del signal
+        rises = old == 0.0 and value != 0.0
+        falls = old != 0.0 and value == 0.0
+        if (rises and self.flank in _RISING) or (falls and self.flank in _FALLING):
+            self.hits.append(now_s)
+
+
+class TaskSearch(TaskPathControl):
+    """Implements the searching of `language.controller.PathControl`."""
+
+    def search(
+        self,
+        move: Move,
+        found: Callable[[], float] | str,
+        flank: Flank,
+        stop: SearchStop,
+    ) -> RobTarget:
+        """Make a move to a stop point and watch a signal, or a persistent, on the way."""
+        arm = self._queue.at_past(self._hit_s(move, found, flank, stop))
+        return self._resolver.target(
+            arm.joints[0], arm.external[0], move.tool, move.wobj, self.place
+        )
+
+    def search_joints(
+        self,
+        move: Move,
+        found: Callable[[], float] | str,
+        flank: Flank,
+        stop: SearchStop,
+    ) -> JointTarget:
+        """As `search`, but tell where all axes were at the first hit."""
+        arm = self._queue.at_past(self._hit_s(move, found, flank, stop))
+        return JointTarget(rob_joint(arm.joints[0]), self._resolver.ext_joint(arm.external[0]))
+
+    def _hit_s(
+        self,
+        move: Move,
+        found: Callable[[], float] | str,
+        flank: Flank,
+        stop: SearchStop,
+    ) -> float:
+        """Make the move and tell when [s] the first hit was."""
+        signal = found.lower() if isinstance(found, str) else ""
+        watch = _Watch(signal, flank)
+        self._observe()
+        self._put(replace(move, zone=FINE), lambda queued: None, wait=False)
+        self._come_to(self._queue.commit_last_start())
+        self._refuse_at_start(move, found, flank)
+        self._cell.listeners.append(watch)
+        try:
+            self._watch(watch, found, stop)
+        finally:
+            self._cell.listeners.remove(watch)
+        if stop is SearchStop.GO_ON_ONCE and len(watch.hits) > 1:
+            raise rapid_error(
+                ERR_WHLSEARCH, f"{move.instruction} found {len(watch.hits)} hits, and one is wanted"
+            )
+        if not watch.hits:
+            raise rapid_error(ERR_WHLSEARCH, f"{move.instruction} came to its end without a hit")
+        return watch.hits[0]
+
+    def _refuse_at_start(self, move: Move, found: Callable[[], float] | str, flank: Flank) -> None:
+        if flank not in _AT_START:
+            return
+        value = self._cell.signals.read(found) if isinstance(found, str) else found()
+        if (value != 0.0) is not _AT_START[flank]:
+            return
+        what, number = "the persistent", ERR_PERSSUPSEARCH
+        if isinstance(found, str):
+            what, number = f"`{found}`", ERR_SIGSUPSEARCH
+        self._stop_here()
+        raise rapid_error(
+            number, f"{move.instruction}: {what} is {value:g} already when the search begins"
+        )
+
+    def _watch(self, watch: _Watch, found: Callable[[], float] | str, stop: SearchStop) -> None:
+        """Let the robot move until it stands: at the end, or where a hit stops it."""
+        while self._queue.is_open:
+            self._await_restart()
+            reached_s = self._queue.trajectory.seen_s(self._queue.close())
+            while (now_s := self._observe()) < reached_s and not self._queue.is_open:
+                if isinstance(found, str):
+                    self._await_event(reached_s)
+                else:
+                    old = found()
+                    self._await_event(min(reached_s, now_s + LOOK_S))
+                    watch.signal_changed("", old, found(), self._observe())
+                if watch.hits and stop is SearchStop.STOP:
+                    self._stop_here()
+                    return
+
+    def _stop_here(self) -> None:
+        """Stop on the path and forget the rest of it."""
+        rest_s = self._queue.halt(self._observe())
+        self._pass_time(max(self._observe(), self._queue.trajectory.seen_s(rest_s)))
+        self._queue.clear()
+        self._queue.resume(self._observe())
+
+    def _come_to(self, time_s: float) -> None:
+        self._time.follow(Instant())
+        self._pass_time(time_s)

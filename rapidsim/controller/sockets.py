@@ -1,0 +1,198 @@
+"""One task's sockets: who is at the other end, and waiting for it in virtual time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from rapidsim.controller.cell.network import NetworkConnection, NetworkPort
+from rapidsim.controller.cell.streams import Port, StreamEnd
+from rapidsim.controller.clock import TaskTime
+from rapidsim.controller.journal.events import EventKind
+from rapidsim.controller.journal.stop_reasons import WaitsForever
+from rapidsim.findings.sockets import NobodyAnswers, NobodyConnects
+from rapidsim.language.error_numbers import ERR_SOCK_CLOSED, rapid_error
+from rapidsim.language.sockets import Connection, Listener
+
+_SHOWN = 40
+"""Characters of what is sent and received that an event shows."""
+
+
+class TaskSockets(TaskTime):
+    """Implements `language.controller.Sockets`."""
+
+    def open_port(self, address: str, port: int) -> Listener:
+        """Let clients connect to a port: over the network where the run may use it.
+
+        Raises:
+            RapidError: ERR_SOCK_ADDR_INUSE.
+        """
+        now_s = self.come_up()
+        network, sockets = self._cell.network, self._cell.sockets
+        opened: Listener
+        if network is not None and not sockets.is_scripted(port, serves=False):
+            opened = network.listen(address, port)
+        else:
+            opened = sockets.listen(port, now_s)
+        self._event(EventKind.SOCKET, f"listens on port {port}", port=port)
+        self._cell.tell(self._moment())
+        return opened
+
+    def accept_client(self, listener: Listener, *, max_time: float | None) -> Connection | None:
+        """Wait for a client; None if none came in time.
+
+        Raises:
+            WaitsForever: If the wait has no end and nothing that is known to happen ends it.
+        """
+        deadline_s = self._deadline(max_time)
+        found: Connection | None = None
+        if isinstance(listener, NetworkPort):
+            found = listener.accept(self._patience(deadline_s))
+            self._after_network(found is not None, deadline_s)
+        else:
+            assert isinstance(listener, Port)
+            waiting = listener.waiting
+            nobody = (
+                f"`SocketAccept` waits for a client at port {listener.port}, and none comes: "
+                "no [[socket]] of the station file connects to it"
+            )
+            if self._waited(lambda: bool(waiting), deadline_s, nobody):
+                found = waiting.pop(0)
+            elif not self._cell.sockets.is_scripted(listener.port, serves=False):
+                told = NobodyConnects(listener.port)
+                self._journal.finding(told, self.place, once=told)
+        if found is not None:
+            self._event(EventKind.SOCKET, f"accepted {found.peer}", peer=found.peer)
+        return found
+
+    def connect_socket(
+        self, address: str, port: int, *, max_time: float | None
+    ) -> Connection | None:
+        """Connect to a server; None if none answered in time.
+
+        Raises:
+            RapidError: ERR_SOCK_NET_UNREACH where the run may not talk to the host.
+            WaitsForever: If the wait has no end and nothing that is known to happen ends it.
+        """
+        deadline_s = self._deadline(max_time)
+        network, sockets = self._cell.network, self._cell.sockets
+        found: Connection | None = None
+        if network is not None and not sockets.is_scripted(port, serves=True):
+            found = network.connect(address, port, self._patience(deadline_s))
+            self._after_network(found is not None, deadline_s)
+        else:
+            ends: list[StreamEnd] = []
+
+            def is_answered() -> bool:
+                end = sockets.connect(address, port, self._observe())
+                ends.extend([end] if end is not None else [])
+                return end is not None
+
+            nobody = f"`SocketConnect` waits for {address}:{port}, and nobody listens there"
+            if self._waited(is_answered, deadline_s, nobody):
+                found = ends[0]
+                self._cell.tell(self._moment())
+            elif network is None:
+                self._journal.finding(NobodyAnswers(f"{address}:{port}"), self.place)
+        if found is not None:
+            self._event(EventKind.SOCKET, f"connected to {found.peer}", peer=found.peer)
+        return found
+
+    def send_bytes(self, connection: Connection, data: bytes) -> None:
+        """Send bytes.
+
+        Raises:
+            RapidError: ERR_SOCK_CLOSED if the other end has closed.
+        """
+        now_s = self.come_up()
+        if connection.has_ended:
+            raise rapid_error(ERR_SOCK_CLOSED, f"{connection.peer} has closed the connection")
+        self._event(
+            EventKind.SOCKET,
+            f"sent {_shown(data)} to {connection.peer}",
+            peer=connection.peer,
+            sent=data.decode("iso-8859-1"),
+        )
+        if isinstance(connection, NetworkConnection):
+            sent = connection.send(data, self._patience(math.inf))
+            self._after_network(sent, math.inf)
+        else:
+            assert isinstance(connection, StreamEnd)
+            connection.send(data, now_s)
+            self._cell.tell(self._moment())
+
+    def await_bytes(self, connection: Connection, count: int, *, max_time: float | None) -> bool:
+        """Wait until so many bytes are there or no more will come; False if time ran out first.
+
+        Raises:
+            WaitsForever: If the wait has no end and nothing that is known to happen ends it.
+        """
+        deadline_s = self._deadline(max_time)
+
+        def is_there() -> bool:
+            return connection.has_ended or len(connection.received) >= count
+
+        if isinstance(connection, NetworkConnection):
+            connection.wait(count, lambda: self._patience(deadline_s))
+            self._after_network(is_there(), deadline_s)
+            there = is_there()
+        else:
+            nothing = f"`SocketReceive` waits for {connection.peer}, which sends nothing more"
+            there = self._waited(is_there, deadline_s, nothing)
+        if there and connection.received and max_time != 0.0:
+            self._event(
+                EventKind.SOCKET,
+                f"{_shown(bytes(connection.received))} came from {connection.peer}",
+                peer=connection.peer,
+                received=connection.received.decode("iso-8859-1"),
+            )
+        return there
+
+    def close_socket(self, listener: Listener | None, connection: Connection | None) -> None:
+        """Close what a socket was tied to."""
+        now_s = self.come_up()
+        if isinstance(listener, Port):
+            self._cell.sockets.close_port(listener)
+        elif isinstance(listener, NetworkPort):
+            listener.close()
+        if isinstance(connection, StreamEnd):
+            connection.close(now_s)
+        elif isinstance(connection, NetworkConnection):
+            connection.close()
+        self._cell.tell(self._moment())
+
+    def _deadline(self, max_time: float | None) -> float:
+        self._note_line()
+        now_s = self.come_up()
+        return math.inf if max_time is None else now_s + max_time
+
+    def _waited(self, condition: Callable[[], bool], deadline_s: float, in_vain: str) -> bool:
+        """Let time pass until a condition holds; False if the deadline [s] came first."""
+        while not condition():
+            if self._observe() >= deadline_s:
+                return False
+            if not self._await_event(deadline_s):
+                raise WaitsForever(in_vain)
+        return True
+
+    def _patience(self, deadline_s: float) -> float | None:
+        """How long the network may take [s]; None for ever."""
+        left_s = min(deadline_s, self._cell.max_time_s) - self._observe()
+        left_s = min(left_s, self._cell.watchdog.left_s)
+        return None if math.isinf(left_s) else max(0.0, left_s)
+
+    def _after_network(self, in_time: bool, deadline_s: float) -> None:
+        """A wait in vain has taken its time; an answer took none."""
+        self._journal.unsimulated("the network", "answers take no simulated time", self.place)
+        self._cell.watchdog.look()
+        if not in_time:
+            self._pass_time(max(deadline_s, self._observe()))
+
+
+def _shown(data: bytes) -> str:
+    """Bytes as text in quotes, control characters by their codes, as RAPID writes them."""
+    text = "".join(
+        character if character.isprintable() else f"\\{ord(character):02X}"
+        for character in data.decode("iso-8859-1")
+    )
+    return f'"{text}"' if len(text) <= _SHOWN else f'"{text[:_SHOWN]}..." ({len(data)} bytes)'

@@ -1,0 +1,1 @@
+"""A checked routine becomes Python syntax."""

@@ -1,0 +1,350 @@
+"""Calls in generated code: arguments matched to parameters, places told, special forms.
+
+User routines take all their parameters by position, `ABSENT` for options that are not given.
+Library functions take required parameters by position and options by keyword. A call that reports
+to the controller first tells it the place of the statement.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from rapidsim.analysis.program import LibrarySymbol, ParameterSymbol, RoutineSymbol, UnknownSymbol
+from rapidsim.interpreter.codegen.ast_builder import At
+from rapidsim.interpreter.codegen.data_access import Paths, bare, by_reference
+from rapidsim.interpreter.codegen.expression_code import Code
+from rapidsim.interpreter.codegen.operands import Operands
+from rapidsim.interpreter.codegen.special_forms import SPECIAL_FORMS
+from rapidsim.interpreter.limits import NotExecutableError
+from rapidsim.interpreter.runtime.late_binding import LateArgument
+from rapidsim.interpreter.runtime.loaded_calls import may_be_loaded
+from rapidsim.interpreter.runtime.values import is_signal
+from rapidsim.language.annotations import Mode
+from rapidsim.language.initial import initial_value
+from rapidsim.language.moves import Place
+from rapidsim.language.types import NUM, ArrayOf, Type, resolved
+from rapidsim.library.table import LibraryRoutine, Parameter, Signature
+from rapidsim.library.text import value_text
+from rapidsim.syntax import tree
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """What a call gives for one parameter; no value for a switch."""
+
+    value: tree.Expression | None = None
+    caller_option: tree.Name | None = None
+    """Of a conditional argument, the option of the calling routine."""
+
+
+def match_arguments(
+    arguments: Sequence[tree.Argument], parameters: Sequence[ParameterSymbol | Parameter]
+) -> dict[str, Given]:
+    """What a call gives, by folded parameter name."""
+    required = (p.name.lower() for p in parameters if not p.optional)
+    given: dict[str, Given] = {}
+    for argument in arguments:
+        match argument:
+            case tree.Required(value=value, name=name):
+                following = next(required, "")
+                given[name.key if name is not None else following] = Given(value)
+            case tree.Optional(name=name, value=value):
+                given[name.key] = Given(value)
+            case tree.Conditional(name=name, present=present):
+                given[name.key] = Given(None, present)
+    return given
+
+
+class Calls:
+    """Translates the calls of one routine."""
+
+    def __init__(self, expressions: Operands, paths: Paths) -> None:
+        """Translate with the names and the place that expressions have."""
+        self._expressions = expressions
+        self._paths = paths
+        self._names = expressions.names
+        self._program = expressions.program
+
+    def function(self, call: tree.FunctionCall) -> Code:
+        """A function call as a value."""
+        at = self._expressions.at(call)
+        match self._program.symbol_of[call]:
+            case RoutineSymbol() as symbol:
+                return self._user(symbol, call.arguments, at)
+            case LibrarySymbol(routine=routine):
+                form = SPECIAL_FORMS.get(routine.name.lower())
+                if form is not None:
+                    return form(self._expressions, self._paths, call, at)
+                return self._library_function(routine, call, at)
+            case UnknownSymbol(name=name):
+                value = self._initial_value(call)
+                place = at.name(self._place(call, {}))
+                instead = at.constant(self._taken_for(call, value))
+                constant = at.name(self._names.module.constant(value))
+                node = at.call("_stand_in", [place, at.constant(name), instead, constant])
+                if may_be_loaded(call, self._program):
+                    of = at.name(self._names.module.numbered("_type", self._program.type_of[call]))
+                    late = self._late_arguments(call, at.constant(name), at)
+                    node = at.call("_loaded_function", [*late, of, at.deferred(node)])
+                return Code(node, calls=True)
+            case _:
+                raise NotExecutableError(
+                    f"a call of `{call.name.text}`, which is no function,",
+                    self._expressions.span(call),
+                )
+
+    def procedure(self, call: tree.Call, at: At) -> list[ast.stmt]:
+        """A procedure or instruction call as statements."""
+        match self._program.symbol_of[call]:
+            case RoutineSymbol() as symbol:
+                return [at.do(self._user(symbol, call.arguments, at).node)]
+            case LibrarySymbol(routine=routine) if routine.name == "CallByVar":
+                return self._call_by_var(routine, call, at)
+            case LibrarySymbol(routine=routine):
+                return self._instruction(routine, call, at)
+            case UnknownSymbol(name=name):
+                if may_be_loaded(call, self._program):
+                    late = self._late_arguments(call, at.constant(name), at)
+                    return [at.do(at.call("_loaded", late))]
+                place = at.name(self._place(call, {}))
+                return [at.do(at.call("_skip", [place, at.constant(name)]))]
+            case _:
+                raise NotExecutableError(
+                    f"a call of `{call.name.text}`, which is no procedure,",
+                    self._expressions.span(call),
+                )
+
+    def late(self, call: tree.LateCall, at: At) -> list[ast.stmt]:
+        """A call of a procedure whose name is a string known at run time."""
+        name = self._expressions.value(call.routine).node
+        return [at.do(at.call("_late", self._late_arguments(call, name, at)))]
+
+    def _late_arguments(
+        self, call: tree.LateCall | tree.Call | tree.FunctionCall, name: ast.expr, at: At
+    ) -> list[ast.expr]:
+        """Place, name, shapes and values of a call whose routine only the run finds."""
+        shapes: list[LateArgument] = []
+        values: list[ast.expr] = []
+        for argument in call.arguments:
+            shape, value = self._late_argument(argument, at)
+            shapes.append(shape)
+            values.append(value)
+        form = at.name(self._names.module.numbered("_arguments", tuple(shapes)))
+        place = at.name(self._place(call, {}))
+        return [place, name, form, at.tuple_of(values)]
+
+    def _call_by_var(self, routine: LibraryRoutine, call: tree.Call, at: At) -> list[ast.stmt]:
+        """CallByVar: late binding to a name that ends in a number."""
+        given = match_arguments(call.arguments, routine.signature.parameters)
+        parts = [value for key in ("name", "number") if (value := given[key].value) is not None]
+        name = at.call("_numbered_name", [self._expressions.value(part).node for part in parts])
+        form = at.name(self._names.module.numbered("_arguments", ()))
+        place = at.name(self._place(call, {}))
+        return [at.do(at.call("_late", [place, name, form, at.tuple_of([])]))]
+
+    def _user(self, symbol: RoutineSymbol, arguments: Sequence[tree.Argument], at: At) -> Code:
+        given = match_arguments(arguments, symbol.parameters)
+        nodes = {
+            parameter.name.lower(): self._argument(parameter, given.get(parameter.name.lower()), at)
+            for parameter in symbol.parameters
+        }
+        self._refuse_two_alternatives(symbol.parameters, given, nodes, at)
+        function = at.name(self._names.module.routine(symbol))
+        return Code(at.call(function, [*nodes.values()]), may_raise=True, calls=True)
+
+    def _argument(self, parameter: ParameterSymbol, given: Given | None, at: At) -> ast.expr:
+        """The argument of a user routine's parameter."""
+        if given is None:
+            return at.constant(False) if parameter.is_switch else at.name("_ABSENT")
+        if given.caller_option is not None:
+            return self._forwarded(given.caller_option, parameter.mode, at)
+        if given.value is None:
+            return at.constant(True)
+        value = bare(given.value)
+        is_path = isinstance(value, tree.Reference | tree.Index | tree.Component)
+        if is_path and (by_reference(parameter.mode) or is_signal(parameter.type)):
+            assert isinstance(value, tree.Reference | tree.Index | tree.Component)
+            return self._paths.reference(value).node
+        return self._expressions.copy(given.value).node
+
+    def _forwarded(self, option: tree.Name, mode: Mode, at: At) -> ast.expr:
+        r"""The value for `\X?y`: the caller's own option, present or not."""
+        symbol = self._caller_option(option)
+        name = self._names.get(symbol)
+        assert name is not None
+        if symbol.is_switch or by_reference(mode) or not self._is_reference(symbol):
+            return at.name(name)
+        present = at.compare(at.name(name), (ast.IsNot(), at.name("_ABSENT")))
+        return at.choice(present, at.attribute(name, "value"), at.name("_ABSENT"))
+
+    def _is_reference(self, symbol: ParameterSymbol) -> bool:
+        """Whether a parameter's variable holds a reference other than a list."""
+        if isinstance(resolved(symbol.type), ArrayOf):
+            return False
+        return by_reference(symbol.mode) or symbol in self._names.in_cell
+
+    def _caller_option(self, option: tree.Name) -> ParameterSymbol:
+        for symbol in self._names.parameters:
+            if symbol.name.lower() == option.key:
+                return symbol
+        raise NotExecutableError(
+            f"a conditional argument of `{option.text}`, which is no option of this routine,",
+            self._expressions.span(option),
+        )
+
+    def _refuse_two_alternatives(
+        self,
+        parameters: Sequence[ParameterSymbol] | Sequence[Parameter],
+        given: dict[str, Given],
+        nodes: dict[str, ast.expr],
+        at: At,
+    ) -> None:
+        """Where two options exclude each other and only the run shows who is there, check then.
+
+        The last of them is wrapped, so that the others have their values before.
+
+        Args:
+            parameters: Of the routine.
+            given: What the call gives, by folded parameter name.
+            nodes: The arguments, likewise; changed where a check is needed.
+            at: The place of the call.
+        """
+        if not any(one.caller_option for one in given.values()):
+            return
+        groups: dict[int, list[str]] = {}
+        for parameter in parameters:
+            if parameter.optional and parameter.group and parameter.name.lower() in given:
+                groups.setdefault(parameter.group, []).append(parameter.name.lower())
+        for names in groups.values():
+            if len(names) > 1 and any(given[name].caller_option for name in names):
+                flags = [self._is_there(given[name], at) for name in names]
+                nodes[names[-1]] = at.call("_at_most_one", [nodes[names[-1]], *flags])
+
+    def _is_there(self, given: Given, at: At) -> ast.expr:
+        """Whether an argument is given: a conditional one only if the caller's option is."""
+        if given.caller_option is None:
+            return at.constant(True)
+        symbol = self._caller_option(given.caller_option)
+        name = self._names.get(symbol)
+        assert name is not None
+        if symbol.is_switch:
+            return at.name(name)
+        return at.compare(at.name(name), (ast.IsNot(), at.name("_ABSENT")))
+
+    def _library_function(self, routine: LibraryRoutine, call: tree.FunctionCall, at: At) -> Code:
+        signature = routine.signature
+        given = match_arguments(call.arguments, signature.parameters)
+        function = at.name(self._names.module.library(routine))
+        values, options, calls = self._library_arguments(signature, given, at)
+        if not signature.takes_controller:
+            return Code(at.call(function, values, options), may_raise=True, calls=calls)
+        place = at.name(self._place(call, given))
+        node = at.call("_call_at", [place, function, *values], options)
+        return Code(node, may_raise=True, calls=True)
+
+    def _instruction(self, routine: LibraryRoutine, call: tree.Call, at: At) -> list[ast.stmt]:
+        signature = routine.signature
+        given = match_arguments(call.arguments, signature.parameters)
+        function = at.name(self._names.module.library(routine))
+        values, options, calls = self._library_arguments(signature, given, at)
+        if not signature.takes_controller:
+            return [at.do(at.call(function, values, options))]
+        place = at.name(self._place(call, given))
+        if calls:
+            # A call among the arguments reports places of its own; ours comes after.
+            return [at.do(at.call("_call_at", [place, function, *values], options))]
+        return [
+            at.assign(at.store_attribute("_task", "place"), place),
+            at.do(at.call(function, [at.name("_task"), *values], options)),
+        ]
+
+    def _library_arguments(
+        self, signature: Signature, given: dict[str, Given], at: At
+    ) -> tuple[list[ast.expr], list[tuple[str, ast.expr]], bool]:
+        """Positional arguments, keyword options, and whether calls are among them."""
+        there = [(p, key) for p in signature.parameters if (key := p.name.lower()) in given]
+        nodes: dict[str, ast.expr] = {}
+        calls = False
+        for parameter, key in there:
+            code = self._library_argument(parameter, given[key], at)
+            calls |= code.calls
+            nodes[key] = code.node
+        self._refuse_two_alternatives(signature.parameters, given, nodes, at)
+        values = [nodes[key] for parameter, key in there if not parameter.by_keyword]
+        options = [(p.python, nodes[key]) for p, key in there if p.by_keyword]
+        if signature.type_keyword:
+            of = self._given_type(signature.type_of, given)
+            options.append(
+                (signature.type_keyword, at.name(self._names.module.numbered("_type", of)))
+            )
+        return values, options, calls
+
+    def _library_argument(self, parameter: Parameter, given: Given, at: At) -> Code:
+        if given.caller_option is not None:
+            node = self._forwarded(given.caller_option, parameter.mode, at)
+            if parameter.is_switch:
+                return Code(node)
+            # The Python functions know no ABSENT; None is how they say it.
+            present = at.compare(at.named("_given", node), (ast.IsNot(), at.name("_ABSENT")))
+            return Code(at.choice(present, at.name("_given"), at.constant(None)))
+        if given.value is None:
+            return Code(at.constant(True))
+        value = bare(given.value)
+        if isinstance(value, tree.Reference | tree.Index | tree.Component) and (
+            by_reference(parameter.mode) or any(map(is_signal, parameter.types))
+        ):
+            return self._paths.reference(value)
+        code = self._expressions.value(given.value)
+        if by_reference(parameter.mode):
+            return Code(at.call("_Box", [code.node]), code.owed, code.may_raise, code.calls)
+        return Code(at.deferred(code.node)) if parameter.deferred else code
+
+    def _given_type(self, parameter: Parameter | None, given: dict[str, Given]) -> Type:
+        one = given.get(parameter.name.lower()) if parameter is not None else None
+        if one is not None and one.value is not None:
+            return self._expressions.type_of(one.value)
+        return NUM
+
+    def _late_argument(self, argument: tree.Argument, at: At) -> tuple[LateArgument, ast.expr]:
+        match argument:
+            case tree.Conditional(name=name, present=present):
+                symbol = self._caller_option(present)
+                spelled = self._names.get(symbol)
+                assert spelled is not None
+                shape = LateArgument(name.key, self._is_reference(symbol), symbol.type)
+                return shape, at.name(spelled)
+            case tree.Optional(name=name, value=None):
+                return LateArgument(name.key, False, None), at.constant(True)
+            case tree.Optional(name=name, value=value) | tree.Required(name=name, value=value):
+                assert value is not None
+                inner = bare(value)
+                key = name.key if name is not None else None
+                of = self._expressions.type_of(value)
+                if isinstance(inner, tree.Reference | tree.Index | tree.Component):
+                    refers = not isinstance(resolved(of), ArrayOf)
+                    node = self._paths.reference(inner).node
+                    return LateArgument(key, refers, of), node
+                return LateArgument(key, False, of), self._expressions.copy(value).node
+
+    def _place(self, node: tree.Node, given: dict[str, Given]) -> str:
+        source = self._expressions.module.source.text
+        texts = {}
+        for name, one in given.items():
+            written = one.value or one.caller_option
+            texts[name] = source[written.start : written.end] if written is not None else ""
+        return self._names.module.place(
+            Place(self._expressions.span(node), self._names.routine, texts)
+        )
+
+    def _initial_value(self, call: tree.FunctionCall) -> object:
+        of = self._program.type_of.get(call)
+        return initial_value(of) if of is not None else 0.0
+
+    def _taken_for(self, call: tree.FunctionCall, value: object) -> str:
+        """What is done instead of calling a function that nobody declares."""
+        of = self._program.type_of.get(call, NUM)
+        if value is None:
+            return "skipped"
+        return f"skipped, {value_text(value, of)} taken for its value"

@@ -1,0 +1,439 @@
+"""Data in generated code: reading, writing and referring to `a{i}.trans.x`.
+
+Where data live: module variables in cells, as do locals that are passed by reference; other locals
+in plain Python variables; arrays in lists, which every reference to them shares. By-reference
+parameters hold whatever reference they were given.
+"""
+
+from __future__ import annotations
+
+import ast
+from dataclasses import dataclass
+from enum import Enum
+
+from rapidsim.analysis.program import (
+    CounterSymbol,
+    DataSymbol,
+    ParameterSymbol,
+    Storage,
+    Symbol,
+    UnknownSymbol,
+)
+from rapidsim.interpreter.codegen.ast_builder import At
+from rapidsim.interpreter.codegen.expression_code import Code, Interval, Owed, finished
+from rapidsim.interpreter.codegen.operands import Operands
+from rapidsim.interpreter.limits import NotExecutableError
+from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER
+from rapidsim.interpreter.runtime.values import element_type, is_signal
+from rapidsim.language.annotations import Mode
+from rapidsim.language.types import NUM, SIGNAL_DI, ArrayOf, Record, Type, resolved
+from rapidsim.syntax import tree
+
+
+class Home(Enum):
+    """Where the whole of some data is kept."""
+
+    PLAIN = "plain"
+    """In a Python variable."""
+    REFERENCE = "reference"
+    """Behind a reference: `name.value`."""
+    ARRAY = "array"
+    """In the list that the name holds."""
+    CONTROLLER = "controller"
+    """ERRNO and INTNO, which the controller keeps."""
+    SIGNAL = "signal"
+    """Behind a reference to a signal, whose value the controller keeps."""
+
+
+@dataclass(frozen=True, slots=True)
+class Whole:
+    """The data that a path begins with."""
+
+    home: Home
+    node: ast.expr
+    """The Python variable, or the value itself of a constant."""
+    type: Type
+    name: str = ""
+    optional: bool = False
+    """A parameter that may be absent and does not find out by itself."""
+    may_raise: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class FlatPath:
+    """A path taken apart: RAPID's paths are a name, then indices, then components."""
+
+    reference: tree.Reference
+    indices: tuple[tree.Expression, ...]
+    names: tuple[str, ...]
+
+
+def flat(path: tree.DataPath) -> FlatPath:
+    """Take a path apart."""
+    indices: tuple[tree.Expression, ...] = ()
+    names: list[str] = []
+    while not isinstance(path, tree.Reference):
+        if isinstance(path, tree.Component):
+            names.insert(0, path.name.key)
+            path = path.record
+        else:
+            indices = (*path.indices, *indices)
+            path = path.array
+    return FlatPath(path, indices, tuple(names))
+
+
+def bare(expression: tree.Expression) -> tree.Expression:
+    """The expression without parentheses around it."""
+    while isinstance(expression, tree.Parenthesised):
+        expression = expression.inner
+    return expression
+
+
+def by_reference(mode: Mode) -> bool:
+    """Whether a parameter of this mode takes a reference."""
+    return mode is not Mode.IN
+
+
+class Paths:
+    """Translates the paths of one statement after the other."""
+
+    def __init__(self, expressions: Operands) -> None:
+        """Translate with the names and the place that expressions have."""
+        self._expressions = expressions
+        self._names = expressions.names
+        self._program = expressions.program
+
+    def symbol(self, path: tree.DataPath) -> Symbol:
+        """The symbol a path begins with."""
+        return self._program.symbol_of[flat(path).reference]
+
+    def type_of(self, path: tree.DataPath) -> Type:
+        """The declared type of the data at a path."""
+        parts = flat(path)
+        of = _symbol_type(self._program.symbol_of[parts.reference])
+        for _ in parts.indices:
+            of = _element(of)
+        for name in parts.names:
+            _, of = _component(of, name)
+        return of
+
+    def read(self, path: tree.DataPath) -> Code:
+        """The value at a path; of arrays the list itself, not a copy."""
+        at = self._expressions.at(path)
+        parts = flat(path)
+        whole = self._whole(parts.reference)
+        if not parts.indices and not parts.names:
+            return self._read_whole(whole, parts.reference, at)
+        code = self._element(whole, parts, at)
+        node, of = code.node, whole.type
+        for _ in parts.indices:
+            of = _element(of)
+        for name in parts.names:
+            position, of = _component(of, name)
+            node = at.item(node, at.constant(position))
+        return Code(node, may_raise=code.may_raise, calls=code.calls)
+
+    def write(self, path: tree.DataPath, value: Code, at: At) -> list[ast.stmt]:
+        """Statements that put a value at a path; the value is evaluated first."""
+        parts = flat(path)
+        whole = self._whole(parts.reference)
+        if not parts.names:
+            return self._write_element(whole, parts, value.node, at)
+        before: list[ast.stmt] = []
+        node = value.node
+        if value.calls:
+            # The call may change the very record, so it comes before the other components.
+            before.append(at.set("_value", node))
+            node = at.name("_value")
+        if not parts.indices:
+            record = self._value(whole, at)
+            of = whole.type
+            if whole.home is Home.PLAIN:
+                new = self._with_component(of, parts.names, whole.node, node, at)
+                return [*before, *self._store_whole(whole, new, at)]
+            before.append(at.set("_record", record))
+            new = self._with_component(of, parts.names, at.name("_record"), node, at)
+            return [*before, *self._store_whole(whole, new, at)]
+        array, index, _ = self._array_and_index(whole, parts, at)
+        of = whole.type
+        for _ in parts.indices:
+            of = _element(of)
+        new = self._with_component(of, parts.names, at.name("_record"), node, at)
+        return [
+            *before,
+            at.set("_array", array),
+            at.set("_index", index),
+            at.set("_record", at.item("_array", at.name("_index"))),
+            at.assign(at.store_item("_array", at.name("_index")), new),
+        ]
+
+    def size(self, path: tree.DataPath, dimension: int) -> Code | None:
+        """The size of one dimension, where declared or kept in a variable; None elsewhere.
+
+        Args:
+            path: To the array.
+            dimension: From 1.
+        """
+        of = resolved(self.type_of(path))
+        if not isinstance(of, ArrayOf) or not 1 <= dimension <= len(of.dimensions):
+            return None
+        at = self._expressions.at(path)
+        size = of.dimensions[dimension - 1]
+        if size is not None:
+            return number(float(size), at)
+        whole = self._whole(flat(path).reference)
+        if whole.optional or flat(path).indices:
+            return None
+        name = self._names.size(whole.name, dimension - 1)
+        return Code(at.name(name), integer=Interval(1, MAX_INTEGER, name))
+
+    def may_raise(self, path: tree.DataPath) -> bool:
+        """Whether finding the place of a path may raise."""
+        parts = flat(path)
+        whole = self._whole(parts.reference)
+        if whole.may_raise or whole.optional:
+            return True
+        return (
+            bool(parts.indices)
+            and self._element(whole, parts, self._expressions.at(path)).may_raise
+        )
+
+    def reference(self, path: tree.DataPath) -> Code:
+        """A reference to the data at a path: an object with a `value`, or the list of an array."""
+        at = self._expressions.at(path)
+        parts = flat(path)
+        whole = self._whole(parts.reference)
+        if not parts.indices:
+            if whole.home in (Home.REFERENCE, Home.SIGNAL, Home.ARRAY):
+                node = whole.node
+            else:
+                # Installed routines look at constants and counters through references too.
+                node = at.call("_Box", [self._read_whole(whole, parts.reference, at).node])
+            may_raise = calls = False
+        else:
+            array, index, code = self._array_and_index(whole, parts, at)
+            if len(parts.indices) < _dimensions(whole.type):
+                node = at.item(array, index)
+            else:
+                node = at.call("_Element", [array, index])
+            may_raise, calls = code.may_raise, code.calls
+        if parts.names:
+            of = whole.type
+            for _ in parts.indices:
+                of = _element(of)
+            positions: list[ast.expr] = []
+            for name in parts.names:
+                position, of = _component(of, name)
+                positions.append(at.constant(position))
+            node = at.call("_Component", [node, at.tuple_of(positions)])
+        return Code(node, may_raise=may_raise, calls=calls)
+
+    def _whole(self, reference: tree.Reference) -> Whole:
+        at = self._expressions.at(reference)
+        symbol = self._program.symbol_of[reference]
+        name = self._names.get(symbol)
+        match symbol:
+            case DataSymbol(storage=Storage.CONST, type=of):
+                return Whole(Home.PLAIN, self._expressions.constant_data(symbol, at), of)
+            case DataSymbol(type=of) if symbol.node is None and symbol.name.lower() in (
+                "errno",
+                "intno",
+            ):
+                node = at.attribute("_task", symbol.name.lower())
+                return Whole(Home.CONTROLLER, node, of)
+            case DataSymbol(type=of):
+                in_reference = name is None or symbol in self._names.in_cell
+                home = _home(of, in_reference)
+                spelled = name or self._names.module.variable(symbol)
+                return Whole(home, at.name(spelled), of, spelled)
+            case ParameterSymbol(type=of, mode=mode, optional=optional):
+                assert name is not None
+                in_reference = by_reference(mode) or symbol in self._names.in_cell
+                home = _home(of, in_reference)
+                # Absent references refuse by themselves; other absent values must be asked.
+                asks = optional and home in (Home.PLAIN, Home.ARRAY) and not symbol.is_switch
+                return Whole(home, at.name(name), of, name, asks, may_raise=optional)
+            case CounterSymbol():
+                assert name is not None
+                return Whole(Home.PLAIN, at.name(name), NUM, name)
+            case UnknownSymbol():
+                signal = at.name(self._names.module.signal(symbol))
+                return Whole(Home.SIGNAL, signal, SIGNAL_DI)
+            case _:
+                span = self._expressions.span(reference)
+                raise NotExecutableError(f"`{reference.name.text}` used as data", span)
+
+    def _read_whole(self, whole: Whole, reference: tree.Reference, at: At) -> Code:
+        counter = self._expressions.counters.get(whole.name)
+        if counter is not None:
+            return Code(whole.node, integer=counter)
+        node = self._value(whole, at)
+        if whole.optional:
+            present = at.compare(whole.node, (ast.IsNot(), at.name("_ABSENT")))
+            node = at.choice(
+                present, node, at.call("_not_present", [at.constant(reference.name.text)])
+            )
+        literal = node.value if isinstance(node, ast.Constant) else None
+        if isinstance(literal, float) and not isinstance(literal, bool):
+            return number(literal, at)
+        return Code(node, may_raise=whole.may_raise)
+
+    def _value(self, whole: Whole, at: At) -> ast.expr:
+        match whole.home:
+            case Home.REFERENCE:
+                return at.attribute(whole.node, "value")
+            case Home.SIGNAL:
+                name = at.attribute(at.attribute(whole.node, "value"), "name")
+                return at.call(at.attribute("_task", "read_signal"), [name])
+            case _:
+                return whole.node
+
+    def _store_whole(self, whole: Whole, value: ast.expr, at: At) -> list[ast.stmt]:
+        match whole.home:
+            case Home.PLAIN:
+                self._names.assigned.add(whole.name)
+                return [at.set(whole.name, value)]
+            case Home.ARRAY:
+                return [at.do(at.call("_assign_array", [whole.node, value]))]
+            case _:
+                return [at.assign(at.store_attribute(whole.node, "value"), value)]
+
+    def _write_element(
+        self, whole: Whole, parts: FlatPath, value: ast.expr, at: At
+    ) -> list[ast.stmt]:
+        if not parts.indices:
+            return self._store_whole(whole, value, at)
+        array, index, _ = self._array_and_index(whole, parts, at)
+        if len(parts.indices) < _dimensions(whole.type):
+            return [at.do(at.call("_assign_array", [at.item(array, index), value]))]
+        return [at.assign(at.store_item(array, index), value)]
+
+    def _element(self, whole: Whole, parts: FlatPath, at: At) -> Code:
+        """The element that the indices choose, or the whole where there are none."""
+        if not parts.indices:
+            return Code(self._value(whole, at), may_raise=whole.may_raise)
+        array, index, code = self._array_and_index(whole, parts, at)
+        return Code(at.item(array, index), may_raise=code.may_raise, calls=code.calls)
+
+    def _array_and_index(
+        self, whole: Whole, parts: FlatPath, at: At
+    ) -> tuple[ast.expr, ast.expr, Code]:
+        """The innermost list, the position in it, and what both together may do."""
+        node = whole.node
+        of = resolved(whole.type)
+        assert isinstance(of, ArrayOf)
+        may_raise, calls = whole.may_raise, False
+        index = Code(node)
+        for depth, expression in enumerate(parts.indices):
+            if depth:
+                node = at.item(node, index.node)
+            index = self._index(whole, of.dimensions[depth], depth, expression)
+            may_raise |= index.may_raise
+            calls |= index.calls
+        return node, index.node, Code(node, may_raise=may_raise, calls=calls)
+
+    def _index(
+        self, whole: Whole, size: int | None, depth: int, expression: tree.Expression
+    ) -> Code:
+        """One index as a Python position, its bounds and integrality checked."""
+        at = self._expressions.at(expression)
+        code = self._expressions.code(expression)
+        literal = code.literal if code.integer is not None else None
+        if size is not None and literal is not None and 1 <= literal <= size:
+            return Code(at.constant(int(literal) - 1))
+        if code.stays_integer and code.integer is not None and (size or not whole.optional):
+            variable = "" if size else self._names.size(whole.name, depth)
+            return self._integer_index(code, code.integer, size or variable, at)
+        if size is None:
+            table = self._names.index_table(whole.name, depth, optional=whole.optional)
+        else:
+            table = self._names.module.index_table(size)
+        # The table rounds, where that makes a difference.
+        value = code if code.owed in (Owed.SINGLE, Owed.CHECKED_SINGLE) else finished(code, at)
+        return Code(at.item(table, value.node), may_raise=True, calls=code.calls)
+
+    def _integer_index(self, code: Code, integer: Interval, size: int | str, at: At) -> Code:
+        """The index of which is known that it is an integer, checked as far as need be.
+
+        Args:
+            code: The index as a Python integer.
+            integer: What it can be.
+            size: Of the array; a string names the Python variable that holds it.
+            at: The place of the index.
+        """
+        within = integer.high <= size if isinstance(size, int) else integer.size == size
+        if integer.low >= 1 and within:
+            return Code(at.operation(code.node, ast.Sub(), at.constant(1)), calls=code.calls)
+        limit = at.constant(size) if isinstance(size, int) else at.name(size)
+        name = code.node if isinstance(code.node, ast.Name) else at.name("_i")
+        first = name if name is code.node else at.named("_i", code.node)
+        if integer.low >= 1:
+            bounds = at.compare(first, (ast.LtE(), limit))
+        else:
+            bounds = at.compare(at.constant(0), (ast.Lt(), first), (ast.LtE(), limit))
+        position = at.operation(name, ast.Sub(), at.constant(1))
+        refused = at.call("_out_of_bounds", [name, limit])
+        return Code(at.choice(bounds, position, refused), may_raise=True, calls=code.calls)
+
+    def _with_component(
+        self, of: Type, names: tuple[str, ...], record: ast.expr, value: ast.expr, at: At
+    ) -> ast.expr:
+        """A record like `record`, which is cheap to evaluate again, with one component replaced."""
+        target = resolved(of)
+        assert isinstance(target, Record)
+        replaced, inner = _component(of, names[0])
+        if len(names) > 1:
+            old = at.item(record, at.constant(replaced))
+            value = self._with_component(inner, names[1:], old, value, at)
+        parts = [
+            value if position == replaced else at.item(record, at.constant(position))
+            for position in range(len(target.components))
+        ]
+        python = at.name(self._names.module.record_class(target.python))
+        return at.call("_new", [python, at.tuple_of(parts)])
+
+
+def number(value: float, at: At) -> Code:
+    """A number as a constant; whole ones know that they are."""
+    whole = value.is_integer() and abs(value) < 2**53
+    integer = Interval(int(value), int(value)) if whole else None
+    return Code(at.constant(value), integer=integer, literal=value)
+
+
+def _home(of: Type, in_reference: bool) -> Home:
+    if isinstance(resolved(of), ArrayOf):
+        return Home.ARRAY
+    if is_signal(of):
+        return Home.SIGNAL
+    return Home.REFERENCE if in_reference else Home.PLAIN
+
+
+def _symbol_type(symbol: Symbol) -> Type:
+    match symbol:
+        case DataSymbol(type=of) | ParameterSymbol(type=of):
+            return of
+        case UnknownSymbol():
+            return SIGNAL_DI
+        case _:
+            return NUM
+
+
+def _element(of: Type) -> Type:
+    target = resolved(of)
+    assert isinstance(target, ArrayOf)
+    return element_type(target)
+
+
+def _dimensions(of: Type) -> int:
+    target = resolved(of)
+    return len(target.dimensions) if isinstance(target, ArrayOf) else 0
+
+
+def _component(of: Type, name: str) -> tuple[int, Type]:
+    """Position and type of a component, by folded name."""
+    target = resolved(of)
+    assert isinstance(target, Record)
+    for position, component in enumerate(target.components):
+        if component.name.lower() == name:
+            return position, component.type
+    raise KeyError(name)

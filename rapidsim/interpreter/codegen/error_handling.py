@@ -1,0 +1,39 @@
+"""Statements under an ERROR clause: a small loop that executes again, or goes on behind.
+
+    _tries = 0
+    while True:
+        try:
+            <statement>
+        except _ERRORS as _e:
+            _tries = _recover(ERROR, _e, _tries)
+            if _tries:
+                continue
+        break
+
+Retries are counted for each statement anew: a program that retries now and then for hours is fine.
+
+Source: Technical reference manual RAPID Overview, "Error recovery": RETRY and TRYNEXT.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Sequence
+
+from rapidsim.interpreter.codegen.ast_builder import At
+
+
+def protected(
+    body: Sequence[ast.stmt], at: At, *, otherwise: Sequence[ast.stmt] = ()
+) -> list[ast.stmt]:
+    """The statements in such a loop; `otherwise` runs where TRYNEXT gives up."""
+    recovered = at.call("_recover", [at.name("ERROR"), at.name("_e"), at.name("_tries")])
+    handler = [
+        at.set("_tries", recovered),
+        at.when(at.name("_tries"), [at.go_on()]),
+        *otherwise,
+    ]
+    return [
+        at.set("_tries", at.constant(0)),
+        at.forever([at.attempt(body, at.name("_ERRORS"), "_e", handler), at.stop()]),
+    ]

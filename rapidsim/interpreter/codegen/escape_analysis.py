@@ -1,0 +1,110 @@
+"""Which local data a routine lends out by reference: those must live in a cell."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from rapidsim.analysis.program import (
+    DataSymbol,
+    LibrarySymbol,
+    ParameterSymbol,
+    Program,
+    RoutineSymbol,
+    Scope,
+    Storage,
+    Symbol,
+)
+from rapidsim.interpreter.codegen.calls import match_arguments
+from rapidsim.interpreter.codegen.data_access import bare, by_reference, flat
+from rapidsim.interpreter.codegen.inlined_instructions import assigned_in_place
+from rapidsim.interpreter.runtime.loaded_calls import may_be_loaded
+from rapidsim.interpreter.runtime.values import is_signal
+from rapidsim.language.annotations import Mode
+from rapidsim.language.types import ArrayOf, resolved
+from rapidsim.library.table import Parameter
+from rapidsim.syntax import tree
+
+_Parameters = tuple[ParameterSymbol, ...] | tuple[Parameter, ...]
+
+
+def lent_symbols(
+    routine: RoutineSymbol, nodes: Sequence[tree.Node], program: Program
+) -> Iterator[Symbol]:
+    """Local scalars that something takes by reference, some of them several times.
+
+    Args:
+        routine: Whose locals.
+        nodes: All nodes of the routine.
+        program: Says what the names mean.
+    """
+    if not routine.parameters and not any(isinstance(node, tree.Data) for node in nodes):
+        return
+    options = {parameter.name.lower(): parameter for parameter in routine.parameters}
+    takers: dict[Symbol, frozenset[str]] = {}
+    for node in nodes:
+        if isinstance(node, tree.Data):
+            # A signal is read through a reference that names it.
+            declared = program.symbol_of[node]
+            if isinstance(declared, DataSymbol) and is_signal(declared.type):
+                yield declared
+        elif isinstance(node, tree.LateCall) or may_be_loaded(node, program):
+            # Which parameters take references, only the run will show.
+            for argument in node.arguments:
+                if not isinstance(argument, tree.Conditional) and argument.value is not None:
+                    yield from _lendable(argument.value, program)
+        elif isinstance(node, tree.Call) and assigned_in_place(node, program):
+            continue
+        elif isinstance(node, tree.Call | tree.FunctionCall):
+            callee = program.symbol_of[node]
+            parameters = _parameters(callee)
+            taking = takers.get(callee)
+            if taking is None:
+                taking = takers[callee] = frozenset(_taking_references(parameters))
+            if not taking:
+                continue
+            for name, given in match_arguments(node.arguments, parameters).items():
+                if name not in taking:
+                    continue
+                if given.value is not None:
+                    yield from _lendable(given.value, program)
+                elif given.caller_option is not None:
+                    option = options.get(given.caller_option.key)
+                    if option is not None and _lives_in_variable(option):
+                        yield option
+
+
+def _parameters(callee: Symbol) -> _Parameters:
+    match callee:
+        case RoutineSymbol(parameters=parameters):
+            return parameters
+        case LibrarySymbol(routine=routine):
+            return routine.signature.parameters
+        case _:
+            return ()
+
+
+def _taking_references(parameters: _Parameters) -> Iterator[str]:
+    """Folded names of the parameters that take references."""
+    for parameter in parameters:
+        # REF parameters look at a name, not at what is behind it.
+        if by_reference(parameter.mode) and parameter.mode is not Mode.REF:
+            yield parameter.name.lower()
+
+
+def _lendable(expression: tree.Expression, program: Program) -> Iterator[Symbol]:
+    path = bare(expression)
+    if isinstance(path, tree.Reference | tree.Index | tree.Component):
+        symbol = program.symbol_of[flat(path).reference]
+        if isinstance(symbol, DataSymbol) and symbol.scope is Scope.ROUTINE:
+            if symbol.storage is Storage.VAR and not isinstance(resolved(symbol.type), ArrayOf):
+                yield symbol
+        elif isinstance(symbol, ParameterSymbol) and _lives_in_variable(symbol):
+            yield symbol
+
+
+def _lives_in_variable(parameter: ParameterSymbol) -> bool:
+    """Whether the routine has a copy of its own, not a reference or a list."""
+    is_array = isinstance(resolved(parameter.type), ArrayOf)
+    return not (
+        by_reference(parameter.mode) or is_array or parameter.is_switch or is_signal(parameter.type)
+    )

@@ -1,0 +1,329 @@
+"""Expressions in generated code: operators, aggregates, constants.
+
+Paths are in `data_access`, calls in `calls`; what an expression owes before it may be seen in
+`expression_code`.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from rapidsim.analysis.program import DataSymbol, Program
+from rapidsim.diagnostics import Span
+from rapidsim.interpreter.codegen.ast_builder import At, Positions
+from rapidsim.interpreter.codegen.calls import Calls
+from rapidsim.interpreter.codegen.data_access import Paths, bare, number
+from rapidsim.interpreter.codegen.expression_code import Code, Interval, Owed, comparable, finished
+from rapidsim.interpreter.codegen.names import LocalNames
+from rapidsim.interpreter.limits import MAX_EXPRESSION, NotExecutableError
+from rapidsim.interpreter.runtime.arithmetic import WHOLE_FROM
+from rapidsim.interpreter.runtime.values import Value, element_type, literal
+from rapidsim.language.single import LARGEST_SINGLE, single
+from rapidsim.language.types import ArrayOf, Atomic, Record, Type, resolved
+from rapidsim.syntax import tree
+
+ConstantValue = Callable[[DataSymbol], Value]
+"""Gives the value of a CONST."""
+
+_ARITHMETIC: dict[str, type[ast.operator]] = {
+    "+": ast.Add,
+    "-": ast.Sub,
+    "*": ast.Mult,
+    "/": ast.Div,
+}
+_COMPARISONS: dict[str, type[ast.cmpop]] = {
+    "=": ast.Eq,
+    "<>": ast.NotEq,
+    "<": ast.Lt,
+    "<=": ast.LtE,
+    ">": ast.Gt,
+    ">=": ast.GtE,
+    "XOR": ast.NotEq,
+}
+_LOGICAL: dict[str, type[ast.boolop]] = {"AND": ast.And, "OR": ast.Or}
+_INTEGER = {"DIV": "_quotient", "MOD": "_remainder"}
+_POSITIONS = {
+    ("+", "pos", "pos"): "_add_positions",
+    ("-", "pos", "pos"): "_subtract_positions",
+    ("*", "pos", "pos"): "_cross_product",
+    ("*", "pos", "num"): "_scale_position",
+    ("*", "orient", "orient"): "_compose_orientations",
+}
+
+
+@dataclass(slots=True)
+class Expressions:
+    """Translates the expressions of one routine, statement by statement."""
+
+    program: Program
+    names: LocalNames
+    positions: Positions
+    module: tree.Module
+    constant_value: ConstantValue
+    statement: At = field(default_factory=lambda: At(1, 0, 0))
+    """Where the statement stands whose expressions are translated."""
+    counters: dict[str, Interval] = field(default_factory=dict)
+    """FOR counters that are Python integers, by Python name."""
+    paths: Paths = field(init=False)
+    calls: Calls = field(init=False)
+    _depth: int = 0
+
+    def __post_init__(self) -> None:
+        """Join the parts that translate each other's operands."""
+        self.paths = Paths(self)
+        self.calls = Calls(self, self.paths)
+
+    def at(self, node: tree.Node) -> At:
+        """The place of a part of the statement."""
+        return self.positions.within(self.statement, node)
+
+    def span(self, node: tree.Node) -> Span:
+        """The place of a node, for messages."""
+        return self.module.span(node)
+
+    def type_of(self, expression: tree.Expression) -> Type:
+        """The type of an expression."""
+        if isinstance(expression, tree.Reference | tree.Index | tree.Component):
+            return self.paths.type_of(expression)
+        return self.program.type_of[expression]
+
+    def value(self, expression: tree.Expression) -> Code:
+        """An expression as the value that a variable would get; of arrays not a copy."""
+        return finished(self.code(expression), self.at(expression))
+
+    def copy(self, expression: tree.Expression) -> Code:
+        """As `value`, but of arrays a list that nobody else has."""
+        code = self.value(expression)
+        # A literal aggregate is a constant of the namespace; functions give a list of their own.
+        shared = isinstance(
+            bare(expression),
+            tree.Reference | tree.Index | tree.LiteralAggregate | tree.Aggregate,
+        )
+        if shared and isinstance(resolved(self.type_of(expression)), ArrayOf):
+            node = self.at(expression).call("_copy_array", [code.node])
+            return Code(node, may_raise=code.may_raise, calls=code.calls)
+        return code
+
+    def condition(self, expression: tree.Expression) -> Code:
+        """A bool for Python's `if`."""
+        return self.code(expression)
+
+    def constant_data(self, symbol: DataSymbol, at: At) -> ast.expr:
+        """A CONST: plain values are written out, records and arrays have a name."""
+        value = self.constant_value(symbol)
+        if isinstance(value, float | str | bool):
+            return at.constant(value)
+        return at.name(self.names.module.constant_data(symbol, value))
+
+    def code(self, expression: tree.Expression) -> Code:
+        """An expression, possibly with something still owed."""
+        self._depth += 1
+        if self._depth > MAX_EXPRESSION:
+            raise NotExecutableError(
+                f"an expression nested more than {MAX_EXPRESSION} deep", self.span(expression)
+            )
+        try:
+            return self._code(expression)
+        finally:
+            self._depth -= 1
+
+    def _code(self, expression: tree.Expression) -> Code:
+        at = self.at(expression)
+        match expression:
+            case tree.Number():
+                return self._number(expression, at)
+            case tree.String(value=value) | tree.Bool(value=value):
+                return Code(at.constant(value))
+            case tree.Reference() | tree.Index() | tree.Component():
+                return self.paths.read(expression)
+            case tree.FunctionCall():
+                return self.calls.function(expression)
+            case tree.Parenthesised(inner=inner):
+                return self.code(inner)
+            case tree.Unary():
+                return self._unary(expression, at)
+            case tree.Binary():
+                return self._binary(expression, at)
+            case tree.LiteralAggregate() | tree.Aggregate():
+                return self._aggregate(expression, at)
+            case tree.LateFunctionCall():
+                raise NotExecutableError("a late-bound function call", self.span(expression))
+            case tree.Placeholder():
+                return Code(at.call("_unfinished"), may_raise=True)
+
+    def _number(self, expression: tree.Number, at: At) -> Code:
+        value = float(expression.value)
+        of = resolved(self.program.type_of[expression])
+        return number(value if of.name.lower() == "dnum" else single(value), at)
+
+    def _unary(self, expression: tree.Unary, at: At) -> Code:
+        operand = self.code(expression.operand)
+        if expression.operator == "+":
+            return operand
+        if expression.operator == "NOT":
+            negation = at.unary(ast.Not(), operand.node)
+            return Code(negation, may_raise=operand.may_raise, calls=operand.calls)
+        if operand.literal is not None:
+            return number(-operand.literal, at)
+        if resolved(self.type_of(expression.operand)).name.lower() == "pos":
+            opposite = at.call("_negate_position", [operand.node])
+            return Code(opposite, may_raise=operand.may_raise, calls=operand.calls)
+        negated = at.unary(ast.USub(), operand.node)
+        integer = operand.integer and Interval(-operand.integer.high, -operand.integer.low)
+        return Code(negated, operand.owed, operand.may_raise, operand.calls, integer)
+
+    def _binary(self, expression: tree.Binary, at: At) -> Code:
+        operator = expression.operator
+        left, right = self.code(expression.left), self.code(expression.right)
+        may_raise = left.may_raise or right.may_raise
+        calls = left.calls or right.calls
+        if operator in _LOGICAL:
+            node: ast.expr = at.both_or_either(_LOGICAL[operator](), left.node, right.node)
+            return Code(node, may_raise=may_raise, calls=calls)
+        if operator in _COMPARISONS:
+            return self._comparison(expression, left, right, at)
+        types = (self._name_of_type(expression.left), self._name_of_type(expression.right))
+        if operator in _INTEGER:
+            return _integer_division(operator, left, right, at)
+        if "pos" in types or "orient" in types:
+            return self._vector(operator, types, left, right, at)
+        if types[0] == "string":
+            node = at.operation(left.node, ast.Add(), right.node)
+            return Code(node, Owed.STRING, may_raise=True, calls=calls)
+        return self._arithmetic(operator, types[0] == "dnum", left, right, at)
+
+    def _arithmetic(self, operator: str, is_dnum: bool, left: Code, right: Code, at: At) -> Code:
+        may_raise = left.may_raise or right.may_raise
+        calls = left.calls or right.calls
+        integer = None if is_dnum else _interval(operator, left, right)
+        if integer is not None and (left.stays_integer or right.stays_integer):
+            operands = left.as_integer(at), right.as_integer(at)
+            node = at.operation(operands[0], _ARITHMETIC[operator](), operands[1])
+            return Code(node, may_raise=may_raise, calls=calls, integer=integer)
+        node = at.operation(left.node, _ARITHMETIC[operator](), right.node)
+        checked = operator in "*/" and not _cannot_grow(operator, left, right)
+        checked = checked or Owed.CHECKED_SINGLE in (left.owed, right.owed)
+        checked = checked or Owed.CHECKED_DOUBLE in (left.owed, right.owed)
+        if is_dnum:
+            owed = Owed.CHECKED_DOUBLE if checked else Owed.NOTHING
+        else:
+            owed = Owed.CHECKED_SINGLE if checked else Owed.SINGLE
+        divides = operator == "/" and not right.literal
+        return Code(node, owed, may_raise or checked or divides, calls)
+
+    def _comparison(self, expression: tree.Binary, left: Code, right: Code, at: At) -> Code:
+        left_at, right_at = self.at(expression.left), self.at(expression.right)
+        if left.stays_integer and right.literal is not None and right.integer is not None:
+            right = Code(right.as_integer(right_at))
+        elif right.stays_integer and left.literal is not None and left.integer is not None:
+            left = Code(left.as_integer(left_at))
+        left, right = comparable(left, left_at), comparable(right, right_at)
+        node = at.compare(left.node, (_COMPARISONS[expression.operator](), right.node))
+        return Code(
+            node, may_raise=left.may_raise or right.may_raise, calls=left.calls or right.calls
+        )
+
+    def _vector(
+        self, operator: str, types: tuple[str, str], left: Code, right: Code, at: At
+    ) -> Code:
+        operands = [finished(left, at).node, finished(right, at).node]
+        calls = left.calls or right.calls
+        if types == ("num", "pos"):
+            # The product does not depend on the order, but the operands are evaluated in theirs.
+            return Code(at.call("_scaled_position", operands), may_raise=True, calls=calls)
+        function = _POSITIONS[operator, types[0], types[1]]
+        return Code(at.call(function, operands), may_raise=True, calls=calls)
+
+    def _aggregate(self, expression: tree.LiteralAggregate | tree.Aggregate, at: At) -> Code:
+        of = self.program.type_of[expression]
+        value = literal(expression, of)
+        if value is not None:
+            return Code(at.name(self.names.module.constant(value)))
+        assert isinstance(expression, tree.Aggregate)
+        return self._computed_aggregate(expression, resolved(of), at)
+
+    def _computed_aggregate(
+        self, expression: tree.Aggregate, of: Atomic | Record | ArrayOf, at: At
+    ) -> Code:
+        if isinstance(of, ArrayOf):
+            types: list[Type] = [element_type(of)] * len(expression.elements)
+        else:
+            assert isinstance(of, Record)
+            types = [component.type for component in of.components]
+        parts = []
+        for element, type_ in zip(expression.elements, types, strict=True):
+            inner = bare(element)
+            whole = resolved(type_)
+            if isinstance(inner, tree.Aggregate) and literal(inner, type_) is None:
+                parts.append(self._computed_aggregate(inner, whole, self.at(inner)))
+            elif isinstance(inner, tree.Aggregate | tree.LiteralAggregate):
+                constant = self.names.module.constant(literal(inner, type_))
+                parts.append(Code(self.at(inner).name(constant)))
+            else:
+                parts.append(self.value(element))
+        nodes = [part.node for part in parts]
+        if isinstance(of, Record):
+            python = at.name(self.names.module.record_class(of.python))
+            node: ast.expr = at.call("_new", [python, at.tuple_of(nodes)])
+        else:
+            node = at.list_of(nodes)
+        may_raise = any(part.may_raise for part in parts)
+        return Code(node, may_raise=may_raise, calls=any(part.calls for part in parts))
+
+    def _name_of_type(self, expression: tree.Expression) -> str:
+        of = resolved(self.type_of(expression))
+        if isinstance(of, Atomic) and of.reads_as:
+            return of.reads_as
+        return of.name.lower()
+
+
+def _integer_division(operator: str, left: Code, right: Code, at: At) -> Code:
+    """DIV and MOD: in Python's own operators where these mean the same, which is from 0 up."""
+    calls = left.calls or right.calls
+    python = ast.FloorDiv() if operator == "DIV" else ast.Mod()
+    a, b = left.integer, right.integer
+    if a is not None and b is not None and a.low >= 0 and b.low > 0 and left.stays_integer:
+        high = a.high // b.low if operator == "DIV" else min(a.high, b.high - 1)
+        node: ast.expr = at.operation(left.as_integer(at), python, right.as_integer(at))
+        may_raise = left.may_raise or right.may_raise
+        return Code(node, may_raise=may_raise, calls=calls, integer=Interval(0, high))
+    operands = [finished(left, at).node, finished(right, at).node]
+    if b is None or b.low <= 0 or right.literal is None:
+        return Code(at.call(_INTEGER[operator], operands), may_raise=True, calls=calls)
+    # n >= 0 and (n + WHOLE_FROM) - WHOLE_FROM == n, which is so for integers alone.
+    n, far = at.name("_n"), at.constant(WHOLE_FROM)
+    whole = at.operation(at.operation(n, ast.Add(), far), ast.Sub(), far)
+    easy = at.compare(at.constant(0.0), (ast.LtE(), at.named("_n", operands[0])), (ast.Eq(), whole))
+    refused_or_negative = at.call(_INTEGER[operator], [n, operands[1]])
+    node = at.choice(easy, at.operation(n, python, operands[1]), refused_or_negative)
+    return Code(node, may_raise=True, calls=calls)
+
+
+def _interval(operator: str, left: Code, right: Code) -> Interval | None:
+    """The integers that a sum, difference or product can be; None where it may be a fraction."""
+    a, b = left.integer, right.integer
+    if a is None or b is None:
+        return None
+    match operator:
+        case "+":
+            result = Interval(a.low + b.low, a.high + b.high)
+        case "-":
+            result = Interval(a.low - b.high, a.high - b.low)
+        case "*":
+            products = [x * y for x in (a.low, a.high) for y in (b.low, b.high)]
+            result = Interval(min(products), max(products))
+        case _:
+            return None
+    # Beyond that, doubles are what other expressions compute in.
+    return result if max(-result.low, result.high) < 2**53 else None
+
+
+def _cannot_grow(operator: str, left: Code, right: Code) -> bool:
+    """Whether a product or quotient is no larger than its other operand, which is in range."""
+    if operator == "*":
+        factors = [code.literal for code in (left, right) if code.literal is not None]
+        exact = left.owed is Owed.NOTHING and right.owed is Owed.NOTHING
+        return exact and any(abs(factor) <= 1.0 for factor in factors)
+    return right.literal is not None and 1.0 <= abs(right.literal) <= LARGEST_SINGLE

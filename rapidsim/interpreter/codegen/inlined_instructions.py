@@ -1,0 +1,51 @@
+"""Instructions that are statements: `Incr x` is `x := x + 1`, and is translated as that.
+
+As calls they would take their variable by reference, which moves a local variable into a cell.
+They are calls all the same where the data are an element or a component. StartMoveRetry is a call
+and a RETRY.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types: Clear, Decr, Incr.
+"""
+
+from __future__ import annotations
+
+import ast
+
+from rapidsim.analysis.program import LibrarySymbol, Program
+from rapidsim.interpreter.codegen.ast_builder import At
+from rapidsim.interpreter.codegen.data_access import Paths, bare, number
+from rapidsim.interpreter.codegen.expression_code import Code, Owed, finished
+from rapidsim.language.types import DNUM, resolved
+from rapidsim.syntax import tree
+
+_STEPS: dict[str, ast.operator | None] = {"clear": None, "decr": ast.Sub(), "incr": ast.Add()}
+"""By folded name: what combines the variable with 1; None sets it to 0."""
+
+
+def assigned_in_place(call: tree.Call, program: Program) -> tree.Reference | None:
+    """The variable that such an instruction assigns; None for other calls and other data."""
+    symbol = program.symbol_of[call]
+    if not isinstance(symbol, LibrarySymbol) or symbol.name.lower() not in _STEPS:
+        return None
+    first = call.arguments[0]
+    value = bare(first.value) if isinstance(first, tree.Required) else None
+    return value if isinstance(value, tree.Reference) else None
+
+
+def is_start_move_retry(call: tree.Call, program: Program) -> bool:
+    """Whether a call is the instruction that ends an ERROR clause as RETRY does."""
+    symbol = program.symbol_of[call]
+    return isinstance(symbol, LibrarySymbol) and symbol.name.lower() == "startmoveretry"
+
+
+def value_in_place(call: tree.Call, variable: tree.Reference, paths: Paths, at: At) -> Code:
+    """What it assigns."""
+    operator = _STEPS[call.name.key]
+    if operator is None:
+        return number(0.0, at)
+    old = paths.read(variable)
+    node = at.operation(old.node, operator, at.constant(1.0))
+    # One more or less cannot leave the range of either type.
+    is_dnum = resolved(paths.type_of(variable)) == DNUM
+    owed = Owed.NOTHING if is_dnum else Owed.SINGLE
+    return finished(Code(node, owed, old.may_raise), at)

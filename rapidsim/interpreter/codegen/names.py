@@ -1,0 +1,174 @@
+"""What names in generated code mean.
+
+One Python namespace belongs to one RAPID module; a RAPID name keeps its folded spelling there
+unless something else holds it. RAPID names never begin with an underscore, so names of our own do.
+A namespace is described by bindings first and filled for each task by `loader`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+from rapidsim.analysis.program import (
+    DataSymbol,
+    ParameterSymbol,
+    RoutineSymbol,
+    Symbol,
+    UnknownSymbol,
+)
+from rapidsim.interpreter.runtime.arrays import INDEX_TABLES
+from rapidsim.language.data import Signal
+from rapidsim.language.moves import Place
+from rapidsim.language.reference import Box
+from rapidsim.library.table import LibraryRoutine
+from rapidsim.syntax import tree
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Fixed:
+    """An object that is the same for every task: a constant, a place, a library function."""
+
+    value: object
+
+
+Binding: TypeAlias = DataSymbol | RoutineSymbol | Fixed
+"""What a name of a namespace stands for: a variable, a routine, or an object."""
+
+
+@dataclass(slots=True)
+class ModuleNames:
+    """The names of one module's namespace."""
+
+    module: tree.Module
+    bindings: dict[str, Binding] = field(default_factory=dict)
+    _name_of: dict[object, str] = field(default_factory=dict)
+    _counts: dict[str, int] = field(default_factory=dict)
+
+    def variable(self, symbol: DataSymbol) -> str:
+        """The name of module data, which holds its cell or its list."""
+        return self._bound(symbol, symbol.name, symbol)
+
+    def routine(self, symbol: RoutineSymbol) -> str:
+        """The name of a user routine's function."""
+        return self._bound(symbol, symbol.name, symbol)
+
+    def library(self, routine: LibraryRoutine) -> str:
+        """The name of an installed routine's function."""
+        return self._bound(routine, routine.name, Fixed(routine.body))
+
+    def signal(self, symbol: UnknownSymbol) -> str:
+        """The name of a signal that no module declares, as a reference to it."""
+        key = symbol.name.lower()
+        return self._bound(("signal", key), key, Fixed(Box(Signal(symbol.name))))
+
+    def constant_data(self, symbol: DataSymbol, value: object) -> str:
+        """The name of a constant with its value."""
+        return self._bound(symbol, symbol.name, Fixed(value))
+
+    def record_class(self, python: type[tuple[object, ...]]) -> str:
+        """The name of a record's class."""
+        return self._bound(python, f"_{python.__name__.lower()}", Fixed(python))
+
+    def index_table(self, size: int) -> str:
+        """The name of the table that checks indices of arrays of a size."""
+        return self._bound(("index", size), f"_at{size}", Fixed(INDEX_TABLES[size]))
+
+    def place(self, place: Place) -> str:
+        """A name for the place of a statement."""
+        return self.numbered("_place", place)
+
+    def constant(self, value: object) -> str:
+        """A name for a constant without one."""
+        return self.numbered("_constant", value)
+
+    def numbered(self, stem: str, value: object) -> str:
+        """A new name for an object."""
+        number = self._counts[stem] = self._counts.get(stem, 0) + 1
+        name = f"{stem}{number}"
+        self.bindings[name] = Fixed(value)
+        return name
+
+    def _bound(self, key: object, wanted: str, binding: Binding) -> str:
+        name = self._name_of.get(key)
+        if name is None:
+            name = free_name(wanted.lower(), self.bindings)
+            self._name_of[key] = name
+            self.bindings[name] = binding
+        return name
+
+
+@dataclass(frozen=True, slots=True)
+class ArrayDimension:
+    """One dimension of a parameter that is an array of the caller's."""
+
+    array: str
+    """The Python variable."""
+    depth: int
+    """From 0."""
+    optional: bool
+    """The array may be absent."""
+
+
+@dataclass(slots=True)
+class LocalNames:
+    """The names of one routine's variables, which hide the module's."""
+
+    module: ModuleNames
+    routine: str
+    """The routine as RAPID spells it; "" for the initial values of a module."""
+    parameters: tuple[ParameterSymbol, ...] = ()
+    reserved: frozenset[str] = frozenset()
+    """Names of the module's namespace that the routine uses."""
+    in_cell: frozenset[Symbol] = frozenset()
+    """Local scalars that are passed by reference and so live in a cell."""
+    assigned: set[str] = field(default_factory=set)
+    """Plain locals that the function being written assigns."""
+    tables: dict[str, ArrayDimension] = field(default_factory=dict)
+    """Index tables of arrays sized by the caller, by name."""
+    sizes: dict[str, ArrayDimension] = field(default_factory=dict)
+    """Python variables with the sizes of such arrays, by name."""
+    _name_of: dict[Symbol, str] = field(default_factory=dict)
+    _taken: set[str] = field(default_factory=set)
+
+    def declare(self, symbol: Symbol, wanted: str) -> str:
+        """Give a parameter or a local its Python name."""
+        name = free_name(wanted.lower(), self._taken | self.reserved)
+        self._taken.add(name)
+        self._name_of[symbol] = name
+        return name
+
+    def get(self, symbol: Symbol) -> str | None:
+        """The Python name of a local; None for what is not local."""
+        return self._name_of.get(symbol)
+
+    @contextmanager
+    def counter(self, symbol: Symbol, wanted: str) -> Iterator[str]:
+        """Give a FOR counter a name for as long as its loop lasts."""
+        name = self.declare(symbol, wanted)
+        yield name
+        self._taken.discard(name)
+
+    def index_table(self, array: str, depth: int, *, optional: bool) -> str:
+        """The name of the table for one dimension of an array sized by the caller."""
+        name = f"_{array}_at{depth + 1}"
+        self.tables[name] = ArrayDimension(array, depth, optional)
+        return name
+
+    def size(self, array: str, depth: int) -> str:
+        """The name of the size of one dimension of an array that the caller always gives."""
+        name = f"_{array}_size{depth + 1}"
+        self.sizes[name] = ArrayDimension(array, depth, optional=False)
+        return name
+
+
+def free_name(wanted: str, taken: dict[str, Binding] | frozenset[str] | set[str]) -> str:
+    """The wanted name, or the first `wanted_2`, `wanted_3` ... that nothing holds."""
+    if wanted not in taken:
+        return wanted
+    number = 2
+    while f"{wanted}_{number}" in taken:
+        number += 1
+    return f"{wanted}_{number}"

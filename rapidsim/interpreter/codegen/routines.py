@@ -1,0 +1,233 @@
+"""One RAPID routine as one Python function.
+
+What it looks like with all its clauses:
+
+    def weld(b):
+        def ERROR(_e): ...
+        def _undo(): ...
+        try:
+            try:
+                <statements>
+            except BaseException as _u:
+                if _unwinds(_u):
+                    _undo()
+                raise
+        except _Leave as _l:
+            return _l.value
+
+The ERROR clause keeps RAPID's own word: names of the program are lower case, so none clashes.
+`Leave` is a RETURN in it.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from rapidsim.analysis.program import (
+    DataSymbol,
+    LibrarySymbol,
+    Program,
+    RoutineSymbol,
+    Scope,
+    Storage,
+    Symbol,
+)
+from rapidsim.analysis.tree_walk import descendants
+from rapidsim.interpreter.codegen.ast_builder import At, Positions
+from rapidsim.interpreter.codegen.escape_analysis import lent_symbols
+from rapidsim.interpreter.codegen.expressions import ConstantValue, Expressions
+from rapidsim.interpreter.codegen.goto import Jumps, goto_targets
+from rapidsim.interpreter.codegen.names import ArrayDimension, LocalNames, ModuleNames
+from rapidsim.interpreter.codegen.rounds import Callees, callees, tick
+from rapidsim.interpreter.codegen.statements import Statements
+from rapidsim.interpreter.limits import NotExecutableError
+from rapidsim.syntax import tree
+
+
+@dataclass(frozen=True, slots=True)
+class TranslatedRoutine:
+    """The Python functions of one routine."""
+
+    function: ast.FunctionDef
+    numbers: ast.FunctionDef | None
+    """Gives the numbers that a long-jump ERROR clause lists."""
+    callees: Callees
+    tick: list[ast.stmt]
+    """What the function begins with if its calls take a tick."""
+
+
+@dataclass(frozen=True, slots=True)
+class ModuleContext:
+    """What all routines of a module are translated with."""
+
+    program: Program
+    names: ModuleNames
+    positions: Positions
+    constant_value: ConstantValue
+
+
+def translate_routine(symbol: RoutineSymbol, context: ModuleContext) -> TranslatedRoutine:
+    """Translate a routine with its ERROR and UNDO clauses; BACKWARD is never executed."""
+    return _RoutineTranslation(symbol, context).translate()
+
+
+class _RoutineTranslation:
+    def __init__(self, symbol: RoutineSymbol, context: ModuleContext) -> None:
+        self._symbol = symbol
+        self._node = symbol.node
+        self._context = context
+        self._nodes = list(descendants(symbol.node))
+        self._names = LocalNames(
+            context.names,
+            symbol.name,
+            symbol.parameters,
+            in_cell=frozenset(lent_symbols(symbol, self._nodes, context.program)),
+        )
+        self._expressions = Expressions(
+            context.program,
+            self._names,
+            context.positions,
+            symbol.module,
+            context.constant_value,
+        )
+        self._header = context.positions.between(self._node.start, self._node.header_end)
+
+    def translate(self) -> TranslatedRoutine:
+        parameters = self._declare()
+        at = self._header
+        self._expressions.statement = at
+        handler = self._handler()
+        undo = self._undo()
+        body = self._statements(self._node.body, is_protected=handler is not None)
+        if self._symbol.result is not None and not _ends_in_return(body):
+            end = self._context.positions.between(self._node.end - 1, self._node.end)
+            body.append(end.throw(end.call("_no_return", [end.constant(self._symbol.name)])))
+        if undo is not None:
+            unwinds = at.when(at.call("_unwinds", [at.name("_u")]), [at.do(at.call("_undo"))])
+            body = [at.attempt(body, at.name("_BaseException"), "_u", [unwinds, at.throw()])]
+        clauses: list[ast.stmt] = [clause for clause in (handler, undo) if clause is not None]
+        if handler is not None:
+            value = at.leave(at.attribute("_l", "value"))
+            body = [at.attempt(body, at.name("_Leave"), "_l", [value])]
+        name = self._context.names.routine(self._symbol)
+        function = at.define(name, parameters, [], [*self._prologue(), *clauses, *body])
+        called = callees(self._nodes, self._context.program)
+        return TranslatedRoutine(function, self._numbers(name), called, tick(at))
+
+    def _declare(self) -> list[str]:
+        """Name the variables, clear of what the routine uses of its module."""
+        nodes = self._nodes
+        used = {id(s): s for s in map(self._context.program.symbol_of.get, nodes) if s is not None}
+        self._names.reserved = frozenset(
+            name for symbol in used.values() if (name := self._module_name(symbol)) is not None
+        )
+        parameters = [self._names.declare(p, p.name) for p in self._symbol.parameters]
+        for node in nodes:
+            if isinstance(node, tree.Data) and node.storage == "VAR":
+                self._names.declare(self._context.program.symbol_of[node], node.name.text)
+        return parameters
+
+    def _module_name(self, symbol: Symbol) -> str | None:
+        """The name in the module's namespace of what is not the routine's own."""
+        names = self._context.names
+        match symbol:
+            case RoutineSymbol():
+                return names.routine(symbol)
+            case LibrarySymbol(routine=routine):
+                return names.library(routine)
+            case DataSymbol(storage=Storage.CONST):
+                value = self._context.constant_value(symbol)
+                plain = isinstance(value, float | str | bool)
+                return None if plain else names.constant_data(symbol, value)
+            case DataSymbol(scope=scope) if scope is not Scope.ROUTINE:
+                return names.variable(symbol)
+            case _:
+                return None
+
+    def _prologue(self) -> Iterator[ast.stmt]:
+        """Cells for parameters that are lent on, tables for arrays sized by the caller."""
+        at = self._header
+        for symbol in self._symbol.parameters:
+            name = self._names.get(symbol)
+            if symbol in self._names.in_cell and name is not None:
+                node: ast.expr = at.call("_Box", [at.name(name)])
+                if symbol.optional:
+                    present = at.compare(at.name(name), (ast.IsNot(), at.name("_ABSENT")))
+                    node = at.choice(present, node, at.name("_ABSENT"))
+                yield at.set(name, node)
+        for name, dimension in self._names.sizes.items():
+            yield at.set(name, _size(dimension, at))
+        for name, dimension in self._names.tables.items():
+            if dimension.optional:
+                arguments = [at.name(dimension.array), at.constant(dimension.depth)]
+                yield at.set(name, at.call("_index_table_of", arguments))
+            else:
+                yield at.set(name, at.item("_index_tables", _size(dimension, at)))
+
+    def _statements(
+        self, body: tree.Body, *, is_protected: bool = False, in_handler: bool = False
+    ) -> list[ast.stmt]:
+        jumps = Jumps(goto_targets([body]))
+        return Statements(self._expressions, jumps, is_protected, in_handler).body(body)
+
+    def _handler(self) -> ast.FunctionDef | None:
+        clause = self._node.error
+        if clause is None:
+            return None
+        return self._clause("ERROR", ["_e"], clause.body, in_handler=True)
+
+    def _undo(self) -> ast.FunctionDef | None:
+        if self._node.undo is None:
+            return None
+        return self._clause("_undo", [], self._node.undo, in_handler=False)
+
+    def _clause(
+        self, name: str, parameters: list[str], body: tree.Body, *, in_handler: bool
+    ) -> ast.FunctionDef:
+        """A clause as a function inside the routine's, which sees its variables.
+
+        It takes the header's line: on its own line it would look executed in each call.
+        """
+        at = self._header
+        self._names.assigned.clear()
+        statements = self._statements(body, in_handler=in_handler)
+        if self._names.assigned:
+            statements.insert(0, at.outer(sorted(self._names.assigned)))
+        if in_handler and not _ends_in_return(statements):
+            statements.append(self._fall_off(at))
+        return at.define(name, parameters, [], statements)
+
+    def _fall_off(self, at: At) -> ast.stmt:
+        """The end of an ERROR clause is the end of the routine; a function owes its value."""
+        if self._symbol.result is not None:
+            return at.throw(at.call("_no_return", [at.constant(self._symbol.name)]))
+        return at.throw(at.call("_Leave", [at.constant(None)]))
+
+    def _numbers(self, name: str) -> ast.FunctionDef | None:
+        clause = self._node.error
+        if clause is None or not clause.numbers:
+            return None
+        for number in clause.numbers:
+            for node in descendants(number):
+                symbol = self._context.program.symbol_of.get(node)
+                if symbol is not None and self._names.get(symbol) is not None:
+                    raise NotExecutableError(
+                        "an ERROR clause with the number in a local variable",
+                        self._expressions.span(number),
+                    )
+        at = self._header
+        nodes = [self._expressions.value(number).node for number in clause.numbers]
+        return at.define(f"_numbers_{name}", [], [], [at.leave(at.tuple_of(nodes))])
+
+
+def _size(dimension: ArrayDimension, at: At) -> ast.expr:
+    rows: ast.expr = at.name(dimension.array)
+    for _ in range(dimension.depth):
+        rows = at.item(rows, at.constant(0))
+    return at.call("_len", [rows])
+
+
+def _ends_in_return(body: list[ast.stmt]) -> bool:
+    return bool(body) and isinstance(body[-1], ast.Return | ast.Raise)

@@ -1,0 +1,134 @@
+"""Functions whose calls are translated in their own way.
+
+Most look at their argument's name or place rather than its value: they take a REF parameter, which
+no Python function can have. StrLen is here because a length is an integer, which loops and indices
+make good use of.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types: ArgName, Dim,
+IsPers, IsVar, Present, StrLen, Type.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+
+from rapidsim.analysis.program import DataSymbol, ParameterSymbol, Storage
+from rapidsim.interpreter.codegen.ast_builder import At
+from rapidsim.interpreter.codegen.data_access import Paths, bare, by_reference
+from rapidsim.interpreter.codegen.expression_code import Code, Interval
+from rapidsim.interpreter.codegen.operands import Operands
+from rapidsim.interpreter.limits import NotExecutableError
+from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER
+from rapidsim.language.moves import Place
+from rapidsim.language.types import ArrayOf, Type, resolved
+from rapidsim.syntax import tree
+
+SpecialForm = Callable[[Operands, Paths, tree.FunctionCall, At], Code]
+
+
+def _argument(expressions: Operands, call: tree.FunctionCall) -> tree.DataPath:
+    """The first argument, which must be data."""
+    first = call.arguments[0] if call.arguments else None
+    if isinstance(first, tree.Required):
+        value = bare(first.value)
+        if isinstance(value, tree.Reference | tree.Index | tree.Component):
+            return value
+    raise NotExecutableError(
+        f"`{call.name.text}` of something that is not data", expressions.span(call)
+    )
+
+
+def _present(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
+    symbol = paths.symbol(_argument(expressions, call))
+    name = expressions.names.get(symbol)
+    if not isinstance(symbol, ParameterSymbol) or not symbol.optional or name is None:
+        return Code(at.constant(True))
+    if symbol.is_switch:
+        return Code(at.name(name))
+    return Code(at.compare(at.name(name), (ast.IsNot(), at.name("_ABSENT"))))
+
+
+def _dim(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
+    path = _argument(expressions, call)
+    which = call.arguments[1]
+    assert isinstance(which, tree.Required)
+    code = expressions.value(which.value)
+    size = paths.size(path, int(code.literal)) if code.literal is not None else None
+    if size is not None:
+        return size
+    array = paths.reference(path)
+    return Code(at.call("_dimension", [array.node, code.node]), may_raise=True)
+
+
+def _is_pers(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
+    return _is_storage(expressions, paths, call, at, Storage.PERS)
+
+
+def _is_var(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
+    return _is_storage(expressions, paths, call, at, Storage.VAR)
+
+
+def _is_storage(
+    expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At, storage: Storage
+) -> Code:
+    """Known from the declaration; of a by-reference parameter from what the caller gave."""
+    path = _argument(expressions, call)
+    symbol = paths.symbol(path)
+    if isinstance(symbol, DataSymbol):
+        return Code(at.constant(symbol.storage is storage))
+    if not isinstance(symbol, ParameterSymbol) or not by_reference(symbol.mode):
+        return Code(at.constant(False))
+    name = expressions.names.get(symbol)
+    assert name is not None
+    code: ast.expr = at.call("_is_persistent", [at.name(name)])
+    if storage is Storage.VAR:
+        code = at.unary(ast.Not(), code)
+    return Code(code, may_raise=symbol.optional)
+
+
+def _str_len(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
+    argument = call.arguments[0]
+    assert isinstance(argument, tree.Required)
+    text = expressions.value(argument.value)
+    node = at.call("_len", [text.node])
+    return Code(node, text.owed, text.may_raise, text.calls, Interval(0, MAX_INTEGER))
+
+
+def _type(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
+    of = paths.type_of(_argument(expressions, call))
+    element: Type = of.element if isinstance(of, ArrayOf) else of
+    if len(call.arguments) > 1:  # \BaseName
+        element = resolved(element)
+    return Code(at.constant(element.name))
+
+
+def _arg_name(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
+    """Of a parameter the name of what was given for it, found when asked for."""
+    symbol = paths.symbol(_argument(expressions, call))
+    if not isinstance(symbol, ParameterSymbol):
+        return Code(at.constant(symbol.name))
+    place = expressions.names.module.place(Place(expressions.span(call), expressions.names.routine))
+    arguments: list[ast.expr] = [at.name(place), at.constant(symbol.name)]
+    for argument in call.arguments[1:]:  # \ErrorNumber
+        number = None if isinstance(argument, tree.Conditional) else argument.value
+        path = None if number is None else bare(number)
+        if not isinstance(path, tree.Reference | tree.Index | tree.Component):
+            raise NotExecutableError(r"ArgName with such an \ErrorNumber", expressions.span(call))
+        arguments.append(paths.reference(path).node)
+    return Code(at.call("_argument_name", arguments), may_raise=True, calls=True)
+
+
+SPECIAL_FORMS: Mapping[str, SpecialForm] = MappingProxyType(
+    {
+        "argname": _arg_name,
+        "dim": _dim,
+        "ispers": _is_pers,
+        "isvar": _is_var,
+        "present": _present,
+        "strlen": _str_len,
+        "type": _type,
+    }
+)
+"""By folded name."""

@@ -1,0 +1,410 @@
+"""Statements in generated code.
+
+Each RAPID statement becomes Python statements on its line. Under an ERROR clause, what may raise
+stands in a loop of `error_handling`; conditions are then decided under protection first, and the
+bodies they choose stand outside. Loops take a tick each turn, which lets virtual time pass.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NoReturn, assert_never
+
+from rapidsim.analysis.program import DataSymbol, RoutineSymbol
+from rapidsim.interpreter.codegen.ast_builder import At
+from rapidsim.interpreter.codegen.error_handling import protected
+from rapidsim.interpreter.codegen.expression_code import Code, Interval, finished
+from rapidsim.interpreter.codegen.expressions import Expressions
+from rapidsim.interpreter.codegen.goto import Jumps
+from rapidsim.interpreter.codegen.inlined_instructions import (
+    assigned_in_place,
+    is_start_move_retry,
+    value_in_place,
+)
+from rapidsim.interpreter.codegen.rounds import tick
+from rapidsim.interpreter.limits import MAX_BRANCHES, MAX_LOOPS, NotExecutableError
+from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER
+from rapidsim.interpreter.runtime.values import literal
+from rapidsim.language.initial import initial_value
+from rapidsim.language.types import NUM, ArrayOf, resolved
+from rapidsim.syntax import tree
+
+
+@dataclass(slots=True)
+class Statements:
+    """Translates one statement list of a routine with everything below it."""
+
+    expressions: Expressions
+    jumps: Jumps
+    is_protected: bool
+    """The routine has an ERROR clause, and this is not in it."""
+    in_handler: bool = False
+    """This is the ERROR clause."""
+
+    def body(self, body: tree.Body) -> list[ast.stmt]:
+        """Translate a statement list."""
+        if self.jumps.has_target(body):
+            return self._machine(body)
+        return [python for statement in body for python in self.statement(statement)]
+
+    def statement(self, statement: tree.Statement) -> list[ast.stmt]:
+        """Translate one statement."""
+        at = self.expressions.statement = self.expressions.positions.at(statement)
+        match statement:
+            case tree.Assignment():
+                return self._assignment(statement, at)
+            case tree.Call():
+                return self._call(statement, at)
+            case tree.LateCall():
+                return self._guard(self.expressions.calls.late(statement, at), at)
+            case tree.If(branches=branches, otherwise=otherwise):
+                conditions = [branch.condition for branch in branches]
+                bodies = [branch.body for branch in branches]
+                return self._if(statement, conditions, bodies, otherwise or (), at)
+            case tree.CompactIf(condition=condition, statement=inner):
+                return self._if(statement, [condition], [(inner,)], (), at)
+            case tree.For():
+                return self._for(statement, at)
+            case tree.While():
+                return self._while(statement, at)
+            case tree.Test():
+                return self._test(statement, at)
+            case tree.Label():
+                return []
+            case tree.Goto(name=name):
+                return self.jumps.jump(name.key, at)
+            case tree.Return(value=value):
+                return self._return(value, at)
+            case tree.Raise(number=number):
+                return self._raise(number, at)
+            case tree.Exit():
+                return [at.throw(at.call("_Stopped", [at.constant("EXIT")]))]
+            case tree.Retry():
+                return [at.leave(at.constant(1))]
+            case tree.TryNext():
+                return [at.leave(at.constant(0))]
+            case tree.Connect():
+                return self._connect(statement, at)
+            case tree.Empty():
+                return [at.nothing()]
+            case tree.Data():
+                return self._data(statement, at)
+            case tree.Placeholder():
+                return self._guard([at.do(at.call("_unfinished"))], at)
+            case tree.Broken():
+                self._refuse("a part with syntax errors", statement)
+            case _:
+                assert_never(statement)
+
+    def _guard(
+        self, body: Sequence[ast.stmt], at: At, *, otherwise: Sequence[ast.stmt] = ()
+    ) -> list[ast.stmt]:
+        """Protect statements that may raise, where there is an ERROR clause to protect them."""
+        return protected(body, at, otherwise=otherwise) if self.is_protected else list(body)
+
+    def _assignment(self, statement: tree.Assignment, at: At) -> list[ast.stmt]:
+        if isinstance(statement.target, tree.Placeholder):
+            return self._guard([at.do(at.call("_unfinished"))], at)
+        # Whole arrays are copied element by element where they arrive.
+        value = self.expressions.value(statement.value)
+        body = self.expressions.paths.write(statement.target, value, at)
+        is_array = isinstance(resolved(self.expressions.paths.type_of(statement.target)), ArrayOf)
+        may_raise = (
+            value.may_raise or is_array or self.expressions.paths.may_raise(statement.target)
+        )
+        return self._guard(body, at) if may_raise else body
+
+    def _call(self, statement: tree.Call, at: At) -> list[ast.stmt]:
+        variable = assigned_in_place(statement, self.expressions.program)
+        if variable is None:
+            called = self._guard(self.expressions.calls.procedure(statement, at), at)
+            # The checker lets it stand in ERROR clauses only.
+            retries = is_start_move_retry(statement, self.expressions.program)
+            return [*called, at.leave(at.constant(1))] if retries else called
+        paths = self.expressions.paths
+        value = value_in_place(statement, variable, paths, at)
+        return self._guard(paths.write(variable, value, at), at)
+
+    def _if(
+        self,
+        statement: tree.Node,
+        conditions: Sequence[tree.Expression],
+        bodies: Sequence[tree.Body],
+        otherwise: tree.Body,
+        at: At,
+    ) -> list[ast.stmt]:
+        if len(conditions) > MAX_BRANCHES:
+            self._refuse(f"an IF with more than {MAX_BRANCHES} branches", statement)
+        places = [at, *(self._line_of(condition) for condition in conditions[1:])]
+        tests = []
+        for place, condition in zip(places, conditions, strict=True):
+            self.expressions.statement = place
+            tests.append(self.expressions.condition(condition))
+        return self._choose(tests, places, bodies, otherwise, at)
+
+    def _line_of(self, condition: tree.Expression) -> At:
+        """A branch's condition stands on the line of its ELSEIF."""
+        return self.expressions.positions.at(condition)
+
+    def _choose(
+        self,
+        tests: Sequence[Code],
+        places: Sequence[At],
+        bodies: Sequence[tree.Body],
+        otherwise: tree.Body,
+        at: At,
+        before: Sequence[ast.stmt] = (),
+        *,
+        may_raise: bool = False,
+    ) -> list[ast.stmt]:
+        """Branches by conditions; `before` evaluates what they share."""
+        if not self.is_protected or not (may_raise or any(test.may_raise for test in tests)):
+            nodes = [test.node for test in tests]
+            return [*before, *self._branches(nodes, places, bodies, otherwise)]
+        number: ast.expr = at.constant(0)
+        for position in range(len(tests), 0, -1):
+            place = places[position - 1]
+            number = place.choice(tests[position - 1].node, place.constant(position), number)
+        # RETRY decides again from the first condition, TRYNEXT goes on behind the statement.
+        decide = self._guard(
+            [*before, at.set("_branch", number)],
+            at,
+            otherwise=[at.set("_branch", at.constant(-1))],
+        )
+        nodes = [
+            at.compare(at.name("_branch"), (ast.Eq(), at.constant(position)))
+            for position in range(1, len(tests) + 1)
+        ]
+        chosen = [at] * len(tests)
+        if not otherwise:
+            return [*decide, *self._branches(nodes, chosen, bodies, ())]
+        none_holds = at.compare(at.name("_branch"), (ast.Eq(), at.constant(0)))
+        return [
+            *decide,
+            *self._branches([*nodes, none_holds], [*chosen, at], [*bodies, otherwise], ()),
+        ]
+
+    def _branches(
+        self,
+        tests: Sequence[ast.expr],
+        places: Sequence[At],
+        bodies: Sequence[tree.Body],
+        otherwise: tree.Body,
+    ) -> list[ast.stmt]:
+        """Python's `if`, `elif`, `else`; bodies in order of writing."""
+        written = [self.body(body) for body in bodies]
+        chain = self.body(otherwise)
+        for place, test, body in reversed(list(zip(places, tests, written, strict=True))):
+            chain = [place.when(test, body, chain)]
+        return chain
+
+    def _test(self, statement: tree.Test, at: At) -> list[ast.stmt]:
+        if len(statement.cases) > MAX_BRANCHES:
+            self._refuse(f"a TEST with more than {MAX_BRANCHES} cases", statement)
+        subject = self.expressions.value(statement.subject)
+        before = [at.set("_case", subject.node)]
+        if not statement.cases:
+            decide = self._guard(before, at) if subject.may_raise else before
+            return [*decide, *self.body(statement.default or ())]
+        tests = []
+        places = []
+        for case in statement.cases:
+            place = self.expressions.statement = self.expressions.positions.at(case.values[0])
+            values = [self.expressions.value(value) for value in case.values]
+            equal: list[ast.expr] = [
+                place.compare(place.name("_case"), (ast.Eq(), value.node)) for value in values
+            ]
+            node = equal[0] if len(equal) == 1 else place.both_or_either(ast.Or(), *equal)
+            tests.append(Code(node, may_raise=any(value.may_raise for value in values)))
+            places.append(place)
+        bodies = [case.body for case in statement.cases]
+        return self._choose(
+            tests,
+            places,
+            bodies,
+            statement.default or (),
+            at,
+            before,
+            may_raise=subject.may_raise,
+        )
+
+    def _while(self, statement: tree.While, at: At) -> list[ast.stmt]:
+        self._refuse_depth(statement)
+        condition = self.expressions.condition(statement.condition)
+        with self.jumps.loop() as loop:
+            body = self.body(statement.body)
+        turn = tick(at)
+        if not (self.is_protected and condition.may_raise):
+            return [at.repeat(condition.node, [*turn, *body]), *self.jumps.after(loop, at)]
+        decide = self._guard(
+            [at.set("_condition", condition.node)],
+            at,
+            otherwise=[at.set("_condition", at.constant(False))],
+        )
+        done = at.when(at.unary(ast.Not(), at.name("_condition")), [at.stop()])
+        return [at.forever([*turn, *decide, done, *body]), *self.jumps.after(loop, at)]
+
+    def _for(self, statement: tree.For, at: At) -> list[ast.stmt]:
+        self._refuse_depth(statement)
+        values, interval, may_raise = self._counter_values(statement, at)
+        names, counters = self.expressions.names, self.expressions.counters
+        symbol = self.expressions.program.symbol_of[statement]
+        with names.counter(symbol, statement.counter.text) as name, self.jumps.loop() as loop:
+            if interval is not None:
+                counters[name] = interval
+            body = self.body(statement.body)
+            counters.pop(name, None)
+        before: list[ast.stmt] = []
+        if may_raise and self.is_protected:
+            before = self._guard(
+                [at.set("_values", values)], at, otherwise=[at.set("_values", at.tuple_of([]))]
+            )
+            values = at.name("_values")
+        turn = at.each(at.store(name), values, [*tick(at), *body])
+        return [*before, turn, *self.jumps.after(loop, at)]
+
+    def _counter_values(
+        self, statement: tree.For, at: At
+    ) -> tuple[ast.expr, Interval | None, bool]:
+        """What a FOR runs over, the integers its counter can be, and whether that may raise."""
+        parts = [statement.first, statement.last, statement.step]
+        codes = [self.expressions.code(part) for part in parts if part is not None]
+        may_raise = any(finished(code, at).may_raise for code in codes)
+        first, last = codes[0], codes[1]
+        step = _whole(statement.step)
+        if not _exact(first) or (statement.step is not None and step is None):
+            return at.call("_steps", [finished(code, at).node for code in codes]), None, may_raise
+        assert first.integer is not None
+        ends = last.integer if _exact(last) else None
+        way = _way(first.integer, ends) if step is None else step
+        interval = _between(first.integer, ends or Interval(-MAX_INTEGER, MAX_INTEGER), way)
+        nodes = [first.as_integer(at), *(at.constant(step) for _ in codes[2:])]
+        if ends is None or not way:
+            nodes.insert(1, finished(last, at).node)
+            return at.call("_count", nodes), interval, may_raise
+        past = 1 if way > 0 else -1
+        if last.literal is not None:
+            nodes.insert(1, at.constant(int(last.literal) + past))
+        else:
+            nodes.insert(1, at.operation(last.node, ast.Add(), at.constant(past)))
+        if way < 0 and step is None:
+            nodes.append(at.constant(-1))
+        return at.call("_range", nodes), interval, may_raise
+
+    def _machine(self, body: tree.Body) -> list[ast.stmt]:
+        """A statement list with labels that GOTOs name: see `goto`."""
+        at = self.expressions.positions.at(body[0])
+        self._refuse_depth(body[0])
+        sections: list[list[ast.stmt]] = [[]]
+        starts = [at]
+        with self.jumps.machine(body) as machine:
+            for statement in body:
+                if isinstance(statement, tree.Label) and statement.name.key in machine.sections:
+                    sections.append([])
+                    starts.append(self.expressions.positions.at(statement))
+                sections[-1].extend(self.statement(statement))
+        state = f"_goto{machine.number}"
+        guarded: list[ast.stmt] = []
+        for number, (section, start) in enumerate(zip(sections, starts, strict=True)):
+            if section:
+                reached = start.compare(start.name(state), (ast.LtE(), start.constant(number)))
+                guarded.append(start.when(reached, section))
+        reset = [at.set("_jump", at.constant(0)), at.set(state, at.constant(0))]
+        turn = at.forever([*tick(at), *guarded, starts[-1].stop()])
+        return [*reset, turn, *self.jumps.after(machine, at)]
+
+    def _return(self, value: tree.Expression | None, at: At) -> list[ast.stmt]:
+        if self.in_handler:
+            node = self.expressions.copy(value).node if value is not None else at.constant(None)
+            return [at.throw(at.call("_Leave", [node]))]
+        if value is None:
+            return [at.leave()]
+        code = self.expressions.copy(value)
+        body: list[ast.stmt] = [at.leave(code.node)]
+        return self._guard(body, at) if code.may_raise else body
+
+    def _raise(self, number: tree.Expression | None, at: At) -> list[ast.stmt]:
+        node = self.expressions.value(number).node if number is not None else at.constant(None)
+        if self.in_handler:
+            return [at.throw(at.call("_propagate", [at.name("_e"), node]))]
+        return self._guard([at.throw(at.call("_raised", [node]))], at)
+
+    def _connect(self, statement: tree.Connect, at: At) -> list[ast.stmt]:
+        if isinstance(statement.interrupt, tree.Placeholder):
+            return self._guard([at.do(at.call("_unfinished"))], at)
+        symbol = self.expressions.program.symbol_of.get(statement)
+        number = self.expressions.paths.read(statement.interrupt).node
+        if isinstance(symbol, RoutineSymbol):
+            function = at.name(self.expressions.names.module.routine(symbol))
+            node = at.call("_connect", [number, function, at.constant(symbol.name)])
+        elif isinstance(statement.trap, tree.Name):
+            self._refuse(f"CONNECT with `{statement.trap.text}`, which is no trap,", statement)
+        else:
+            name = self.expressions.value(statement.trap).node
+            node = at.call("_connect_late", [number, name])
+        value = Code(node, may_raise=True, calls=True)
+        return self._guard(self.expressions.paths.write(statement.interrupt, value, at), at)
+
+    def _data(self, statement: tree.Data, at: At) -> list[ast.stmt]:
+        """A local variable gets its initial value at each call."""
+        if statement.storage != "VAR":
+            return []
+        symbol = self.expressions.program.symbol_of[statement]
+        names = self.expressions.names
+        name = names.get(symbol)
+        assert isinstance(symbol, DataSymbol)
+        assert name is not None
+        node: ast.expr
+        if statement.value is not None:
+            node = self.expressions.copy(statement.value).node
+        else:
+            zero = initial_value(symbol.type)
+            if isinstance(zero, float | str | bool):
+                node = at.constant(zero)
+            else:
+                node = at.name(names.module.constant(zero))
+            if isinstance(zero, list):
+                node = at.call("_copy_array", [node])
+        if symbol in names.in_cell:
+            node = at.call("_Box", [node])
+        return [at.set(name, node)]
+
+    def _refuse_depth(self, statement: tree.Node) -> None:
+        if self.jumps.depth >= MAX_LOOPS:
+            self._refuse(f"a loop inside {MAX_LOOPS} others", statement)
+
+    def _refuse(self, what: str, node: tree.Node) -> NoReturn:
+        raise NotExecutableError(what, self.expressions.span(node))
+
+
+def _exact(code: Code) -> bool:
+    """Whether it is an integer that a single holds."""
+    return code.integer is not None and code.integer.exact
+
+
+def _way(first: Interval, last: Interval | None) -> int:
+    """The step of a FOR that names none: 1 up, -1 down, 0 where only the run knows."""
+    if last is None:
+        return 0
+    if last.low >= first.high:
+        return 1
+    return -1 if last.high < first.low else 0
+
+
+def _between(first: Interval, last: Interval, way: int) -> Interval:
+    """What a counter can be that goes from one to the other."""
+    if way > 0:
+        return Interval(first.low, max(first.low, last.high), last.size)
+    if way < 0:
+        return Interval(min(first.high, last.low), first.high, first.size)
+    return Interval(min(first.low, last.low), max(first.high, last.high))
+
+
+def _whole(expression: tree.Expression | None) -> int | None:
+    """The value of a literal that is an integer a single holds exactly."""
+    value = literal(expression, NUM) if expression is not None else None
+    if isinstance(value, float) and value.is_integer() and abs(value) <= MAX_INTEGER:
+        return int(value)
+    return None

@@ -1,0 +1,68 @@
+"""The values of CONST data, worked out before anything runs.
+
+Literals are read off the tree; other constant expressions are translated like any expression and
+evaluated once. A constant that needs another asks for it, so their order in the text is free.
+"""
+
+from __future__ import annotations
+
+import ast
+from dataclasses import dataclass, field
+
+from rapidsim.analysis.program import DataSymbol, Program
+from rapidsim.interpreter.codegen.ast_builder import Positions
+from rapidsim.interpreter.codegen.expressions import Expressions
+from rapidsim.interpreter.codegen.names import Fixed, LocalNames, ModuleNames
+from rapidsim.interpreter.limits import NotExecutableError
+from rapidsim.interpreter.linking.namespace import FUNCTIONS
+from rapidsim.interpreter.runtime.call_stack import Origin
+from rapidsim.interpreter.runtime.error_recovery import GENERATED
+from rapidsim.interpreter.runtime.values import Value, literal
+from rapidsim.language.initial import initial_value
+
+
+@dataclass(slots=True)
+class Constants:
+    """Values of constants by symbol, worked out when first asked for."""
+
+    program: Program
+    _values: dict[DataSymbol, Value] = field(default_factory=dict)
+
+    def value_of(self, symbol: DataSymbol) -> Value:
+        """The value of a CONST; analysis has made sure that none depends on itself.
+
+        Raises:
+            RapidError: If its expression fails, as a division by zero does.
+            NotExecutableError: If its expression needs more than constants.
+        """
+        if symbol.node is None:
+            return symbol.value
+        if symbol not in self._values:
+            self._values[symbol] = self._evaluated(symbol)
+        return self._values[symbol]
+
+    def _evaluated(self, symbol: DataSymbol) -> Value:
+        node, module = symbol.node, symbol.module
+        assert node is not None
+        assert module is not None
+        if node.value is None:
+            return initial_value(symbol.type)
+        value = literal(node.value, symbol.type)
+        if value is not None:
+            return value
+        names = ModuleNames(module)
+        positions = Positions(module.source)
+        expressions = Expressions(
+            self.program, LocalNames(names, ""), positions, module, self.value_of
+        )
+        expressions.statement = positions.at(node)
+        code = compile(
+            ast.Expression(expressions.copy(node.value).node), module.source.file, "eval"
+        )
+        namespace = {
+            name: bound.value for name, bound in names.bindings.items() if isinstance(bound, Fixed)
+        }
+        if len(namespace) < len(names.bindings):
+            raise NotExecutableError("a constant that depends on variables", module.span(node))
+        origin = Origin(module, {}, self.value_of, lambda: self.program)
+        return eval(code, {**FUNCTIONS, GENERATED: origin, **namespace})

@@ -1,0 +1,185 @@
+"""The modules of one task as Python functions that know each other, and their memory.
+
+`link` takes a program and makes ready what is new in it; what stays keeps its functions and its
+variables. That is how a task starts, and how modules come and go while it runs: the program is a
+value, checked as a whole each time, and only this object changes.
+"""
+
+from __future__ import annotations
+
+import linecache
+import sys
+from collections.abc import Mapping
+from types import CodeType, FrameType, FunctionType
+from typing import Any
+
+from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Storage
+from rapidsim.analysis.tree_walk import data_of
+from rapidsim.diagnostics import Source
+from rapidsim.interpreter.codegen.names import Fixed
+from rapidsim.interpreter.linking.constants import Constants
+from rapidsim.interpreter.linking.namespace import FUNCTIONS, task_functions
+from rapidsim.interpreter.linking.translation import INITIALISE, TranslatedModule, translate
+from rapidsim.interpreter.runtime.call_stack import Origin
+from rapidsim.interpreter.runtime.error_recovery import GENERATED, Recovery, is_generated
+from rapidsim.interpreter.runtime.late_binding import LateBinding, UserRoutine
+from rapidsim.interpreter.runtime.memory import Memory
+from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents
+from rapidsim.interpreter.runtime.values import Value, copied
+from rapidsim.language.controller import Controller
+from rapidsim.syntax import tree
+from rapidsim.syntax.collection import uncollected
+
+
+class LinkedProgram:
+    """A program that can be called, and changed while it runs."""
+
+    def __init__(
+        self,
+        program: Program,
+        controller: Controller,
+        shared: SharedPersistents | None = None,
+    ) -> None:
+        """Link the first program; `shared` holds the data that other tasks have too.
+
+        Raises:
+            NotExecutableError: If it needs something that cannot be simulated.
+            RapidError: If a constant or an initial value fails.
+        """
+        self.controller = controller
+        self.program = program
+        self.memory = Memory(program) if shared is None else Memory(program, shared.home)
+        self._shared = shared
+        self.recovery = Recovery(controller)
+        self.late = LateBinding(controller)
+        self._constants = Constants(program)
+        self._functions: dict[tree.Routine, FunctionType] = {}
+        self._namespaces: dict[tree.Module, dict[str, Any]] = {}
+        self.link(program)
+
+    # Until the translation is dropped, so that the collector never walks through it.
+    @uncollected()
+    def link(self, program: Program) -> None:
+        """Take a program in place of the one so far: make ready what is new, forget what is gone.
+
+        Nothing has changed where it raises.
+
+        Raises:
+            NotExecutableError: If a new module needs something that cannot be simulated.
+            RapidError: If a constant or an initial value of a new module fails.
+        """
+        added = [module for module in program.modules if module not in self._namespaces]
+        gone = [module for module in self._namespaces if module not in program.modules]
+        translation = translate(program, added)
+        codes = [_compiled(module) for module in translation.modules]
+        before = self.program, self._constants
+        self.program, self._constants = program, translation.constants
+        try:
+            for module, code in zip(translation.modules, codes, strict=True):
+                self._define(module, code)
+            for module in translation.modules:
+                self._bind(module)
+            for module in translation.modules:
+                namespace = self._namespaces[module.module]
+                if INITIALISE in namespace:
+                    _function(namespace, INITIALISE)()
+        except BaseException:
+            self.program, self._constants = before
+            for one in added:
+                self._drop(one)
+            raise
+        for one in gone:
+            self._drop(one)
+        self._name_routines()
+
+    def function(self, symbol: RoutineSymbol) -> FunctionType:
+        """The function of a routine."""
+        return self._functions[symbol.node]
+
+    def value_of(self, symbol: DataSymbol) -> Value:
+        """A copy of the value that declared data have now, constants too."""
+        if symbol.storage is Storage.CONST and symbol.node is not None:
+            return copied(self._constants.value_of(symbol))
+        return self.memory.value(symbol)
+
+    def executing(self) -> frozenset[tree.Module]:
+        """The modules whose routines have been called and not returned yet."""
+        found = set()
+        frame: FrameType | None = sys._getframe()
+        while frame is not None:
+            if is_generated(frame):
+                origin: Origin = frame.f_globals[GENERATED]
+                found.add(origin.module)
+            frame = frame.f_back
+        return frozenset(found)
+
+    def _define(self, module: TranslatedModule, code: CodeType) -> None:
+        """Make the functions of a new module."""
+        namespace = self._namespaces[module.module] = {
+            **FUNCTIONS,
+            **task_functions(self.controller, self.recovery, self.late, module.module.name.key),
+            GENERATED: Origin(module.module, module.functions, self.value_of, lambda: self.program),
+        }
+        show_lines_of(module.module.source)
+        exec(code, namespace)
+        for name, symbol in module.functions.items():
+            self._functions[symbol.node] = _function(namespace, name)
+        for name, numbers in module.long_jumps:
+            jumper = _function(namespace, name)
+            self.recovery.long_jumps[jumper.__code__] = _function(namespace, numbers)
+
+    def _bind(self, module: TranslatedModule) -> None:
+        """Give the names of a module's namespace their objects."""
+        namespace = self._namespaces[module.module]
+        for name, binding in module.bindings.items():
+            match binding:
+                case DataSymbol():
+                    namespace[name] = self.memory.home(binding)
+                case RoutineSymbol():
+                    namespace[name] = self.function(binding)
+                case Fixed(value=value):
+                    namespace[name] = value
+
+    def _drop(self, module: tree.Module) -> None:
+        """Forget a module; what still runs in it keeps what it holds."""
+        self._namespaces.pop(module, None)
+        self.memory.forget(module)
+        if self._shared is not None:
+            for data in data_of(module):
+                self._shared.release(data)
+        for routine in module.routines:
+            function = self._functions.pop(routine, None)
+            if function is not None:
+                self.recovery.long_jumps.pop(function.__code__, None)
+
+    def _name_routines(self) -> None:
+        """Tell late binding what can be called by name now."""
+        symbols = self.program.symbol_of
+        by_module: dict[str, dict[str, UserRoutine]] = {}
+        for module in self.program.modules:
+            of_module = by_module.setdefault(module.name.key, {})
+            for routine in module.routines:
+                symbol = symbols[routine]
+                assert isinstance(symbol, RoutineSymbol)
+                of_module[symbol.name.lower()] = UserRoutine(symbol, self.function(symbol))
+        self.late.module_routines = by_module
+        self.late.global_routines = {
+            key: UserRoutine(symbol, self.function(symbol))
+            for key, symbol in self.program.routines.items()
+        }
+
+
+def show_lines_of(source: Source) -> None:
+    """Let Python's tools print RAPID lines: they would look for a UTF-8 file of that name."""
+    lines = [source.line(number) + "\n" for number in range(1, len(source.line_starts) + 1)]
+    linecache.cache[source.file] = (len(source.text), None, lines, source.file)
+
+
+def _compiled(module: TranslatedModule) -> CodeType:
+    return compile(module.code, module.module.source.file, "exec")
+
+
+def _function(namespace: Mapping[str, Any], name: str) -> FunctionType:
+    function = namespace[name]
+    assert isinstance(function, FunctionType)
+    return function

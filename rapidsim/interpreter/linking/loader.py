@@ -1,0 +1,188 @@
+"""A checked program made ready to run for one controller, and run.
+
+Enters a `Program` and the `Controller` of its task; leaves a `Task`. Each routine is a Python code
+object under the name of its RAPID file: tracebacks, debuggers, profilers and coverage tools speak
+of RAPID lines.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Scope
+from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
+from rapidsim.interpreter.linking.linker import LinkedProgram
+from rapidsim.interpreter.linking.symbols import TaskSymbols
+from rapidsim.interpreter.linking.task_modules import TaskModules
+from rapidsim.interpreter.runtime.call_stack import FatalError, Frame, rapid_stack
+from rapidsim.interpreter.runtime.error_recovery import Unrecoverable, as_rapid_error
+from rapidsim.interpreter.runtime.memory import ChangedPersistent, module_data
+from rapidsim.interpreter.runtime.references import ABSENT
+from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents
+from rapidsim.interpreter.runtime.values import Value
+from rapidsim.language.controller import Controller
+from rapidsim.language.errors import RapidError
+from rapidsim.library.predefined import DATA
+
+__all__ = ["FatalError", "Frame", "Task", "load", "running"]
+
+ERR_STACK_OVERFLOW = 40222.0
+"""Not catchable, so the number is the controller's event, which no program compares with."""
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """A program with its memory. Variables keep their values from one run to the next."""
+
+    _linked: LinkedProgram
+
+    @property
+    def program(self) -> Program:
+        """The program with the modules it has now."""
+        return self._linked.program
+
+    def run(self, entry: str = "main") -> None:
+        """Execute a procedure without parameters.
+
+        Args:
+            entry: Its name, in any case.
+
+        Raises:
+            LookupError: If there is no such procedure.
+            FatalError: If an error reaches no ERROR clause.
+            Stopped: If the program, or a limit of the run, ends it; this passes through.
+        """
+        symbol = self.program.routines.get(entry.lower())
+        if symbol is None or any(not parameter.optional for parameter in symbol.parameters):
+            raise LookupError(f"there is no procedure {entry} without parameters")
+        with running():
+            self._linked.function(symbol)(*_absent(symbol))
+
+    def take(self, program: Program) -> None:
+        """Go on with a program that has other modules; what stays keeps its values.
+
+        Raises:
+            FatalError: If a constant or an initial value of a new module fails.
+            NotExecutableError: If a new module needs something that cannot be simulated.
+        """
+        with _fatal_errors():
+            self._linked.link(program)
+
+    def call(self, function: RoutineSymbol) -> Value:
+        """The value of a function without parameters.
+
+        Raises:
+            FatalError: If an error reaches no ERROR clause.
+        """
+        with running():
+            value: Value = self._linked.function(function)()
+            return value
+
+    def value(self, name: str, module: str | None = None) -> Value:
+        """The value that declared or predefined data have now.
+
+        Args:
+            name: As in the program, in any case.
+            module: Whose data; None looks at global data first, then at any module's.
+
+        Returns:
+            A float, bool, str, record tuple, or a list, which is a copy.
+
+        Raises:
+            LookupError: If there are no such data.
+        """
+        symbol = self._data(name.lower(), module.lower() if module else None)
+        if symbol is not None:
+            return self._linked.value_of(symbol)
+        predefined = DATA.get(name.lower())
+        if predefined is None or module is not None:
+            raise LookupError(f"there are no data named {name}")
+        return self._linked.memory.predefined(name.lower(), predefined.value)
+
+    def persistents(self) -> tuple[ChangedPersistent, ...]:
+        """The PERS data of its first modules whose value has changed since they were loaded."""
+        return self._linked.memory.changed()
+
+    def _data(self, key: str, module: str | None) -> DataSymbol | None:
+        found: DataSymbol | None = None
+        for symbol in module_data(self.program):
+            if symbol.name.lower() != key or symbol.module is None:
+                continue
+            if module is not None:
+                if symbol.module.name.key == module:
+                    return symbol
+            elif symbol.scope is not Scope.LOCAL:
+                return symbol
+            else:
+                found = found or symbol
+        return found
+
+
+def load(program: Program, controller: Controller, shared: SharedPersistents | None = None) -> Task:
+    """Compile a program and set up its memory.
+
+    Args:
+        program: Without errors, as analysis makes it.
+        controller: Of the task that will run it.
+        shared: The persistents it has in common with other tasks.
+
+    Raises:
+        NotExecutableError: If it needs something that cannot be simulated; nothing has run then.
+        FatalError: If an initial value fails, as a division by zero does.
+    """
+    with _fatal_errors():
+        linked = LinkedProgram(program, controller, shared)
+    linked.memory.remember()
+    main_module = program.modules[0].name.key
+
+    def call_procedure(name: str) -> None:
+        # It runs like a trap, so its errors do not reach the statement that it interrupts.
+        late = linked.late
+        linked.recovery.trap(lambda: late.call(main_module, controller.place, name, (), ()))()
+
+    controller.call_procedure = call_procedure
+    controller.modules = TaskModules(linked)
+    controller.symbols = TaskSymbols(linked)
+    return Task(linked)
+
+
+@contextmanager
+def running() -> Iterator[None]:
+    """Where routines of a program may run, traps among them.
+
+    Raises:
+        FatalError: If an error reaches no ERROR clause.
+    """
+    with _fatal_errors(), recursion_limit(RUNNING_DEPTH):
+        yield
+
+
+def _absent(symbol: RoutineSymbol) -> list[object]:
+    return [False if parameter.is_switch else ABSENT for parameter in symbol.parameters]
+
+
+@contextmanager
+def _fatal_errors() -> Iterator[None]:
+    """Turn what no ERROR clause dealt with into a `FatalError`."""
+    try:
+        yield
+    except Unrecoverable as last:
+        raise FatalError(last.error, rapid_stack(last)) from last
+    except (RapidError, ZeroDivisionError) as error:
+        raise FatalError(as_rapid_error(error), rapid_stack(error)) from error
+    except RecursionError as error:
+        stack = rapid_stack(error)
+        raise FatalError(_stack_overflow(stack), stack) from None
+
+
+def _stack_overflow(stack: tuple[Frame, ...]) -> RapidError:
+    innermost = f" in {stack[-1].routine}" if stack else ""
+    # In round figures: how deep Python comes depends a little on its version.
+    depth = round(len(stack), -2)
+    return RapidError(
+        ERR_STACK_OVERFLOW,
+        f"the stack overflowed{innermost}: routines call each other about {depth} deep",
+        cf="ABB 40222",
+    )

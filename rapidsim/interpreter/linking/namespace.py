@@ -1,0 +1,166 @@
+"""What generated code finds in its namespace beside the program's own names.
+
+All names begin with an underscore, which no RAPID name does. `FUNCTIONS` are the same for every
+task; `task_functions` speak to one task's controller.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from types import MappingProxyType
+from typing import Any, NoReturn
+
+from rapidsim.interpreter.linking.argument_names import argument_name
+from rapidsim.interpreter.runtime import arithmetic, arrays, error_recovery, references
+from rapidsim.interpreter.runtime.error_recovery import Recovery
+from rapidsim.interpreter.runtime.late_binding import LateArgument, LateBinding, numbered_name
+from rapidsim.interpreter.runtime.memory import is_persistent
+from rapidsim.language.controller import Controller
+from rapidsim.language.error_numbers import ERR_ALRDYCNT, ERR_ARGDUPCND, ERR_EXECPHR, rapid_error
+from rapidsim.language.errors import RapidError, Stopped
+from rapidsim.language.moves import Place
+from rapidsim.language.reference import Box, Reference
+from rapidsim.language.types import Type
+
+
+def unfinished() -> NoReturn:
+    """Refuse to execute a placeholder."""
+    raise rapid_error(ERR_EXECPHR, "the program is unfinished here: a placeholder was reached")
+
+
+def at_most_one(value: object, *is_there: bool) -> object:
+    """The last of several options that exclude each other.
+
+    Raises:
+        RapidError: ERR_ARGDUPCND if more than one is there.
+    """
+    if sum(is_there) > 1:
+        raise rapid_error(ERR_ARGDUPCND, "two optional arguments that exclude each other are given")
+    return value
+
+
+FUNCTIONS: Mapping[str, object] = MappingProxyType(
+    {
+        "_ABSENT": references.ABSENT,
+        "_BaseException": BaseException,
+        "_Box": Box,
+        "_Component": references.Component,
+        "_ERRORS": error_recovery.ERRORS,
+        "_Element": references.Element,
+        "_Leave": error_recovery.Leave,
+        "_Stopped": Stopped,
+        "_add_positions": arithmetic.add_positions,
+        "_assign_array": arrays.assign_array,
+        "_at_most_one": at_most_one,
+        "_compose_orientations": arithmetic.compose_orientations,
+        "_copy_array": arrays.copy_array,
+        "_count": arithmetic.count,
+        "_cross_product": arithmetic.cross_product,
+        "_dimension": arrays.dimension,
+        "_index_table_of": arrays.index_table_of,
+        "_index_tables": arrays.INDEX_TABLES,
+        "_is_persistent": is_persistent,
+        "_len": len,
+        "_negate_position": arithmetic.negate_position,
+        "_new": tuple.__new__,
+        "_numbered_name": numbered_name,
+        "_no_return": error_recovery.no_return,
+        "_not_present": references.not_present,
+        "_out_of_bounds": arrays.out_of_bounds,
+        "_overflow": arithmetic.overflow,
+        "_quotient": arithmetic.integer_quotient,
+        "_raised": error_recovery.raised,
+        "_range": range,
+        "_remainder": arithmetic.integer_remainder,
+        "_scale_position": arithmetic.scale_position,
+        "_scaled_position": arithmetic.scaled_position,
+        "_steps": arithmetic.steps,
+        "_subtract_positions": arithmetic.subtract_positions,
+        "_too_long": arithmetic.too_long,
+        "_unfinished": unfinished,
+        "_unwinds": error_recovery.unwinds,
+    }
+)
+"""By the name generated code calls them."""
+
+
+def task_functions(
+    controller: Controller, recovery_of_task: Recovery, late: LateBinding, module: str
+) -> dict[str, object]:
+    """What code of one module, given by its folded name, needs to reach its task's controller."""
+
+    def call_at(place: Place, body: Callable[..., Any], *values: object, **options: object) -> Any:
+        controller.place = place
+        return body(controller, *values, **options)
+
+    def stand_in(place: Place, name: str, instead: str, value: object) -> object:
+        controller.place = place
+        controller.not_simulated(name, instead)
+        return value
+
+    def skip(place: Place, name: str) -> None:
+        stand_in(place, name, "skipped", None)
+
+    def loaded(
+        place: Place, name: str, shapes: Sequence[LateArgument], values: Sequence[object]
+    ) -> None:
+        if late.declares(module, name):
+            late.call(module, place, name, shapes, values)
+        else:
+            skip(place, name)
+
+    def loaded_function(
+        place: Place,
+        name: str,
+        shapes: Sequence[LateArgument],
+        values: Sequence[object],
+        of: Type,
+        otherwise: Callable[[], object],
+    ) -> object:
+        if late.declares(module, name):
+            return late.value(module, name, shapes, values, of)
+        return otherwise()
+
+    def name_of_argument(
+        place: Place, parameter: str, number: Reference[float] | None = None
+    ) -> str:
+        try:
+            name = argument_name(sys._getframe(1), parameter.lower())
+        except RapidError as error:
+            if number is None:
+                raise
+            number.value = error.errno
+            return ""
+        if name is None:
+            instead = "the parameter's own name where calls stand on later lines of one statement"
+            stand_in(place, "ArgName", instead, None)
+        return name or parameter
+
+    def connect(number: float, trap: Callable[[], object], name: str) -> float:
+        if controller.is_connected(number):
+            raise rapid_error(
+                ERR_ALRDYCNT,
+                "the interrupt is connected to a trap routine already; IDelete it first",
+            )
+        return controller.connect(recovery_of_task.trap(trap), name)
+
+    def connect_late(number: float, name: str) -> float:
+        found = late.trap(module, name)
+        return connect(number, found.function, found.symbol.name)
+
+    return {
+        "_argument_name": name_of_argument,
+        "_call_at": call_at,
+        "_connect": connect,
+        "_connect_late": connect_late,
+        "_late": partial(late.call, module),
+        "_loaded": loaded,
+        "_loaded_function": loaded_function,
+        "_propagate": recovery_of_task.propagate,
+        "_recover": recovery_of_task.recover,
+        "_skip": skip,
+        "_stand_in": stand_in,
+        "_task": controller,
+    }

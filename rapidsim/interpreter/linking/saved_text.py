@@ -1,0 +1,49 @@
+"""A module as it is saved: its text, with the values that its persistents have now.
+
+Source: Technical reference manual RAPID Overview, "Persistent declarations": the initial value in
+the text follows the current one when the module is saved.
+"""
+
+from __future__ import annotations
+
+from rapidsim.analysis.program import DataSymbol, Storage
+from rapidsim.analysis.types.operators import has_value
+from rapidsim.diagnostics import Span
+from rapidsim.interpreter.linking.linker import LinkedProgram
+from rapidsim.interpreter.runtime.memory import initial_literal
+from rapidsim.library.text import source_text
+from rapidsim.syntax import tree
+
+
+def text_of(module: tree.Module) -> str:
+    """The text of a module as it was read, from its first word to its last."""
+    return module.source.text[module.start : module.end] + "\n"
+
+
+def saved_text(module: tree.Module, linked: LinkedProgram) -> str:
+    """The text of a module with the values of now."""
+    text, end = module.source.text, module.end
+    for item in reversed(module.items):
+        symbol = linked.program.symbol_of.get(item)
+        if not isinstance(symbol, DataSymbol) or symbol.storage is not Storage.PERS:
+            continue
+        value = linked.value_of(symbol)
+        if has_value(symbol.type) and value != initial_literal(symbol):
+            place = declared_value(symbol)
+            new = source_text(value, symbol.type)
+            written = new if place.end > place.start else f":={new}"
+            end += len(written) - (place.end - place.start)
+            text = text[: place.start] + written + text[place.end :]
+    return text[module.start : end] + "\n"
+
+
+def declared_value(symbol: DataSymbol) -> Span:
+    """The initial value in a declaration; empty, before the semicolon, where there is none."""
+    node, module = symbol.node, symbol.module
+    assert isinstance(node, tree.Data)
+    assert module is not None
+    if node.value is not None:
+        return module.span(node.value)
+    semicolon = module.source.text.rfind(";", node.start, node.end + 1)
+    at = semicolon if semicolon >= 0 else node.end
+    return Span(module.source, at, at)

@@ -1,0 +1,127 @@
+"""Data of the task found by name at run time: implements `language.symbols.Symbols`."""
+
+from __future__ import annotations
+
+import re
+from collections import deque
+from collections.abc import Iterator
+from typing import Any
+
+from rapidsim.analysis.program import DataSymbol, Scope, Storage
+from rapidsim.interpreter.linking.linker import LinkedProgram
+from rapidsim.interpreter.runtime.arrays import assign_array
+from rapidsim.interpreter.runtime.memory import module_data
+from rapidsim.language.error_numbers import (
+    ERR_ARGVALERR,
+    ERR_INVDIM,
+    ERR_SYM_ACCESS,
+    ERR_SYMBOL_TYPE,
+    rapid_error,
+)
+from rapidsim.language.symbols import DataName, Search
+from rapidsim.language.types import ArrayOf, Type, same
+
+
+class TaskSymbols:
+    """The data that a task's modules declare."""
+
+    def __init__(self, linked: LinkedProgram) -> None:
+        """Look into a program and its memory."""
+        self._linked = linked
+        self._found: deque[DataName] = deque()
+
+    def read(self, name: str, of: Type, where: DataName | None) -> object:
+        """A copy of a value."""
+        symbol = self._symbol(name, where)
+        _check_type(symbol, of)
+        return self._linked.value_of(symbol)
+
+    def write(self, name: str, of: Type, where: DataName | None, value: object) -> None:
+        """Change a value."""
+        symbol = self._symbol(name, where)
+        _check_type(symbol, of)
+        if symbol.storage is Storage.CONST:
+            raise rapid_error(ERR_SYM_ACCESS, f"{symbol.name} is a constant")
+        home: Any = self._linked.memory.home(symbol)
+        if isinstance(home, list):
+            assert isinstance(value, list)
+            if _sizes(home) != _sizes(value):
+                raise rapid_error(
+                    ERR_INVDIM,
+                    f"{symbol.name} has {_shown(home)} elements, the value {_shown(value)}",
+                )
+            assign_array(home, value)
+        else:
+            home.value = value
+
+    def search(self, search: Search) -> tuple[DataName, ...]:
+        """All data that are looked for."""
+        try:
+            pattern = re.compile(search.pattern or ".*", re.IGNORECASE)
+        except re.error as error:
+            raise rapid_error(
+                ERR_ARGVALERR, f'"{search.pattern}" is no regular expression: {error}'
+            ) from None
+        return tuple(self._matching(search, pattern))
+
+    def begin_search(self, search: Search | None) -> None:
+        """Look for data."""
+        self._found = deque(() if search is None else self.search(search))
+
+    def next_found(self) -> DataName | None:
+        """The next data of the search."""
+        return self._found.popleft() if self._found else None
+
+    def _matching(self, search: Search, pattern: re.Pattern[str]) -> Iterator[DataName]:
+        for symbol in module_data(self._linked.program):
+            assert symbol.module is not None
+            element = symbol.type.element if isinstance(symbol.type, ArrayOf) else symbol.type
+            is_local = symbol.scope is Scope.LOCAL
+            if (
+                (not search.type or element.name.lower() == search.type.lower())
+                and symbol.storage.value in search.storages
+                and search.module in (None, symbol.module.name.text)
+                and not (is_local and search.only_global)
+                and not (search.only_local and not is_local)
+                and pattern.fullmatch(symbol.name)
+            ):
+                yield DataName(symbol.name, symbol.module.name.text)
+
+    def _symbol(self, name: str, where: DataName | None) -> DataSymbol:
+        """The data of a name: those that a search found, else global ones before local ones."""
+        key = name.strip().lower()
+        named = [one for one in module_data(self._linked.program) if one.name.lower() == key]
+        if where is not None:
+            named = [one for one in named if one.module and one.module.name.text == where.module]
+        named.sort(key=lambda one: one.scope is Scope.LOCAL)
+        if not named:
+            place = f" in module {where.module}" if where else ""
+            raise rapid_error(ERR_SYM_ACCESS, f"no module has data named `{name}`{place}")
+        return named[0]
+
+
+def _check_type(symbol: DataSymbol, of: Type) -> None:
+    """Refuse data of another type, or of another number of dimensions."""
+    have, want = symbol.type, of
+    dimensions = [len(one.dimensions) if isinstance(one, ArrayOf) else 0 for one in (have, want)]
+    elements = [one.element if isinstance(one, ArrayOf) else one for one in (have, want)]
+    if not same(*elements):
+        raise rapid_error(
+            ERR_SYMBOL_TYPE, f"{symbol.name} is {elements[0].name}, not {elements[1].name}"
+        )
+    if dimensions[0] != dimensions[1]:
+        raise rapid_error(
+            ERR_INVDIM, f"{symbol.name} has {dimensions[0]} dimensions, the value {dimensions[1]}"
+        )
+
+
+def _sizes(array: Any) -> tuple[int, ...]:
+    sizes = []
+    while isinstance(array, list):
+        sizes.append(len(array))
+        array = array[0]
+    return tuple(sizes)
+
+
+def _shown(array: Any) -> str:
+    return " x ".join(map(str, _sizes(array)))

@@ -1,0 +1,264 @@
+"""Modules that a running task loads and removes: implements `language.modules.Modules`.
+
+Every change makes a program of all modules and checks it as a whole, so whoever holds a program
+holds one without errors. A module that uses names which nothing declares is loaded, as on the
+controller, but waits outside the program until another module declares them.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types, "Load", "UnLoad",
+"StartLoad", "WaitLoad", "EraseModule", "CheckProgRef", "Save".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+from rapidsim.analysis.names.name_violations import (
+    ComponentOfUnknownType,
+    UndefinedName,
+    UnknownRoutine,
+)
+from rapidsim.analysis.passes.checker import Checked, check
+from rapidsim.diagnostics import Diagnostic, Severity, Source
+from rapidsim.interpreter.limits import NotExecutableError
+from rapidsim.interpreter.linking.linker import LinkedProgram
+from rapidsim.interpreter.linking.saved_text import saved_text, text_of
+from rapidsim.language.error_numbers import (
+    ERR_LINKREF,
+    ERR_LOADED,
+    ERR_MODULE,
+    ERR_PRGMEMFULL,
+    ERR_SYNTAX,
+    ERR_UNLOAD,
+    rapid_error,
+)
+from rapidsim.language.modules import SavedModule
+from rapidsim.syntax import tree
+from rapidsim.syntax.parser import Parsed, parse
+
+PROGRAM_MEMORY = 50_000_000
+"""Characters of all that a task may have loaded at one time."""
+MOST_KNOWN = 16
+"""How many files, and combinations of modules, are kept ready for the next time."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Entry:
+    """A module in the program memory."""
+
+    module: tree.Module
+    path: str | None = None
+    """The file it was loaded from; None where the task began with it."""
+
+    @property
+    def name(self) -> str:
+        return self.module.name.text
+
+
+class TaskModules:
+    """The program memory of one task."""
+
+    def __init__(self, linked: LinkedProgram) -> None:
+        """Begin with the modules of a linked program."""
+        self._linked = linked
+        # A cell loads the same few files again and again.
+        self._parse = lru_cache(maxsize=MOST_KNOWN)(_parsed)
+        self._check = lru_cache(maxsize=MOST_KNOWN)(_checked)
+        self._entries = [_Entry(module) for module in linked.program.modules]
+
+    def has(self, name: str) -> bool:
+        """Whether there is a module of a name, in any case."""
+        return any(entry.module.name.key == name.lower() for entry in self._entries)
+
+    def load(self, source: Source, path: str, *, check_references: bool) -> None:
+        """Take the modules of a file into the program; raises as `Modules.load` says."""
+        parsed = self._parse(source.file, source.text)
+        errors = [one for one in parsed.diagnostics if one.severity is Severity.ERROR]
+        if errors:
+            raise rapid_error(ERR_SYNTAX, _told(errors))
+        if not parsed.file.modules:
+            raise rapid_error(ERR_SYNTAX, f"{path} holds no module")
+        for module in parsed.file.modules:
+            self._refuse_second(module, path)
+        held = sum(len(one.module.source.text) for one in self._entries if one.path is not None)
+        if held + len(source.text) > PROGRAM_MEMORY:
+            raise rapid_error(
+                ERR_PRGMEMFULL,
+                f"{path}: a task may load {PROGRAM_MEMORY:g} characters of program; unload some",
+            )
+        new = [_Entry(module, path) for module in parsed.file.modules]
+        try:
+            self._become([*self._entries, *new], ERR_LINKREF, check_references=check_references)
+        except NotExecutableError as error:
+            raise rapid_error(ERR_LINKREF, str(error)) from None
+
+    def unload(self, path: str) -> None:
+        """Remove the modules that were loaded from a file."""
+        gone = [entry for entry in self._entries if _same_file(entry.path, path)]
+        if not gone:
+            raise rapid_error(ERR_UNLOAD, f"no module was loaded from {path} with Load")
+        self._remove(gone, ERR_UNLOAD)
+
+    def erase(self, name: str) -> None:
+        """Remove a module by its name."""
+        self._remove([self._entry(name)], ERR_MODULE)
+
+    def check_references(self) -> None:
+        """Raise ERR_LINKREF if anything is used that nothing declares."""
+        checked, waiting = self._check(tuple(entry.module for entry in self._entries))
+        _require_references(checked, waiting, self._entries)
+
+    def loaded_from(self, path: str) -> tuple[SavedModule, ...]:
+        """The modules that were loaded from a file."""
+        return tuple(self._saved(one) for one in self._entries if _same_file(one.path, path))
+
+    def saved(self, name: str) -> SavedModule:
+        """A module by its name."""
+        return self._saved(self._entry(name))
+
+    def _refuse_second(self, module: tree.Module, path: str) -> None:
+        for entry in self._entries:
+            if entry.module.name.key == module.name.key:
+                loaded = f"was loaded from {entry.path}; UnLoad it first"
+                given = "began with it; keep what is loaded later in the home folder only"
+                raise rapid_error(
+                    ERR_LOADED,
+                    f"{path}: there is a module {entry.name} already: "
+                    + (f"it {loaded}" if entry.path is not None else f"the task {given}"),
+                )
+
+    def _entry(self, name: str) -> _Entry:
+        for entry in self._entries:
+            if entry.module.name.key == name.strip().lower():
+                return entry
+        raise rapid_error(ERR_MODULE, f"the task has no module {name}")
+
+    def _saved(self, entry: _Entry) -> SavedModule:
+        text = saved_text(entry.module, self._linked)
+        return SavedModule(entry.name, text, text_of(entry.module), entry.path)
+
+    def _remove(self, gone: Sequence[_Entry], errno: float) -> None:
+        executing = self._linked.executing()
+        for entry in gone:
+            if entry.module in executing:
+                raise rapid_error(errno, f"module {entry.name} executes and cannot be removed")
+        self._become([entry for entry in self._entries if entry not in gone], errno)
+
+    def _become(
+        self, entries: list[_Entry], errno: float, *, check_references: bool = False
+    ) -> None:
+        """Let the program memory hold these modules; where it raises, it is as before.
+
+        Args:
+            entries: All of them.
+            errno: Of the error for modules that do not fit together.
+            check_references: Let no module wait for names.
+        """
+        checked, waiting = self._check(tuple(entry.module for entry in entries))
+        executing = self._linked.executing()
+        for entry in entries:
+            finding = waiting.get(entry.module)
+            if finding is not None and (entry.path is None or entry.module in executing):
+                raise rapid_error(errno, f"without it, {_told([finding])} in module {entry.name}")
+        if checked.program is None:
+            raise rapid_error(errno, _told(_errors(checked)))
+        if check_references:
+            _require_references(checked, waiting, entries)
+        self._linked.link(checked.program)
+        self._entries = entries
+        self._linked.late.waiting = {
+            routine.name.key: f"module {module.name.text} waits: {_told([finding])}"
+            for module, finding in waiting.items()
+            for routine in module.routines
+        }
+
+
+def _parsed(file: str, text: str) -> Parsed:
+    """Read a file; by its text, because each time it is read it is a new `Source`."""
+    return parse(Source(file, text))
+
+
+def _checked(
+    modules: tuple[tree.Module, ...],
+) -> tuple[Checked, Mapping[tree.Module, Diagnostic]]:
+    """Check modules together.
+
+    Returns:
+        What checking found once no module uses names that nothing declares; and the modules that
+        do, each with the first such use.
+    """
+    linked = list(modules)
+    waiting: dict[tree.Module, Diagnostic] = {}
+    while True:
+        checked = check([tree.File(one.source, (one,), ()) for one in linked])
+        found = _undeclared(checked)
+        blocked = {
+            one: finding for finding in reversed(found) for one in linked if _holds(one, finding)
+        }
+        if checked.program is not None or not blocked:
+            return checked, waiting
+        waiting |= blocked
+        linked = [one for one in linked if one not in blocked]
+
+
+def _undeclared(checked: Checked) -> list[Diagnostic]:
+    """What another module could mend; none where there is an error of another kind."""
+    errors = _errors(checked)
+    if not errors:
+        return [
+            one for one in checked.diagnostics if isinstance(one.violation, ComponentOfUnknownType)
+        ]
+    return errors if all(isinstance(one.violation, UndefinedName) for one in errors) else []
+
+
+def _errors(checked: Checked) -> list[Diagnostic]:
+    return [one for one in checked.diagnostics if one.severity is Severity.ERROR]
+
+
+def _require_references(
+    checked: Checked, waiting: Mapping[tree.Module, Diagnostic], entries: Iterable[_Entry]
+) -> None:
+    """Refuse a program of which a loaded module uses something that nothing declares.
+
+    What the modules use that the task began with is taken to come from add-ins: a controller would
+    not have started them without.
+    """
+    loaded = [entry for entry in entries if entry.path is not None]
+    missing = [
+        *waiting.values(),
+        *(
+            one
+            for one in checked.diagnostics
+            if isinstance(one.violation, UnknownRoutine)
+            and any(_holds(entry.module, one) for entry in loaded)
+        ),
+    ]
+    if missing:
+        raise rapid_error(ERR_LINKREF, _told(missing))
+
+
+def _holds(module: tree.Module, finding: Diagnostic) -> bool:
+    """Whether a finding stands in a module."""
+    span = finding.span
+    if span is None or span.source is not module.source:
+        return False
+    return module.start <= span.start <= module.end
+
+
+def _told(findings: Sequence[Diagnostic]) -> str:
+    """The first of some findings with its place, and how many more there are."""
+    first = findings[0]
+    place = f"{first.span.file}:{first.span.line}: " if first.span else ""
+    more = f" (and {len(findings) - 1} more)" if len(findings) > 1 else ""
+    return f"{place}{first.violation.message}{more}"
+
+
+def _same_file(one: str | None, other: str) -> bool:
+    return one is not None and _folded(one) == _folded(other)
+
+
+def _folded(path: str) -> str:
+    r"""A path of the home folder without what may be written in several ways: HOME:/a, /a, a."""
+    _, _, rest = path.replace("\\", "/").lower().rpartition("home:")
+    return "/".join(part for part in rest.split("/") if part not in ("", "."))

@@ -1,0 +1,162 @@
+"""A program as Python syntax trees, one a module, and what their names stand for.
+
+Nothing here depends on a task: what does is filled in by `loader`.
+"""
+
+from __future__ import annotations
+
+import ast
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Storage
+from rapidsim.analysis.tree_walk import data_of
+from rapidsim.interpreter.codegen.ast_builder import Positions
+from rapidsim.interpreter.codegen.expressions import Expressions
+from rapidsim.interpreter.codegen.names import Binding, LocalNames, ModuleNames
+from rapidsim.interpreter.codegen.rounds import ticking
+from rapidsim.interpreter.codegen.routines import (
+    ModuleContext,
+    TranslatedRoutine,
+    translate_routine,
+)
+from rapidsim.interpreter.limits import (
+    MAX_ELEMENTS,
+    TRANSLATING_DEPTH,
+    NotExecutableError,
+    recursion_limit,
+)
+from rapidsim.interpreter.linking.constants import Constants
+from rapidsim.interpreter.runtime.memory import initial_literal
+from rapidsim.language.types import ArrayOf, resolved
+from rapidsim.syntax import tree
+
+INITIALISE = "_initialise"
+"""The function that gives module variables the initial values that are more than literals."""
+
+
+@dataclass(frozen=True, slots=True)
+class TranslatedModule:
+    """The code of one module, and how its namespace is to be filled."""
+
+    module: tree.Module
+    code: ast.Module
+    bindings: Mapping[str, Binding]
+    functions: Mapping[str, RoutineSymbol]
+    """The module's routines by the name of their function."""
+    long_jumps: tuple[tuple[str, str], ...]
+    """Names of functions with a long-jump ERROR clause and of those that give its numbers."""
+
+
+@dataclass(frozen=True, slots=True)
+class Translation:
+    """A program in Python."""
+
+    modules: tuple[TranslatedModule, ...]
+    constants: Constants
+
+
+def translate(program: Program, modules: Sequence[tree.Module] | None = None) -> Translation:
+    """Translate modules of a program.
+
+    Args:
+        program: With all that the modules refer to.
+        modules: Which of its modules; None for all.
+
+    Raises:
+        NotExecutableError: If the program needs something that cannot be simulated.
+        RapidError: If the expression of a constant fails.
+    """
+    _refuse_huge_arrays(program)
+    constants = Constants(program)
+    with recursion_limit(TRANSLATING_DEPTH):
+        routines: dict[RoutineSymbol, TranslatedRoutine] = {}
+        translated = [
+            _translate_module(module, program, constants, routines)
+            for module in (program.modules if modules is None else modules)
+        ]
+    for symbol in ticking({symbol: one.callees for symbol, one in routines.items()}):
+        routines[symbol].function.body[:0] = routines[symbol].tick
+    return Translation(tuple(translated), constants)
+
+
+def show_python(program: Program) -> str:
+    """The Python that a program becomes, for reports of defects and for tests."""
+    parts = []
+    for module in translate(program).modules:
+        parts.append(f"# {module.module.name.text}: {module.module.source.file}")
+        parts.append(ast.unparse(module.code))
+    return "\n\n".join(parts) + "\n"
+
+
+def _translate_module(
+    module: tree.Module,
+    program: Program,
+    constants: Constants,
+    routines: dict[RoutineSymbol, TranslatedRoutine],
+) -> TranslatedModule:
+    """Translate a module; its routines are added to `routines`."""
+    names = ModuleNames(module)
+    positions = Positions(module.source)
+    context = ModuleContext(program, names, positions, constants.value_of)
+    functions: dict[str, RoutineSymbol] = {}
+    body: list[ast.stmt] = []
+    long_jumps = []
+    for routine in module.routines:
+        symbol = program.symbol_of[routine]
+        assert isinstance(symbol, RoutineSymbol)
+        translated = routines[symbol] = translate_routine(symbol, context)
+        functions[translated.function.name] = symbol
+        body.append(translated.function)
+        if translated.numbers is not None:
+            body.append(translated.numbers)
+            long_jumps.append((translated.function.name, translated.numbers.name))
+    initialise = _initialise(module, context)
+    if initialise is not None:
+        body.append(initialise)
+    code = ast.Module(body, [])
+    return TranslatedModule(module, code, names.bindings, functions, tuple(long_jumps))
+
+
+def _refuse_huge_arrays(program: Program) -> None:
+    declared = 0
+    for module in program.modules:
+        for data in data_of(module):
+            symbol = program.symbol_of[data]
+            of = resolved(symbol.type) if isinstance(symbol, DataSymbol) else None
+            if not isinstance(of, ArrayOf):
+                continue
+            elements = math.prod(size or 0 for size in of.dimensions)
+            declared += elements
+            if declared > MAX_ELEMENTS:
+                raise NotExecutableError(
+                    f"the array `{data.name.text}` of {elements} elements, with more than "
+                    f"{MAX_ELEMENTS} in all arrays together,",
+                    module.span(data.name),
+                )
+
+
+def _initialise(module: tree.Module, context: ModuleContext) -> ast.FunctionDef | None:
+    names = LocalNames(context.names, "")
+    expressions = Expressions(
+        context.program, names, context.positions, module, context.constant_value
+    )
+    statements: list[ast.stmt] = []
+    for item in module.items:
+        if not isinstance(item, tree.Data) or item.storage == "CONST" or item.value is None:
+            continue
+        symbol = context.program.symbol_of[item]
+        assert isinstance(symbol, DataSymbol)
+        if symbol.storage is Storage.CONST or initial_literal(symbol) is not None:
+            continue
+        at = expressions.statement = context.positions.at(item)
+        value = expressions.value(item.value).node
+        variable = at.name(context.names.variable(symbol))
+        if isinstance(resolved(symbol.type), ArrayOf):
+            statements.append(at.do(at.call("_assign_array", [variable, value])))
+        else:
+            statements.append(at.assign(at.store_attribute(variable, "value"), value))
+    if not statements:
+        return None
+    return context.positions.at(module.name).define(INITIALISE, [], [], statements)

@@ -1,0 +1,1 @@
+"""What generated code finds when it runs: values, memory, errors, late calls."""

@@ -1,0 +1,108 @@
+"""Arrays at run time: nested lists, indices from 1 that are checked, values that are copied."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NoReturn
+
+from rapidsim.interpreter.runtime.references import Absent, not_present
+from rapidsim.language.error_numbers import ERR_NOTEQDIM, ERR_NOTINTVAL, ERR_OUTOFBND, rapid_error
+from rapidsim.language.single import single
+
+
+def out_of_bounds(index: float, size: int) -> NoReturn:
+    """Refuse an index that an array of `size` elements does not have."""
+    if index != int(index):
+        raise rapid_error(ERR_NOTINTVAL, f"an index must be an integer, not {index:g}")
+    raise rapid_error(ERR_OUTOFBND, f"index {index:g} is outside the array, which has 1 to {size}")
+
+
+class IndexTable(dict[float, int]):
+    """From RAPID's index to Python's: bounds and integrality in one look-up.
+
+    Equal integers and floats hash alike, so both kinds of num find their entry. An index may come
+    as computed, before it is rounded to a num: an integer is one already, the rest is missing.
+    """
+
+    def __missing__(self, index: float) -> int:
+        """The entry of the index as a num; refuse any other."""
+        rounded = single(index)
+        if rounded not in self:
+            out_of_bounds(rounded, len(self))
+        return self[rounded]
+
+
+class _AbsentTable(IndexTable):
+    """Stands for the sizes of an array that was not given."""
+
+    def __missing__(self, index: float) -> NoReturn:
+        """Refuse every index."""
+        not_present("of this routine")
+
+
+class _IndexTables(dict[int, IndexTable]):
+    def __missing__(self, size: int) -> IndexTable:
+        table = self[size] = IndexTable((float(i + 1), i) for i in range(size))
+        return table
+
+
+INDEX_TABLES: Mapping[int, IndexTable] = _IndexTables()
+"""The tables by size of the array; each is made once, when it is first asked for."""
+
+_ABSENT_TABLE = _AbsentTable()
+
+
+def index_table_of(array: list[Any] | Absent, depth: int) -> IndexTable:
+    """The table for one dimension of an array that the caller may have left out.
+
+    Args:
+        array: Nested lists, or `ABSENT`.
+        depth: The dimension, from 0.
+    """
+    if isinstance(array, Absent):
+        return _ABSENT_TABLE
+    for _ in range(depth):
+        array = array[0]
+    return INDEX_TABLES[len(array)]
+
+
+def copy_array(array: list[Any] | Absent) -> list[Any]:
+    """A copy that shares no list with the original; elements are immutable."""
+    if isinstance(array, Absent):
+        not_present("of this routine")
+    if array and isinstance(array[0], list):
+        return [copy_array(row) for row in array]
+    return array[:]
+
+
+def assign_array(target: list[Any], value: list[Any]) -> None:
+    """Copy elements in place, so that references to the target stay good.
+
+    Raises:
+        RapidError: ERR_NOTEQDIM when sizes differ, which only conformant arrays can bring about.
+    """
+    if len(target) != len(value):
+        raise rapid_error(
+            ERR_NOTEQDIM, f"an array of {len(value)} cannot be assigned to one of {len(target)}"
+        )
+    if target and isinstance(target[0], list):
+        for row, new in zip(target, value, strict=True):
+            assign_array(row, new)
+    else:
+        target[:] = value
+
+
+def dimension(array: list[Any] | Absent, number: float) -> float:
+    """RAPID's Dim: the size of one dimension, counted from 1.
+
+    Raises:
+        RapidError: ERR_OUTOFBND when the array has no such dimension.
+    """
+    value: object = array
+    if isinstance(array, Absent):
+        not_present("of this routine")
+    for _ in range(int(number) - 1):
+        value = value[0] if isinstance(value, list) else None
+    if number < 1 or not isinstance(value, list):
+        raise rapid_error(ERR_OUTOFBND, f"the array has no dimension {number:g}")
+    return float(len(value))

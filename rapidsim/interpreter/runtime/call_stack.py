@@ -1,0 +1,141 @@
+"""The RAPID call stack of an error, read from Python's traceback.
+
+Generated code carries RAPID files, lines and columns, so the traceback has all that is needed;
+frames of our own functions between are left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from itertools import islice, zip_longest
+from types import CodeType, MappingProxyType, TracebackType
+
+from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol
+from rapidsim.diagnostics import Source, Span
+from rapidsim.interpreter.runtime.error_recovery import GENERATED, is_generated
+from rapidsim.interpreter.runtime.values import Value
+from rapidsim.language.errors import RapidError
+from rapidsim.syntax import tree
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """Where the code of a namespace comes from."""
+
+    module: tree.Module
+    routines: Mapping[str, RoutineSymbol]
+    """By the name of their function."""
+    value_of: Callable[[DataSymbol], Value]
+    """The value that declared data of any module have now."""
+    program: Callable[[], Program]
+    """The program that the module belongs to, with the modules it has now."""
+
+    @property
+    def source(self) -> Source:
+        """The text the code was made from."""
+        return self.module.source
+
+
+CLAUSES = MappingProxyType({"ERROR": "ERROR", "_undo": "UNDO"})
+"""The clauses of a routine that are functions inside its own, by the name of the function."""
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """A routine that was running, and how far it had come."""
+
+    routine: str
+    """As RAPID spells it; "" for the initial values of a module."""
+    clause: str
+    """ERROR or UNDO where that clause of the routine was running, else ""."""
+    source: Source
+    start: int
+    """Offset of the part that was being executed; it ends on the line it begins on."""
+    end: int
+
+    @property
+    def place(self) -> str:
+        """The routine, or a clause of it, in words."""
+        return f"the {self.clause} clause of {self.routine}" if self.clause else self.routine
+
+    @property
+    def span(self) -> Span:
+        """The part that was being executed."""
+        return Span(self.source, self.start, self.end)
+
+    @property
+    def file(self) -> str:
+        """The file as the user named it."""
+        return self.source.file
+
+    @property
+    def line(self) -> int:
+        """The line, from 1."""
+        return self.span.line
+
+
+class FatalError(Exception):
+    """An error that no ERROR clause dealt with; it ends the program."""
+
+    def __init__(self, error: RapidError, stack: tuple[Frame, ...]) -> None:
+        """Name the error and where it happened.
+
+        Args:
+            error: What went wrong.
+            stack: The routines that were running, the outermost first.
+        """
+        super().__init__(error.message)
+        self.error = error
+        self.stack = stack
+
+
+def rapid_stack(exception: BaseException) -> tuple[Frame, ...]:
+    """The RAPID routines in a traceback, the outermost first.
+
+    An error in an ERROR clause or a trap happened below the statement that led there; its own
+    traceback continues the outer one.
+    """
+    entries = list(_entries(exception.__traceback__))
+    if isinstance(exception.__cause__, Exception):
+        entries += _entries(exception.__cause__.__traceback__)
+    # An error that an ERROR clause passed on leaves its routine twice: where it was passed on, and
+    # then where it happened.
+    last_of_frame = [
+        entry
+        for entry, following in zip_longest(entries, entries[1:])
+        if following is None or following.tb_frame is not entry.tb_frame
+    ]
+    return tuple(_frame(entry) for entry in last_of_frame)
+
+
+def _entries(traceback: TracebackType | None) -> Iterator[TracebackType]:
+    """The entries of a traceback that belong to RAPID routines."""
+    while traceback is not None:
+        if is_generated(traceback.tb_frame):
+            yield traceback
+        traceback = traceback.tb_next
+
+
+def _frame(traceback: TracebackType) -> Frame:
+    code = traceback.tb_frame.f_code
+    origin: Origin = traceback.tb_frame.f_globals[GENERATED]
+    routine = origin.routines.get(code.co_qualname.partition(".")[0])
+    start, end = offsets_of(origin.source, code, traceback.tb_lasti, traceback.tb_lineno)
+    clause = CLAUSES.get(code.co_name, "")
+    return Frame(routine.name if routine else "", clause, origin.source, start, end)
+
+
+def offsets_of(source: Source, code: CodeType, instruction: int, line: int) -> tuple[int, int]:
+    """Offsets in the source of the part that an instruction of Python's, on a line, executes."""
+    _, _, column, end_column = next(
+        islice(code.co_positions(), instruction // 2, None), (None,) * 4
+    )
+    start = source.line_starts[line - 1]
+    text = source.line(line)
+    if column is None or end_column is None:
+        return start, start + len(text)
+    # Python counts columns in bytes.
+    encoded = text.encode()
+    first, last = len(encoded[:column].decode()), len(encoded[:end_column].decode())
+    return start + first, start + last

@@ -1,0 +1,270 @@
+"""Calls of a procedure whose name is known at run time only: `%"job" + n% args;`.
+
+The name is looked up from the module of the call: its own procedures, then the global ones of the
+task, then installed instructions. `"Module:proc"` looks in one module, `":proc"` in the task.
+
+Source: Technical reference manual RAPID Overview, "Procedure calls with late binding".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from rapidsim.analysis.program import ParameterSymbol, RoutineSymbol
+from rapidsim.interpreter.runtime.arrays import copy_array
+from rapidsim.interpreter.runtime.references import ABSENT
+from rapidsim.interpreter.runtime.values import is_signal
+from rapidsim.language.annotations import Mode
+from rapidsim.language.controller import Controller
+from rapidsim.language.error_numbers import (
+    ERR_ARGVALERR,
+    ERR_CALLPROC,
+    ERR_REFUNKDAT,
+    ERR_REFUNKFUN,
+    ERR_REFUNKPRC,
+    ERR_REFUNKTRP,
+    rapid_error,
+)
+from rapidsim.language.errors import RapidError
+from rapidsim.language.moves import Place
+from rapidsim.language.reference import Box
+from rapidsim.language.types import ANYTYPE, ArrayOf, Type, resolved
+from rapidsim.library.catalogue import ROUTINES
+from rapidsim.library.table import LibraryRoutine, Parameter
+from rapidsim.syntax import tree
+
+
+@dataclass(frozen=True, slots=True)
+class LateArgument:
+    """What is known of an argument before its parameter is."""
+
+    key: str | None
+    """Folded parameter name; None for a positional argument."""
+    is_reference: bool
+    """The argument arrives as an object with a `value`."""
+    type: Type | None
+    """None for a switch."""
+
+
+@dataclass(frozen=True, slots=True)
+class UserRoutine:
+    """A user routine that late binding can find."""
+
+    symbol: RoutineSymbol
+    function: Callable[..., object]
+
+
+@dataclass(slots=True)
+class LateBinding:
+    """Finds and calls procedures by name for one task."""
+
+    controller: Controller
+    global_routines: Mapping[str, UserRoutine] = field(default_factory=dict)
+    """By folded name."""
+    module_routines: Mapping[str, Mapping[str, UserRoutine]] = field(default_factory=dict)
+    """All procedures of each module; both names folded."""
+    waiting: Mapping[str, str] = field(default_factory=dict)
+    """Why routines of loaded modules cannot be called yet, by folded name."""
+
+    def call(
+        self,
+        module: str,
+        place: Place,
+        name: str,
+        shapes: Sequence[LateArgument],
+        values: Sequence[object],
+    ) -> None:
+        """Call a procedure from a place in a module, given by its folded name.
+
+        Raises:
+            RapidError: ERR_REFUNKPRC when nothing has the name, ERR_CALLPROC when it is no
+                procedure or takes other arguments.
+        """
+        found = self._find(name, module)
+        if isinstance(found, UserRoutine):
+            _called(found, name, shapes, values)
+        else:
+            self._call_installed(found, place, name, shapes, values)
+
+    def declares(self, module: str, name: str) -> bool:
+        """Whether a loaded module, one that waits too, declares a routine of that name."""
+        return name.lower() in self.waiting or self._find_user(module, "", False, name) is not None
+
+    def value(
+        self,
+        module: str,
+        name: str,
+        shapes: Sequence[LateArgument],
+        values: Sequence[object],
+        of: Type,
+    ) -> object:
+        """The value of a function that was declared after its call was translated.
+
+        Raises:
+            RapidError: ERR_REFUNKFUN when nothing has the name or it is no function with a value of
+                the type that its place wants.
+        """
+        found = self._find_user(module, "", False, name)
+        if found is None:
+            raise self._waits(name)
+        if found.symbol.result is None or not _fits(found.symbol.result, of):
+            raise rapid_error(ERR_REFUNKFUN, f'"{name}" is not a function of type {of.name}')
+        return _called(found, name, shapes, values)
+
+    def trap(self, module: str, name: str) -> UserRoutine:
+        """A trap routine for CONNECT.
+
+        Raises:
+            RapidError: ERR_REFUNKTRP when no trap routine has the name.
+        """
+        prefix, colon, key = name.strip().lower().rpartition(":")
+        found = self._find_user(module, prefix, bool(colon), key)
+        if found is None or not isinstance(found.symbol.node, tree.Trap):
+            raise rapid_error(ERR_REFUNKTRP, f'no trap routine is named "{name}"')
+        return found
+
+    def _find_user(self, module: str, prefix: str, colon: bool, name: str) -> UserRoutine | None:
+        key = name.lower()
+        if prefix:
+            return self.module_routines.get(prefix, {}).get(key)
+        found = None if colon else self.module_routines.get(module, {}).get(key)
+        return found or self.global_routines.get(key)
+
+    def _waits(self, name: str) -> RapidError:
+        """Why a routine of a loaded module cannot be called."""
+        return rapid_error(
+            ERR_REFUNKDAT, f'"{name}" cannot be called: {self.waiting[name.lower()]}'
+        )
+
+    def _find(self, name: str, module: str) -> UserRoutine | LibraryRoutine:
+        prefix, colon, key = name.strip().lower().rpartition(":")
+        found = self._find_user(module, prefix, bool(colon), key)
+        if found is not None:
+            if isinstance(found.symbol.node, tree.Proc):
+                return found
+            raise rapid_error(ERR_CALLPROC, f'"{name}" is not a procedure')
+        if key in self.waiting:
+            raise self._waits(key)
+        installed = ROUTINES.get(key) if not prefix else None
+        if installed is None:
+            raise rapid_error(ERR_REFUNKPRC, f'no procedure is named "{name}"')
+        if installed.signature.result is not None:
+            raise rapid_error(ERR_CALLPROC, f'"{name}" is not a procedure')
+        if installed.name == "CallByVar":  # It is translated where it is written.
+            raise rapid_error(ERR_CALLPROC, "CallByVar by late binding is not simulated")
+        return installed
+
+    def _call_installed(
+        self,
+        routine: LibraryRoutine,
+        place: Place,
+        name: str,
+        shapes: Sequence[LateArgument],
+        values: Sequence[object],
+    ) -> None:
+        signature = routine.signature
+        given = _bound(name, signature.parameters, shapes, values)
+        positional: list[object] = [self.controller] if signature.takes_controller else []
+        options: dict[str, Any] = {}
+        for parameter in signature.parameters:
+            if parameter.name.lower() not in given:
+                continue
+            if parameter.deferred:
+                raise rapid_error(ERR_CALLPROC, f"{routine.name} by late binding is not simulated")
+            shape, value = given[parameter.name.lower()]
+            wants_signal = any(is_signal(of) for of in parameter.types)
+            if parameter.mode is Mode.IN and shape.is_reference and not wants_signal:
+                value = value.value if value is not ABSENT else None
+            elif parameter.mode is not Mode.IN and not shape.is_reference:
+                value = value if isinstance(value, list) else Box(value)
+            if parameter.by_keyword:
+                options[parameter.python] = None if value is ABSENT else value
+            else:
+                positional.append(value)
+        if signature.type_keyword and signature.type_of is not None:
+            one = given.get(signature.type_of.name.lower())
+            options[signature.type_keyword] = one[0].type if one else None
+        if signature.takes_controller:
+            self.controller.place = place
+        routine.body(*positional, **options)
+
+
+def numbered_name(name: str, number: float) -> str:
+    """The procedure that CallByVar calls; it looks among the global ones of the task.
+
+    Raises:
+        RapidError: ERR_ARGVALERR when the number is negative or not whole.
+    """
+    if number < 0 or number != int(number):
+        raise rapid_error(ERR_ARGVALERR, f"CallByVar takes whole numbers from 0 on, not {number:G}")
+    return f":{name}{int(number)}"
+
+
+def _called(
+    found: UserRoutine, name: str, shapes: Sequence[LateArgument], values: Sequence[object]
+) -> object:
+    parameters = found.symbol.parameters
+    given = _bound(name, parameters, shapes, values)
+    return found.function(*(_user_value(p, given.get(p.name.lower())) for p in parameters))
+
+
+def _bound(
+    name: str,
+    parameters: Sequence[ParameterSymbol] | Sequence[Parameter],
+    shapes: Sequence[LateArgument],
+    values: Sequence[object],
+) -> dict[str, tuple[LateArgument, Any]]:
+    """Arguments by folded parameter name, refused where they do not fit."""
+    by_key = {parameter.name.lower(): parameter for parameter in parameters}
+    required = [parameter.name.lower() for parameter in parameters if not parameter.optional]
+    waiting = iter(required)
+    given: dict[str, tuple[LateArgument, Any]] = {}
+    for shape, value in zip(shapes, values, strict=True):
+        key = shape.key if shape.key is not None else next(waiting, None)
+        parameter = by_key.get(key) if key is not None else None
+        if key is None or parameter is None:
+            raise _mismatch(name, "it takes fewer arguments")
+        types, words = _taken(parameter)
+        if shape.type is not None and not any(_fits(shape.type, of) for of in types):
+            raise _mismatch(name, f"{parameter.name} takes {words}, not {shape.type.name}")
+        given[key] = (shape, value)
+    missing = [key for key in required if key not in given]
+    if missing:
+        raise _mismatch(name, f"{missing[0]} is missing")
+    return given
+
+
+def _taken(parameter: ParameterSymbol | Parameter) -> tuple[tuple[Type, ...], str]:
+    """The types that a parameter takes, and how messages call them."""
+    if not isinstance(parameter, Parameter):
+        return (parameter.type,), parameter.type.name
+    if parameter.only is not None:
+        return parameter.only.types, parameter.only.words
+    return parameter.types, parameter.types[0].name
+
+
+def _fits(given: Type, wanted: Type) -> bool:
+    given, wanted = resolved(given), resolved(wanted)
+    if isinstance(given, ArrayOf) and isinstance(wanted, ArrayOf):
+        same_element = _fits(given.element, wanted.element)
+        return same_element and len(given.dimensions) == len(wanted.dimensions)
+    return wanted == ANYTYPE or given.name.lower() == wanted.name.lower()
+
+
+def _user_value(parameter: ParameterSymbol, given: tuple[LateArgument, Any] | None) -> object:
+    if given is None:
+        return False if parameter.is_switch else ABSENT
+    shape, value = given
+    if is_signal(parameter.type):
+        return value
+    if parameter.mode is not Mode.IN:
+        return value if shape.is_reference or isinstance(value, list) else Box(value)
+    if shape.is_reference and value is not ABSENT:
+        return value.value
+    return copy_array(value) if isinstance(value, list) else value
+
+
+def _mismatch(name: str, reason: str) -> RapidError:
+    return rapid_error(ERR_CALLPROC, f'"{name}" cannot be called like this: {reason}')

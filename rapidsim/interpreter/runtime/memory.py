@@ -1,0 +1,145 @@
+"""The variables of a task: one cell for each scalar or record, one list for each array.
+
+A persistent has a class of its own, so that a reference to it still says that it is one. Whoever
+shares a cell or list shares the variable.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+from rapidsim.analysis.program import DataSymbol, Program, Storage
+from rapidsim.interpreter.runtime.arrays import copy_array
+from rapidsim.interpreter.runtime.values import Value, copied, literal
+from rapidsim.language.initial import initial_value
+from rapidsim.language.reference import Box
+from rapidsim.syntax import tree
+
+
+class PersistentBox(Box[Any]):
+    """A PERS that is no array."""
+
+    __slots__ = ()
+
+
+class PersistentArray(list[Any]):
+    """A PERS array."""
+
+
+@dataclass(frozen=True, slots=True)
+class ChangedPersistent:
+    """A PERS whose value is not the one in the program text any more."""
+
+    name: str
+    module: str
+    symbol: DataSymbol
+    old: Value
+    new: Value
+
+
+@dataclass(slots=True)
+class Memory:
+    """All module variables of a task, and the predefined ones that it uses."""
+
+    program: Program
+    shared: Callable[[DataSymbol], Any] = lambda symbol: None
+    """The cell or array of data that other tasks have too; None for others."""
+    _homes: dict[object, Any] = field(default_factory=dict)
+    _loaded: dict[DataSymbol, Value] = field(default_factory=dict)
+
+    def home(self, symbol: DataSymbol) -> Any:
+        """The cell or list of a variable, with its initial value when first asked for.
+
+        Initial values that are more than literals are assigned by generated code.
+        """
+        # By its declaration: modules that are loaded later give a program of new symbols.
+        key: object = symbol.node if symbol.node is not None else symbol.name.lower()
+        if key not in self._homes:
+            shared = self.shared(symbol)
+            self._homes[key] = _new_home(symbol) if shared is None else shared
+        return self._homes[key]
+
+    def value(self, symbol: DataSymbol) -> Value:
+        """A copy of the value that a variable has now."""
+        return _value(self.home(symbol))
+
+    def predefined(self, key: str, initial: Value) -> Value:
+        """The value of predefined data by folded name, the initial one where nobody uses them."""
+        return _value(self._homes[key]) if key in self._homes else copied(initial)
+
+    def forget(self, module: tree.Module) -> None:
+        """Give up the variables of a module that is gone."""
+        for item in module.items:
+            self._homes.pop(item, None)
+
+    def persistents(self) -> Iterator[DataSymbol]:
+        """The PERS data of all modules, in order of writing."""
+        for symbol in module_data(self.program):
+            if symbol.storage is Storage.PERS:
+                yield symbol
+
+    def remember(self) -> None:
+        """Take what the persistents hold now as what the program text says."""
+        self._loaded = {symbol: self.value(symbol) for symbol in self.persistents()}
+
+    def changed(self) -> tuple[ChangedPersistent, ...]:
+        """The persistents that hold something else than in the program text."""
+        changes = []
+        for symbol, old in self._loaded.items():
+            new = self.value(symbol)
+            if new != old and symbol.module is not None:
+                module = symbol.module.name.text
+                changes.append(ChangedPersistent(symbol.name, module, symbol, old, new))
+        return tuple(changes)
+
+
+def module_data(program: Program) -> Iterator[DataSymbol]:
+    """The data that modules declare, in order of writing."""
+    for module in program.modules:
+        for item in module.items:
+            if isinstance(item, tree.Data):
+                symbol = program.symbol_of[item]
+                assert isinstance(symbol, DataSymbol)
+                yield symbol
+
+
+def is_persistent(reference: object) -> bool:
+    """Whether a reference is to a whole persistent.
+
+    Raises:
+        RapidError: ERR_NOTPRES for an absent one.
+    """
+    if isinstance(reference, PersistentBox | PersistentArray):
+        return True
+    if isinstance(reference, list):
+        return False
+    # Absent references refuse to be read; that is what asking about them shall do.
+    reference.value  # type: ignore[attr-defined]  # noqa: B018
+    return False
+
+
+def initial_literal(symbol: DataSymbol) -> Value | None:
+    """The initial value of declared data, or None where it takes code to find it."""
+    assert symbol.node is not None
+    if symbol.node.value is None:
+        return initial_value(symbol.type)
+    return literal(symbol.node.value, symbol.type)
+
+
+def _value(home: Any) -> Value:
+    return copy_array(home) if isinstance(home, list) else home.value
+
+
+def _new_home(symbol: DataSymbol) -> Any:
+    value: Value = symbol.value
+    if symbol.node is not None:
+        value = initial_literal(symbol)
+        if value is None:
+            value = initial_value(symbol.type)
+    persistent = symbol.storage is Storage.PERS
+    if isinstance(value, list):
+        fresh = copied(value)
+        return PersistentArray(fresh) if persistent else fresh
+    return PersistentBox(value) if persistent else Box(value)

@@ -1,0 +1,199 @@
+"""Persistents that several tasks share: one datum a name, and everybody sees every change.
+
+A PERS that is neither LOCAL nor TASK and has the same name in several tasks is one datum. Its value
+is what the first task that gives it one says. Whoever reads or writes it must have let the other
+tasks come up to its time first; a `Board` sees to that.
+
+Source: RAPID Overview, "Declarations", persistent declarations.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Protocol, SupportsIndex
+
+from rapidsim.analysis.program import DataSymbol, Program, Scope, Storage
+from rapidsim.interpreter.runtime.memory import (
+    PersistentArray,
+    PersistentBox,
+    initial_literal,
+    module_data,
+)
+from rapidsim.interpreter.runtime.values import copied
+from rapidsim.language.error_numbers import ERR_LINKREF, rapid_error
+from rapidsim.language.initial import initial_value
+from rapidsim.language.reference import Box
+from rapidsim.language.types import same
+from rapidsim.syntax import tree
+
+_CONTENT = Box.__dict__["value"]
+"""Where a cell keeps its value; `SharedBox` hides it behind a property."""
+
+
+class Board(Protocol):
+    """Who is told when shared data are looked at and changed."""
+
+    def look(self) -> None:
+        """Let every other task come up to the time of the statement that runs."""
+        ...
+
+    def tell(self) -> None:
+        """Shared data have changed."""
+        ...
+
+
+class SharedBox(PersistentBox):
+    """A shared PERS that is no array."""
+
+    __slots__ = ("_board",)
+
+    def __init__(self, value: Any, board: Board) -> None:
+        """Start with a value."""
+        self._board = board
+        _CONTENT.__set__(self, value)
+
+    @property
+    def value(self) -> Any:
+        """The value now."""
+        self._board.look()
+        return _CONTENT.__get__(self)
+
+    @value.setter
+    def value(self, value: Any) -> None:
+        self._board.look()
+        _CONTENT.__set__(self, value)
+        self._board.tell()
+
+
+class SharedArray(PersistentArray):
+    """A shared PERS array, or a row of one."""
+
+    __slots__ = ("_board",)
+
+    def __init__(self, values: Sequence[Any], board: Board) -> None:
+        """Start with values; rows are shared too."""
+        super().__init__(
+            SharedArray(one, board) if isinstance(one, list) else one for one in values
+        )
+        self._board = board
+
+    def __getitem__(self, index: SupportsIndex | slice) -> Any:
+        """Elements now."""
+        self._board.look()
+        return super().__getitem__(index)
+
+    def __setitem__(self, index: SupportsIndex | slice, value: Any) -> None:
+        """Change elements."""
+        self._board.look()
+        super().__setitem__(index, value)
+        self._board.tell()
+
+
+@dataclass(frozen=True, slots=True)
+class Disagreement:
+    """A PERS that two tasks declare with different types."""
+
+    first: DataSymbol
+    other: DataSymbol
+
+
+@dataclass(slots=True)
+class SharedPersistents:
+    """The persistents that some tasks have in common, by folded name."""
+
+    board: Board
+    declared: dict[str, DataSymbol]
+    """The declaration that gives each its initial value."""
+    changing: frozenset[str]
+    """Those that some task may write. The others, tools as a rule, need no board."""
+    may_grow: bool = False
+    """Whether modules that a task loads may declare more: then all that can be shared are."""
+    _homes: dict[str, Any] = field(default_factory=dict)
+    _users: dict[str, set[object]] = field(default_factory=dict)
+    """The declarations that hold each now."""
+
+    def home(self, symbol: DataSymbol) -> Any:
+        """The cell or array of a variable; None if it is not shared."""
+        key = symbol.name.lower()
+        if not may_be_shared(symbol) or not (self.may_grow or key in self.declared):
+            return None
+        declaration = self.declared.setdefault(key, symbol)
+        if not same(declaration.type, symbol.type):
+            raise rapid_error(
+                ERR_LINKREF,
+                f"PERS {symbol.name} is {symbol.type.name} here and {declaration.type.name} in "
+                "another task, and tasks share it",
+            )
+        self._users.setdefault(key, set()).add(symbol.node)
+        if key not in self._homes:
+            value = initial_literal(declaration)
+            value = copied(initial_value(symbol.type) if value is None else value)
+            self._homes[key] = self._new_home(value, changes=self.may_grow or key in self.changing)
+        return self._homes[key]
+
+    def release(self, node: tree.Data) -> None:
+        """Give up a declaration whose module is gone; what no other one holds begins anew."""
+        key = node.name.key
+        users = self._users.get(key, set())
+        if node not in users:
+            return
+        users.remove(node)
+        if not users:
+            self._homes.pop(key, None)
+            self.declared.pop(key, None)
+
+    def _new_home(self, value: Any, *, changes: bool) -> Any:
+        if isinstance(value, list):
+            return SharedArray(value, self.board) if changes else PersistentArray(value)
+        return SharedBox(value, self.board) if changes else PersistentBox(value)
+
+
+def shared_persistents(
+    programs: Sequence[Program], board: Board, written: Sequence[frozenset[str] | None]
+) -> SharedPersistents:
+    """What the programs of several tasks have in common.
+
+    Args:
+        programs: One a task.
+        board: Who is told of changes.
+        written: Folded names of the persistents that each program may write; None for all of them.
+    """
+    may_grow = any(program.loads_modules for program in programs)
+    common = dict(_by_name(programs, least=1 if may_grow else 2))
+    known = [names for names in written if names is not None]
+    changing = frozenset(common) if len(known) < len(written) else frozenset().union(*known)
+    declared = {
+        key: next((one for one in symbols if _has_value(one)), symbols[0])
+        for key, symbols in common.items()
+    }
+    return SharedPersistents(board, declared, changing, may_grow)
+
+
+def disagreements(programs: Sequence[Program]) -> tuple[Disagreement, ...]:
+    """The persistents that tasks would share if they agreed on their type."""
+    return tuple(
+        Disagreement(symbols[0], other)
+        for _, symbols in _by_name(programs)
+        for other in symbols[1:]
+        if not same(symbols[0].type, other.type)
+    )
+
+
+def may_be_shared(symbol: DataSymbol) -> bool:
+    """Whether tasks that declare data of this name have them in common."""
+    return symbol.storage is Storage.PERS and symbol.scope is Scope.GLOBAL
+
+
+def _by_name(programs: Sequence[Program], least: int = 2) -> Iterator[tuple[str, list[DataSymbol]]]:
+    """The persistents that so many programs declare at least, in order of writing."""
+    found: dict[str, list[DataSymbol]] = {}
+    for program in programs:
+        for symbol in module_data(program):
+            if may_be_shared(symbol):
+                found.setdefault(symbol.name.lower(), []).append(symbol)
+    return ((key, symbols) for key, symbols in found.items() if len(symbols) >= least)
+
+
+def _has_value(symbol: DataSymbol) -> bool:
+    return symbol.node is not None and symbol.node.value is not None

@@ -1,0 +1,94 @@
+"""RAPID values that need no running code: literals, typed by their context."""
+
+from __future__ import annotations
+
+from typing import Any, TypeAlias
+
+from rapidsim.interpreter.runtime.arrays import copy_array
+from rapidsim.language.single import single
+from rapidsim.language.types import NUM, ArrayOf, Atomic, Kind, Record, Type, resolved
+from rapidsim.syntax import tree
+
+Value: TypeAlias = Any
+"""A float, bool or str; a record's tuple; a list for an array; whatever a library type holds."""
+
+
+def literal(expression: tree.Expression, of: Type) -> Value | None:
+    """The value of an expression of literals alone, or None when it is more than that."""
+    target = resolved(of)
+    match expression:
+        case tree.Number(value=value) | tree.String(value=value) | tree.Bool(value=value):
+            return from_literal(value, target)
+        case tree.LiteralAggregate(value=values):
+            return from_literal(values, target)
+        case tree.Parenthesised(inner=inner):
+            return literal(inner, target)
+        case tree.Unary(operator="-", operand=operand):
+            number = literal(operand, target)
+            return -number if isinstance(number, float) else None
+        case tree.Unary(operator="+", operand=operand):
+            number = literal(operand, target)
+            return number if isinstance(number, float) else None
+        case tree.Aggregate(elements=elements):
+            return _aggregate(elements, target)
+        case _:
+            return None
+
+
+def _aggregate(elements: tuple[tree.Expression, ...], of: Type) -> Value | None:
+    match of:
+        case ArrayOf():
+            types: list[Type] = [element_type(of)] * len(elements)
+        case Record(components=components):
+            types = [component.type for component in components]
+        case _:
+            return None
+    values = []
+    for element, type_ in zip(elements, types, strict=True):
+        value = literal(element, type_)
+        if value is None:
+            return None
+        values.append(value)
+    return tuple.__new__(of.python, values) if isinstance(of, Record) else values
+
+
+def from_literal(value: tree.LiteralValue, of: Type) -> Value:
+    """A literal as a value of its type: nums as singles, aggregates as records or lists."""
+    target = of if isinstance(of, Record) else resolved(of)
+    if isinstance(value, tuple):
+        if isinstance(target, Record):
+            # Generated programs are made of this; most parts of most literals are plain nums.
+            parts = [
+                single(one)
+                if part.type is NUM and type(one) is float
+                else from_literal(one, part.type)
+                for one, part in zip(value, target.components, strict=True)
+            ]
+            return tuple.__new__(target.python, parts)
+        if isinstance(target, ArrayOf):
+            element = element_type(target)
+            return [from_literal(one, element) for one in value]
+    if (
+        isinstance(target, Atomic)
+        and isinstance(value, int | float)
+        and not isinstance(value, bool)
+    ):
+        return float(value) if target.name.lower() == "dnum" else single(float(value))
+    return value
+
+
+def element_type(array: ArrayOf) -> Type:
+    """The type of `a{i}`, where `a` may have more dimensions."""
+    rest = array.dimensions[1:]
+    return ArrayOf(array.element, rest) if rest else array.element
+
+
+def copied(value: Value) -> Value:
+    """A value that shares nothing that can change: arrays are copied, the rest is immutable."""
+    return copy_array(value) if isinstance(value, list) else value
+
+
+def is_signal(of: Type) -> bool:
+    """Whether data of a type stand for a signal and read as its value."""
+    target = resolved(of)
+    return isinstance(target, Atomic) and target.kind is Kind.SEMI_VALUE

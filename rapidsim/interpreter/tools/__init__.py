@@ -1,0 +1,1 @@
+"""What coverage, debugger and assertions ask of a program."""

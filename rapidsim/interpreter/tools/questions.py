@@ -1,0 +1,347 @@
+"""Expressions asked of a program: checked as if they stood in it, evaluated when it has run.
+
+An expression is the one statement of a function in a module of our own, together with functions
+that return its parts. That module sees what is LOCAL in the program's modules and is linked like
+one that a program loads, so what checks and executes programs does it here, too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from rapidsim.analysis.passes.checker import Checked, check
+from rapidsim.analysis.program import (
+    DataSymbol,
+    LibrarySymbol,
+    Program,
+    RoutineSymbol,
+    UnknownSymbol,
+)
+from rapidsim.analysis.tree_walk import descendants
+from rapidsim.diagnostics import Diagnostic, Severity, Source, Span
+from rapidsim.interpreter.codegen.names import free_name
+from rapidsim.interpreter.limits import NotExecutableError
+from rapidsim.interpreter.linking.loader import FatalError, Task
+from rapidsim.interpreter.runtime.shared_persistents import may_be_shared
+from rapidsim.interpreter.runtime.values import is_signal
+from rapidsim.language.annotations import Mode
+from rapidsim.language.types import Type, resolved
+from rapidsim.library.table import LibraryRoutine
+from rapidsim.library.text import value_text
+from rapidsim.syntax import tree
+from rapidsim.syntax.parser import Parsed, parse
+
+_ASK_THE_TASK = frozenset(
+    {
+        *("cjointt", "cpos", "crobt", "ctool", "cwobj", "calcjointt", "calcrobt", "orobt"),
+        *("clkread", "gettaskname", "modexist"),
+    }
+)
+"""Functions that only look, at what each task has for itself."""
+_ASK_THE_CELL = frozenset(
+    {
+        *("ainput", "aoutput", "dinput", "doutput", "ginput", "ginputdnum", "goutput"),
+        *("goutputdnum", "testdi", "isfile", "filesize"),
+    }
+)
+"""Functions that only look, at what all tasks share."""
+_LOOK_AT_ARGUMENTS = frozenset({"dim", "validio", "ispers", "isvar"})
+"""Functions that take a reference and leave it as it is."""
+_SHOWN = frozenset(
+    {"num", "dnum", "bool", "string", "pos", "orient", "pose", "robtarget", "jointtarget"}
+)
+"""Types of parts whose values are told."""
+_NAME = "assertion"
+
+
+class NotAskedError(Exception):
+    """An expression that cannot be asked; the message says why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """A checked expression of type bool."""
+
+    text: str
+    parts: tuple[tuple[str, str], ...]
+    """Text and type of the data and function calls in it, each once."""
+    is_of_task: bool
+    """Whether the answer may depend on the task that is asked."""
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """What checking an expression found; the question only where there is no error."""
+
+    question: Question | None
+    findings: tuple[Diagnostic, ...]
+    """Errors and warnings, at places of the expression."""
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """What an expression was worth when the program had run."""
+
+    holds: bool
+    values: tuple[tuple[str, str], ...] = ()
+    """Text and value of its parts."""
+    error: str | None = None
+    """Why it could not be evaluated."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Function:
+    """A function of our module."""
+
+    name: str
+    type: str
+    expression: str
+
+
+def own_names(program: Program) -> frozenset[str]:
+    """Folded names that a program declares outside routines; they hide figures."""
+    return frozenset(
+        item.name.key
+        for module in program.modules
+        for item in module.items
+        if not isinstance(item, tree.Broken | tree.Placeholder)
+    )
+
+
+def ask(text: str, label: str, program: Program, figures: Iterable[str]) -> Asked:
+    """Check an expression against a program.
+
+    Args:
+        text: The expression.
+        label: What stands for a file name in findings.
+        program: The program it is asked of.
+        figures: Names of numbers besides; those that the program declares are left out.
+
+    Raises:
+        NotAskedError: If it is no single expression, or does more than look.
+    """
+    text = text.strip()
+    declared = dict.fromkeys(sorted(set(figures) - own_names(program)), 0.0)
+    name = _free_name(program)
+    parsed, (start,) = _module(declared, [_Function(name, "bool", text)])
+    own = Source(label, text)
+    findings = _placed(parsed.diagnostics, parsed, own, start)
+    if any(one.severity is Severity.ERROR for one in findings):
+        return Asked(None, findings)
+    expression = _only_expression(parsed, name, start, start + len(text))
+    checked = check(_files(program), visitor=parsed.file)
+    findings += _placed(checked.diagnostics, parsed, own, start)
+    if checked.program is None:
+        if not findings:
+            # Not about the expression: what the program may run with, it may be asked with.
+            raise NotAskedError("the program cannot be asked anything")
+        return Asked(None, findings)
+    _require_looking(expression, checked.program)
+    question = Question(
+        text,
+        tuple(dict.fromkeys(_parts(expression, checked.program, text, start))),
+        _is_of_task(expression, checked.program, parsed.file.modules[0]),
+    )
+    return Asked(question, findings)
+
+
+def answers(
+    task: Task, questions: Sequence[Question], figures: Mapping[str, float]
+) -> tuple[Answer, ...]:
+    """Evaluate expressions with the values that a program has left.
+
+    Args:
+        task: After its run.
+        questions: Checked against the program it began with.
+        figures: The numbers that the questions were checked with, by name.
+    """
+    program = task.program
+    hidden = own_names(program)
+    declared = {name: value for name, value in figures.items() if name not in hidden}
+    stem = _free_name(program)
+    functions = [
+        [
+            _Function(f"{stem}_{number}", "bool", question.text),
+            *(
+                _Function(f"{stem}_{number}_{place}", of, text)
+                for place, (text, of) in enumerate(question.parts, 1)
+            ),
+        ]
+        for number, question in enumerate(questions, 1)
+    ]
+    parsed, _ = _module(declared, [one for group in functions for one in group])
+    checked = check(_files(program), visitor=parsed.file)
+    if checked.program is None:
+        # It was asked of the program as it began; modules that it unloads may take names away.
+        return tuple(Answer(False, error=_first_error(checked)) for _ in questions)
+    try:
+        task.take(checked.program)
+    except (FatalError, NotExecutableError) as error:
+        return tuple(Answer(False, error=str(error)) for _ in questions)
+    symbols = {
+        routine.name.key: symbol
+        for routine in parsed.file.modules[0].routines
+        if isinstance(symbol := checked.program.symbol_of[routine], RoutineSymbol)
+    }
+    return tuple(
+        _answer(task, [symbols[one.name] for one in group], question)
+        for group, question in zip(functions, questions, strict=True)
+    )
+
+
+def _answer(task: Task, functions: Sequence[RoutineSymbol], question: Question) -> Answer:
+    whole, *parts = functions
+    values = tuple(
+        (text, told)
+        for (text, _), part in zip(question.parts, parts, strict=True)
+        if (told := _told(task, part)) is not None
+    )
+    try:
+        return Answer(bool(task.call(whole)), values)
+    except FatalError as error:
+        return Answer(False, values, str(error.error))
+
+
+def _told(task: Task, part: RoutineSymbol) -> str | None:
+    """The value of a part; None where it has none, as an element behind the end of an array."""
+    assert part.result is not None
+    try:
+        return value_text(task.call(part), part.result)
+    except FatalError:
+        return None
+
+
+def _module(
+    figures: Mapping[str, float], functions: Sequence[_Function]
+) -> tuple[Parsed, list[int]]:
+    """Our module, and where each function's expression begins in its text."""
+    taken = {one.name for one in functions}
+    text = f"MODULE {free_name('rapidsim_asks', taken)}\n"
+    for name, value in figures.items():
+        text += f"LOCAL VAR num {name}:={value:.9G};\n"
+    starts = []
+    for one in functions:
+        text += f"LOCAL FUNC {one.type} {one.name}()\nRETURN\n"
+        starts.append(len(text))
+        # On lines of its own, so that a comment in it ends with it.
+        text += f"{one.expression}\n;\nENDFUNC\n"
+    return parse(Source("", f"{text}ENDMODULE\n")), starts
+
+
+def _only_expression(parsed: Parsed, name: str, start: int, end: int) -> tree.Expression:
+    """The expression, if the text is one and no more."""
+    modules = parsed.file.modules
+    routines = modules[0].routines if len(modules) == 1 else ()
+    if len(routines) == 1 and routines[0].name.key == name and len(routines[0].body) == 1:
+        statement = routines[0].body[0]
+        if isinstance(statement, tree.Return) and statement.value is not None:
+            value = statement.value
+            if start <= value.start and value.end <= end:
+                return value
+    raise NotAskedError("one expression is expected, without `;` and without statements")
+
+
+def _files(program: Program) -> list[tree.File]:
+    return [tree.File(module.source, (module,), ()) for module in program.modules]
+
+
+def _free_name(program: Program) -> str:
+    return free_name(_NAME, set(own_names(program)))
+
+
+def _placed(
+    findings: Iterable[Diagnostic], parsed: Parsed, own: Source, start: int
+) -> tuple[Diagnostic, ...]:
+    """Errors and warnings about the expression, at their places in it."""
+    return tuple(
+        replace(one, span=_moved(one.span, own, start), related=(), fix=None, routine=None)
+        for one in findings
+        if one.severity is not Severity.NOTE
+        and one.span is not None
+        and one.span.source is parsed.file.source
+    )
+
+
+def _moved(span: Span, own: Source, start: int) -> Span:
+    last = max(len(own.text) - 1, 0)
+    first = min(max(span.start - start, 0), last)
+    return Span(own, first, max(min(span.end - start, len(own.text)), first + 1))
+
+
+def _require_looking(expression: tree.Expression, program: Program) -> None:
+    """Refuse calls that could change anything."""
+    for node in descendants(expression):
+        if isinstance(node, tree.LateFunctionCall):
+            raise NotAskedError("it calls a function by a name that only a run knows")
+        if not isinstance(node, tree.FunctionCall):
+            continue
+        symbol = program.symbol_of.get(node)
+        if isinstance(symbol, UnknownSymbol):
+            continue  # That is a finding already.
+        if isinstance(symbol, RoutineSymbol):
+            raise NotAskedError(
+                f"`{symbol.name}` is a function of the program, which might move or wait; "
+                "an assertion looks at data, signals and library functions"
+            )
+        if not isinstance(symbol, LibrarySymbol) or not _only_looks(symbol.routine):
+            raise NotAskedError(f"`{node.name.text}` does more than look, or is not simulated")
+
+
+def _only_looks(routine: LibraryRoutine) -> bool:
+    key = routine.name.lower()
+    if key in _ASK_THE_TASK | _ASK_THE_CELL | _LOOK_AT_ARGUMENTS:
+        return True
+    signature = routine.signature
+    computes = not signature.takes_controller and routine.simulated
+    return computes and all(one.mode is Mode.IN for one in signature.parameters)
+
+
+def _is_of_task(expression: tree.Expression, program: Program, own: tree.Module) -> bool:
+    """Whether anything in an expression is what a task has for itself."""
+    for node in descendants(expression):
+        symbol = program.symbol_of.get(node)
+        if isinstance(symbol, LibrarySymbol) and symbol.name.lower() in _ASK_THE_TASK:
+            return True
+        if not isinstance(symbol, DataSymbol) or symbol.module in (None, own):
+            continue
+        if not may_be_shared(symbol):
+            return True
+    return False
+
+
+def _parts(
+    expression: tree.Expression, program: Program, text: str, start: int
+) -> Iterator[tuple[str, str]]:
+    """Text and type of the data and calls in an expression that have a value to tell."""
+    paths: set[tree.Node] = set()
+    arguments: set[tree.Node | None] = set()
+    for node in descendants(expression):
+        match node:
+            case tree.Index(array=path) | tree.Component(record=path):
+                paths.add(path)
+            case tree.FunctionCall(arguments=given):
+                arguments |= {one.value for one in given if not isinstance(one, tree.Conditional)}
+            case tree.Reference():
+                pass
+            case _:
+                continue
+        of = program.type_of.get(node)
+        if of is None or node in paths:
+            continue
+        # A signal among arguments is what DOutput and its like look at: their value says it.
+        shown = _shown_type(of) if not is_signal(of) else None if node in arguments else "num"
+        if shown is not None:
+            yield text[node.start - start : node.end - start], shown
+
+
+def _shown_type(of: Type) -> str | None:
+    """The name of the type of a part whose value is told."""
+    name = resolved(of).name.lower()
+    return name if name in _SHOWN else None
+
+
+def _first_error(checked: Checked) -> str:
+    errors = (one for one in checked.diagnostics if one.severity is Severity.ERROR)
+    first = next(errors, None)
+    return first.violation.message if first else "the program has changed"

@@ -1,0 +1,162 @@
+"""`rapidsim.check`: find the mistakes in the files of a program without running it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from os import PathLike, fspath
+from typing import TYPE_CHECKING
+
+from rapidsim.analysis.passes.checker import Find
+from rapidsim.analysis.program import Program
+from rapidsim.analysis.rules.table import detectors_of
+from rapidsim.analysis.suppressions import without_suppressed
+from rapidsim.diagnostics import Diagnostic, Severity
+from rapidsim.files import TaskFiles, read_tasks
+from rapidsim.jobs.checked_program import Loaded, load
+from rapidsim.reach.checked_moves import Coverage, ReachReport, UncheckedMove
+from rapidsim.reach.dataflow.written_moves import written_moves
+from rapidsim.station.tasks import DEFAULT_TASK
+from rapidsim.syntax import tree
+
+if TYPE_CHECKING:
+    from rapidsim.motion.robot.robot import Robot
+    from rapidsim.simulation.options import RunOptions
+
+_FAMILIES_OF_MOVES = "DKM"
+_FAMILY_OF_RUNS = "R"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CheckResult:
+    """What checking found, and what it did not look at."""
+
+    files: tuple[str, ...]
+    """The files that were read."""
+    diagnostics: tuple[Diagnostic, ...]
+    """Findings in order of file and place."""
+    trees: tuple[tree.File, ...]
+    """The files as they were parsed, with their comments."""
+    coverage: Coverage = field(default_factory=Coverage)
+    """How many moves were checked for reach, limits and path, and why others were not."""
+
+    @property
+    def accepted(self) -> bool:
+        """Whether the program could run: there is no error among the findings."""
+        return all(d.severity is not Severity.ERROR for d in self.diagnostics)
+
+    def looked_for(self, selector: str) -> bool:
+        """Whether all that a selector may mean was looked for.
+
+        Args:
+            selector: A code, the beginning of a code, or the name of a rule. What moves do is only
+                known where all of them were checked.
+        """
+        if selector[:1].upper() == _FAMILY_OF_RUNS:
+            return False
+        may_be_of_moves = selector[:1].upper() in _FAMILIES_OF_MOVES or "-" in selector
+        return not (may_be_of_moves and self.coverage.unchecked)
+
+
+CheckMoves = Callable[[Program, str], ReachReport]
+"""Checks the moves of a program on the robot of a task, given by its name."""
+
+
+def check(
+    paths: Iterable[str | PathLike[str]],
+    *,
+    robot: Robot | str | None = None,
+    options: RunOptions | None = None,
+    run: bool = True,
+) -> CheckResult:
+    """Check the modules, program files or folders named, as `rapidsim check` does.
+
+    Args:
+        paths: What is checked; together it is one task, but for the tasks of a backup.
+        robot: An arm, or its name in the catalogue. Without it no move is checked, and
+            `CheckResult.coverage` says so.
+        options: Where the arm stands and how main is run for the moves that only a run can tell.
+        run: Whether main is run at all.
+
+    Raises:
+        InputError: If something is missing, unreadable, or no RAPID.
+        RobotError: If the catalogue has no such robot.
+    """
+    tasks = read_tasks([fspath(path) for path in paths])
+    moves = None if robot is None else move_check(robot, options, run=run)
+    result = check_tasks(tasks, moves=moves)
+    kept = without_suppressed(result.diagnostics, result.trees, is_looked_for=result.looked_for)
+    return replace(result, diagnostics=kept)
+
+
+def move_check(
+    robot: Robot | str, options: RunOptions | None = None, *, run: bool = True
+) -> CheckMoves:
+    """What checks moves on an arm; nothing heavy is imported before a program with moves comes."""
+
+    def check_moves(program: Program, task: str) -> ReachReport:
+        del task
+        from rapidsim.motion.robot.robot import load_robot  # noqa: PLC0415
+        from rapidsim.reach.reach import check_reach  # noqa: PLC0415
+
+        arm = load_robot(robot) if isinstance(robot, str) else robot
+        return check_reach(program, arm, options, run=run)
+
+    return check_moves
+
+
+def check_tasks(
+    tasks: Iterable[TaskFiles],
+    rules: Sequence[Find] | None = None,
+    moves: CheckMoves | None = None,
+    *,
+    even_without_moves: bool = False,
+) -> CheckResult:
+    """Check tasks that have been read, each on its own.
+
+    Args:
+        tasks: Their files.
+        rules: What to look for beyond what keeps a program from running; None is what is looked
+            for by default.
+        moves: Checks the moves; None leaves them unchecked.
+        even_without_moves: Whether `moves` has something to say of programs that have none, such
+            as how long they take.
+    """
+    wanted = detectors_of() if rules is None else rules
+    loaded = [(task, load(task.files, wanted)) for task in tasks]
+    reports = [
+        _moves_checked(one, task.name or DEFAULT_TASK, moves, even_without_moves)
+        for task, one in loaded
+    ]
+    found = [
+        *(diagnostic for _, one in loaded for diagnostic in one.diagnostics),
+        *(diagnostic for report in reports for diagnostic in report.diagnostics),
+        *_disagreements([one for _, one in loaded]),
+    ]
+    return CheckResult(
+        files=tuple(file.name for task, _ in loaded for file in task.files),
+        diagnostics=tuple(sorted(found, key=lambda diagnostic: diagnostic.order)),
+        trees=tuple(file for _, one in loaded for file in one.files),
+        coverage=sum((report.coverage for report in reports), Coverage()),
+    )
+
+
+def _disagreements(tasks: Sequence[Loaded]) -> tuple[Diagnostic, ...]:
+    """What tasks declare differently and share."""
+    programs = [one.program for one in tasks if one.program is not None]
+    if len(programs) < 2:
+        return ()
+    from rapidsim.jobs.load_tasks import shared_findings  # noqa: PLC0415
+
+    return shared_findings(programs)
+
+
+def _moves_checked(
+    loaded: Loaded, task: str, moves: CheckMoves | None, always: bool
+) -> ReachReport:
+    written = written_moves(loaded.files)
+    if (written or always) and moves is not None and loaded.program is not None:
+        return moves(loaded.program, task)
+    why = "no robot was named" if moves is None else "the program cannot run as it is"
+    unchecked = tuple(UncheckedMove(span, why) for span in written)
+    return ReachReport((), Coverage(unchecked=unchecked))

@@ -1,0 +1,38 @@
+"""From source files to a checked program: parse every file, check them together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from rapidsim.analysis.passes.checker import Find, check
+from rapidsim.analysis.program import Program
+from rapidsim.diagnostics import Diagnostic, Severity, Source
+from rapidsim.files import SourceFile
+from rapidsim.syntax import tree
+from rapidsim.syntax.parser import parse
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Loaded:
+    """One task's files, what was found in them, and the program if it can run."""
+
+    files: tuple[tree.File, ...]
+    program: Program | None
+    """None where there is an error among the findings."""
+    diagnostics: tuple[Diagnostic, ...]
+
+
+def load(files: Sequence[SourceFile], rules: Sequence[Find] = ()) -> Loaded:
+    """Parse and check the modules of one task; mistakes in them are findings, never raised.
+
+    Args:
+        files: The task's files.
+        rules: What to look for beyond what keeps a program from running.
+    """
+    parsed = [parse(Source(file.name, file.text)) for file in files]
+    trees = tuple(one.file for one in parsed)
+    checked = check(trees, rules)
+    diagnostics = (*(d for one in parsed for d in one.diagnostics), *checked.diagnostics)
+    accepted = all(d.severity is not Severity.ERROR for d in diagnostics)
+    return Loaded(trees, checked.program if accepted else None, diagnostics)

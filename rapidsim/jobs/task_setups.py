@@ -1,0 +1,85 @@
+"""Which task moves which robot, from the programs and the station file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from math import degrees
+
+from rapidsim.files import InputError
+from rapidsim.jobs.load_tasks import LoadedTask
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.simulation.task_run import TaskSetup
+from rapidsim.station.robot import StationRobot
+from rapidsim.station.station import Station
+from rapidsim.station.task_kind import TaskKind
+
+_ROUNDING_DEG = 1e-6
+"""A limit that was written in degrees and kept in radians is still within."""
+
+
+def task_setups(
+    tasks: Sequence[LoadedTask],
+    station: Station,
+    first: Robot,
+    open_robot: Callable[[str], Robot],
+) -> tuple[TaskSetup, ...]:
+    """What each task of a run is given.
+
+    Where the station file says nothing of a task, it gets the next robot if it has moves, and an
+    arm like the first if the file has no more robots. If no task has moves, the first of which the
+    file says nothing gets the robot: it is the one a controller starts with. A task that runs alone
+    always gets one.
+
+    Args:
+        tasks: Their programs.
+        station: What the station file says.
+        first: The arm of the first robot, without external axes.
+        open_robot: Makes an arm of its name.
+
+    Raises:
+        InputError: If a start position has not one value an axis, or one past its limit.
+    """
+    known = {task.name.lower(): task for task in station.tasks}
+    robots = station.robots or (StationRobot(),)
+    with_axes = replace(first, external=station.external_axes) if station.external_axes else first
+    setups: list[TaskSetup] = []
+    given = 0
+    unsaid = [task for task in tasks if task.name.lower() not in known]
+    seated = any(task.robot_number is not None for task in station.tasks)
+    movers = [task for task in unsaid if task.has_moves]
+    if not movers and not seated:
+        movers = unsaid[:1]
+    for task in tasks:
+        said = known.get(task.name.lower())
+        kind = TaskKind.NORMAL if said is None else said.kind
+        number = None if said is None else said.robot_number
+        if task in movers or (number is None and len(tasks) == 1):
+            number = given
+        if number is None:
+            setups.append(TaskSetup(task.name, task.program, kind=kind, written=task.written))
+            continue
+        given += 1
+        robot = robots[number] if number < len(robots) else StationRobot()
+        arm = with_axes if number == 0 else open_robot(robot.name) if robot.name else first
+        start, place = robot.start_joints_deg, robot.world_from_base
+        _require_axes(station, arm, start)
+        setups.append(TaskSetup(task.name, task.program, arm, start, place, kind, task.written))
+    return tuple(setups)
+
+
+def _require_axes(station: Station, arm: Robot, start: tuple[float, ...] | None) -> None:
+    if start is None:
+        return
+    if len(start) != len(arm.joints):
+        raise InputError(
+            f"{station.file}: robot.start: {arm.name} has {len(arm.joints)} joints, "
+            f"not {len(start)}"
+        )
+    for number, (angle, joint) in enumerate(zip(start, arm.joints, strict=True), start=1):
+        lower, upper = degrees(joint.lower), degrees(joint.upper)
+        if not lower - _ROUNDING_DEG <= angle <= upper + _ROUNDING_DEG:
+            raise InputError(
+                f"{station.file}: robot.start: joint {number} of {arm.name} goes from {lower:g} to "
+                f"{upper:g} deg, not to {angle:g}"
+            )

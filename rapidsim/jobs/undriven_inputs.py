@@ -1,0 +1,58 @@
+"""Rule I803: waits for inputs that nothing in the station file ever sets."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from types import MappingProxyType
+
+from rapidsim.analysis.tree_walk import clauses, statements
+from rapidsim.controller.cell.description import CellIo, SignalKind
+from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.syntax import tree
+
+_WAITS = MappingProxyType(
+    {"waitdi": SignalKind.DI, "waitgi": SignalKind.GI, "waitai": SignalKind.AI}
+)
+
+
+class NeverDrivenInput(Violation, code="I803"):
+    signal: str
+    value: str
+
+
+def find_never_driven(files: Iterable[tree.File], io: CellIo) -> Iterator[Diagnostic]:
+    """Waits for digital, group and analog inputs by their value.
+
+    Args:
+        files: The program.
+        io: Signals of the station and what drives them.
+    """
+    begins_with = {
+        signal.name.lower(): signal.value for signal in io.signals if signal.kind in _WAITS.values()
+    }
+    driven = {name.lower() for stimulus in io.stimuli for name in stimulus.values}
+    driven |= {cross.result.lower() for cross in io.crosses}
+    for file in files:
+        for module in file.modules:
+            for routine in module.routines:
+                for call in statements(*clauses(routine)):
+                    wait = _wait(call)
+                    if wait is None or wait[0].key not in begins_with or wait[0].key in driven:
+                        continue
+                    name, value = wait
+                    if begins_with[name.key] != value.value:
+                        violation = NeverDrivenInput(name.text, value.text)
+                        span = module.span(name)
+                        yield Diagnostic(violation, span, routine=routine.name.text)
+
+
+def _wait(statement: tree.Statement) -> tuple[tree.Name, tree.Number] | None:
+    """The signal and the value that a statement waits for."""
+    if not isinstance(statement, tree.Call) or statement.name.key not in _WAITS:
+        return None
+    required = [one.value for one in statement.arguments if isinstance(one, tree.Required)]
+    match required[:1] + required[-1:]:
+        case [tree.Reference(name=name), tree.Number() as value]:
+            return name, value
+        case _:
+            return None

@@ -1,0 +1,1 @@
+"""Which joint vector a pose means: frames, confdata, reach, singularities."""

@@ -1,0 +1,101 @@
+"""Choose how an arm takes a row of poses: of all branches and turns those with the least motion.
+
+The choice at one pose decides what the next can cost, so it is made for the whole row at once, by
+dynamic programming: the cheapest way to every solution of a pose leads through some solution of the
+pose before, and only the cheapest to each need be kept.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise, product
+
+import numpy as np
+import numpy.typing as npt
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.configurations.reachability import limit_excess, turns_within_limits
+from rapidsim.motion.kinematics.arm import Mask
+from rapidsim.motion.kinematics.unwrapping import TURN
+from rapidsim.motion.robot.robot import Robot
+
+_BATCH = 1024
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LeastMotion:
+    """Joints along a row of poses."""
+
+    joints: Array
+    """Shape (k, n) [rad], within the limits."""
+    branch: npt.NDArray[np.int64]
+    """Shape (k,): the branch of each."""
+    travel: float
+    """Sum [rad] of what all joints turn from the first pose to the last."""
+
+
+def least_motion(
+    robot: Robot, base_from_flange: Transform, start: Array | None = None
+) -> LeastMotion | int:
+    """Choose joints for poses (k,), k at least 1.
+
+    Args:
+        robot: The arm.
+        base_from_flange: The poses in the order in which they are taken.
+        start: Joints (n,) [rad] from which the arm comes; without them the first pose is free.
+
+    Returns:
+        The joints that turn least in sum, or the index of the first pose that no branch reaches
+        within the limits. Whether the arm can change branches between two poses without leaving
+        the way between them is not looked at: with poses close together, it pays not to.
+    """
+    count = len(base_from_flange)
+    candidates = []
+    for first in range(0, count, _BATCH):
+        joints, possible = _candidates(robot, base_from_flange[first : first + _BATCH])
+        empty = np.flatnonzero(~possible.any(axis=-1))
+        if empty.size:
+            return first + int(empty[0])
+        candidates += [row[at] for row, at in zip(joints, possible, strict=True)]
+
+    cost = np.zeros(len(candidates[0]))
+    if start is not None:
+        cost = np.abs(candidates[0] - start).sum(axis=-1)
+    came_from = [np.zeros(len(cost), dtype=np.int64)]
+    for before, now in pairwise(candidates):
+        total = cost + np.abs(now[:, None] - before).sum(axis=-1)
+        best = total.argmin(axis=-1)
+        cost = total[np.arange(len(now)), best]
+        came_from.append(best)
+
+    chosen = int(cost.argmin())
+    travel = float(cost[chosen])
+    row = np.empty((count, len(robot.joints)))
+    for index in range(count - 1, -1, -1):
+        row[index] = candidates[index][chosen]
+        chosen = int(came_from[index][chosen])
+    return LeastMotion(row, robot.kinematics.branch_of(row), travel)
+
+
+def _candidates(robot: Robot, base_from_flange: Transform) -> tuple[Array, Mask]:
+    """Every branch of poses (k,) in every turn within the limits.
+
+    Returns:
+        Joint vectors (k, c, n) [rad], and which of them (k, c) are solutions.
+    """
+    branches = robot.inverse(base_from_flange)
+    middle = turns_within_limits(robot, branches.joints)
+    turns = _other_turns(robot)
+    joints = (middle[:, :, None] + turns).reshape(len(middle), -1, turns.shape[-1])
+    exists = np.repeat(branches.exists, len(turns), axis=-1)
+    return joints, exists & ~limit_excess(robot, joints).any(axis=-1)
+
+
+def _other_turns(robot: Robot) -> Array:
+    """Whole turns (t, n) [rad] that a joint vector in the middle of the range may be moved by."""
+    ranges = [
+        range(-round(half), round(half) + 1) if np.isfinite(half) else range(1)
+        for half in (0.5 * (robot.upper - robot.lower) / TURN).tolist()
+    ]
+    shifts: Array = TURN * np.array(list(product(*ranges)), dtype=np.float64)
+    return shifts

@@ -1,0 +1,239 @@
+"""ABB's confdata: which of the many joint vectors of a pose is meant.
+
+cf1, cf4 and cf6 are the quarter turns that axes 1, 4 and 6 stand in: 0 from 0 to 90 deg, -1 from
+-90 to 0, and so on through all turns. cfx is the branch of inverse kinematics. Together they name
+one joint vector, but where axis 5 is 0 and only the sum of axes 4 and 6 matters.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types, confdata, for
+robots with a serial wrist. For arms of other kinds cfx is the branch of their own solver; YuMi's
+digits, which stand for its arm angle, are not modelled.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import product
+from math import ceil, floor, isinf, pi
+
+import numpy as np
+import numpy.typing as npt
+
+from rapidsim.frames import rigid
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.configurations.reachability import LIMIT_TOLERANCE, turns_within_limits
+from rapidsim.motion.kinematics.arm import Kinematics, Mask
+from rapidsim.motion.kinematics.numerical.solver import Numerical
+from rapidsim.motion.robot.robot import Robot
+
+Integers = npt.NDArray[np.int64]
+
+QUARTER = pi / 2.0
+TURN = 2.0 * pi
+SNAP = 2e-8
+"""A joint this close [rad] below a quarter counts as standing on it: 90 deg computed."""
+UNDETERMINED_WRIST = 1e-7
+"""Axis 5 up to which [rad] confdata may share out the sum of axes 4 and 6."""
+SAME = 1e-9
+"""Joint vectors that differ by less [rad] are one, met by two branches."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Configuration:
+    """One way to reach a pose."""
+
+    joints: Array
+    """Shape (n,) [rad]."""
+    confdata: tuple[int, int, int, int]
+    """cf1, cf4, cf6, cfx."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Selected:
+    """What confdata selects for a row of poses."""
+
+    joints: Array
+    """Shape (k, n) [rad]; 0 where the branch does not reach the pose. Limits are not heeded."""
+    exists: Mask
+    """Shape (k,): False where the branch does not reach the pose or cfx is not 0 to 7."""
+    quarters_off: Integers
+    """Shape (k, 3): how many quarter turns axes 1, 4 and 6 are from what confdata says."""
+
+
+def told_apart(kinematics: Kinematics) -> bool:
+    """Whether confdata names one of an arm's solutions, as it does where they have branches."""
+    return not isinstance(kinematics, Numerical)
+
+
+def confdata_of(kinematics: Kinematics, joints: Array) -> Integers:
+    """cf1, cf4, cf6 and cfx, shape (..., 4), of joint vectors (..., n) [rad]."""
+    joints = np.asarray(joints, dtype=np.float64)
+    branch = kinematics.branch_of(joints)
+    if joints.ndim == 1:
+        counted = [0 if a is None else joints.item(a) for a in _counted_axes(len(joints))]
+        return np.array([*(floor((angle + SNAP) / QUARTER) for angle in counted), int(branch)])
+    return np.concatenate([_counted_quarters(joints), branch[..., None]], axis=-1)
+
+
+def select(
+    robot: Robot, base_from_flange: Transform, confdata: Array | Integers, near: Array
+) -> Selected:
+    """Joint vectors of poses with confdata.
+
+    Args:
+        robot: The arm.
+        base_from_flange: Poses (k,).
+        confdata: cf1, cf4, cf6, cfx of each, shape (k, 4).
+        near: Joint vectors (k, n) or (n,) [rad]: axes that the pose leaves undetermined stay as
+            near to them as confdata allows.
+
+    Returns:
+        Axes 1, 4 and 6 in the turn that comes nearest to confdata, the others in the turn that
+        is nearest to their range.
+    """
+    wanted = np.rint(np.asarray(confdata)).astype(np.int64)
+    joints = np.zeros((len(wanted), robot.kinematics.joint_count))
+    held = np.broadcast_to(np.asarray(near, dtype=np.float64), joints.shape).copy()
+    # Where the pose leaves axis 1 undetermined, it can be in the quarter turn that is asked for.
+    lowest = QUARTER * wanted[:, 0]
+    held[:, 0] = np.clip(held[:, 0], lowest, lowest + QUARTER - 2.0 * SNAP)
+    exists = np.zeros(len(wanted), dtype=np.bool_)
+    for branch in range(robot.kinematics.branch_count):
+        rows = np.flatnonzero(wanted[:, 3] == branch)
+        if rows.size:
+            found = robot.kinematics.inverse_on_branch(base_from_flange[rows], branch, held[rows])
+            joints[rows], exists[rows] = found.joints, found.exists
+    joints = turns_within_limits(robot, joints)
+    turns = np.round((wanted[:, :3] - _counted_quarters(joints)) / 4.0)
+    for column, axis in enumerate(_counted_axes(joints.shape[1])):
+        if axis is not None:
+            joints[:, axis] += TURN * turns[:, column]
+    if robot.kinematics.spherical_wrist:
+        undetermined = exists & (np.abs(joints[:, 4]) < UNDETERMINED_WRIST)
+        joints[undetermined] = _share_out(
+            joints[undetermined], wanted[undetermined], held[undetermined]
+        )
+    joints[~exists] = 0.0
+    return Selected(joints, exists, _counted_quarters(joints) - wanted[:, :3])
+
+
+def configurations(robot: Robot, base_from_flange: Transform) -> tuple[Configuration, ...]:
+    """Every way to reach one pose within the joint limits: all branches, all whole turns.
+
+    Joint vectors where branches meet are listed once. Where axis 5 is 0 the sum of axes 4 and 6 can
+    be shared out in endless ways; only those with axis 4 at whole half turns are listed.
+    """
+    branches = robot.kinematics.inverse(base_from_flange)
+    vectors = [
+        turned
+        for joints in distinct(branches.joints[branches.exists])
+        for turned in product(*map(whole_turns, joints, robot.lower, robot.upper))
+    ]
+    if not vectors:
+        return ()
+    found = np.array(vectors)
+    named = confdata_of(robot.kinematics, found)
+    return tuple(
+        Configuration(joints, _four(confdata))
+        for joints, confdata in zip(found, named, strict=True)
+    )
+
+
+def named(
+    robot: Robot, base_from_flange: Transform, confdata: tuple[int, int, int, int]
+) -> Configuration | None:
+    """The one of `configurations` that confdata names, found without the others.
+
+    None where there is none, and where only all of them tell: for arms that have no formulas for
+    one pose, and where the pose leaves an axis undetermined.
+    """
+    arm, branch = robot.kinematics, confdata[3]
+    if branch not in range(arm.branch_count):
+        return None
+    found = arm.single.inverse_on_branch(rigid.from_transform(base_from_flange), branch, None)
+    if found is None:
+        return None
+    quarters = dict(zip(_counted_axes(len(found)), confdata, strict=False))
+    joints = []
+    for axis, (angle, limits) in enumerate(zip(found, robot.joints, strict=True)):
+        quarter = quarters.get(axis)
+        for turned in whole_turns(angle, limits.lower, limits.upper):
+            if quarter is None or quarter == floor((turned + SNAP) / QUARTER):
+                joints.append(turned)
+                break
+        else:
+            return None
+    # On a border of branches confdata has the front, the positive one.
+    if arm.single.branch_of(joints) != branch:
+        return None
+    return Configuration(np.array(joints), confdata)
+
+
+def distinct(joints: Array) -> list[Array]:
+    """Joint vectors (k, n) [rad] without those that an earlier one is but for whole turns."""
+    difference = joints[:, None] - joints
+    difference -= TURN * np.round(difference / TURN)
+    alike = np.max(np.abs(difference), axis=-1, initial=0.0) < SAME
+    first = np.argmax(alike, axis=-1) if len(joints) else []
+    return [row for index, row in enumerate(joints) if first[index] == index]
+
+
+def _counted_axes(joint_count: int) -> tuple[int | None, ...]:
+    """The joints, counted from 0, that are RAPID's axes 1, 4 and 6; None where there is no such.
+
+    Palletizers have no axis 4; five-axis arms roll with the last; the joint that a seven-axis arm
+    has more stands third in its chain.
+    """
+    axis_4 = {5: 3, 6: 3, 7: 4}.get(joint_count)
+    return 0, axis_4, joint_count - 1
+
+
+def _counted_quarters(joints: Array) -> Integers:
+    """Quarter turns (..., 3) that axes 1, 4 and 6 of joint vectors (..., n) [rad] stand in."""
+    axes = _counted_axes(joints.shape[-1])
+    columns = [
+        np.zeros(joints.shape[:-1], np.int64) if axis is None else _quarters(joints[..., axis])
+        for axis in axes
+    ]
+    return np.stack(columns, axis=-1)
+
+
+def _quarters(angles: Array) -> Integers:
+    return np.floor((angles + SNAP) / QUARTER).astype(np.int64)
+
+
+def whole_turns(angle: float, lower: float, upper: float) -> tuple[float, ...]:
+    """The angle in every whole turn that lies within a range [rad], from below; one if endless."""
+    if isinf(lower) or isinf(upper):
+        return (float(angle),)
+    first = ceil((lower - LIMIT_TOLERANCE - angle) / TURN)
+    last = floor((upper + LIMIT_TOLERANCE - angle) / TURN)
+    return tuple(float(angle) + TURN * turn for turn in range(first, last + 1))
+
+
+def _share_out(joints: Array, wanted: Integers, near: Array) -> Array:
+    """Share out the sum of axes 4 and 6 (axis 5 is 0) so that each comes into its quarter turn.
+
+    Args:
+        joints: Joint vectors (k, 6) [rad].
+        wanted: cf1, cf4, cf6, cfx of each, shape (k, 4).
+        near: Joint vectors (k, 6) [rad]; axis 4 comes as near to theirs as the quarters allow.
+    """
+    lower_4, lower_6 = QUARTER * wanted[:, 1], QUARTER * wanted[:, 2]
+    within = QUARTER - 2.0 * SNAP
+    total = joints[:, 3] + joints[:, 5]
+    middle = lower_4 + lower_6 + QUARTER
+    total = total + TURN * np.round((middle - total) / TURN)
+    lowest = np.maximum(lower_4, total - lower_6 - within)
+    highest = np.minimum(lower_4 + within, total - lower_6)
+    # Quarters that no split of this sum can meet keep axis 4; `quarters_off` tells.
+    feasible = lowest <= highest
+    shared = joints.copy()
+    axis_4 = np.clip(near[:, 3], lowest, np.maximum(lowest, highest))
+    shared[:, 3] = np.where(feasible, axis_4, joints[:, 3])
+    shared[:, 5] = np.where(feasible, total - axis_4, joints[:, 5])
+    return shared
+
+
+def _four(confdata: Integers) -> tuple[int, int, int, int]:
+    cf1, cf4, cf6, cfx = (int(value) for value in confdata)
+    return cf1, cf4, cf6, cfx

@@ -1,0 +1,120 @@
+"""Why a pose cannot be reached: as a value with numbers, never NaN."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import degrees
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.kinematics.numerical.solver import Numerical
+from rapidsim.motion.robot.robot import Robot
+
+LIMIT_TOLERANCE = 1e-9
+"""A joint counts as within its limits up to this [rad], for rounding."""
+
+
+@dataclass(frozen=True, slots=True)
+class Unreachable:
+    """What keeps an arm from a pose: its geometry, or else the joint limit that gives least."""
+
+    shortfall: float
+    """How far [m] the wrist centre is outside what the arm can reach; 0 if a limit is the cause."""
+    branch: int | None = None
+    """The branch that comes nearest to its limits; None if the geometry is the cause."""
+    joint: int | None = None
+    """The joint that is furthest over on that branch, counted from 1."""
+    excess: float = 0.0
+    """How far [rad] that joint is above its upper limit, or, if negative, below its lower one."""
+    tilt: float = 0.0
+    """How far [rad] the orientation is from those that an arm with few axes can give."""
+    searched: bool = False
+    """Whether nothing was found by searching; shortfall and tilt are of the nearest found."""
+    beyond: float = 0.0
+    """How far [m] at least the flange is beyond the stretched arm, where that was searched."""
+
+    @property
+    def message(self) -> str:
+        """The reason in the words of a shop floor: mm and degrees."""
+        off_mm, off_deg = 1000.0 * self.shortfall, degrees(self.tilt)
+        if self.searched and self.joint is None:
+            nearest = f"the search came no nearer than {off_mm:.3g} mm and {off_deg:.3g} deg"
+            if self.beyond == 0.0:
+                return nearest
+            return f"flange at least {_amount(1000.0 * self.beyond)} mm beyond reach; {nearest}"
+        if self.joint is None and off_deg > 0.0 and off_mm > 0.0:
+            return f"wrist centre {_amount(off_mm)} mm beyond reach, and {_turned(off_deg)}"
+        if self.joint is None and off_deg > 0.0:
+            return _turned(off_deg)
+        if self.joint is None:
+            return f"wrist centre {_amount(off_mm)} mm beyond reach"
+        limit = "upper" if self.excess > 0.0 else "lower"
+        over = degrees(abs(self.excess))
+        return f"joint {self.joint} over by {_amount(over)} deg at its {limit} limit"
+
+
+def turns_within_limits(robot: Robot, joints: Array) -> Array:
+    """Joint vectors (..., n) [rad] with each joint in the whole turn that is nearest to its range.
+
+    What lies outside afterwards has no turn within the limits.
+    """
+    endless = np.isinf(robot.lower) | np.isinf(robot.upper)
+    lower, upper = (np.where(endless, 0.0, limits) for limits in (robot.lower, robot.upper))
+    middle = 0.5 * (lower + upper)
+    return joints + 2.0 * np.pi * np.round((middle - joints) / (2.0 * np.pi))
+
+
+def limit_excess(robot: Robot, joints: Array) -> Array:
+    """How far joint vectors (..., n) [rad] are over their limits: + above, - below, 0 within."""
+    above = np.maximum(joints - robot.upper - LIMIT_TOLERANCE, 0.0)
+    below = np.maximum(robot.lower - joints - LIMIT_TOLERANCE, 0.0)
+    return above - below
+
+
+def why_unreachable(
+    robot: Robot, base_from_flange: Transform, branch: int | None = None
+) -> Unreachable | None:
+    """The reason why one pose cannot be reached, None if it can.
+
+    Args:
+        robot: The arm.
+        base_from_flange: One pose.
+        branch: Look at this branch only; without it, at all.
+    """
+    branches = robot.kinematics.inverse(base_from_flange)
+    wanted = branches.exists.copy()
+    if branch is not None:
+        wanted[:] = False
+        wanted[branch] = branches.exists[branch]
+    if not wanted.any():
+        return Unreachable(
+            shortfall=float(branches.shortfall),
+            tilt=0.0 if branches.tilt is None else float(branches.tilt),
+            searched=branches.searched,
+            beyond=_beyond(robot, base_from_flange),
+        )
+    excess = limit_excess(robot, turns_within_limits(robot, branches.joints))
+    worst = np.where(wanted, np.max(np.abs(excess), axis=-1), np.inf)
+    best = int(np.argmin(worst))
+    if worst[best] == 0.0:
+        return None
+    joint = int(np.argmax(np.abs(excess[best])))
+    return Unreachable(0.0, best, joint + 1, float(excess[best, joint]))
+
+
+def _beyond(robot: Robot, base_from_flange: Transform) -> float:
+    """How far [m] at least a flange is beyond the stretched arm; 0 where formulas tell better."""
+    if not isinstance(robot.kinematics, Numerical):
+        return 0.0
+    foot, longest = robot.kinematics.stretched
+    return max(float(np.linalg.norm(base_from_flange.translation - foot)) - longest, 0.0)
+
+
+def _amount(value: float) -> str:
+    """One decimal, and for what that would call 0.0 the first digit that is not 0."""
+    return f"{value:.1f}" if value >= 0.05 else f"{value:.1g}"
+
+
+def _turned(off_deg: float) -> str:
+    return f"orientation {off_deg:.3g} deg from what the axes of this arm can give"

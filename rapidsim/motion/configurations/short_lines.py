@@ -1,0 +1,37 @@
+"""Where a line ends that turns no joint far: one solution in place of a row of them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.configurations.scalar_inverse import joints_on_branch
+from rapidsim.motion.robot.robot import Robot
+
+_SHORT_TURN = 0.3
+"""A turn of a joint [rad] that cannot be a whole one less a bit."""
+
+
+def end_of_short_line(
+    robot: Robot, near: Array, end: Transform, tcp_from_flange: Transform, branch: int
+) -> Array | None:
+    """Joints (n,) [rad] at the end of a short line; None where it is not short, or out of limits.
+
+    No joint makes a whole turn on a straight way, so one that ends near its start has stayed near.
+    Most moves of long programs are such.
+
+    Args:
+        robot: The arm with its limits.
+        near: Where the line starts: joints (n,) [rad] on the branch.
+        end: Where it ends: base_from_tcp.
+        tcp_from_flange: The inverse of the tool frame.
+        branch: The branch that the line stays on.
+    """
+    before = near.tolist()
+    joints = joints_on_branch(robot.kinematics, end, tcp_from_flange, branch, before)
+    if joints is None:
+        return None
+    for limits, joint, start in zip(robot.joints, joints, before, strict=True):
+        if abs(joint - start) > _SHORT_TURN or not limits.lower <= joint <= limits.upper:
+            return None
+    return np.array(joints)

@@ -1,0 +1,88 @@
+"""How joint speeds and TCP velocity go together, and where they stop doing so: singularities.
+
+Everything rests on the singular values of the Jacobian, which stay true where it has no inverse.
+Its rows mix m/rad and rad/rad, as usual, so singular values compare poses of one arm, not arms.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from rapidsim.frames.rotation_vectors import cross, rotate
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.kinematics.arm import Kinematics
+from rapidsim.motion.kinematics.singularity import Singularity
+
+SMALL_SINGULAR_VALUE = 1e-10
+"""Share of the largest singular value below which one counts as 0."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Differential:
+    """What the Jacobian says at one joint vector."""
+
+    jacobian: Array
+    """Shape (6, n): velocity [m/s] and angular velocity [rad/s] in base per joint speed [rad/s]."""
+    singular_values: Array
+    """From the largest, shape (min(6, n),)."""
+    manipulability: float
+    """Product of the singular values: 0 in a singularity."""
+    rank: int
+    singularities: tuple[Singularity, ...]
+    """Those that the arm has, with distances."""
+
+    @property
+    def near(self) -> tuple[str, ...]:
+        """Names of the singularities that are near."""
+        return tuple(s.name for s in self.singularities if s.near)
+
+
+def differential(
+    kinematics: Kinematics, joints: Array, flange_from_tcp: Transform | None = None
+) -> Differential:
+    """The Jacobian of the TCP at joints (n,) [rad] and what follows from it."""
+    jacobian = tcp_jacobian(kinematics, joints, flange_from_tcp or Transform.identity())
+    values: Array = np.linalg.svd(jacobian, compute_uv=False).astype(np.float64)
+    return Differential(
+        jacobian=jacobian,
+        singular_values=values,
+        manipulability=float(np.prod(values)),
+        rank=int(np.count_nonzero(values > SMALL_SINGULAR_VALUE * values[0])),
+        singularities=kinematics.singularities(joints),
+    )
+
+
+def tcp_jacobian(kinematics: Kinematics, joints: Array, flange_from_tcp: Transform) -> Array:
+    """Twist of the TCP per joint speed, (..., 6, n), in base, of joint vectors (..., n) [rad]."""
+    of_flange = kinematics.jacobian(joints)
+    lever = rotate(kinematics.forward(joints).rotation, flange_from_tcp.translation)
+    jacobian = of_flange.copy()
+    turning = np.swapaxes(of_flange[..., 3:, :], -1, -2)
+    jacobian[..., :3, :] += np.swapaxes(cross(turning, lever[..., None, :]), -1, -2)
+    return jacobian
+
+
+def pseudo_inverse(jacobian: Array) -> Array:
+    """The inverse (..., n, 6) of Jacobians (..., 6, n) that asks the least joint speeds.
+
+    Directions whose singular value counts as 0 are left out, so the result is finite in every
+    singularity, where the textbook's (J'J)^-1 J' does not exist.
+    """
+    inverse = np.linalg.pinv(jacobian, rcond=SMALL_SINGULAR_VALUE).astype(np.float64)
+    return inverse
+
+
+def joint_speeds(jacobian: Array, twist: Array) -> tuple[Array, Array]:
+    """Joint speeds for a twist.
+
+    Args:
+        jacobian: Shape (..., 6, n).
+        twist: Velocity [m/s] and angular velocity [rad/s] in base, shape (..., 6).
+
+    Returns:
+        Joint speeds (..., n) [rad/s], and the part of the twist (..., 6) that no joint speeds give.
+    """
+    speeds = np.einsum("...ij,...j->...i", pseudo_inverse(jacobian), twist)
+    return speeds, twist - np.einsum("...ij,...j->...i", jacobian, speeds)

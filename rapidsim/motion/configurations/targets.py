@@ -1,0 +1,258 @@
+"""From RAPID's frames to the arm's: the one place where mm become m.
+
+Below this file everything is SI; above it RAPID's mm and degrees. The chains are
+
+    base_from_world @ world_from_user @ user_from_object @ object_from_tcp @ tcp_from_flange
+    base_from_world @ world_from_tcp @ tcp_from_object @ object_from_user @ user_from_flange
+
+for a tool in the robot's hand, and for a stationary tool with the work object in the hand. A track
+moves the base in the world; a positioner moves the user frame.
+
+Source: Technical reference manual RAPID Overview, "Coordinate systems"; data types tooldata and
+    wobjdata.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from rapidsim.frames import rigid
+from rapidsim.frames.moving_frames import ExternalCourse, carried, standing
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.language.data import (
+    NO_EXTERNAL_AXES,
+    UNUSED_AXIS,
+    ExtJoint,
+    JointTarget,
+    Orient,
+    Pos,
+    Pose,
+    RobJoint,
+    RobTarget,
+    ToolData,
+    WobjData,
+)
+from rapidsim.language.single import single
+from rapidsim.motion.configurations import scalar_inverse
+from rapidsim.motion.geometry.joint_mapping import Arms
+from rapidsim.motion.geometry.segments import Carrier
+from rapidsim.motion.kinematics.arm import Kinematics
+from rapidsim.motion.robot.external_axes import ExternalAxis, screws_of
+
+MM = 1e-3
+"""Metres in a millimetre."""
+
+TOLERATED_NORM_ERROR = 1e-4
+"""Quaternions are written with six or seven digits; within this the length is rounding."""
+REFUSED_NORM_ERROR = 1e-2
+"""Beyond this the numbers are no orientation that anyone meant."""
+
+
+_ROW = np.zeros(1, dtype=np.int64)
+
+
+@dataclass(frozen=True, slots=True)
+class NotSimulatedFrame:
+    """A frame set-up that is not plain, and why."""
+
+    reason: str
+
+
+@dataclass(frozen=True, eq=False)
+class Placement:
+    """Where a pair of tool and work object puts targets, with all external axes at zero."""
+
+    curve_from_object: Transform
+    """base_from_object; for a stationary tool the identity, as curves are then in the object."""
+    tcp_from_flange: Transform
+    """For a stationary tool object_from_flange."""
+    carrier: Carrier | None = None
+    """None for the plain set-up: tool in the hand, robot and work object standing still."""
+
+    @cached_property
+    def _curve_from_object(self) -> rigid.Rigid:
+        return rigid.from_transform(self.curve_from_object)
+
+    def curve_from_tcp(self, target: RobTarget) -> Transform:
+        """Where a target puts the TCP on a curve; its orientation is of any length but 0."""
+        x, y, z = target.trans
+        object_from_tcp = rigid.from_quaternion(target.rot, (x * MM, y * MM, z * MM))
+        return rigid.to_transform(rigid.composed(self._curve_from_object, object_from_tcp))
+
+    def base_from_flange(
+        self, kinematics: Kinematics, curve_from_tcp: Transform, external: Array
+    ) -> Transform:
+        """Where the flange must be for a pose of the TCP, with external axes (e,) [m or rad]."""
+        if self.carrier is None:
+            return curve_from_tcp @ self.tcp_from_flange
+        wide = np.concatenate([np.zeros(kinematics.joint_count), external])[None]
+        motion = standing(curve_from_tcp, 1)
+        return self._arms(kinematics).base_from_flange(motion, _ROW, wide)[0]
+
+    def standing_at(self, kinematics: Kinematics, joints: Array, external: Array) -> Transform:
+        """curve_from_tcp of joints (n,) [rad] and external axes (e,) [m or rad]."""
+        if self.carrier is None:
+            return scalar_inverse.base_from_tcp(kinematics, joints, self.tcp_from_flange)
+        wide = np.concatenate([joints, external])[None]
+        return self._arms(kinematics).curve_from_tcp(wide, _ROW)[0]
+
+    def base_from_tcp(self, kinematics: Kinematics, joints: Array, external: Array) -> Transform:
+        """Where the TCP is in base with joints (n,) [rad] and external axes (e,) [m or rad]."""
+        wide = np.concatenate([joints, external])[None]
+        return self._arms(kinematics).base_from_tcp(wide, _ROW)[0]
+
+    def _arms(self, kinematics: Kinematics) -> Arms:
+        return Arms(kinematics, _ROW, self.tcp_from_flange[None], (self.carrier,))
+
+
+def placement(
+    tool: ToolData,
+    wobj: WobjData,
+    base_from_world: Transform,
+    external: Sequence[ExternalAxis] = (),
+) -> Placement | NotSimulatedFrame:
+    """Where targets are with a tool and a work object.
+
+    Args:
+        tool: The tool.
+        wobj: The work object.
+        base_from_world: With all external axes at zero.
+        external: The axes beside the arm.
+
+    Returns:
+        A reason where nothing moves the tool against the work object: one of them must be in the
+        robot's hand.
+    """
+    if tool.robhold is wobj.robhold:
+        both = "both in the robot's hand" if tool.robhold else "neither of them in the robot's hand"
+        return NotSimulatedFrame(f"tool and work object are {both} (robhold)")
+    frame = (base_from_world.rotation, base_from_world.translation)
+    on_track = [i for i, axis in enumerate(external) if axis.carries == "robot"]
+    base_screws = screws_of(external, on_track, frame)
+    if wobj.robhold:
+        base_from_tool = base_from_world @ transform(tool.tframe)
+        flange_from_object = transform(wobj.uframe) @ transform(wobj.oframe)
+        carrier = Carrier(base_from_tool=base_from_tool, base_screws=base_screws)
+        return Placement(Transform.identity(), flange_from_object.inverse(), carrier)
+    unit = unit_of(wobj, external)
+    on_unit = [i for i, axis in enumerate(external) if axis.unit in unit and axis.carries == "wobj"]
+    object_screws = screws_of(external, on_unit, frame)
+    if on_unit:
+        world_from_user = external[on_unit[-1]].world_from_user
+        base_from_object = base_from_world @ world_from_user @ transform(wobj.oframe)
+    else:
+        base_from_object = base_from_world @ transform(wobj.uframe) @ transform(wobj.oframe)
+    carried = Carrier(object_screws=object_screws, base_screws=base_screws)
+    carrier_or_none = carried if object_screws or base_screws else None
+    return Placement(base_from_object, tcp_from_flange(tool), carrier_or_none)
+
+
+def world_from_base_at(
+    external: Sequence[ExternalAxis], world_from_base: Transform, values: Array
+) -> Transform:
+    """Where the robot stands (k,) with external axes (k, e) [m or rad]: tracks move it.
+
+    Args:
+        external: The axes beside the arm.
+        world_from_base: With all of them at zero.
+        values: Such as `Samples.external`.
+    """
+    base_from_world = world_from_base.inverse()
+    frame = (base_from_world.rotation, base_from_world.translation)
+    on_track = [i for i, axis in enumerate(external) if axis.carries == "robot"]
+    still = np.zeros_like(values)
+    moved = carried(screws_of(external, on_track, frame), ExternalCourse(values, still, still))
+    return world_from_base @ moved.base_from_tcp
+
+
+def unit_of(wobj: WobjData, external: Sequence[ExternalAxis]) -> tuple[str, ...]:
+    """The declared mechanical unit that moves the user frame of a work object; none or one."""
+    if wobj.ufprog:
+        return ()
+    names = dict.fromkeys(axis.unit for axis in external if axis.carries == "wobj")
+    return tuple(name for name in names if name.lower() == wobj.ufmec.lower())
+
+
+def transform(pose: Pose) -> Transform:
+    """A frame [mm] as a transform [m]; the orientation is normalised."""
+    return Transform.from_quaternion(pose.rot, np.array(pose.trans) * MM)
+
+
+def pose(a_from_b: Transform) -> Pose:
+    """A transform [m] as a frame [mm]."""
+    x, y, z = (a_from_b.translation / MM).tolist()
+    return Pose(Pos(x, y, z), Orient(*a_from_b.quaternion.tolist()))
+
+
+def base_from_object(wobj: WobjData, base_from_world: Transform) -> Transform:
+    """The work object in the robot's base."""
+    return base_from_world @ transform(wobj.uframe) @ transform(wobj.oframe)
+
+
+def base_from_tcp(target: RobTarget, wobj: WobjData, base_from_world: Transform) -> Transform:
+    """Where a target puts the TCP."""
+    object_from_tcp = transform(Pose(target.trans, target.rot))
+    return base_from_object(wobj, base_from_world) @ object_from_tcp
+
+
+def tcp_from_flange(tool: ToolData) -> Transform:
+    """The inverse of the tool frame."""
+    return transform(tool.tframe).inverse()
+
+
+def joints(target: JointTarget, count: int) -> Array:
+    """Axis positions [deg] of a target as joints (count,) [rad].
+
+    The joint that seven-axis arms have more is `eax_a`; it stays 0 where that is not given.
+    """
+    axes = np.array([*target.robax, _given(target.extax.eax_a)], dtype=np.float64)
+    radians: Array = np.radians(axes[_axes(count)])
+    return radians
+
+
+def rob_joint(joints: Array) -> RobJoint:
+    """Joints (n,) [rad] as axis positions [deg]; missing axes are 0."""
+    axes = np.zeros(7)
+    axes[_axes(len(joints))] = np.degrees(joints)
+    return RobJoint(*axes[:6].tolist())
+
+
+def external_values(
+    extax: ExtJoint, external: Sequence[ExternalAxis], near: Array
+) -> tuple[Array, tuple[ExternalAxis, ...]]:
+    """External axes (e,) [m or rad] of a target, and those of which it gives no value.
+
+    The latter stay as they are in `near` (e,).
+    """
+    values, missing = near.copy(), []
+    for i, axis in enumerate(external):
+        value = getattr(extax, axis.component)
+        if value >= UNUSED_AXIS:
+            missing.append(axis)
+        else:
+            values[i] = value / axis.scale
+    return values, tuple(missing)
+
+
+def ext_joint(values: Array, external: Sequence[ExternalAxis]) -> ExtJoint:
+    """External axes (e,) [m or rad] as RAPID gives them; axes that are not there are 9E9."""
+    given = {a.component: single(float(v) * a.scale) for a, v in zip(external, values, strict=True)}
+    return NO_EXTERNAL_AXES._replace(**given)
+
+
+def _axes(count: int) -> list[int]:
+    """Which of RAPID's six axes and `eax_a` the joints of an arm are, from base to flange.
+
+    Palletizers keep their fourth joint as axis 6; the additional joint of seven-axis arms stands
+    third in their chain.
+    """
+    return {4: [0, 1, 2, 5], 7: [0, 1, 6, 2, 3, 4, 5]}.get(count, list(range(count)))
+
+
+def _given(external_axis: float) -> float:
+    """An external axis, 0 where it is 9E9: not programmed."""
+    return 0.0 if external_axis >= UNUSED_AXIS else external_axis

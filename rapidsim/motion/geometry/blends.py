@@ -1,0 +1,279 @@
+"""Corner paths: how far around each programmed point the arm leaves the programmed curves.
+
+A corner path replaces the last `radius` of one curve and the first `radius` of the next. It adds
+the two curves' deviations from the corner, slowed down by a shape phi with phi(0) = phi'(0) = 0,
+phi(1) = 1, phi'(1) = 2, so that it meets both curves with their own speed:
+
+    B(t) = C + [in(radius phi(1 - t)) - C] + [out(radius phi(t)) - C],   0 <= t <= 1
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from enum import IntEnum
+from typing import assert_never
+
+import numpy as np
+import numpy.typing as npt
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.geometry.curves import Curves, Index
+from rapidsim.motion.geometry.joint_mapping import Arms, arms_of
+from rapidsim.motion.geometry.segments import Segment
+from rapidsim.motion.kinematics.arm import Kinematics
+from rapidsim.motion.model import MotionModel
+
+_SMALLEST_RADIUS = 1e-6
+_SMALLEST_SHARE = 1e-4
+_ZONE_SAMPLES = 16
+_ZONE_PARTS = 8
+_ZONE_ROUNDS = 4
+
+
+class Limit(IntEnum):
+    """What decided the radius of a corner."""
+
+    ZONE = 0
+    HALF = 1
+    REORIENTATION = 2
+    TURN_ONLY = 3
+    STOP_POINT = 4
+    NO_LENGTH = 5
+
+
+@dataclass(frozen=True, slots=True)
+class Corner:
+    """What became of the end of a segment."""
+
+    radius: float
+    """Radius [m] around the programmed point in which the corner path runs; 0 if there is none."""
+    in_joints: bool
+    """Whether the corner path is made in joint space."""
+    stops: bool
+    """Whether the arm comes to rest at the programmed point."""
+    reason: str
+    """Why the zone was reduced or the arm stops; empty where the zone is as programmed."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Corners:
+    """Corners between curves, row c between curves c and c + 1, shapes (m - 1,)."""
+
+    radius: Array
+    """In units of the path parameter, for the position or for the joints."""
+    orientation_radius: Array
+    """The same for the orientation, at least `radius`."""
+    in_joints: npt.NDArray[np.bool_]
+    limit: npt.NDArray[np.int64]
+    """Values of `Limit`."""
+
+
+def corners_of(
+    segments: Sequence[Segment], curves: Curves, arms: Arms, model: MotionModel
+) -> Corners:
+    """Find the corner between each two consecutive curves.
+
+    A zone is reduced to half of either curve and, where orientation zones count as documented, by
+    the share of the reorientation that its angle allows (a zone of 9 deg on a turn of 25 deg leaves
+    36 % of the curve). Where only one of the two curves moves the TCP there is no corner path.
+
+    Source: zonedata and the motion principles of the RAPID reference. Recorded traces show neither
+    a zone of its own for the orientation nor the reduction; see `MotionModel.orientation_zone`.
+    """
+    count = len(segments) - 1
+    zones = [segment.zone for segment in segments[:count]]
+    stop = np.array([zone is None for zone in zones], dtype=bool)
+    position = np.array([zone.position if zone else 0.0 for zone in zones])
+    programmed = model.orientation_zone == "programmed"
+    orientation = position
+    if programmed:
+        orientation = np.array([zone.orientation if zone else 0.0 for zone in zones])
+
+    into, out = slice(0, count), slice(1, count + 1)
+    turn_only = curves.turns_only[into] != curves.turns_only[out]
+    candidates = np.full((2, 3, count), np.inf)
+    widest = np.full((2, count), np.inf)
+    for side, rows in enumerate((into, out)):
+        length = curves.length[rows]
+        candidates[side, Limit.ZONE] = _zone_on_curve(
+            segments, curves, arms.kinematics, position, side
+        )
+        candidates[side, Limit.HALF] = 0.5 * length
+        if programmed:
+            share = _share_of_turns(segments, curves, curves.angle, side)
+            candidates[side, Limit.REORIENTATION] = length * share
+        widest[side] = np.where(
+            curves.turns_only[rows],
+            candidates[side, Limit.ZONE],
+            np.minimum(orientation * length / np.maximum(curves.travel[rows], 1e-12), 0.5 * length),
+        )
+        widest[side] = np.minimum(widest[side], candidates[side, Limit.REORIENTATION])
+    smallest = candidates.min(axis=0)
+    limit = smallest.argmin(axis=0)
+    radius = smallest.min(axis=0)
+    orientation_radius = np.maximum(radius, widest.min(axis=0))
+
+    shorter = np.minimum(curves.length[into], curves.length[out])
+    none = stop | turn_only | (radius < np.minimum(_SMALLEST_RADIUS, _SMALLEST_SHARE * shorter))
+    limit = np.where(stop, Limit.STOP_POINT, np.where(turn_only, Limit.TURN_ONLY, limit))
+    # Where joints tell the pose of the TCP and not the other way round.
+    jointed = curves.in_joints | arms.wrist_rows | arms.pair_rows
+    in_joints = jointed[into] | jointed[out] | _tool_changes(segments, arms.tcp_from_flange)
+    return Corners(
+        radius=np.where(none, 0.0, radius),
+        orientation_radius=np.where(none, 0.0, np.where(in_joints, radius, orientation_radius)),
+        in_joints=in_joints,
+        limit=limit.astype(np.int64),
+    )
+
+
+def without_skipped(corners: Corners, active: Index) -> Corners:
+    """Take the corner paths away where a segment without length lies in between.
+
+    `active` (m,) are the positions of the curves in the row of all segments.
+    """
+    skipped = np.diff(active) > 1
+    return replace(
+        corners,
+        radius=np.where(skipped, 0.0, corners.radius),
+        orientation_radius=np.where(skipped, 0.0, corners.orientation_radius),
+        limit=np.where(
+            skipped & (corners.limit != Limit.STOP_POINT), Limit.NO_LENGTH, corners.limit
+        ).astype(np.int64),
+    )
+
+
+def describe(
+    limit: Limit, programmed: float, radius: float, angle: float, turned: float, *, stops: bool
+) -> str:
+    """Why a corner is not as programmed; empty if it is.
+
+    Args:
+        limit: What decided.
+        programmed: Zone [m].
+        radius: Radius used [m].
+        angle: Zone for reorientation [rad].
+        turned: Larger reorientation of the two moves at the corner [rad].
+        stops: Whether the arm comes to rest.
+    """
+    if limit is Limit.ZONE and not stops:
+        return ""
+    reduced = f"zone {programmed * 1e3:g} mm reduced to {radius * 1e3:.3g} mm"
+    match limit:
+        case Limit.ZONE:
+            text = "zone without size"
+        case Limit.HALF:
+            text = f"{reduced}: half of the shorter move at it"
+        case Limit.REORIENTATION:
+            text = (
+                f"{reduced}: reorientation of {math.degrees(turned):.1f} deg with a zone of "
+                f"{math.degrees(angle):.2g} deg"
+            )
+        case Limit.TURN_ONLY:
+            text = "no corner path between TCP travel and pure reorientation"
+        case Limit.STOP_POINT:
+            text = "stop point"
+        case Limit.NO_LENGTH:
+            text = "no corner path at a move without length"
+        case _:
+            assert_never(limit)
+    return text
+
+
+def _zone_on_curve(
+    segments: Sequence[Segment],
+    curves: Curves,
+    kinematics: Kinematics,
+    position: Array,
+    side: int,
+) -> Array:
+    """Zones (m - 1,) in units of the path parameter on the curve before or after each corner."""
+    count = len(position)
+    rows = slice(side, count + side)
+    length = curves.length[rows]
+    arc = np.linalg.norm(curves.spoke[rows], axis=-1)
+    # The zone is a sphere: on an arc its edge is a chord away.
+    half_chord = np.minimum(position / np.maximum(2.0 * arc, 1e-12), 1.0)
+    on_arc = 2.0 * arc * np.arcsin(half_chord)
+    zone = np.where(arc > 0.0, on_arc, position * length / np.maximum(curves.travel[rows], 1e-12))
+    share = _share_of_turns(segments, curves, curves.turned, side)
+    zone = np.where(curves.turns_only[rows], length * share, zone)
+    moves = np.flatnonzero(curves.in_joints[rows] & ~curves.turns_only[rows] & (position > 0.0))
+    if len(moves):
+        zone[moves] = _zone_on_joint_moves(
+            segments, curves, kinematics, moves + side, position[moves], at_end=side == 0
+        )
+    return zone
+
+
+def _share_of_turns(segments: Sequence[Segment], curves: Curves, turned: Array, side: int) -> Array:
+    """The share (m - 1,) of the curve before or after each corner that its angles allow.
+
+    It is the least that the zones for reorientation, for linear and for rotating external axes
+    leave of what moves; `turned` (m,) [rad] is the reorientation.
+    """
+    count = len(segments) - 1
+    rows = slice(side, count + side)
+    zones = [segment.zone for segment in segments[:count]]
+    angle = np.array([zone.angle if zone else 0.0 for zone in zones])
+    share: Array = angle / np.maximum(turned[rows], 1e-12)
+    if curves.external.shape[1]:
+        pairs = [[z.linear_axes, z.rotating_axes] if z else [0.0, 0.0] for z in zones]
+        widths = np.array(pairs).reshape(-1, 2)
+        linear = np.array(segments[0].external_linear)
+        of_axes = np.where(linear, widths[:, :1], widths[:, 1:])
+        share = np.minimum(share, (of_axes / np.maximum(curves.external[rows], 1e-12)).min(axis=1))
+    return share
+
+
+def _zone_on_joint_moves(
+    segments: Sequence[Segment],
+    curves: Curves,
+    kinematics: Kinematics,
+    row: npt.NDArray[np.int64],
+    position: Array,
+    *,
+    at_end: bool,
+) -> Array:
+    """How far (k,) along joint moves the TCP stays within a distance (k,) [m] of their end."""
+    moves = [segments[i] for i in row]
+    travel = curves.joint_travel[row]
+    arms = arms_of(moves, kinematics, travel, np.ones(len(row)))
+    corner = (curves.end if at_end else curves.start).translation[row]
+
+    def distance(share: Array) -> Array:
+        """TCP distance (k, j) from the corner at shares (k, j) of the move, counted from it."""
+        along = 1.0 - share if at_end else share
+        joints = curves.start_joints[row, None] + along[..., None] * travel[:, None]
+        number = np.repeat(np.arange(len(row)), share.shape[1])
+        tcp = arms.curve_from_tcp(joints.reshape(-1, travel.shape[1]), number).translation
+        away: Array = np.linalg.norm(tcp.reshape(*share.shape, 3) - corner[:, None], axis=-1)
+        return away
+
+    share = np.broadcast_to(np.linspace(0.0, 0.5, _ZONE_SAMPLES + 1), (len(row), _ZONE_SAMPLES + 1))
+    outside = distance(share) > position[:, None]
+    leaves = outside.any(axis=1)
+    first = np.where(leaves, outside.argmax(axis=1), _ZONE_SAMPLES)
+    low = share[0, np.maximum(first - 1, 0)]
+    high = share[0, first]
+    # The controller itself converts zones of joint moves only to within 10 %.
+    for _ in range(_ZONE_ROUNDS):
+        step = (high - low) / _ZONE_PARTS
+        inner = low[:, None] + step[:, None] * np.arange(1, _ZONE_PARTS)
+        # How many of the inner places come before the first outside.
+        passed = (distance(inner) <= position[:, None]).cumprod(axis=1).sum(axis=1)
+        low, high = low + step * passed, low + step * (passed + 1)
+    zone: Array = np.where(leaves, low, np.inf) * curves.length[row]
+    return zone
+
+
+def _tool_changes(segments: Sequence[Segment], tcp_from_flange: Transform) -> npt.NDArray[np.bool_]:
+    """Whether the corner after each segment but the last joins different tools."""
+    rotation, translation = tcp_from_flange.rotation, tcp_from_flange.translation
+    other = (rotation[1:] != rotation[:-1]).any(axis=(1, 2))
+    other |= (translation[1:] != translation[:-1]).any(axis=1)
+    asked = np.array([segment.joint_corner for segment in segments[:-1]], dtype=bool)
+    changes: npt.NDArray[np.bool_] = other | asked
+    return changes

@@ -1,0 +1,350 @@
+"""The programmed curves of segments, before corners cut them: TCP poses and derivatives.
+
+A curve runs in x from 0 to its length. For what moves the TCP the length is the TCP's travel [m].
+For what only turns it, it is the travel the TCP would have made in the same time at its programmed
+speed, so that x has one scale. Derivatives are with respect to x.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from rapidsim.frames.moving_frames import Twists
+from rapidsim.frames.rotation_vectors import (
+    cross,
+    rotate,
+    rotation_from_vector,
+    vector_from_rotation,
+)
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.geometry.joint_mapping import arms_of
+from rapidsim.motion.geometry.segments import TURNS_WITH_PATH, CircleMode, Geometry, Segment
+from rapidsim.motion.kinematics.arm import Kinematics
+
+Index = npt.NDArray[np.int64]
+
+STANDSTILL = 1e-9
+"""Travel [m] and turn [rad] below which nothing has moved."""
+_TURN_ONLY_TRAVEL = 1e-5
+_TURN_ONLY_ANGLE = 1e-3
+_IDLE_TCP_SPEED = 0.001
+"""Speeds for axes alone, such as vrot10, have no TCP speed [m/s]."""
+_TRAVEL_SAMPLES = 32
+_SHORTEST_CIRCLE_SIDE = 1e-4
+_LONGEST_CIRCLE_SIDE = 1e3
+"""[m]; no arm has such points, and their circles have no digits left."""
+_WIDEST_ARC = math.radians(240.0)
+_ONE_WAY_ONLY = math.radians(90.0)
+"""Below this nobody means the long way round, which would be three quarters of a turn."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Curves:
+    """Curves of segments, one row each; shapes (m,), (m, 3) and (m, 3, 3)."""
+
+    in_joints: npt.NDArray[np.bool_]
+    """Whether the curve is straight in joint space; then only its joints count."""
+    length: Array
+    """Range of x [m]."""
+    travel: Array
+    """Way of the TCP [m]."""
+    angle: Array
+    """Reorientation from start to end [rad]."""
+    turned: Array
+    """The same, or the largest joint travel of a joint move, which may turn and end as it began."""
+    turns_only: npt.NDArray[np.bool_]
+    """Whether the TCP stays where it is while something moves: by less than a robtarget's digit."""
+    external: Array
+    """Way of each external axis (m, e), without sign [m or rad]."""
+    start: Transform
+    """base_from_tcp."""
+    end: Transform
+    chord: Array
+    """From start to end of a line; 0 for arcs."""
+    spoke: Array
+    """From the centre to the start of an arc; 0 for lines."""
+    frame_turn: Array
+    """Rotation vector of the spoke over the whole arc; 0 for lines."""
+    carried_turn: Array
+    """How far the path's own frame takes the tool along: `frame_turn`, or 0 where the tool turns
+    as on a line."""
+    tool_turn: Array
+    """Rotation vector of the tool relative to the path's own frame over the whole curve."""
+    detour: Array
+    """Rotation vector by which the tool leaves that turn, four times at the middle and not at the
+    ends, to come through the orientation of the circle point; 0 where it need not."""
+    start_joints: Array
+    """Shape (m, n + e): the joints of the arm, then the external axes."""
+    joint_travel: Array
+    """Shape (m, n + e): those at the end less those at the start."""
+
+    def joints_at(self, row: Index, x: Array) -> Array:
+        """Joints (k, n + e) at places x (k,) of curves that are straight in joint space."""
+        share = x / np.maximum(self.length[row], STANDSTILL)
+        joints: Array = self.start_joints[row] + share[:, None] * self.joint_travel[row]
+        return joints
+
+    def at(self, row: Index, x: Array) -> Twists:
+        """TCP motion at places x (k,) of curves (k,) that are lines or arcs."""
+        scale = 1.0 / np.maximum(self.length[row], STANDSTILL)
+        share = (x * scale)[:, None]
+        frame_turn = self.frame_turn[row]
+        tool_turn = self.tool_turn[row]
+        chord_rate = self.chord[row] * scale[:, None]
+        frame_rate = frame_turn * scale[:, None]
+        tool_rate = tool_turn * scale[:, None]
+        rotation = rotation_from_vector(tool_turn * share) @ self.start.rotation[row]
+        position = self.start.translation[row] + self.chord[row] * share
+        if not frame_turn.any():
+            still = np.zeros((2, *position.shape))
+            return Twists(position, rotation, chord_rate, tool_rate, still[0], still[1])
+        spoke = rotate(rotation_from_vector(frame_turn * share), self.spoke[row])
+        around = cross(frame_rate, spoke)
+        orientation = self._orientation(row, share, scale[:, None])
+        return Twists(
+            position=position + spoke - self.spoke[row],
+            rotation=orientation.rotation,
+            velocity=chord_rate + around,
+            turning=orientation.turning,
+            acceleration=cross(frame_rate, around),
+            turning_change=orientation.turning_change,
+        )
+
+    def velocity(self, row: Index, x: Array) -> Array:
+        """The velocity (k, 3) of `at` alone."""
+        scale = 1.0 / np.maximum(self.length[row], STANDSTILL)
+        velocity: Array = self.chord[row] * scale[:, None]
+        frame_turn = self.frame_turn[row]
+        if frame_turn.any():
+            turned = rotation_from_vector(frame_turn * (x * scale)[:, None])
+            velocity += cross(frame_turn * scale[:, None], rotate(turned, self.spoke[row]))
+        return velocity
+
+    def _orientation(self, row: Index, share: Array, scale: Array) -> Twists:
+        """How the tool turns on arcs (k,): three turns one within the other."""
+        still = np.zeros((len(row), 3))
+        bulge, steepness = share * (1.0 - share), 1.0 - 2.0 * share
+        turned = None
+        for vector, way, rate, change in (
+            (self.carried_turn[row], share, scale, 0.0),
+            (self.tool_turn[row], share, scale, 0.0),
+            (self.detour[row], bulge, steepness * scale, -2.0 * scale**2),
+        ):
+            turn = Twists(
+                still,
+                rotation_from_vector(vector * way),
+                still,
+                vector * rate,
+                still,
+                vector * change,
+            )
+            turned = turn if turned is None else turned @ turn
+        assert turned is not None
+        return turned.before(Transform(self.start.rotation[row], still))
+
+
+def curves_of(segments: Sequence[Segment], kinematics: Kinematics) -> Curves:
+    """Lay out the curves of segments; arcs must have passed `circle_fault`."""
+    m = len(segments)
+    start, end, start_joints, end_joints = _ends(segments)
+    joint_travel = end_joints - start_joints
+    in_joints = np.array([segment.geometry is Geometry.JOINT for segment in segments])
+    arcs = [row for row, segment in enumerate(segments) if segment.geometry is Geometry.ARC]
+
+    chord = np.where(in_joints[:, None], 0.0, end.translation - start.translation)
+    spoke, frame_turn = np.zeros((m, 3)), np.zeros((m, 3))
+    carried_turn, detour = np.zeros((m, 3)), np.zeros((m, 3))
+    turn = vector_from_rotation(end.rotation @ np.swapaxes(start.rotation, -1, -2))
+    tool_turn = turn.copy()
+    for row in arcs:
+        arc = segments[row]
+        chord[row] = 0.0
+        spoke[row], frame_turn[row] = _circle(arc)
+        if arc.circle_mode in TURNS_WITH_PATH:
+            carried_turn[row] = frame_turn[row]
+        tool_turn[row], detour[row] = _turns_on_arc(
+            arc, spoke[row], frame_turn[row], carried_turn[row]
+        )
+    angle = np.linalg.norm(turn, axis=-1)
+
+    travel = np.linalg.norm(chord, axis=-1)
+    travel += np.linalg.norm(spoke, axis=-1) * np.linalg.norm(frame_turn, axis=-1)
+    if in_joints.any():
+        moves = [segment for segment in segments if segment.geometry is Geometry.JOINT]
+        travel[in_joints] = _joint_move_travel(
+            moves, kinematics, start_joints[in_joints], joint_travel[in_joints]
+        )
+    of_arm, external = np.split(np.abs(joint_travel), [kinematics.joint_count], axis=1)
+    turned = np.maximum(angle, of_arm.max(axis=-1, initial=0.0) * in_joints)
+    idle = (travel < _TURN_ONLY_TRAVEL) & (turned > _TURN_ONLY_ANGLE)
+    # What the TCP would travel at its programmed speed while the slowest of the others moves.
+    tcp_speed = np.maximum([segment.speed.tcp for segment in segments], _IDLE_TCP_SPEED)
+    meanwhile = turned * tcp_speed / [segment.speed.reorientation for segment in segments]
+    if external.shape[1]:
+        idle |= (travel < _TURN_ONLY_TRAVEL) & (external.max(axis=-1) > _TURN_ONLY_TRAVEL)
+        seconds = external / [segment.external_speeds for segment in segments]
+        meanwhile = np.maximum(meanwhile, seconds.max(axis=-1) * tcp_speed)
+    length = np.where(idle, meanwhile, np.where(travel > STANDSTILL, travel, 0.0))
+    return Curves(
+        in_joints=in_joints,
+        length=length,
+        travel=travel,
+        angle=angle,
+        turned=turned,
+        turns_only=idle,
+        external=external,
+        start=start,
+        end=end,
+        chord=chord,
+        spoke=spoke,
+        frame_turn=frame_turn,
+        carried_turn=carried_turn,
+        tool_turn=tool_turn,
+        detour=detour,
+        start_joints=start_joints,
+        joint_travel=joint_travel,
+    )
+
+
+def circle_fault(segment: Segment) -> str | None:
+    """Say why the circle of an arc is uncertain, or None.
+
+    Source: the controller's event 50063 lists these cases; the distances are estimates.
+    """
+    if segment.geometry is not Geometry.ARC:
+        return None
+    if segment.via is None:
+        return "there is no circle point"
+    start, via, end = _circle_points(segment)
+    for a, b, names in (
+        (start, end, "end point is {} mm from the start"),
+        (start, via, "circle point is {} mm from the start"),
+        (via, end, "circle point is {} mm from the end point"),
+    ):
+        distance = float(np.linalg.norm(b - a))
+        if distance < _SHORTEST_CIRCLE_SIDE:
+            return f"the {names.format(f'{distance * 1e3:.3f}')}"
+        if distance > _LONGEST_CIRCLE_SIDE:
+            return f"the {names.format(f'{distance * 1e3:.4g}')}"
+    sides = np.linalg.norm(via - start) * np.linalg.norm(end - start)
+    if np.linalg.norm(np.cross(via - start, end - start)) < 1e-9 * sides:
+        return "start, circle point and end point lie on one line"
+    angle = float(np.linalg.norm(_circle(segment)[1]))
+    if angle > _WIDEST_ARC:
+        return f"the arc spans {math.degrees(angle):.1f} deg, more than 240 deg"
+    return None
+
+
+def _circle_points(segment: Segment) -> tuple[Array, Array, Array]:
+    assert segment.via is not None
+    return (
+        segment.start.base_from_tcp.translation,
+        segment.via.translation,
+        segment.end.base_from_tcp.translation,
+    )
+
+
+def _circle(segment: Segment) -> tuple[Array, Array]:
+    """Spoke from the centre to the start, and rotation vector of the spoke over the arc."""
+    start, via, end = _circle_points(segment)
+    a, b = via - start, end - start
+    normal = np.cross(a, b)
+    # The centre of the circle through 0, a and b.
+    centre = np.cross((a @ a) * b - (b @ b) * a, normal) / (2.0 * (normal @ normal))
+    axis = normal / np.linalg.norm(normal)
+    spoke = -centre
+    last = b - centre
+    angle = math.atan2(float(axis @ np.cross(spoke, last)), float(spoke @ last)) % (2.0 * math.pi)
+    return spoke, angle * axis
+
+
+def _share_of_circle_point(segment: Segment, spoke: Array, frame_turn: Array) -> float:
+    """The share of the arc at which its circle point lies."""
+    start, via, _ = _circle_points(segment)
+    whole = float(np.linalg.norm(frame_turn))
+    axis, to_via = frame_turn / whole, via - start + spoke
+    turned = math.atan2(float(axis @ np.cross(spoke, to_via)), float(spoke @ to_via))
+    return (turned % (2.0 * math.pi)) / whole
+
+
+def _turns_on_arc(
+    arc: Segment, spoke: Array, frame_turn: Array, carried_turn: Array
+) -> tuple[Array, Array]:
+    """How the tool turns beside what carries it, and its detour; see `Curves`."""
+    start, detour = arc.start.base_from_tcp.rotation, np.zeros(3)
+    tool_turn = vector_from_rotation(
+        rotation_from_vector(-carried_turn) @ arc.end.base_from_tcp.rotation @ start.T
+    )
+    if arc.via is not None:
+        share = _share_of_circle_point(arc, spoke, frame_turn)
+        wanted = rotation_from_vector(-carried_turn * share) @ arc.via.rotation @ start.T
+        if arc.circle_mode in TURNS_WITH_PATH:
+            tool_turn = _turn_by_circle_point(tool_turn, share, wanted)
+        if arc.circle_mode is CircleMode.CIRCLE_POINT:
+            away = vector_from_rotation(rotation_from_vector(-tool_turn * share) @ wanted)
+            detour = away / (share * (1.0 - share))
+    return tool_turn, detour
+
+
+def _turn_by_circle_point(short_turn: Array, share: float, wanted: Array) -> Array:
+    """The tool's turn (3,) relative to the path's frame: the short way, or the long way round.
+
+    Half a circle with the same orientation at both ends turns the tool by half a turn against the
+    path's frame, and either way would do. The orientation of the circle point says which is meant.
+
+    Args:
+        short_turn: The short way.
+        share: Where the circle point is on the arc.
+        wanted: Turn of the tool there, relative to the path's frame.
+    """
+    short = float(np.linalg.norm(short_turn))
+    if short < _ONE_WAY_ONLY:
+        return short_turn
+    long_turn = short_turn * (1.0 - 2.0 * math.pi / short)
+    away = [
+        float(np.linalg.norm(vector_from_rotation(rotation_from_vector(-turn * share) @ wanted)))
+        for turn in (short_turn, long_turn)
+    ]
+    return short_turn if away[0] <= away[1] else long_turn
+
+
+def _joint_move_travel(
+    segments: Sequence[Segment], kinematics: Kinematics, start_joints: Array, joint_travel: Array
+) -> Array:
+    """TCP travel (m,) [m] of moves that are straight in joint space, against the work object."""
+    count = _TRAVEL_SAMPLES + 1
+    share = np.linspace(0.0, 1.0, count)[None, :, None]
+    joints = (start_joints[:, None, :] + share * joint_travel[:, None, :]).reshape(
+        -1, start_joints.shape[1]
+    )
+    arms = arms_of(segments, kinematics, joint_travel, np.ones(len(segments)))
+    row = np.repeat(np.arange(len(segments)), count)
+    points = arms.curve_from_tcp(joints, row).translation.reshape(-1, count, 3)
+    fine = np.linalg.norm(np.diff(points, axis=1), axis=-1).sum(axis=1)
+    coarse = np.linalg.norm(np.diff(points[:, ::2], axis=1), axis=-1).sum(axis=1)
+    # Chords fall short of the arc by the square of their length.
+    travel: Array = fine + (fine - coarse) / 3.0
+    return travel
+
+
+def _ends(segments: Sequence[Segment]) -> tuple[Transform, Transform, Array, Array]:
+    """Poses (m,) at starts and ends, joints (m, n + e) at starts and ends."""
+    points = [segments[0].start, *(segment.end for segment in segments)]
+    starts, ends = slice(0, -1), slice(1, None)
+    if any(one.start is not point for one, point in zip(segments, points, strict=False)):
+        # Not one row of points, in which each end is the next start.
+        points[:1] = [segment.start for segment in segments]
+        starts, ends = slice(0, len(segments)), slice(len(segments), None)
+    poses = Transform(
+        np.array([point.base_from_tcp.rotation for point in points]),
+        np.array([point.base_from_tcp.translation for point in points]),
+    )
+    joints = np.array([point.joints for point in points])
+    if len(points[0].external):
+        joints = np.concatenate([joints, [point.external for point in points]], axis=1)
+    return poses[starts], poses[ends], joints[starts], joints[ends]

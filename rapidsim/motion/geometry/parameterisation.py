@@ -1,0 +1,204 @@
+"""How the curves of a block and its corners lie along one path parameter s.
+
+s runs over the programmed curves one after the other, so the middle of a corner path is where the
+programmed point would be. Between breakpoints (zone edges and middles) the path is one smooth
+piece. Derivatives jump at breakpoints, therefore places are asked for together with their piece.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from rapidsim.frames.moving_frames import ExternalCourse, Twists
+from rapidsim.frames.rotation_vectors import cross, rotate
+from rapidsim.frames.transform import Array
+from rapidsim.motion.geometry.blend_shape import corner_sides
+from rapidsim.motion.geometry.blends import Corners
+from rapidsim.motion.geometry.curves import Curves, Index
+from rapidsim.motion.kinematics.arm import Mask
+from rapidsim.motion.model import BlendShape
+
+_SLIVER = 1e-12
+
+
+class Sides(NamedTuple):
+    """Places on the two curves that a corner path is blended from, and their rates.
+
+    `before` and `after` hold x, dx/ds and d2x/ds2, shape (k,) each.
+    """
+
+    before: tuple[Array, Array, Array]
+    after: tuple[Array, Array, Array]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Layout:
+    """Pieces of a path of m curves; -1 stands for no corner."""
+
+    curves: Curves
+    corners: Corners
+    corner_shape: BlendShape
+    places: Array
+    """Shape (m + 1,): s at the start of each curve, and the length of the path."""
+    bounds: Array
+    """Shape (p + 1,): s of the breakpoints, increasing."""
+    row: Index
+    """Shape (p,): the curve of each piece."""
+    position_corner: Index
+    orientation_corner: Index
+    joint_corner: Index
+
+    def piece_at(self, s: Array) -> Index:
+        """The piece (k,) that holds each place (k,); at a breakpoint the one that starts there."""
+        piece = np.searchsorted(self.bounds, s, side="right") - 1
+        return np.clip(piece, 0, len(self.row) - 1).astype(np.int64)
+
+    def sides(self, corner: Index, radius: Array, s: Array) -> Sides:
+        """Where places s (k,) within corners (k,) come from on the curves before and after."""
+        past = s - self.places[corner + 1]
+        parabolic = self.corner_shape == "parabola"
+        return Sides(*corner_sides(parabolic, past, radius, self.curves.length[corner]))
+
+    def motion(self, s: Array, piece: Index) -> Twists:
+        """TCP motion at places (k,) of pieces (k,) that are made in Cartesian space.
+
+        In corners made in joint space this is the programmed curve.
+        """
+        row = self.row[piece]
+        x = np.clip(s - self.places[row], 0.0, self.curves.length[row])
+        motion = self.curves.at(row, x)
+        corner = self.position_corner[piece]
+        cut = np.flatnonzero(corner >= 0)
+        if len(cut):
+            self._cut_position(motion, cut, corner[cut], s[cut])
+        corner = self.orientation_corner[piece]
+        cut = np.flatnonzero(corner >= 0)
+        if len(cut):
+            self._cut_orientation(motion, cut, corner[cut], s[cut])
+        return motion
+
+    def velocity(self, s: Array, piece: Index) -> Array:
+        """The velocity (k, 3) of `motion` alone."""
+        row = self.row[piece]
+        x = np.clip(s - self.places[row], 0.0, self.curves.length[row])
+        velocity = self.curves.velocity(row, x)
+        corner = self.position_corner[piece]
+        cut = np.flatnonzero(corner >= 0)
+        if len(cut):
+            at = corner[cut]
+            before, after = self.sides(at, self.corners.radius[at], s[cut])
+            into = self.curves.velocity(at, before[0]) * before[1][:, None]
+            velocity[cut] = into + self.curves.velocity(at + 1, after[0]) * after[1][:, None]
+        return velocity
+
+    def course(self, s: Array, piece: Index) -> ExternalCourse:
+        """External axes (k, e) at places (k,) of pieces (k,) that are made in Cartesian space."""
+        row, count = self.row[piece], self.curves.external.shape[1]
+        if not count:
+            nothing = np.zeros((len(s), 0))
+            return ExternalCourse(nothing, nothing, nothing)
+        start = self.curves.start_joints[:, -count:]
+        rate = self.curves.joint_travel[:, -count:] / np.maximum(self.curves.length, 1e-9)[:, None]
+        x = np.clip(s - self.places[row], 0.0, self.curves.length[row])[:, None]
+        course = ExternalCourse(start[row] + rate[row] * x, rate[row], np.zeros((len(s), count)))
+        corner = self.orientation_corner[piece]
+        cut = np.flatnonzero(corner >= 0)
+        if len(cut):
+            at = corner[cut]
+            before, after = self.sides(at, self.corners.orientation_radius[at], s[cut])
+            into, out = rate[at], rate[at + 1]
+            (x_in, x_in_1, x_in_2), (x_out, x_out_1, x_out_2) = (
+                [part[:, None] for part in side] for side in (before, after)
+            )
+            course.value[cut] = start[at] + into * x_in + out * x_out
+            course.first[cut] = into * x_in_1 + out * x_out_1
+            course.second[cut] = into * x_in_2 + out * x_out_2
+        return course
+
+    def _cut_position(self, motion: Twists, cut: Index, corner: Index, s: Array) -> None:
+        before, after = self.sides(corner, self.corners.radius[corner], s)
+        into = self.curves.at(corner, before[0])
+        out = self.curves.at(corner + 1, after[0])
+        programmed = self.curves.start.translation[corner + 1]
+        motion.position[cut] = into.position + out.position - programmed
+        motion.velocity[cut] = into.velocity * before[1][:, None] + out.velocity * after[1][:, None]
+        motion.acceleration[cut] = (
+            into.acceleration * before[1][:, None] ** 2
+            + into.velocity * before[2][:, None]
+            + out.acceleration * after[1][:, None] ** 2
+            + out.velocity * after[2][:, None]
+        )
+
+    def _cut_orientation(self, motion: Twists, cut: Index, corner: Index, s: Array) -> None:
+        before, after = self.sides(corner, self.corners.orientation_radius[corner], s)
+        into = self.curves.at(corner, before[0])
+        out = self.curves.at(corner + 1, after[0])
+        programmed = self.curves.start.rotation[corner + 1]
+        # Turned from the corner backwards by the curve before, then forwards by the one after.
+        backwards = into.rotation @ np.swapaxes(programmed, -1, -2)
+        first = into.turning * before[1][:, None]
+        second = rotate(backwards, out.turning) * after[1][:, None]
+        motion.rotation[cut] = backwards @ out.rotation
+        motion.turning[cut] = first + second
+        motion.turning_change[cut] = (
+            into.turning_change * before[1][:, None] ** 2
+            + into.turning * before[2][:, None]
+            + cross(first, second)
+            + rotate(
+                backwards,
+                out.turning_change * after[1][:, None] ** 2 + out.turning * after[2][:, None],
+            )
+        )
+
+
+def layout_of(curves: Curves, corners: Corners, corner_shape: BlendShape) -> Layout:
+    """Cut a row of curves and their corners into pieces."""
+    count = len(curves.length)
+    places = np.concatenate([[0.0], np.cumsum(curves.length)])
+    middles = places[1:-1]
+    edges = [
+        places,
+        middles - corners.radius,
+        middles + corners.radius,
+        middles - corners.orientation_radius,
+        middles + corners.orientation_radius,
+    ]
+    bounds = np.unique(np.clip(np.concatenate(edges), 0.0, places[-1]))
+    # Zones that meet leave slivers of rounding between them.
+    keep = np.concatenate([[True], np.diff(bounds) > _SLIVER * max(1.0, places[-1])])
+    keep[-1] = True
+    bounds = bounds[keep]
+    if len(bounds) > 2 and bounds[-1] - bounds[-2] <= _SLIVER * max(1.0, places[-1]):
+        bounds = np.delete(bounds, -2)
+    if len(bounds) == 1:
+        bounds = np.array([0.0, 0.0])
+    middle = 0.5 * (bounds[:-1] + bounds[1:])
+    row = np.clip(np.searchsorted(places, middle, side="right") - 1, 0, count - 1)
+
+    def within(radius: Array, wanted: Mask) -> Index:
+        """The corner of each piece within which it lies, or -1."""
+        corner = np.full(len(row), -1, dtype=np.int64)
+        for candidate in (row - 1, row):
+            valid = (candidate >= 0) & (candidate < count - 1)
+            index = np.where(valid, candidate, 0)
+            if count > 1:
+                inside = valid & wanted[index]
+                inside &= np.abs(middle - places[index + 1]) < radius[index]
+                corner[inside] = index[inside]
+        return corner
+
+    cartesian = ~corners.in_joints
+    return Layout(
+        curves=curves,
+        corners=corners,
+        corner_shape=corner_shape,
+        places=places,
+        bounds=bounds,
+        row=row.astype(np.int64),
+        position_corner=within(corners.radius, cartesian),
+        orientation_corner=within(corners.orientation_radius, cartesian),
+        joint_corner=within(corners.radius, corners.in_joints),
+    )

@@ -1,0 +1,163 @@
+"""A programmed move, resolved to the arm: where it starts and ends and how it gets there.
+
+Segments are what geometry and timing are planned from. All units are SI.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from enum import Enum
+from types import MappingProxyType
+
+import numpy as np
+
+from rapidsim.frames.moving_frames import Screw
+from rapidsim.frames.transform import Array, Transform
+
+
+class Geometry(Enum):
+    """The curve of a segment."""
+
+    JOINT = "joint"
+    """All joints proportional to each other."""
+    LINE = "line"
+    """The TCP straight, the orientation turning evenly."""
+    ARC = "arc"
+    """The TCP on a circle through a third point."""
+
+
+class CircleMode(Enum):
+    """How the tool turns along an arc: CirPathMode."""
+
+    PATH_FRAME = "path frame"
+    """Evenly against the path's own frame, which turns with the arc."""
+    OBJECT_FRAME = "object frame"
+    """Evenly in the work object, as on a line."""
+    CIRCLE_POINT = "circle point"
+    """As `PATH_FRAME`, through the orientation of the circle point."""
+    WRIST_45 = "axes 4 and 5"
+    """Only these two move, and lead the z axis of the tool along the circle; see `wrist_pair`."""
+    WRIST_46 = "axes 4 and 6"
+    WRIST_56 = "axes 5 and 6"
+
+
+TURNS_WITH_PATH = (CircleMode.PATH_FRAME, CircleMode.CIRCLE_POINT)
+WRIST_PAIRS = MappingProxyType(
+    {CircleMode.WRIST_45: (3, 4), CircleMode.WRIST_46: (3, 5), CircleMode.WRIST_56: (4, 5)}
+)
+"""Positions of the two joints that lead an arc."""
+
+
+def _no_axes() -> Array:
+    return np.zeros(0)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Waypoint:
+    """A joint vector and the pose of the TCP it gives."""
+
+    joints: Array
+    """Shape (n,) [rad]."""
+    base_from_tcp: Transform
+    """With a `Segment.carrier`: the pose as that defines it."""
+    external: Array = field(default_factory=_no_axes)
+    """Shape (e,) [m or rad]: the external axes."""
+    aim: Array | None = None
+    """Shape (3,) [m] in base: after an arc that two wrist axes led, its programmed end, through
+    which the z axis of the tool passes; the TCP is a little beside."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Carrier:
+    """What else than the arm moves or holds tool and work object.
+
+    Poses of curves are given with all external axes at zero. With a tool in the hand they are
+    base_from_tcp. With a stationary tool they are object_from_tcp, and `Segment.tcp_from_flange` is
+    object_from_flange of the work object in the hand.
+    """
+
+    base_from_tool: Transform | None = None
+    """Where a stationary tool stands; None where the robot holds the tool."""
+    object_screws: tuple[Screw, ...] = ()
+    """The axes that carry the work object."""
+    base_screws: tuple[Screw, ...] = ()
+    """The axes that carry the robot."""
+
+
+@dataclass(frozen=True, slots=True)
+class Zone:
+    """The zone around a segment's end within which the corner path may run."""
+
+    position: float
+    """Radius [m] for the TCP."""
+    orientation: float
+    """Radius [m] of TCP travel for the orientation; at least `position`."""
+    angle: float
+    """Radius [rad] for reorientation without TCP travel."""
+    linear_axes: float = math.inf
+    """Travel [m] of linear external axes, where only they move."""
+    rotating_axes: float = math.inf
+    """Turn [rad] of rotating external axes, where only they move."""
+
+
+@dataclass(frozen=True, slots=True)
+class Speed:
+    """Programmed speeds; the slowest wins."""
+
+    tcp: float
+    """[m/s]"""
+    reorientation: float
+    """[rad/s]"""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Segment:
+    """One move from the end of the last to its own end."""
+
+    index: int
+    """Number of the move in the run; segments of one path are consecutive."""
+    geometry: Geometry
+    start: Waypoint
+    end: Waypoint
+    tcp_from_flange: Transform
+    """The inverse of the tool frame: turns a TCP pose into a flange pose."""
+    branch: int
+    """The branch of inverse kinematics that lines and arcs stay on."""
+    speed: Speed
+    zone: Zone | None
+    """None where the arm stops at the end."""
+    via: Transform | None = None
+    """base_from_tcp of the circle point of an arc."""
+    duration: float | None = None
+    """Time [s] of the whole segment, which replaces the speed."""
+    joint_corner: bool = False
+    """The corner at the end must run in joint space: tool or work object change there."""
+    acceleration_share: float = 1.0
+    """AccSet: the share of the axis accelerations that is used."""
+    ramp: float = 1.0
+    """AccSet: how quickly accelerations rise, as a share of what they can; never higher than that
+    of the move before, if the arm does not stop in between."""
+    stop_ramp: float = 1.0
+    """AccSet \\FinePointRamp: the same on the way to a stop point at the end."""
+    carrier: Carrier | None = None
+    """None where the robot stands still and holds the tool, and the work object stands still."""
+    wrist_in_joints: bool = False
+    """SingArea \\Wrist: on a line or arc the wrist axes turn evenly instead of the tool."""
+    circle_mode: CircleMode = CircleMode.PATH_FRAME
+    """How the tool turns along an arc."""
+    tcp_acceleration: float = math.inf
+    """PathAccLim: the TCP's largest acceleration along its path [m/s2]."""
+    tcp_deceleration: float = math.inf
+    """PathAccLim: the TCP's largest deceleration along its path [m/s2]."""
+    world_acceleration: float = math.inf
+    """WorldAccLim: the TCP's largest acceleration in any direction [m/s2]."""
+    external_linear: tuple[bool, ...] = ()
+    """Whether each external axis is linear."""
+    external_speeds: tuple[float, ...] = ()
+    """Speed of each external axis [m/s or rad/s]: what is programmed, or what it can."""
+
+    @property
+    def wrist_pair(self) -> tuple[int, int] | None:
+        """Positions of the two joints that lead an arc while the others stand; None elsewhere."""
+        return WRIST_PAIRS.get(self.circle_mode) if self.geometry is Geometry.ARC else None

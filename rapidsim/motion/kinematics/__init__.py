@@ -1,0 +1,1 @@
+"""Joints to flange and back: the protocol of an arm, and what all arms share."""

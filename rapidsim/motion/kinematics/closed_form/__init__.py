@@ -1,0 +1,1 @@
+"""Arms whose inverse kinematics is a formula."""

@@ -1,0 +1,104 @@
+"""Damped least squares: walk joints towards a pose, many searches abreast.
+
+The error is the way of the flange [m] and the rotation vector [rad] that are left, the step that of
+Levenberg and Marquardt with the exact Jacobian. Damping falls with every step that helps and rises
+with every one that does not, so the walk neither stops nor explodes where the arm is singular.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from rapidsim.frames.rotation_vectors import vector_from_rotation
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.kinematics.arm import Mask
+from rapidsim.motion.kinematics.serial_chain import SerialChain
+
+REACHED = 1e-9
+"""Way [m] and angle [rad] left at which a pose counts as reached."""
+MOST_STEPS = 80
+_AIM = 1e-12
+"""Squared error at which a search ends: further steps only stir the rounding."""
+_FIRST_DAMPING = 1e-3
+_LEAST_DAMPING = 1e-12
+_STUCK_DAMPING = 1e6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Descended:
+    """Where searches (k,) have ended."""
+
+    joints: Array
+    """Shape (k, n) [rad]."""
+    distance: Array
+    """Shape (k,) [m]: way left."""
+    angle: Array
+    """Shape (k,) [rad]: turn left."""
+    steps: int
+    """Of the longest search."""
+
+    @property
+    def reached(self) -> Mask:
+        """Shape (k,): whether the search has come to the pose."""
+        reached: Mask = (self.distance <= REACHED) & (self.angle <= REACHED)
+        return reached
+
+
+def descend(
+    chain: SerialChain,
+    base_from_flange: Transform,
+    starts: Array,
+    lower: Array | None = None,
+    upper: Array | None = None,
+) -> Descended:
+    """Search from starts (k, n) [rad] for the joints of poses (k,).
+
+    Args:
+        chain: The arm.
+        base_from_flange: A pose for each start.
+        starts: Joint vectors.
+        lower: Limits (n,) [rad] that the joints keep on the way; without them, none.
+        upper: The same from above.
+    """
+    low = np.full(chain.joint_count, -np.inf) if lower is None else lower
+    high = np.full(chain.joint_count, np.inf) if upper is None else upper
+    joints = np.clip(starts, low, high)
+    error, jacobian = _error(chain, base_from_flange, joints)
+    cost = np.sum(error**2, axis=-1)
+    damping = np.full(len(joints), _FIRST_DAMPING)
+    steps = 0
+    for steps in range(1, MOST_STEPS + 1):  # noqa: B007 - How many is part of the answer.
+        rows = np.flatnonzero((cost > _AIM**2) & (damping < _STUCK_DAMPING))
+        if not rows.size:
+            break
+        transposed = np.swapaxes(jacobian[rows], -1, -2)
+        normal = transposed @ jacobian[rows]
+        normal += damping[rows, None, None] * np.eye(chain.joint_count)
+        downhill = np.einsum("kij,kj->ki", transposed, error[rows])
+        step = np.linalg.solve(normal, downhill[..., None])[..., 0]
+        tried = np.clip(joints[rows] + step, low, high)
+        new_error, new_jacobian = _error(chain, base_from_flange[rows], tried)
+        new_cost = np.sum(new_error**2, axis=-1)
+        better = new_cost < cost[rows]
+        damping[rows] = np.where(
+            better, np.maximum(0.1 * damping[rows], _LEAST_DAMPING), 10.0 * damping[rows]
+        )
+        taken = rows[better]
+        joints[taken], cost[taken] = tried[better], new_cost[better]
+        error[taken], jacobian[taken] = new_error[better], new_jacobian[better]
+    return Descended(
+        joints,
+        np.linalg.norm(error[:, :3], axis=-1),
+        np.linalg.norm(error[:, 3:], axis=-1),
+        steps,
+    )
+
+
+def _error(chain: SerialChain, target: Transform, joints: Array) -> tuple[Array, Array]:
+    """What is left to the target, (k, 6) in base, and the Jacobians (k, 6, n)."""
+    flange, jacobian = chain.forward_and_jacobian(joints)
+    way = target.translation - flange.translation
+    turn = vector_from_rotation(target.rotation @ np.swapaxes(flange.rotation, -1, -2))
+    return np.concatenate([way, turn], axis=-1), jacobian

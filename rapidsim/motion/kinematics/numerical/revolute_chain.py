@@ -1,0 +1,75 @@
+"""Arms of the catalogue without a closed form: a row of turning axes, solved by search.
+
+Such are arms whose axis 6 passes beside the crossing of axes 4 and 5, and arms with seven axes.
+They are described by where their axes stand with all joints at 0, so no convention stands between
+the numbers and a drawing of the arm.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from rapidsim.frames.transform import Transform
+from rapidsim.motion.kinematics.numerical.offset_wrist import near_arm
+from rapidsim.motion.kinematics.numerical.solver import Numerical
+from rapidsim.motion.kinematics.serial_chain import AxesAtZero, SerialChain
+
+Vector = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class AxisRowGeometry:
+    """Where axes and flange stand in base with all joints at 0."""
+
+    points: tuple[Vector, ...]
+    """A point on each axis [m], from base to flange; the frame of its link stands there."""
+    directions: tuple[Vector, ...]
+    """The axes, positive as the joint turns; of any length."""
+    flange_point: Vector
+    """[m]"""
+    flange_quaternion: tuple[float, float, float, float]
+    """Scalar first, of any length; z points out of the flange."""
+
+    @cached_property
+    def axes(self) -> AxesAtZero:
+        """The axes, with link frames that are parallel to the base."""
+        directions = np.array(self.directions, dtype=np.float64)
+        points = np.array(self.points, dtype=np.float64)
+        directions /= np.linalg.norm(directions, axis=-1, keepdims=True)
+        upright = np.broadcast_to(np.eye(3), (len(points), 3, 3))
+        flange = Transform.from_quaternion(self.flange_quaternion, self.flange_point)
+        # The last link ends in the flange and is drawn there.
+        places = np.concatenate([points[:-1], flange.translation[None]])
+        return AxesAtZero(directions, points, Transform(upright, places), flange)
+
+
+def searched_arm(geometry: AxisRowGeometry, limits: Sequence[tuple[float, float]]) -> Numerical:
+    """The arm within limits [rad], from which searches start."""
+    lower, upper = np.array(limits).T
+    chain = SerialChain.uncoupled(geometry.axes)
+    return Numerical(chain, lower, upper, near_arm(geometry.axes))
+
+
+def search_notices(name: str, why: str, joint_count: int) -> tuple[str, ...]:
+    """What the user should know of an arm that is solved by search.
+
+    Args:
+        name: The arm.
+        why: What it has that no closed form has, such as `it has 7 axes`.
+        joint_count: How many joints it has.
+    """
+    searched = (
+        f"{name}: {why}, so its joints are searched for step by step; solutions beyond "
+        "those found may exist"
+    )
+    if joint_count <= 6:
+        return (searched,)
+    nearest = (
+        f"{name}: of the many ways to hold a pose the nearest of those found is "
+        "taken; the arm angle and the configuration of targets are not heeded"
+    )
+    return searched, nearest

@@ -1,0 +1,101 @@
+"""Forward kinematics of any row of turning axes, from where the axes stand at joint values 0.
+
+The same few lines serve every arm that has no formulas of its own, and those whose inverse has.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from rapidsim.frames.rotation_vectors import cross, cross_matrix
+from rapidsim.frames.transform import Array, Transform
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AxesAtZero:
+    """Axes of rotation with all joints at 0, in base, from foot to flange."""
+
+    directions: Array
+    """Unit vectors (m, 3)."""
+    points: Array
+    """A point (m, 3) [m] on each."""
+    base_from_link: Transform
+    """Shape (m,): the link that each axis moves."""
+    base_from_flange: Transform
+
+
+@dataclass(frozen=True, eq=False)
+class SerialChain:
+    """A row of axes, each of which carries the next.
+
+    Source:
+        Brockett (1984), Robotic manipulators and the product of exponentials formula.
+    """
+
+    axes: AxesAtZero
+    axis_from_joint: Array
+    """Shape (m, n): the angles of the axes per joint value; the unit matrix but where rods couple
+    axes."""
+    links: tuple[int, ...]
+    """The axis, counted from 0, that moves the link of each of the n joints."""
+
+    @staticmethod
+    def uncoupled(axes: AxesAtZero) -> SerialChain:
+        """A chain with one joint an axis."""
+        count = len(axes.points)
+        return SerialChain(axes, np.eye(count), tuple(range(count)))
+
+    @property
+    def joint_count(self) -> int:
+        """How many joints the arm has."""
+        return int(self.axis_from_joint.shape[1])
+
+    @cached_property
+    def _turns(self) -> tuple[Array, Array]:
+        """Matrices (m, 3, 3) that turn by sine and by one minus cosine of an angle."""
+        once = cross_matrix(self.axes.directions)
+        return once, once @ once
+
+    def forward(self, joints: Array) -> Transform:
+        """base_from_flange of joint vectors (..., n) [rad]."""
+        return self._moved(joints)[-1] @ self.axes.base_from_flange
+
+    def link_frames(self, joints: Array) -> Transform:
+        """base_from_link of the link of each joint, shape (..., n), of joint vectors (..., n)."""
+        moved = self._moved(joints)
+        frames = [moved[axis] @ self.axes.base_from_link[axis] for axis in self.links]
+        return Transform(
+            np.stack([frame.rotation for frame in frames], axis=-3),
+            np.stack([frame.translation for frame in frames], axis=-2),
+        )
+
+    def jacobian(self, joints: Array) -> Array:
+        """Twist of the flange per joint speed, (..., 6, n): [m/rad] over [rad/rad], in base."""
+        return self.forward_and_jacobian(joints)[1]
+
+    def forward_and_jacobian(self, joints: Array) -> tuple[Transform, Array]:
+        """Both at the price of one; what a search asks at every step."""
+        moved = self._moved(joints)
+        flange = moved[-1] @ self.axes.base_from_flange
+        columns = []
+        for axis, frame in enumerate(moved):
+            direction = np.einsum("...ij,j->...i", frame.rotation, self.axes.directions[axis])
+            arm = flange.translation - frame.apply(self.axes.points[axis])
+            columns.append(np.concatenate([cross(direction, arm), direction], axis=-1))
+        return flange, np.stack(columns, axis=-1) @ self.axis_from_joint
+
+    def _moved(self, joints: Array) -> list[Transform]:
+        """How each axis has moved what it carries, away from where it is at joint values 0."""
+        angles = np.asarray(joints, dtype=np.float64) @ self.axis_from_joint.T
+        sine, cosine = np.sin(angles)[..., None, None], 1.0 - np.cos(angles)[..., None, None]
+        once, twice = self._turns
+        moved: list[Transform] = []
+        for axis, point in enumerate(self.axes.points):
+            turn = np.eye(3) + sine[..., axis, :, :] * once[axis]
+            turn = turn + cosine[..., axis, :, :] * twice[axis]
+            here = Transform(turn, point - turn @ point)
+            moved.append(moved[-1] @ here if moved else here)
+        return moved

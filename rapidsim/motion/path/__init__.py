@@ -1,0 +1,1 @@
+"""The same curves in joints, over one path parameter s."""

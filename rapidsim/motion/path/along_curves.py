@@ -1,0 +1,118 @@
+"""Joints along curves of the TCP, at nodes as dense as the joints turn.
+
+Near a singularity a few micrometres may ask for half a turn of a wrist axis; only nodes that lie
+close enough there tell a steep passage from a jump.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.kinematics.arm import Mask
+from rapidsim.motion.kinematics.unwrapping import TURN, principal
+
+Index = npt.NDArray[np.int64]
+Solve = Callable[[Array, Index], tuple[Array, Mask]]
+"""Joints (k, n + e) [rad] at places (k,) of parts (k,), whole turns left open, and where (k,) the
+branch of the curve reaches the place."""
+
+LONGEST_CELL = 0.05
+"""Way [m] of the TCP between two nodes to begin with."""
+WIDEST_CELL = 0.2
+"""Turn [rad] of tool or frame likewise."""
+_LARGEST_STEP = 0.15
+_JUMP = 0.5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Nodes:
+    """Joints along curves, rows in the order of curves and places."""
+
+    place: Array
+    """Shape (k,)."""
+    part: Index
+    """Shape (k,): the part of a curve, in which the place lies."""
+    curve: Index
+    """Shape (k,)."""
+    joints: Array
+    """Shape (k, n + e) [rad]; continuous along each curve, whole turns included."""
+    exists: Mask
+    """Shape (k,): where the branch of the curve reaches the place."""
+
+    def jumps(self, joint_count: int) -> Mask:
+        """Whether (k - 1,) a joint jumps from a node to the next."""
+        step = np.abs(np.diff(self.joints[:, :joint_count], axis=0))
+        both = (self.curve[1:] == self.curve[:-1]) & self.exists[1:] & self.exists[:-1]
+        jump: Mask = both & (step > _JUMP).any(axis=-1)
+        return jump
+
+
+def spread(cells: Index, closed: Mask) -> tuple[Index, Array]:
+    """Evenly spread nodes over parts (p,).
+
+    Args:
+        cells: How many cells each part has, shape (p,).
+        closed: Whether (p,) there is a node at the end of a part, as there is at its beginning.
+
+    Returns:
+        The part of each node, and its share of the part, 0 to 1.
+    """
+    count = cells + closed
+    part = np.repeat(np.arange(len(cells)), count)
+    number = np.arange(len(part)) - np.repeat(np.cumsum(count) - count, count)
+    return part, number / cells[part]
+
+
+def nodes_along(
+    place: Array,
+    part: Index,
+    curve_of: Index,
+    shortest: Array,
+    solve: Solve,
+    joint_count: int,
+) -> Nodes:
+    """Solve nodes, and put others between where joints turn far.
+
+    Args:
+        place: The first nodes (k,), those of a curve in order.
+        part: The part (k,) that each lies in.
+        curve_of: The curve of each part (p,).
+        shortest: Cells of a curve (m,) that are as short as this are not halved.
+        solve: Finds joints.
+        joint_count: How many of them are the arm's; others need no nodes.
+    """
+    joints, exists = solve(place, part)
+    while True:
+        curve = curve_of[part]
+        step = principal(np.diff(joints[:, :joint_count], axis=0))
+        steep = np.abs(step).max(axis=-1, initial=0.0) > _LARGEST_STEP
+        steep &= (curve[1:] == curve[:-1]) & exists[1:] & exists[:-1]
+        at = np.flatnonzero(steep & (np.diff(place) > shortest[curve[1:]]))
+        if not len(at):
+            break
+        middle = 0.5 * (place[at] + place[at + 1])
+        new_joints, new_exists = solve(middle, part[at])
+        place = np.insert(place, at + 1, middle)
+        part = np.insert(part, at + 1, part[at])
+        joints = np.insert(joints, at + 1, new_joints, axis=0)
+        exists = np.insert(exists, at + 1, new_exists)
+    of_arm = _continuous(joints[:, :joint_count], curve)
+    joints = np.concatenate([of_arm, joints[:, joint_count:]], axis=1)
+    return Nodes(place, part, curve, joints, exists)
+
+
+def _continuous(joints: Array, curve: Index) -> Array:
+    """Take the turn of each curve's first node along the whole curve."""
+    if len(joints) < 2:
+        return joints
+    step = np.diff(joints, axis=0)
+    turns = np.cumsum(np.round((step - principal(step)) / TURN), axis=0)
+    turns = np.concatenate([np.zeros((1, joints.shape[1])), turns])
+    first = np.searchsorted(curve, curve, side="left")
+    continuous: Array = joints - TURN * (turns - turns[first])
+    return continuous

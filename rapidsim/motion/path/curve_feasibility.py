@@ -1,0 +1,169 @@
+"""Many programmed lines and arcs at once: can the arm follow each, and where is it held up?
+
+A survey for checking: each way is taken by itself, from its start joints on their branch, without
+corners and without dynamics. Poses are put as densely as the joints turn. What looks broken here is
+told exactly by `path.build_path`, which takes one way at a time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from rapidsim.frames.rotation_vectors import vector_from_rotation
+from rapidsim.frames.transform import Array
+from rapidsim.motion.configurations.confdata import told_apart
+from rapidsim.motion.configurations.reachability import limit_excess
+from rapidsim.motion.geometry.curves import Curves, curves_of
+from rapidsim.motion.geometry.joint_mapping import Arms, arms_of
+from rapidsim.motion.geometry.segments import Segment
+from rapidsim.motion.kinematics.arm import Mask
+from rapidsim.motion.path.along_curves import LONGEST_CELL, WIDEST_CELL, Nodes, nodes_along, spread
+from rapidsim.motion.robot.robot import Robot
+
+Index = npt.NDArray[np.int64]
+
+_BATCH = 2000
+_MOST_CELLS = 200
+_HALVINGS = 14
+"""Of a steep cell: 50 mm become 3 micrometres."""
+_PAST_LIMIT = 1e-6
+_NEAR = {"wrist": np.sin(np.radians(10.0)), "elbow": np.sin(np.radians(6.0)), "shoulder": 0.15}
+"""`Singularity.distance` from which an axis may be held up by a singularity."""
+
+
+@dataclass(frozen=True, slots=True)
+class HoldUp:
+    """Where an axis keeps the arm from the programmed speed most."""
+
+    axis: int
+    """Counted from 1."""
+    share: float
+    """Of the programmed speed, what this axis allows; below 1."""
+    fraction: float
+    """Where on the way, 0 to 1."""
+    singularity: str | None
+    """Which singularity is near there."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SurveyedWay:
+    """What a survey saw of one line or arc."""
+
+    travel: float
+    """Way of the TCP [m]."""
+    turned: float
+    """Reorientation [rad]."""
+    arrival: Array | None
+    """Joints (n,) [rad] at the end, whole turns followed; None where the branch ends before."""
+    broken: bool
+    """The branch ends, jumps, or passes a joint limit on the way."""
+    hold_up: HoldUp | None
+    """None where the axes allow the programmed speed all along."""
+
+
+def survey_ways(
+    robot: Robot, segments: Sequence[Segment], max_speed: Array | None
+) -> tuple[SurveyedWay, ...]:
+    """Survey lines and arcs that have passed `circle_fault`, each by itself.
+
+    Args:
+        robot: The arm.
+        segments: What is surveyed; the joints at their ends do not count.
+        max_speed: Axis speeds (n,) [rad/s]; None where they are not known.
+    """
+    found: list[SurveyedWay] = []
+    for first in range(0, len(segments), _BATCH):
+        found += _survey(robot, segments[first : first + _BATCH], max_speed)
+    return tuple(found)
+
+
+def _survey(
+    robot: Robot, segments: Sequence[Segment], max_speed: Array | None
+) -> list[SurveyedWay]:
+    curves = curves_of(segments, robot.kinematics)
+    arms = arms_of(segments, robot.kinematics, curves.joint_travel, curves.length)
+    nodes = _nodes(curves, arms)
+    row, joints = nodes.curve, nodes.joints
+    last = np.append(np.flatnonzero(np.diff(row)), len(row) - 1)
+    past = (np.abs(limit_excess(robot, joints)) > _PAST_LIMIT).any(axis=-1) | ~nodes.exists
+    broken = np.zeros(len(segments), dtype=bool)
+    np.logical_or.at(broken, row, past)
+    np.logical_or.at(broken, row[1:], nodes.jumps(joints.shape[1]))
+    hold_ups = (
+        {} if max_speed is None else _hold_ups(robot, segments, curves, arms, nodes, max_speed)
+    )
+    return [
+        SurveyedWay(
+            travel=float(curves.travel[i]),
+            turned=float(curves.angle[i]),
+            arrival=joints[at] if nodes.exists[at] else None,
+            broken=bool(broken[i]),
+            hold_up=None if broken[i] else hold_ups.get(i),
+        )
+        for i, at in enumerate(last.tolist())
+    ]
+
+
+def _nodes(curves: Curves, arms: Arms) -> Nodes:
+    """Places, as shares of their ways, on the branch of each."""
+    turn = np.linalg.norm(curves.tool_turn, axis=-1) + np.linalg.norm(curves.frame_turn, axis=-1)
+    cells = np.ceil(np.maximum(curves.travel / LONGEST_CELL, turn / WIDEST_CELL))
+    cells = np.clip(cells, 2, _MOST_CELLS).astype(np.int64)
+    row, share = spread(cells, np.ones(len(cells), dtype=np.bool_))
+
+    def solve(share: Array, row: Index) -> tuple[Array, Mask]:
+        motion = curves.at(row, share * curves.length[row])
+        return arms.joints(motion, row, curves.start_joints[row])
+
+    shortest = 1.5 * 0.5**_HALVINGS / cells
+    joint_count = curves.start_joints.shape[1]
+    return nodes_along(share, row, np.arange(len(cells)), shortest, solve, joint_count)
+
+
+def _hold_ups(
+    robot: Robot,
+    segments: Sequence[Segment],
+    curves: Curves,
+    arms: Arms,
+    nodes: Nodes,
+    max_speed: Array,
+) -> dict[int, HoldUp]:
+    """By way, where an axis would have to turn fastest beyond what it can."""
+    joints, all_rows = nodes.joints, nodes.curve
+    row = all_rows[1:]
+    motion = curves.at(all_rows, nodes.place * curves.length[all_rows])
+    flange = arms.base_from_flange(motion, all_rows, curves.start_joints[all_rows])
+    tcp = flange @ arms.tcp_from_flange[all_rows].inverse()
+    way = np.linalg.norm(np.diff(tcp.translation, axis=0), axis=-1)
+    before, after = tcp.rotation[:-1], tcp.rotation[1:]
+    turn = np.linalg.norm(vector_from_rotation(after @ np.swapaxes(before, -1, -2)), axis=-1)
+    speed = np.array([[s.speed.tcp, s.speed.reorientation] for s in segments])[row]
+    time = np.maximum(way / speed[:, 0], turn / speed[:, 1])
+    timed = np.array([segment.duration is not None for segment in segments])[row]
+    counts = (row == all_rows[:-1]) & (time > 0.0) & ~timed
+    usage = np.abs(np.diff(joints, axis=0)) / max_speed / np.where(counts, time, np.inf)[:, None]
+    worst = usage.max(axis=-1)
+    found: dict[int, HoldUp] = {}
+    # From small to large, so that the largest of each way stays.
+    for k in np.argsort(worst, kind="stable")[np.searchsorted(np.sort(worst), 1.0, side="right") :]:
+        at, axis = int(k), int(usage[k].argmax())
+        middle = 0.5 * (joints[at] + joints[at + 1])
+        found[int(row[at])] = HoldUp(
+            axis + 1,
+            1.0 / float(worst[at]),
+            0.5 * float(nodes.place[at] + nodes.place[at + 1]),
+            near_singularity(robot, middle),
+        )
+    return found
+
+
+def near_singularity(robot: Robot, joints: Array) -> str | None:
+    """Which singularity joints (n,) [rad] are near; None if none, or the arm is one of searches."""
+    if not told_apart(robot.kinematics):
+        return None
+    found = robot.kinematics.singularities(joints)
+    return next((one.name for one in found if one.distance < _NEAR[one.name]), None)

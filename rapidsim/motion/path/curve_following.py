@@ -1,0 +1,257 @@
+"""Follow the Cartesian curves of a path on their branches, or say where the arm cannot."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from enum import Enum
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.geometry.joint_mapping import Arms, Index
+from rapidsim.motion.geometry.parameterisation import Layout
+from rapidsim.motion.geometry.segments import Segment
+from rapidsim.motion.interruption import Look, undisturbed
+from rapidsim.motion.kinematics.arm import Mask
+from rapidsim.motion.path.along_curves import LONGEST_CELL, WIDEST_CELL, Nodes, nodes_along, spread
+from rapidsim.motion.path.line_derivatives import Lines
+from rapidsim.motion.path.wrist_circle import why_not_led
+from rapidsim.motion.robot.external_axes import Axes
+
+_SHORT_PIECE = 0.005
+"""Up to here [m] both ends of a piece of a path are looked at and not its middle."""
+_SHORTEST_CELL = 2e-5
+_SHORTEST_SHARE = 1e-2
+"""An axis that turns by half a radian within this way of the TCP [m], or share of a short curve,
+has to jump: with axis 5 nearer to 0 than 0.006 deg on most arms. The controller stops before."""
+_LIMIT_TOLERANCE = 1e-6
+_MATCH_TOLERANCE = 1e-3
+
+
+class FaultKind(Enum):
+    """What keeps an arm from following a path."""
+
+    REACH = "reach"
+    """The arm or one of its limits."""
+    SINGULARITY = "singularity"
+    """The path goes through it, or so near that a wrist axis would have to jump."""
+    CONFIGURATION = "configuration"
+    """The branch at the start leads elsewhere than to the end."""
+    WRIST_PAIR = "wrist pair"
+    """Two wrist axes alone cannot lead the tool along the arc, or not within their limits."""
+    SET_UP = "set-up"
+    """What the move asks for is not simulated, or no geometry at all."""
+
+
+@dataclass(frozen=True, slots=True)
+class PathFault:
+    """Where a path cannot be driven, and why."""
+
+    segment: int
+    """Position in the row of segments that the path was built from."""
+    fraction: float
+    """Share of that segment, 0 to 1."""
+    place: float
+    """s of the path [m]."""
+    distance: float
+    """TCP travel [m] on that segment before it fails."""
+    reason: str
+    """What is wrong, with numbers."""
+    kind: FaultKind = FaultKind.REACH
+    cure: str | None = None
+    """What could be done, where that depends on the numbers."""
+
+
+def follow(
+    layout: Layout,
+    arms: Arms,
+    lines: Lines | None,
+    segments: Sequence[Segment],
+    axes: Axes,
+    look: Look = undisturbed,
+) -> Nodes | PathFault:
+    """Follow every Cartesian curve of a path.
+
+    Args:
+        layout: The path.
+        arms: Branch and tool of each curve.
+        lines: Those that have closed forms.
+        segments: The segment of each curve.
+        axes: Limits of the arm's joints and the external axes.
+        look: Called now and then.
+
+    Returns:
+        The joints, or the first place where the branch ends, jumps, misses the joints of a
+        segment's start or end, or leaves the limits. `PathFault.segment` counts curves.
+    """
+    place, piece = _first_nodes(layout)
+    shortest = np.minimum(_SHORTEST_CELL, _SHORTEST_SHARE * layout.curves.length)
+
+    def solve(place: Array, piece: Index) -> tuple[Array, Mask]:
+        look()
+        return _raw_joints(layout, arms, lines, place, piece)
+
+    nodes = nodes_along(place, piece, layout.row, shortest, solve, axes.joint_count)
+    # In corners made in joint space the arm is not on the curve.
+    on_path = np.flatnonzero(layout.joint_corner[nodes.part] < 0)
+    candidates = (
+        _unreached(layout, arms, nodes),
+        _jump(layout, nodes, axes.joint_count),
+        _missed_waypoint(layout, nodes, segments),
+        limit_fault(
+            layout, nodes.place[on_path], nodes.curve[on_path], nodes.joints[on_path], axes
+        ),
+    )
+    faults = [fault for fault in candidates if fault is not None]
+    if not faults:
+        return nodes
+    first = min(faults, key=lambda fault: fault.place)
+    return replace(first, kind=FaultKind.WRIST_PAIR) if arms.pair_rows[first.segment] else first
+
+
+def limit_fault(
+    layout: Layout, s: Array, row: Index, joints: Array, axes: Axes
+) -> PathFault | None:
+    """The first of some places (k,) whose joints (k, n + e) are outside the limits."""
+    lower, upper = axes.lower, axes.upper
+    over = np.maximum(lower - joints, joints - upper)
+    bad = np.flatnonzero((over > _LIMIT_TOLERANCE).any(axis=-1))
+    if not len(bad):
+        return None
+    first = int(bad[0])
+    axis = int(over[first].argmax())
+    # The worst of the same curve says more than the first node past the limit.
+    same = bad[row[bad] == row[first]]
+    worst = int(same[over[same, axis].argmax()])
+    limit = lower[axis] if joints[worst, axis] < lower[axis] else upper[axis]
+    reason = (
+        f"{axes.name(axis)} goes to {axes.text(axis, joints[worst, axis])}, "
+        f"{axes.text(axis, over[worst, axis])} past its limit of {axes.text(axis, limit)}"
+    )
+    place = float(s[first])
+    if first and row[first - 1] == row[first] and over[first - 1, axis] <= 0.0:
+        before, after = over[first - 1, axis], over[first, axis]
+        place -= float((s[first] - s[first - 1]) * after / (after - before))
+    return _fault(layout, int(row[first]), place, reason)
+
+
+def _first_nodes(layout: Layout) -> tuple[Array, Index]:
+    """Places and pieces along all Cartesian curves, each curve with both ends."""
+    pieces = np.flatnonzero(~layout.curves.in_joints[layout.row])
+    row = layout.row[pieces]
+    width = np.diff(layout.bounds)[pieces]
+    length = np.maximum(layout.curves.length[row], 1e-300)
+    turn = np.linalg.norm(layout.curves.tool_turn[row], axis=-1)
+    turn += np.linalg.norm(layout.curves.frame_turn[row], axis=-1)
+    cells = np.maximum(width / LONGEST_CELL, turn * width / length / WIDEST_CELL)
+    cells = np.ceil(np.maximum(cells, np.where(width > _SHORT_PIECE, 2.0, 1.0))).astype(np.int64)
+    last = np.append(row[1:] != row[:-1], True) if len(row) else np.zeros(0, dtype=bool)
+    owner, share = spread(cells, last)
+    return layout.bounds[pieces][owner] + width[owner] * share, pieces[owner].astype(np.int64)
+
+
+def _raw_joints(
+    layout: Layout, arms: Arms, lines: Lines | None, s: Array, piece: Index
+) -> tuple[Array, Mask]:
+    """Joints near the straight way in joint space; whole turns may be off in between."""
+    if lines is None:
+        return _joints_in_general(layout, arms, s, piece)
+    joints, exists = lines.joints(s, piece)
+    others = np.flatnonzero(~exists)
+    if len(others):
+        joints[others], exists[others] = _joints_in_general(layout, arms, s[others], piece[others])
+    return joints, exists
+
+
+def _joints_in_general(layout: Layout, arms: Arms, s: Array, piece: Index) -> tuple[Array, Mask]:
+    """The same for whatever arm and curve."""
+    row = layout.row[piece]
+    near = layout.curves.joints_at(row, s - layout.places[row])
+    near[:, arms.kinematics.joint_count :] = layout.course(s, piece).value
+    return arms.joints(layout.motion(s, piece), row, near)
+
+
+def _unreached(layout: Layout, arms: Arms, nodes: Nodes) -> PathFault | None:
+    missing = np.flatnonzero(~nodes.exists)
+    if not len(missing):
+        return None
+    first = int(missing[0])
+    row = nodes.curve
+    place = float(nodes.place[first])
+    if first and row[first - 1] == row[first]:
+        reached = float(nodes.place[first - 1])
+        piece = nodes.part[first - 1 : first]
+        for _ in range(30):
+            middle = 0.5 * (reached + place)
+            if _joints_in_general(layout, arms, np.array([middle]), piece)[1][0]:
+                reached = middle
+            else:
+                place = middle
+    same = missing[row[missing] == row[first]]
+    if arms.pair_rows[row[first]]:
+        refusal = why_not_led(
+            arms, layout.motion(nodes.place[same], nodes.part[same]).position, row[same]
+        )
+        return replace(_fault(layout, int(row[first]), place, refusal.reason), cure=refusal.cure)
+    base_from_flange = arms.base_from_flange(
+        layout.motion(nodes.place[same], nodes.part[same]), row[same], nodes.joints[same]
+    )
+    shortfall = float(arms.kinematics.inverse(base_from_flange).shortfall.max())
+    if shortfall > 0.0:
+        reason = f"the wrist centre is up to {shortfall * 1e3:.1f} mm beyond the arm's reach"
+    else:
+        reason = f"configuration {int(arms.branch[row[first]])} of the arm does not reach it"
+    return _fault(layout, int(row[first]), place, reason)
+
+
+def _jump(layout: Layout, nodes: Nodes, joint_count: int) -> PathFault | None:
+    at = np.flatnonzero(nodes.jumps(joint_count))
+    if not len(at):
+        return None
+    first = int(at[0])
+    step = np.abs(nodes.joints[first + 1, :joint_count] - nodes.joints[first, :joint_count])
+    axis = int(step.argmax())
+    reason = (
+        f"axis {axis + 1} would have to jump by {math.degrees(step[axis]):.0f} deg: "
+        "the path goes through a singularity"
+    )
+    fault = _fault(layout, int(nodes.curve[first]), float(nodes.place[first]), reason)
+    return replace(fault, kind=FaultKind.SINGULARITY)
+
+
+def _missed_waypoint(layout: Layout, nodes: Nodes, segments: Sequence[Segment]) -> PathFault | None:
+    """Where the branch does not lead from a segment's start joints to its end joints."""
+    row = nodes.curve
+    rows = np.unique(row)
+    first = np.searchsorted(row, rows, side="left")
+    last = np.searchsorted(row, rows, side="right") - 1
+    cut = (layout.position_corner >= 0) | (layout.orientation_corner >= 0)
+    start = layout.curves.start_joints[rows]
+    end = start + layout.curves.joint_travel[rows]
+    arm = len(segments[0].start.joints)
+    ends = ((first, start, "starts", "the arm stands"), (last, end, "arrives", "its end has"))
+    faults = []
+    for node, waypoint, verb, other in ends:
+        miss = np.abs(nodes.joints[node] - waypoint)[:, :arm]
+        # Within a corner path the node is not the waypoint; only a whole turn can be told.
+        allowed = np.where(cut[nodes.part[node]], 1.5 * math.pi, _MATCH_TOLERANCE)
+        missed = np.flatnonzero(miss.max(axis=-1) > allowed)
+        if len(missed):
+            i = int(missed[0])
+            axis = int(miss[i].argmax())
+            reason = (
+                f"the move {verb} with axis {axis + 1} at "
+                f"{math.degrees(nodes.joints[node[i], axis]):.1f} deg where {other} "
+                f"{math.degrees(waypoint[i, axis]):.1f} deg"
+            )
+            faults.append(_fault(layout, int(rows[i]), float(nodes.place[node[i]]), reason))
+    return min(faults, key=lambda fault: fault.place, default=None)
+
+
+def _fault(layout: Layout, row: int, place: float, reason: str) -> PathFault:
+    length = float(layout.curves.length[row])
+    fraction = (place - float(layout.places[row])) / length if length > 0.0 else 0.0
+    fraction = min(max(fraction, 0.0), 1.0)
+    return PathFault(row, fraction, place, fraction * float(layout.curves.travel[row]), reason)

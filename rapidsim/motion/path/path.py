@@ -1,0 +1,465 @@
+"""The geometry of one block of moves: segments joined by corner paths, as joints over s.
+
+The path does not depend on how fast it is driven. s runs over the programmed segments one after the
+other [m] (see `curves`); the middle of a corner path has the s of the programmed point.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from rapidsim.frames.moving_frames import ExternalCourse
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.geometry.blends import Corner, Limit, corners_of, describe, without_skipped
+from rapidsim.motion.geometry.curves import Index, circle_fault, curves_of
+from rapidsim.motion.geometry.joint_mapping import Arms, arms_of
+from rapidsim.motion.geometry.parameterisation import Layout, layout_of
+from rapidsim.motion.geometry.segments import Geometry, Segment
+from rapidsim.motion.interruption import Look, undisturbed
+from rapidsim.motion.kinematics.arm import Kinematics
+from rapidsim.motion.kinematics.unwrapping import in_turn_of
+from rapidsim.motion.model import MotionModel
+from rapidsim.motion.path.along_curves import Nodes
+from rapidsim.motion.path.curve_following import FaultKind, PathFault, follow, limit_fault
+from rapidsim.motion.path.line_derivatives import Lines, lines_of
+from rapidsim.motion.path.path_derivatives import PathPoints, PathRates
+from rapidsim.motion.path.segment_columns import Programmed, programmed_of, widths_of
+from rapidsim.motion.robot.external_axes import Axes
+from rapidsim.motion.robot.robot import Robot
+
+_KINK = 1e-6
+_CORNER_CHECKS = 8
+_WHILE_WIDENING = 0.9
+"""Share of the accelerations that leaves room for what a widening window adds; measured on random
+programs."""
+_GAUSS_PLACES, _GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(8)
+
+
+@dataclass(frozen=True, eq=False)
+class Path:
+    """A row of segments with their corners, ready to be timed and evaluated."""
+
+    segments: tuple[Segment, ...]
+    kinematics: Kinematics
+    layout: Layout
+    arms: Arms
+    active: Index
+    """Shape (m,): position in `segments` of each curve; segments without length have none."""
+    nodes: Nodes
+    """Joints along the Cartesian curves: they tell whole turns apart."""
+    model: MotionModel
+    lines: Lines | None
+    """The lines, for which joints and derivatives have closed forms; None where there are none."""
+
+    @property
+    def axis_count(self) -> int:
+        """Joints of the arm and external axes."""
+        return int(self.layout.curves.start_joints.shape[1])
+
+    @property
+    def length(self) -> float:
+        """Range of s [m]."""
+        return float(self.layout.places[-1])
+
+    @cached_property
+    def programmed(self) -> Programmed:
+        """What each segment asks for."""
+        return programmed_of(self.segments)
+
+    @cached_property
+    def segment_starts(self) -> Array:
+        """S (segments,) at the middle of the corner before each segment; 0 for the first."""
+        lengths = np.zeros(len(self.segments))
+        lengths[self.active] = self.layout.curves.length
+        return np.concatenate([[0.0], np.cumsum(lengths)[:-1]])
+
+    @cached_property
+    def segment_bounds(self) -> Array:
+        """The same, and then the end of the path: S (segments + 1,)."""
+        return np.append(self.segment_starts, self.length)
+
+    @cached_property
+    def lengths(self) -> Array:
+        """TCP travel (segments,) [m] along the programmed curves, before corners cut them."""
+        travel = np.zeros(len(self.segments))
+        travel[self.active] = self.layout.curves.travel
+        return travel
+
+    @property
+    def breakpoints(self) -> Array:
+        """S of zone edges, middles of corners, and both ends, increasing."""
+        return self.layout.bounds
+
+    @cached_property
+    def stops(self) -> Array:
+        """S where the arm must come to rest between the ends, increasing."""
+        corners, places = self.layout.corners, self.layout.places[1:-1]
+        sharp = np.flatnonzero(corners.radius == 0.0)
+        kinked = np.ones(len(sharp), dtype=bool)
+        may_pass = np.flatnonzero(
+            (corners.limit[sharp] != Limit.STOP_POINT) & (corners.limit[sharp] != Limit.TURN_ONLY)
+        )
+        if len(may_pass):
+            place = places[sharp[may_pass]]
+            after = self.layout.piece_at(place)
+            before = np.maximum(after - 1, 0)
+            into = self.rates(place, before).first
+            out = self.rates(place, after).first
+            scale = np.abs(into).max(axis=-1) + np.abs(out).max(axis=-1)
+            kinked[may_pass] = np.abs(into - out).max(axis=-1) > _KINK * scale
+        stops: Array = places[sharp[kinked]]
+        return stops
+
+    @cached_property
+    def corners(self) -> tuple[Corner, ...]:
+        """What became of the end of each segment."""
+        stop = Corner(0.0, in_joints=False, stops=True, reason=describe_stop(Limit.STOP_POINT))
+        idle = dataclasses.replace(stop, reason=describe_stop(Limit.NO_LENGTH))
+        found = [idle if segment.zone else stop for segment in self.segments]
+        found[-1] = stop
+        curves, corners = self.layout.curves, self.layout.corners
+        angle, straight = curves.angle, curves.in_joints
+        rows = zip(
+            self.active[:-1].tolist(),
+            corners.radius.tolist(),
+            np.maximum(angle[:-1], angle[1:]).tolist(),
+            corners.limit.tolist(),
+            corners.in_joints.tolist(),
+            (corners.in_joints & ~(straight[:-1] & straight[1:])).tolist(),
+            np.isin(self.layout.places[1:-1], self.stops).tolist(),
+            strict=True,
+        )
+        limits = tuple(Limit)
+        for i, radius, turned, limit, in_joints, bridges, stops in rows:
+            zone = self.segments[i].zone
+            if zone is not None:
+                reason = describe(
+                    limits[limit], zone.position, radius, zone.angle, turned, stops=stops
+                )
+                if bridges and not stops:
+                    # A change of tool, work object or kind of move.
+                    reason = "; ".join(filter(None, (reason, "made in joint space")))
+                found[i] = Corner(radius, in_joints, stops, reason)
+        return tuple(found)
+
+    @cached_property
+    def window(self) -> float:
+        """Width [s] of the smoothing, the widest that a ramp of one of the moves makes it."""
+        return self.windows[-1]
+
+    @cached_property
+    def windows(self) -> tuple[float, ...]:
+        """Widths [s] of the smoothing, increasing: one, or some of those while it widens."""
+        return widths_of(self.segments, self.model.filter_time)
+
+    @cached_property
+    def acceleration_share(self) -> Array:
+        """Share (p,) of the axis accelerations that may be used on each piece."""
+        programmed = self.programmed.acceleration_share
+        share: Array = programmed[self.active[self.layout.row]]
+        if self.model.corner == "parabola":
+            layout = self.layout
+            in_zone = np.maximum(layout.orientation_corner, layout.joint_corner) >= 0
+            share = np.where(in_zone, share * self.model.parabola_acceleration, share)
+        if self.model.slows_for_bends and len(self.windows) > 1:
+            share = share * _WHILE_WIDENING
+        return share
+
+    def segment_of(self, piece: Index) -> Index:
+        """Position (k,) in `segments` of pieces (k,)."""
+        segment: Index = self.active[self.layout.row[piece]]
+        return segment
+
+    def evaluate(self, s: Array) -> PathPoints:
+        """The arm at places s (k,) [m] of the path, exactly on it."""
+        s = np.clip(np.asarray(s, dtype=np.float64), 0.0, self.length)
+        piece = self.layout.piece_at(s)
+        row = self.layout.row[piece]
+        joints = np.empty((len(s), self.axis_count))
+        position = np.empty((len(s), 3))
+        rotation = np.empty((len(s), 3, 3))
+        tcp_rate = np.empty(len(s))
+        on_curve, in_joints = self._spaces(piece)
+        if len(on_curve):
+            at = piece[on_curve]
+            motion = self.layout.motion(s[on_curve], at)
+            near = self._near(s[on_curve], self.layout.course(s[on_curve], at).value)
+            joints[on_curve] = self.arms.joints(motion, row[on_curve], near)[0]
+            position[on_curve], rotation[on_curve] = motion.position, motion.rotation
+            tcp_rate[on_curve] = np.linalg.norm(motion.velocity, axis=-1)
+        if len(in_joints):
+            at_joints, first, _ = self._in_joint_space(s[in_joints], piece[in_joints])
+            joints[in_joints] = at_joints
+            velocity, _ = self._tcp_twist(at_joints, first, row[in_joints])
+            tcp_rate[in_joints] = np.linalg.norm(velocity, axis=-1)
+        elsewhere = np.union1d(in_joints, np.flatnonzero(self.arms.carried_rows[row]))
+        if len(elsewhere):
+            base_from_tcp = self.arms.base_from_tcp(joints[elsewhere], row[elsewhere])
+            position[elsewhere] = base_from_tcp.translation
+            rotation[elsewhere] = base_from_tcp.rotation
+        arm, external = np.split(joints, [self.kinematics.joint_count], axis=1)
+        pose = Transform(rotation, position)
+        return PathPoints(arm, external, pose, self.active[row], tcp_rate)
+
+    def beside(self, s: Array, joints: Array, rates: Array) -> tuple[Transform, Index, Array]:
+        """The arm with joints and rates (k, n + e) that are not those of places s (k,) but near.
+
+        Returns:
+            base_from_tcp, position in `segments`, and the speed of the TCP against the work object.
+        """
+        row = self.layout.row[self.layout.piece_at(np.clip(s, 0.0, self.length))]
+        velocity = self.arms.curve_motion(joints, rates, row).velocity
+        speed: Array = np.linalg.norm(velocity, axis=-1)
+        return self.arms.base_from_tcp(joints, row), self.active[row], speed
+
+    def rates(self, s: Array, piece: Index) -> PathRates:
+        """Derivatives at places s (k,) of pieces (k,); at breakpoints those of the piece's side."""
+        if self.lines is None:
+            return self._rates_in_general(s, piece)
+        rates, holds = self.lines.rates(s, piece)
+        others = np.flatnonzero(~holds)
+        if len(others):
+            rates.put(others, self._rates_in_general(s[others], piece[others]))
+        return rates
+
+    def _rates_in_general(self, s: Array, piece: Index) -> PathRates:
+        """The same for whatever arm and curve."""
+        row = self.layout.row[piece]
+        first = np.empty((len(s), self.axis_count))
+        second = np.empty_like(first)
+        on_curve, in_joints = self._spaces(piece)
+        speeds = np.empty((len(s), 2))
+        if len(on_curve):
+            motion = self.layout.motion(s[on_curve], piece[on_curve])
+            course = self.layout.course(s[on_curve], piece[on_curve])
+            near = self._near(s[on_curve], course.value)
+            _, first[on_curve], second[on_curve] = self.arms.rates(
+                motion, row[on_curve], course, near
+            )
+            speeds[on_curve] = _norms(motion.velocity, motion.turning)
+        if len(in_joints):
+            at, d1, d2 = self._in_joint_space(s[in_joints], piece[in_joints])
+            first[in_joints], second[in_joints] = d1, d2
+            speeds[in_joints] = _norms(*self._tcp_twist(at, d1, row[in_joints]))
+            # Where two wrist axes lead, the speed is that of what follows the circle, not the TCP.
+            led = self.arms.pair_rows[row] & (self.layout.joint_corner[piece] < 0)
+            speeds[led, 0] = 1.0
+        return PathRates(first, second, speeds[:, 0], speeds[:, 1])
+
+    def tcp_derivatives(self, s: Array, piece: Index) -> tuple[Array, Array]:
+        """Both derivatives (k, 3) of the TCP's position at places (k,) of pieces (k,)."""
+        velocity = np.empty((len(s), 3))
+        acceleration = np.empty((len(s), 3))
+        on_curve, in_joints = self._spaces(piece)
+        if len(on_curve):
+            motion = self.layout.motion(s[on_curve], piece[on_curve])
+            velocity[on_curve], acceleration[on_curve] = motion.velocity, motion.acceleration
+        if len(in_joints):
+            row = self.layout.row[piece[in_joints]]
+            at, d1, d2 = self._in_joint_space(s[in_joints], piece[in_joints])
+            now, _ = self._tcp_twist(at, d1, row)
+            # Over a step of 1e-6 rad, as the joints' own second derivative.
+            step = 1e-6 / np.maximum(np.abs(d1).max(axis=-1), 1e-9)[:, None]
+            ahead, _ = self._tcp_twist(at + step * d1, d1 + step * d2, row)
+            velocity[in_joints], acceleration[in_joints] = now, (ahead - now) / step
+        return velocity, acceleration
+
+    def travelled(self, s: Array) -> Array:
+        """TCP travel (k,) [m] from the start of the path to places s (k,), corners cut."""
+        s = np.clip(np.asarray(s, dtype=np.float64), 0.0, self.length)
+        piece = self.layout.piece_at(s)
+        start = self.layout.bounds[piece]
+        whole = np.concatenate([[0.0], np.cumsum(self._piece_travel)])
+        part: Array = whole[piece] + self._travel(start, s, piece)
+        return part
+
+    @cached_property
+    def _piece_travel(self) -> Array:
+        bounds = self.layout.bounds
+        return self._travel(bounds[:-1], bounds[1:], np.arange(len(bounds) - 1))
+
+    def _travel(self, start: Array, end: Array, piece: Index) -> Array:
+        """TCP travel (k,) [m] from start to end (k,) within pieces (k,), by Gauss's quadrature."""
+        half = 0.5 * (end - start)
+        s = (start + half)[:, None] + half[:, None] * _GAUSS_PLACES
+        on_curve, in_joints = self._spaces(piece)
+        rate = np.empty_like(s)
+        count = len(_GAUSS_PLACES)
+        if len(on_curve):
+            velocity = self.layout.velocity(s[on_curve].ravel(), np.repeat(piece[on_curve], count))
+            rate[on_curve] = np.linalg.norm(velocity, axis=-1).reshape(-1, count)
+        if len(in_joints):
+            pieces = np.repeat(piece[in_joints], count)
+            at, first, _ = self._in_joint_space(s[in_joints].ravel(), pieces)
+            velocity, _ = self._tcp_twist(at, first, self.layout.row[pieces])
+            rate[in_joints] = np.linalg.norm(velocity, axis=-1).reshape(-1, count)
+        travel: Array = half * (rate @ _GAUSS_WEIGHTS)
+        return travel
+
+    def _spaces(self, piece: Index) -> tuple[Index, Index]:
+        """Which of some pieces (k,) are made in Cartesian space and which in joint space.
+
+        A wrist that turns in joints counts as joint space: only then do the joints tell the pose.
+        """
+        row = self.layout.row[piece]
+        joint = self.layout.curves.in_joints[row]
+        joint = joint | self.arms.wrist_rows[row] | self.arms.pair_rows[row]
+        joint = joint | (self.layout.joint_corner[piece] >= 0)
+        return np.flatnonzero(~joint), np.flatnonzero(joint)
+
+    def _near(self, s: Array, external: Array) -> Array:
+        """Joints (k, n + e) close to those at places (k,) of Cartesian curves."""
+        nodes = self.nodes
+        joints = [np.interp(s, nodes.place, joint) for joint in nodes.joints.T]
+        near = np.stack(joints, axis=-1)
+        near[:, self.kinematics.joint_count :] = external
+        return near
+
+    def _in_joint_space(self, s: Array, piece: Index) -> tuple[Array, Array, Array]:
+        """Joints and derivatives (k, n) on joint moves and in corners made in joint space."""
+        row = self.layout.row[piece]
+        corner = self.layout.joint_corner[piece]
+        whole, cut = np.flatnonzero(corner < 0), np.flatnonzero(corner >= 0)
+        at = corner[cut]
+        before, after = self.layout.sides(at, self.layout.corners.radius[at], s[cut])
+        # All at once, for few places cost as much as many.
+        on_curves = self._on_curve(
+            np.concatenate([row[whole], at, at + 1]),
+            np.concatenate([s[whole] - self.layout.places[row[whole]], before[0], after[0]]),
+        )
+        joints, first, second = np.empty((3, len(s), on_curves[0].shape[1]))
+        ends = np.cumsum([len(whole), len(cut)])
+        own, into, out = zip(*(np.split(part, ends) for part in on_curves), strict=True)
+        joints[whole], first[whole], second[whole] = own
+        joints[cut] = into[0] + out[0] - self.layout.curves.start_joints[at + 1]
+        first[cut] = into[1] * before[1][:, None] + out[1] * after[1][:, None]
+        second[cut] = (
+            into[2] * before[1][:, None] ** 2
+            + into[1] * before[2][:, None]
+            + out[2] * after[1][:, None] ** 2
+            + out[1] * after[2][:, None]
+        )
+        return joints, first, second
+
+    def _on_curve(self, row: Index, x: Array) -> tuple[Array, Array, Array]:
+        """Joints and derivatives (k, n) at places x (k,) of programmed curves (k,)."""
+        curves = self.layout.curves
+        x = np.clip(x, 0.0, curves.length[row])
+        joints = curves.joints_at(row, x)
+        first = curves.joint_travel[row] / np.maximum(curves.length[row], 1e-9)[:, None]
+        second = np.zeros_like(joints)
+        line = np.flatnonzero(~curves.in_joints[row])
+        if len(line):
+            n = self.kinematics.joint_count
+            course = ExternalCourse(joints[line, n:], first[line, n:], second[line, n:])
+            joints[line], first[line], second[line] = self._on_tcp_curve(row[line], x[line], course)
+        return joints, first, second
+
+    def _on_tcp_curve(
+        self, row: Index, x: Array, course: ExternalCourse
+    ) -> tuple[Array, Array, Array]:
+        """The same on curves that are not straight in joint space; `course` of external axes."""
+        s = self.layout.places[row] + x
+        near = self._near(s, course.value)
+        if self.lines is None:
+            return self.arms.rates(self.layout.curves.at(row, x), row, course, near)
+        rates, holds = self.lines.alone.rates(s, row)
+        joints, first, second = self.lines.alone.joints(s, row)[0], rates.first, rates.second
+        joints = in_turn_of(joints, holds, near)
+        others = np.flatnonzero(~holds)
+        if len(others):
+            joints[others], first[others], second[others] = self.arms.rates(
+                self.layout.curves.at(row[others], x[others]),
+                row[others],
+                ExternalCourse(*(values[others] for values in course)),
+                near[others],
+            )
+        return joints, first, second
+
+    def _tcp_twist(self, joints: Array, first: Array, row: Index) -> tuple[Array, Array]:
+        """Velocity and angular velocity (k, 3) of the TCP against its curve per unit of s."""
+        motion = self.arms.curve_motion(joints, first, row)
+        return motion.velocity, motion.turning
+
+
+def build_path(
+    robot: Robot, segments: Sequence[Segment], model: MotionModel, look: Look = undisturbed
+) -> Path | PathFault:
+    """Join segments to a path.
+
+    Args:
+        robot: The arm with its joint limits.
+        segments: At least one; each starts with the joints that the one before ends with, and has
+            speeds above zero.
+        model: Shape of corners.
+        look: Called now and then.
+
+    Returns:
+        The path, or the first place where the arm cannot follow it.
+    """
+    kinematics, axes = robot.kinematics, robot.axes
+    for i, segment in enumerate(segments):
+        if segment.geometry is Geometry.JOINT:
+            continue
+        reason = circle_fault(segment) or _unsupported(kinematics)
+        if reason is not None:
+            return PathFault(i, 0.0, 0.0, 0.0, reason, FaultKind.SET_UP)
+    curves = curves_of(segments, kinematics)
+    active = np.flatnonzero(curves.length > 0.0).astype(np.int64)
+    if not len(active):
+        active = np.zeros(1, dtype=np.int64)
+    moving = [segments[int(i)] for i in active]
+    if len(active) < len(segments):
+        curves = curves_of(moving, kinematics)
+    look()
+    arms = arms_of(moving, kinematics, curves.joint_travel, curves.length)
+    corners = without_skipped(corners_of(moving, curves, arms, model), active)
+    layout = layout_of(curves, corners, model.corner)
+    lines = lines_of(layout, arms)
+    nodes = follow(layout, arms, lines, moving, axes, look)
+    if isinstance(nodes, PathFault):
+        return dataclasses.replace(nodes, segment=int(active[nodes.segment]))
+    path = Path(tuple(segments), kinematics, layout, arms, active, nodes, model, lines)
+    look()
+    fault = _joint_space_fault(path, axes)
+    if fault is not None:
+        return dataclasses.replace(fault, segment=int(active[fault.segment]))
+    return path
+
+
+def _norms(velocity: Array, turning: Array) -> Array:
+    """Lengths (k, 2) of two rows of vectors (k, 3)."""
+    return np.stack([np.linalg.norm(velocity, axis=-1), np.linalg.norm(turning, axis=-1)], axis=-1)
+
+
+def describe_stop(limit: Limit) -> str:
+    """Why the arm stops where no corner was looked for."""
+    return describe(limit, 0.0, 0.0, 0.0, 0.0, stops=True)
+
+
+def _unsupported(kinematics: Kinematics) -> str | None:
+    """Why lines and arcs cannot be simulated, or None."""
+    if kinematics.joint_count > 6:
+        return "lines and arcs of arms with more than six axes are not simulated"
+    return None
+
+
+def _joint_space_fault(path: Path, axes: Axes) -> PathFault | None:
+    """Where a joint move or a corner made in joint space leaves the limits."""
+    layout = path.layout
+    pieces = np.flatnonzero(
+        layout.curves.in_joints[layout.row] | (layout.joint_corner >= 0)
+    ).astype(np.int64)
+    if not len(pieces):
+        return None
+    share = np.linspace(0.0, 1.0, _CORNER_CHECKS + 1)
+    width = np.diff(layout.bounds)[pieces]
+    s = (layout.bounds[pieces][:, None] + width[:, None] * share).ravel()
+    piece = np.repeat(pieces, len(share))
+    joints, _, _ = path._in_joint_space(s, piece)
+    return limit_fault(layout, s, layout.row[piece], joints, axes)

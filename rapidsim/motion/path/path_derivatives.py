@@ -1,0 +1,65 @@
+"""The arm at places of a path, and derivatives with respect to the path's parameter."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.geometry.joint_mapping import Index
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PathPoints:
+    """The arm at places of a path."""
+
+    joints: Array
+    """Shape (k, n) [rad]."""
+    external: Array
+    """Shape (k, e) [m or rad]: the external axes."""
+    base_from_tcp: Transform
+    """Shape (k,); the tool is that of the segment."""
+    segment: Index
+    """Shape (k,): position in `Path.segments`."""
+    tcp_rate: Array
+    """Shape (k,): TCP travel against the work object per unit of s; below 1 in corners."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PathRates:
+    """Derivatives with respect to s at places of a path."""
+
+    first: Array
+    """Shape (k, n + e): joints [rad/m], then external axes."""
+    second: Array
+    """Shape (k, n + e): joints [rad/m2], then external axes."""
+    tcp_rate: Array
+    """Shape (k,): TCP travel [m/m]."""
+    turn_rate: Array
+    """Shape (k,): reorientation [rad/m]."""
+
+    @staticmethod
+    def not_filled(count: int, axes: int) -> PathRates:
+        """Room for those at `count` places."""
+        speeds = np.empty((2, count))
+        return PathRates(np.empty((count, axes)), np.empty((count, axes)), speeds[0], speeds[1])
+
+    def put(self, index: Index, rates: PathRates) -> None:
+        """Replace some of them."""
+        for mine, other in zip(self.columns, rates.columns, strict=True):
+            mine[index] = other
+
+    def beyond(self, count: int) -> PathRates:
+        """Those after the first few."""
+        return PathRates(*(part[count:] for part in self.columns))
+
+    def and_then(self, more: PathRates) -> PathRates:
+        """These places and then some more."""
+        parts = zip(self.columns, more.columns, strict=True)
+        return PathRates(*(np.concatenate(pair) for pair in parts))
+
+    @property
+    def columns(self) -> tuple[Array, Array, Array, Array]:
+        """The four in this order."""
+        return self.first, self.second, self.tcp_rate, self.turn_rate

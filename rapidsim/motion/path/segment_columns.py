@@ -1,0 +1,61 @@
+"""What the segments of a path ask for, as columns: looked up once, used at every place."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.geometry.segments import Segment
+
+_WIDTHS = 4
+"""So many widths of the smoothing stand for those while it widens."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Programmed:
+    """Limits that segments (m,) bring along; infinite where there is none."""
+
+    tcp: Array
+    """Shape (m,): TCP speed [m/s]."""
+    reorientation: Array
+    """Shape (m,): [rad/s]."""
+    external: Array
+    """Shape (m, e): speed of each external axis [m/s or rad/s]."""
+    acceleration_share: Array
+    """Shape (m,): AccSet."""
+    tcp_acceleration: Array
+    """Shape (m,): PathAccLim [m/s2], the smaller of speeding up and braking."""
+    world_acceleration: Array
+    """Shape (m,): WorldAccLim [m/s2]."""
+
+
+def programmed_of(segments: Sequence[Segment]) -> Programmed:
+    """The limits of some segments, at least one."""
+    columns = np.array(
+        [
+            (
+                segment.speed.tcp,
+                segment.speed.reorientation,
+                segment.acceleration_share,
+                min(segment.tcp_acceleration, segment.tcp_deceleration),
+                segment.world_acceleration,
+            )
+            for segment in segments
+        ]
+    )
+    tcp, reorientation, share, along, world = np.ascontiguousarray(columns.T)
+    external = np.array([segment.external_speeds for segment in segments], dtype=np.float64)
+    return Programmed(tcp, reorientation, external, share, along, world)
+
+
+def widths_of(segments: Sequence[Segment], filter_time: float) -> tuple[float, ...]:
+    """Widths [s] of the smoothing, increasing: one, or some of those while a ramp widens it."""
+    ramps = {one.ramp for one in segments} | {one.stop_ramp for one in segments if not one.zone}
+    lowest, highest = min(ramps), segments[0].ramp
+    if lowest == highest:
+        return (filter_time / lowest,)
+    between = np.linspace(1.0 / highest, 1.0 / lowest, _WIDTHS)
+    return tuple((filter_time * between).tolist())

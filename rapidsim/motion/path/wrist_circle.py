@@ -1,0 +1,179 @@
+r"""What can be said of an arc that two wrist axes lead: its start, its end, what it does, why not.
+
+Source: Technical reference manual RAPID Instructions, "CirPathMode". How far the tool may stand
+from perpendicular, and that an arc after such an arc starts where the z axis passes the plane and
+not where the TCP stands, are assumptions: the manual leaves both open.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from rapidsim.diagnostics import Violation
+from rapidsim.findings.wrist_circles import WristCircleDeviates, WristCircleTilted
+from rapidsim.frames.rotation_vectors import vector_from_rotation
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.geometry.curves import curves_of
+from rapidsim.motion.geometry.joint_mapping import Arms, Index, arms_of
+from rapidsim.motion.geometry.segments import Segment
+from rapidsim.motion.geometry.wrist_pair import FLATTEST, Aim
+from rapidsim.motion.kinematics.arm import Kinematics, Mask
+
+_UPRIGHT = np.radians(10.0)
+"""How far [rad] the tool may stand from perpendicular to the circle without a word."""
+_TOLD_TURN = np.radians(0.5)
+_PLACES = 129
+_ON_THE_AXIS = 1e-6
+_IN_LINE = 1e-3
+_MM = 1e3
+_SINGULAR_ONLY = np.radians(0.05)
+"""A circle that goes no further [rad] beyond what a pair reaches fails because it is singular."""
+_BY_ALL_AXES = r"let all axes make it with CirPathMode \PathFrame"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Led:
+    """What an arc does that two wrist axes lead, beside following the circle."""
+
+    arrival: Array
+    """Joints (n,) [rad] at the end."""
+    tilt: float
+    """Angle [rad] between the tool's z axis and the normal of the plane at the start; 0 where the
+    arc goes on from another, which has tilted the tool."""
+    off_plane: float
+    """How far [m] the TCP leaves the plane."""
+    turned: float
+    """How far [rad] the tool turns away from its programmed orientation."""
+    off_end: float
+    """How far [m] from the programmed end the TCP stands at last."""
+
+
+@dataclass(frozen=True, slots=True)
+class Refusal:
+    """Why two wrist axes cannot lead a circle, and what could be done."""
+
+    reason: str
+    cure: str
+
+
+def start_on_circle(base_from_tcp: Transform, aim: Array | None) -> Transform:
+    """Where an arc led by two wrist axes starts: the TCP, or where the last such arc aimed.
+
+    Args:
+        base_from_tcp: Where the arm stands.
+        aim: The programmed end (3,) [m] of the arc before, if there was one; it counts while the z
+            axis of the tool still passes through it.
+    """
+    if aim is None:
+        return base_from_tcp
+    x, y, _ = base_from_tcp.inverse().apply(aim)
+    if np.hypot(x, y) > _ON_THE_AXIS:
+        return base_from_tcp
+    return Transform(base_from_tcp.rotation, aim)
+
+
+def led_by_pair(kinematics: Kinematics, segment: Segment) -> Led | None:
+    """What an arc does that two wrist axes lead; None if they fail on it."""
+    curves = curves_of((segment,), kinematics)
+    arms = arms_of((segment,), kinematics, curves.joint_travel, curves.length)
+    if arms.pairs is None:
+        return None
+    row = np.zeros(_PLACES, dtype=np.int64)
+    motion = curves.at(row, np.linspace(0.0, float(curves.length[0]), _PLACES))
+    near = np.broadcast_to(segment.start.joints, (_PLACES, kinematics.joint_count))
+    joints, exists = arms.pairs.joints(motion.position, row, near)
+    if not exists.all():
+        return None
+    taken = kinematics.forward(joints) @ segment.tcp_from_flange.inverse()
+    normal = arms.pairs.normal[0]
+    goes_on = np.linalg.norm(taken.translation[0] - motion.position[0]) > _ON_THE_AXIS
+    upright = 1.0 if goes_on else min(1.0, abs(float(arms.pairs.tool_z[0] @ normal)))
+    turn = vector_from_rotation(taken.rotation @ np.swapaxes(motion.rotation, -1, -2))
+    end = taken.translation[-1] - segment.end.base_from_tcp.translation
+    return Led(
+        arrival=np.unwrap(joints, axis=0)[-1],
+        tilt=float(np.arccos(upright)),
+        off_plane=float(np.abs((taken.translation - motion.position) @ normal).max()),
+        turned=float(np.linalg.norm(turn, axis=-1).max()),
+        off_end=float(np.linalg.norm(end)),
+    )
+
+
+def findings_on_pair(led: Led, segment: Segment, target: str) -> tuple[Violation, ...]:
+    """What is worth a word of an arc that two wrist axes lead to a target."""
+    pair = segment.circle_mode.value
+    found: list[Violation] = []
+    if led.tilt > _UPRIGHT:
+        found.append(WristCircleTilted(target, np.degrees(led.tilt), pair))
+    if led.turned > _TOLD_TURN:
+        off_plane_mm, off_end_mm = _MM * led.off_plane, _MM * led.off_end
+        found.append(
+            WristCircleDeviates(target, pair, off_plane_mm, np.degrees(led.turned), off_end_mm)
+        )
+    return tuple(found)
+
+
+def why_not_led(arms: Arms, place: Array, row: Index) -> Refusal:
+    """Why the pair of one arc does not take the z axis to some places (k, 3) of it.
+
+    The first of them says what is wrong, all of them by how much.
+    """
+    pairs, here = arms.pairs, row[:1]
+    assert pairs is not None
+    centre, spoke = pairs.centre[here[0]], pairs.aim[here[0]]
+    first, second = pairs.first[here[0]], pairs.second[here[0]]
+    low, high = (int(axis) + 1 for axis in pairs.axes[here[0]])
+    names, other = f"axes {low} and {high}", f"take another pair of wrist axes, or {_BY_ALL_AXES}"
+    if _in_line(first, second):
+        angle = np.degrees(pairs.start[here[0], 4])
+        return Refusal(
+            f"{names} are in one line, with axis 5 at {angle:.1f} deg", f"bend axis 5, {other}"
+        )
+    for axis, direction in ((low, first), (high, second)):
+        if _in_line(direction, spoke):
+            return Refusal(
+                f"the tool's z axis lies along axis {axis}, which cannot move it",
+                f"bend wrist or tool so that it leans away from axis {axis}, {other}",
+            )
+    aim, start = pairs.aimed(place, row), pairs.aimed((centre + spoke)[None], here)
+    flattest = np.degrees(np.arcsin(aim.steepness[0] if start.exists[0] else start.steepness[0]))
+    if flattest < np.degrees(FLATTEST) and (not start.exists[0] or _within(aim)[0]):
+        return Refusal(
+            f"the tool's z axis hardly crosses the plane of the circle, at {flattest:.1f} deg",
+            f"start with the tool perpendicular to the circle, or {_BY_ALL_AXES}",
+        )
+    if aim.grazes[0] > 0.0:
+        closest = int(aim.grazes.argmax())
+        beside = aim.grazes[closest] + float(np.linalg.norm(place[closest] - centre))
+        return Refusal(
+            f"the tool's z axis passes {_MM * beside:.1f} mm beside the wrist, and the circle "
+            f"comes up to {_MM * aim.grazes[closest]:.1f} mm nearer to it",
+            f"use a tool whose z axis points away from the wrist, or {_BY_ALL_AXES}",
+        )
+    if not start.exists[0] or _within(aim)[0]:
+        where = "on the way" if start.exists[0] else "where the circle starts"
+        return Refusal(
+            f"{names} both move the tool's z axis the same way {where}: they are singular",
+            f"start the circle in another posture, {other}",
+        )
+    farthest = int(aim.beyond.argmax())
+    beyond = float(aim.beyond[farthest])
+    miss = _MM * beyond * float(np.linalg.norm(place[farthest] - centre))
+    return Refusal(
+        f"the circle goes up to {miss:.1f} mm ({np.degrees(beyond):.1f} deg) beyond where {names} "
+        "take the tool's z axis",
+        f"make the circle smaller, {other}",
+    )
+
+
+def _within(aim: Aim) -> Mask:
+    """Which places (k,) a pair reaches, or misses by so little that it is singular there."""
+    within: Mask = (aim.beyond < _SINGULAR_ONLY) & (aim.grazes <= 0.0)
+    return within
+
+
+def _in_line(a: Array, b: Array) -> bool:
+    """Whether two vectors (3,) are parallel."""
+    return bool(np.linalg.norm(np.cross(a, b)) < _IN_LINE * np.linalg.norm(a) * np.linalg.norm(b))

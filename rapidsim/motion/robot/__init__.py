@@ -1,0 +1,1 @@
+"""An arm one can buy: kinematics with limits, names, external axes; catalogue and URDF."""

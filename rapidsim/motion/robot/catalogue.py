@@ -1,0 +1,199 @@
+"""The robots that ship with rapidsim: one folder each, with a `robot.toml` that says it all.
+
+Enters a name, leaves a `CatalogueEntry` in SI units. Shapes are generated from the same entry
+by `scripts/build_robots.py` and lie beside it. The short names of all robots stand in one file,
+`aliases.toml`, so that finding a robot reads its own entry and no other.
+"""
+
+from __future__ import annotations
+
+import difflib
+import re
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from math import radians
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.kinematics.arm import Kinematics
+from rapidsim.motion.kinematics.closed_form.five_axis import FiveAxis, FiveAxisGeometry
+from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
+from rapidsim.motion.kinematics.closed_form.opw_geometry import JOINT_COUNT, OpwGeometry
+from rapidsim.motion.kinematics.closed_form.palletizer import Palletizer, PalletizerGeometry
+from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry, searched_arm
+from rapidsim.motion.robot.structures import Geometry, geometry_from_table
+
+_PARTS = re.compile(r"(\d+)")
+NEAR_NAMES = 5
+"""How many similar names an unknown one is answered with."""
+
+
+class RobotError(Exception):
+    """A robot that cannot be loaded; the message says which, why, and what would do."""
+
+
+@dataclass(frozen=True, slots=True)
+class CatalogueEntry:
+    """What is known of one arm."""
+
+    name: str
+    title: str
+    maker: str
+    geometry: Geometry
+    joint_names: tuple[str, ...]
+    limits: tuple[tuple[float, float], ...]
+    """Lower and upper limit of each joint [rad]."""
+    max_speeds: tuple[float | None, ...]
+    """[rad/s]; None where no source gives it."""
+    max_accelerations: tuple[float | None, ...]
+    """[rad/s2]; None unless they were measured."""
+    payload_kg: float | None
+    reach_m: float | None
+    sources: tuple[str, ...]
+    """Where the numbers come from."""
+    checks: tuple[str, ...]
+    """What they were compared with."""
+    notes: tuple[str, ...]
+    not_modelled: tuple[str, ...]
+    """What the arm has and a run leaves out; every run on it says so."""
+    folder: Path
+
+    @property
+    def urdf(self) -> Path | None:
+        """The description with link shapes, where there is one."""
+        file = self.folder / f"{self.name}.urdf"
+        return file if file.is_file() else None
+
+
+def robots_folder() -> Path:
+    """Where the catalogue lies, in a checkout and in an installation alike."""
+    return Path(str(files("rapidsim.robots")))
+
+
+@cache
+def robot_names() -> tuple[str, ...]:
+    """The names of all robots of the catalogue, sorted; numbers in them by their value."""
+    names = (file.parent.name for file in robots_folder().glob("*/robot.toml"))
+    return tuple(sorted(names, key=_by_number))
+
+
+@cache
+def aliases() -> Mapping[str, str]:
+    """The short names of robots, and what they stand for."""
+    text = (robots_folder() / "aliases.toml").read_text(encoding="utf-8")
+    return tomllib.loads(text)
+
+
+def aliases_of(name: str) -> tuple[str, ...]:
+    """The short names of a robot."""
+    return tuple(alias for alias, robot in aliases().items() if robot == name)
+
+
+def find_entry(name: str) -> CatalogueEntry:
+    """The robot of a name or alias, in any case.
+
+    Raises:
+        RobotError: If there is none; the message lists the nearest names.
+    """
+    wanted = name.lower()
+    if wanted not in robot_names():
+        if wanted not in aliases():
+            raise RobotError(_unknown(name))
+        wanted = aliases()[wanted]
+    return read_entry(robots_folder() / wanted)
+
+
+def read_entry(folder: Path) -> CatalogueEntry:
+    """Read the `robot.toml` of a folder.
+
+    Raises:
+        RobotError: If the file says something that is not understood.
+    """
+    file = folder / "robot.toml"
+    try:
+        return _entry(tomllib.loads(file.read_text(encoding="utf-8")), folder)
+    except KeyError as missing:
+        raise RobotError(f"{file}: {missing} is missing") from None
+    except (tomllib.TOMLDecodeError, TypeError, ValueError) as mistake:
+        raise RobotError(f"{file}: {mistake}") from None
+
+
+def kinematics_of(entry: CatalogueEntry) -> Kinematics:
+    """The solver for an arm: its closed form, or a search where it has none."""
+    match entry.geometry:
+        case OpwGeometry() as geometry:
+            return arm_from_geometry(geometry)
+        case FiveAxisGeometry() as geometry:
+            return FiveAxis(geometry)
+        case PalletizerGeometry() as geometry:
+            return Palletizer(geometry)
+        case AxisRowGeometry() as geometry:
+            return searched_arm(geometry, entry.limits)
+
+
+def arm_from_geometry(geometry: OpwGeometry) -> OrthoParallel:
+    """The arm with link frames that are parallel to the base where all joints are 0.
+
+    Link 1 stands at the foot, 2 and 3 on their axes, 4 beside the elbow on axis 4, 5 in the wrist
+    centre, 6 in the flange. The flange frame is that of the formulas, which for ABB's zero position
+    is `tool0`.
+    """
+    to_flange = np.array([0.0, 0.0, geometry.c4])
+    unnamed = Transform(np.broadcast_to(np.eye(3), (JOINT_COUNT, 3, 3)), np.zeros((JOINT_COUNT, 3)))
+    opw6_from_flange = Transform(np.eye(3), to_flange)
+    formulas = OrthoParallel(geometry, Transform.identity(), unnamed, opw6_from_flange)
+    home = formulas.link_frames(np.zeros(JOINT_COUNT)).rotation
+    origins: Array = np.zeros((JOINT_COUNT, 3))
+    origins[-1] = to_flange
+    named = Transform(np.swapaxes(home, -1, -2), origins)
+    return OrthoParallel(geometry, Transform.identity(), named, opw6_from_flange)
+
+
+def _entry(table: Mapping[str, Any], folder: Path) -> CatalogueEntry:
+    if table["name"] != folder.name:
+        raise ValueError(f"name `{table['name']}` is not that of the folder")
+    joints = table["joint"]
+    geometry = geometry_from_table(table)
+    return CatalogueEntry(
+        name=table["name"],
+        title=table["title"],
+        maker=table["maker"],
+        geometry=geometry,
+        joint_names=tuple(f"joint_{number}" for number in range(1, len(joints) + 1)),
+        limits=tuple(
+            (radians(lower), radians(upper)) for lower, upper in (j["limits_deg"] for j in joints)
+        ),
+        max_speeds=_radians(joints, "max_speed_deg_s"),
+        max_accelerations=_radians(joints, "max_acceleration_deg_s2"),
+        payload_kg=table.get("payload_kg"),
+        reach_m=table.get("reach_m"),
+        sources=tuple(table["sources"]),
+        checks=tuple(table["checks"]),
+        notes=tuple(table["notes"]),
+        not_modelled=tuple(table.get("not_modelled", ())),
+        folder=folder,
+    )
+
+
+def _radians(joints: Sequence[Mapping[str, Any]], key: str) -> tuple[float | None, ...]:
+    """A value of each joint that is given in degrees, or may not be given at all."""
+    degrees = (joint.get(key) for joint in joints)
+    return tuple(None if value is None else radians(value) for value in degrees)
+
+
+def _by_number(name: str) -> list[tuple[int, str]]:
+    """A sort key that puts `kr16-2` before `kr120-r2500-pro`."""
+    return [(int(part or 0), "") if part.isdigit() else (0, part) for part in _PARTS.split(name)]
+
+
+def _unknown(name: str) -> str:
+    known = (*robot_names(), *aliases())
+    near = difflib.get_close_matches(name.lower(), known, n=NEAR_NAMES, cutoff=0.4)
+    nearest = f"; near it are {', '.join(near)}" if near else ""
+    return f"robot `{name}` is not in the catalogue{nearest}"

@@ -1,0 +1,112 @@
+"""External axes: tracks that carry the robot, positioners that carry a work object, and the rest.
+
+Their values stand in `eax_a` to `eax_f` of targets, in mm or degrees; here in m and rad.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+
+from rapidsim.frames.moving_frames import Screw
+from rapidsim.frames.transform import Array, Transform
+
+Carried = Literal["robot", "wobj"]
+LETTERS = "abcdef"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ExternalAxis:
+    """One axis of a mechanical unit beside the robot."""
+
+    unit: str
+    """Name of the mechanical unit it belongs to, as ActUnit and `ufmec` call it."""
+    letter: str
+    """The component of `extjoint` that holds its value: `a` to `f`."""
+    linear: bool
+    """Whether values are m, else rad."""
+    lower: float
+    upper: float
+    max_speed: float
+    """[m/s or rad/s]"""
+    max_acceleration: float
+    """[m/s2 or rad/s2]"""
+    start: float = 0.0
+    """Where it stands before the first move [m or rad]."""
+    carries: Carried | None = None
+    """What it moves; None where it moves nothing that a target knows of."""
+    direction: tuple[float, float, float] = (0.0, 0.0, 1.0)
+    """Along a linear axis or about a rotating one, in the world with all axes at zero; any
+    length."""
+    world_from_user: Transform = field(default_factory=Transform.identity)
+    """The user frame that a positioner carries, with all axes at zero; a rotating axis goes through
+    its origin."""
+
+    @property
+    def component(self) -> str:
+        """Its component of `extjoint`."""
+        return f"eax_{self.letter}"
+
+    @property
+    def scale(self) -> float:
+        """RAPID's mm or degrees in one m or rad."""
+        return 1e3 if self.linear else math.degrees(1.0)
+
+    @property
+    def measure(self) -> str:
+        """RAPID's unit of its values."""
+        return "mm" if self.linear else "deg"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Axes:
+    """All axes of a robot and its external axes: names and ranges, shape (n + e,)."""
+
+    lower: Array
+    """[rad], [m] for linear axes."""
+    upper: Array
+    external: tuple[ExternalAxis, ...] = ()
+
+    @property
+    def joint_count(self) -> int:
+        """Axes of the arm."""
+        return len(self.lower) - len(self.external)
+
+    def name(self, index: int) -> str:
+        """Such as `axis 3` or `axis eax_a of TRACK`."""
+        if index < self.joint_count:
+            return f"axis {index + 1}"
+        axis = self.external[index - self.joint_count]
+        return f"axis {axis.component} of {axis.unit}"
+
+    def text(self, index: int, value: float) -> str:
+        """A value of an axis with its unit, such as `12.5 deg`."""
+        if index < self.joint_count:
+            return f"{math.degrees(value):.1f} deg"
+        axis = self.external[index - self.joint_count]
+        return f"{value * axis.scale:.1f} {axis.measure}"
+
+
+def screws_of(
+    axes: Sequence[ExternalAxis], wanted: Sequence[int], base_from_world: tuple[Array, Array]
+) -> tuple[Screw, ...]:
+    """The screws of some axes in base, the outermost first.
+
+    Args:
+        axes: All external axes.
+        wanted: Positions in `axes`.
+        base_from_world: Rotation (3, 3) and translation (3,) [m] with all axes at zero.
+    """
+    rotation, translation = base_from_world
+    screws = []
+    for index in wanted:
+        axis = axes[index]
+        direction = np.array(axis.direction) / np.linalg.norm(axis.direction)
+        origin = rotation @ axis.world_from_user.translation + translation
+        through = None if axis.linear else origin
+        screws.append(Screw(index, rotation @ direction, through))
+    return tuple(screws)

@@ -1,0 +1,178 @@
+"""A robot: its kinematics with the limits, speeds and names that make it a product."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.kinematics.arm import Branches, Kinematics
+from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry, search_notices
+from rapidsim.motion.robot.catalogue import (
+    CatalogueEntry,
+    RobotError,
+    find_entry,
+    kinematics_of,
+    robot_names,
+)
+from rapidsim.motion.robot.external_axes import Axes, ExternalAxis
+
+__all__ = ["Joint", "Robot", "RobotError", "load_robot", "robot_names"]
+
+
+@dataclass(frozen=True, slots=True)
+class Joint:
+    """One axis."""
+
+    name: str
+    lower: float
+    """[rad]"""
+    upper: float
+    """[rad]"""
+    max_speed: float | None
+    """[rad/s]; None where no source gives it."""
+    max_acceleration: float | None = None
+    """[rad/s2]; None unless it was measured."""
+
+
+@dataclass(frozen=True, eq=False)
+class Robot:
+    """An arm."""
+
+    name: str
+    """Such as `irb1600-6-1.2`."""
+    title: str
+    """As its maker writes it: `ABB IRB 1600-6/1.2`."""
+    joints: tuple[Joint, ...]
+    kinematics: Kinematics
+    urdf: Path | None
+    """The description with link shapes, for the recording and for other tools."""
+    payload_kg: float | None = None
+    reach_m: float | None = None
+    maker: str | None = None
+    """None for a URDF, which does not say."""
+    sources: tuple[str, ...] = ()
+    notices: tuple[str, ...] = ()
+    """What the user should know of how this arm is solved; commands print them."""
+    """Where the numbers come from."""
+    checks: tuple[str, ...] = ()
+    """What they were compared with."""
+    notes: tuple[str, ...] = ()
+    not_modelled: tuple[str, ...] = ()
+    """What the arm has and a run leaves out."""
+    external: tuple[ExternalAxis, ...] = ()
+    """Axes beside the arm, in the order of their letters; the station file names them."""
+
+    @cached_property
+    def lower(self) -> Array:
+        """Lower joint limits (n,) [rad]."""
+        return np.array([joint.lower for joint in self.joints])
+
+    @cached_property
+    def upper(self) -> Array:
+        """Upper joint limits (n,) [rad]."""
+        return np.array([joint.upper for joint in self.joints])
+
+    @cached_property
+    def axes(self) -> Axes:
+        """The arm's joints and the external axes with their limits."""
+        return Axes(
+            np.append(self.lower, [axis.lower for axis in self.external]),
+            np.append(self.upper, [axis.upper for axis in self.external]),
+            self.external,
+        )
+
+    @cached_property
+    def start(self) -> Array:
+        """Joints (n,) [rad] of the posture a run begins in if nothing says otherwise.
+
+        Away from singularities, for a program may begin with a line; where no posture of the arm
+        stands out, the middle of its limits. Always within these.
+        """
+        posture = self.kinematics.posture
+        if posture is not None:
+            return np.clip(posture, self.lower, self.upper)
+        endless = np.isinf(self.lower) | np.isinf(self.upper)
+        return np.where(endless, 0.0, (self.lower + self.upper) / 2.0)
+
+    def forward(self, joints: Array) -> Transform:
+        """base_from_flange of joint vectors (..., n) [rad]; the flange of ABB arms is tool0."""
+        return self.kinematics.forward(np.asarray(joints, dtype=np.float64))
+
+    def inverse(self, base_from_flange: Transform) -> Branches:
+        """All branches of poses (...,), before limits; `confdata.configurations` heeds those."""
+        return self.kinematics.inverse(base_from_flange)
+
+
+def load_robot(name_or_path: str | Path) -> Robot:
+    """Load a robot from the catalogue by name or alias, or from a URDF by path.
+
+    Raises:
+        RobotError: If the name is not known, the file cannot be read, or the arm is of a kind
+            that is not supported; the message says which.
+    """
+    text = str(name_or_path)
+    if isinstance(name_or_path, Path) or text.lower().endswith((".urdf", ".xml")):
+        # yourdfpy takes two seconds to import, which a robot of the catalogue need not pay.
+        from rapidsim.motion.robot.urdf import robot_parts_from_urdf  # noqa: PLC0415
+
+        parts = robot_parts_from_urdf(Path(text))
+        joints = tuple(
+            Joint(name, lower, upper, speed)
+            for name, (lower, upper), speed in zip(
+                parts.joint_names, parts.limits, parts.max_speeds, strict=True
+            )
+        )
+        return Robot(
+            name=parts.name,
+            title=parts.name,
+            joints=joints,
+            kinematics=parts.kinematics,
+            urdf=Path(text),
+            sources=(text,),
+            notices=parts.notices,
+        )
+    return _from_entry(find_entry(text))
+
+
+def _from_entry(entry: CatalogueEntry) -> Robot:
+    return Robot(
+        name=entry.name,
+        title=entry.title,
+        joints=tuple(
+            Joint(name, lower, upper, speed, acceleration)
+            for name, (lower, upper), speed, acceleration in zip(
+                entry.joint_names,
+                entry.limits,
+                entry.max_speeds,
+                entry.max_accelerations,
+                strict=True,
+            )
+        ),
+        kinematics=kinematics_of(entry),
+        notices=_notices(entry),
+        urdf=entry.urdf,
+        payload_kg=entry.payload_kg,
+        reach_m=entry.reach_m,
+        maker=entry.maker,
+        sources=entry.sources,
+        checks=entry.checks,
+        notes=entry.notes,
+        not_modelled=entry.not_modelled,
+    )
+
+
+def _notices(entry: CatalogueEntry) -> tuple[str, ...]:
+    """What the user should know of an arm that is solved by search."""
+    if not isinstance(entry.geometry, AxisRowGeometry):
+        return ()
+    count = len(entry.joint_names)
+    why = (
+        "its axis 6 passes beside the crossing of axes 4 and 5"
+        if count == 6
+        else f"it has {count} axes"
+    )
+    return search_notices(entry.name, why, count)

@@ -1,0 +1,310 @@
+"""Robots from URDF files: joints, limits and frames by yourdfpy, kinematics by recognition.
+
+The only module that imports yourdfpy, which takes two seconds; `load_robot` imports it when asked
+for a file.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, replace
+from io import BytesIO
+from math import inf
+from pathlib import Path
+from xml.parsers import expat
+
+import numpy as np
+import yourdfpy
+
+from rapidsim.files import InputError, input_text
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.kinematics.arm import Kinematics
+from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
+from rapidsim.motion.kinematics.closed_form.opw_geometry import JOINT_COUNT
+from rapidsim.motion.kinematics.closed_form.opw_recognition import ortho_parallel_arm
+from rapidsim.motion.kinematics.numerical.offset_wrist import near_arm
+from rapidsim.motion.kinematics.numerical.revolute_chain import search_notices
+from rapidsim.motion.kinematics.numerical.seeds import MOST_JOINTS
+from rapidsim.motion.kinematics.numerical.solver import Numerical
+from rapidsim.motion.kinematics.serial_chain import AxesAtZero, SerialChain
+from rapidsim.motion.robot.catalogue import RobotError
+
+FLANGE_NAMES = ("tool0", "flange")
+"""Links that are the flange, the first that the file has; else the link of the last axis."""
+FEWEST_JOINTS = 2
+TURNING = ("revolute", "continuous")
+_DEEPEST = 100
+"""Tags within tags; a description needs six."""
+_FARTHEST_M = 1000.0
+_MOST_CHARACTERS = 10_000_000
+_DECLARATION = re.compile(r"\s*<\?xml\b.*?\?>", re.DOTALL)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RobotParts:
+    """What a description says of a robot."""
+
+    name: str
+    joint_names: tuple[str, ...]
+    limits: tuple[tuple[float, float], ...]
+    """[rad]; infinite for continuous joints."""
+    max_speeds: tuple[float | None, ...]
+    """[rad/s]; None where there is none, or the 0 that exporters write for an unknown one."""
+    kinematics: Kinematics
+    notices: tuple[str, ...]
+    """What the user should know of how this arm is solved."""
+
+
+def robot_parts_from_urdf(file: Path) -> RobotParts:
+    """Read a URDF.
+
+    Raises:
+        RobotError: If the file is no URDF, or its moving joints are not one row of turning axes.
+    """
+    robot = _read(file)
+    _require_tree(file, robot)
+    joints = _moving_joints(file, robot)
+    axes = _axes_at_zero(robot, joints)
+    limits = tuple(_limits(file, joint) for joint in joints)
+    closed_form: OrthoParallel | str = f"it has {len(joints)} axes"
+    if len(joints) == JOINT_COUNT:
+        closed_form = ortho_parallel_arm(axes)
+    coupling = _coupling(file, robot, joints, axes)
+    if coupling:
+        if isinstance(closed_form, str):
+            raise RobotError(
+                f"{file}: {closed_form}; arms with a rod are supported only with closed formulas"
+            )
+        geometry = replace(closed_form.geometry, coupling=coupling)
+        closed_form = replace(closed_form, geometry=geometry)
+    notices: tuple[str, ...] = ()
+    if coupling:
+        notices = (
+            f"{robot.name}: a rod moves axis 3; how far joint 3 - joint 2 may go is unknown, "
+            "so poses the rod forbids are not refused",
+        )
+    arm: Kinematics
+    if isinstance(closed_form, str):
+        notices = search_notices(robot.name, closed_form, len(joints))
+        lower, upper = np.array(limits).T
+        arm = Numerical(SerialChain.uncoupled(axes), lower, upper, near_arm(axes))
+    else:
+        arm = closed_form
+    return RobotParts(
+        name=robot.name,
+        joint_names=tuple(joint.name for joint in joints),
+        limits=limits,
+        max_speeds=tuple(_max_speed(joint) for joint in joints),
+        kinematics=arm,
+        notices=notices,
+    )
+
+
+def _read(file: Path) -> yourdfpy.Robot:
+    try:
+        # What was decoded is what is read: whatever encoding the declaration names, none is left.
+        text = _DECLARATION.sub("", input_text(file), count=1)
+    except InputError as mistake:
+        raise RobotError(mistake.message) from None
+    _require_plain(file, text)
+    try:
+        return yourdfpy.URDF.load(
+            BytesIO(text.encode()),
+            mesh_dir="",
+            load_meshes=False,
+            build_scene_graph=False,
+            load_collision_meshes=False,
+        ).robot
+    except (AttributeError, LookupError, SyntaxError, TypeError, ValueError) as mistake:
+        # yourdfpy has no error of its own: it fails wherever a tag or attribute is missing.
+        raise RobotError(f"{file}: not a readable URDF: {_reason(mistake)}") from None
+
+
+def _reason(mistake: Exception) -> str:
+    """What yourdfpy tripped over, in words."""
+    match mistake:
+        case KeyError():
+            return f"the attribute `{mistake.args[0]}` is missing"
+        case AttributeError():
+            return "a tag is missing"
+        case _:
+            return str(mistake)
+
+
+def _require_plain(file: Path, text: str) -> None:
+    """Refuse what is no XML, declares entities, is too large, or is nested too deeply."""
+    if len(text) > _MOST_CHARACTERS:
+        raise RobotError(f"{file}: more than {_MOST_CHARACTERS:g} characters")
+    depth = 0
+
+    def start(*_: object) -> None:
+        nonlocal depth
+        depth += 1
+        if depth > _DEEPEST:
+            raise RobotError(f"{file}: nested too deeply")
+
+    def end(_: str) -> None:
+        nonlocal depth
+        depth -= 1
+
+    def document_type(*_: object) -> None:
+        # Entities can blow a small file up to gigabytes or read others; a URDF needs none.
+        raise RobotError(f"{file}: a robot description must not declare XML entities")
+
+    parser = expat.ParserCreate()
+    parser.StartElementHandler = start
+    parser.EndElementHandler = end
+    parser.StartDoctypeDeclHandler = document_type
+    try:
+        parser.Parse(text, True)
+    except expat.ExpatError as mistake:
+        raise RobotError(f"{file}: not a readable URDF: {mistake}") from None
+
+
+def _require_tree(file: Path, robot: yourdfpy.Robot) -> None:
+    """Refuse joints that do not hang together as a tree, or whose numbers are none."""
+    links = {link.name for link in robot.links}
+    joint_to: dict[str, yourdfpy.Joint] = {}
+    for joint in robot.joints:
+        for link in (joint.parent, joint.child):
+            if link not in links:
+                raise RobotError(f"{file}: joint `{joint.name}` is at link `{link}`: there is none")
+        if joint.child in joint_to:
+            other = joint_to[joint.child].name
+            raise RobotError(f"{file}: joints `{other}` and `{joint.name}` carry one link")
+        joint_to[joint.child] = joint
+        _require_numbers(file, joint)
+    grounded: set[str] = set()
+    for joint in robot.joints:
+        way: dict[str, None] = {}
+        link = joint.child
+        while link in joint_to and link not in grounded:
+            if link in way:
+                raise RobotError(f"{file}: the joints go round in a ring through link `{link}`")
+            way[link] = None
+            link = joint_to[link].parent
+        grounded.update(way)
+
+
+def _require_numbers(file: Path, joint: yourdfpy.Joint) -> None:
+    axis, origin = np.asarray(joint.axis), joint.origin
+    if axis.shape != (3,) or not np.isfinite(axis).all() or not 1e-9 < np.abs(axis).max() < 1e9:
+        raise RobotError(f"{file}: the axis of joint `{joint.name}` is no direction")
+    if origin is not None and not (np.abs(origin) <= _FARTHEST_M).all():
+        raise RobotError(f"{file}: the origin of joint `{joint.name}` is no place on a robot")
+    limit = joint.limit
+    stated = (limit.lower, limit.upper, limit.velocity) if limit else ()
+    if not np.isfinite([one for one in stated if one is not None]).all():
+        raise RobotError(f"{file}: the limits of joint `{joint.name}` are not finite")
+    if limit and ((limit.lower or 0.0) > (limit.upper or 0.0) or (limit.velocity or 0.0) < 0.0):
+        raise RobotError(f"{file}: the limits of joint `{joint.name}` are the wrong way round")
+
+
+def _moving_joints(file: Path, robot: yourdfpy.Robot) -> list[yourdfpy.Joint]:
+    """The moving joints from base to flange."""
+    moving = [joint for joint in robot.joints if joint.type != "fixed"]
+    for joint in moving:
+        if joint.type not in TURNING:
+            raise RobotError(f"{file}: {joint.type} joint `{joint.name}` is not supported yet")
+    moving = [joint for joint in moving if joint.mimic is None]
+    if not FEWEST_JOINTS <= len(moving) <= MOST_JOINTS:
+        joints = "joint" if len(moving) == 1 else "joints"
+        raise RobotError(
+            f"{file}: {len(moving)} moving {joints}; supported are arms with "
+            f"{FEWEST_JOINTS} to {MOST_JOINTS}"
+        )
+    joint_to = {joint.child: joint for joint in robot.joints}
+    ordered = max((_towards_base(joint_to, joint) for joint in moving), key=len)[::-1]
+    if len(ordered) != len(moving):
+        raise RobotError(f"{file}: the moving joints do not follow one another in one chain")
+    return ordered
+
+
+def _towards_base(
+    joint_to: dict[str, yourdfpy.Joint], joint: yourdfpy.Joint
+) -> list[yourdfpy.Joint]:
+    """A joint and the moving joints that carry it."""
+    carried: list[yourdfpy.Joint] = []
+    step: yourdfpy.Joint | None = joint
+    while step is not None:
+        if step.type != "fixed" and step.mimic is None:
+            carried.append(step)
+        step = joint_to.get(step.parent)
+    return carried
+
+
+def _coupling(
+    file: Path, robot: yourdfpy.Robot, joints: list[yourdfpy.Joint], axes: AxesAtZero
+) -> int:
+    """How joint 2 turns axis 3 besides joint 3: -1 where a rod holds the link between them level.
+
+    Raises:
+        RobotError: If a joint mimics another in any other way.
+    """
+    for rod in (joint for joint in robot.joints if joint.mimic is not None):
+        if len(joints) == JOINT_COUNT and rod.mimic.joint == joints[1].name:
+            base_from_rod = _frames_at_zero(robot)[rod.child]
+            direction = base_from_rod[:3, :3] @ rod.axis / np.linalg.norm(rod.axis)
+            along = float(direction @ axes.directions[2])
+            off_axis = np.cross(base_from_rod[:3, 3] - axes.points[2], direction)
+            multiplier = 1.0 if rod.mimic.multiplier is None else rod.mimic.multiplier
+            turn = [multiplier * along, abs(along), rod.mimic.offset or 0.0, *off_axis]
+            between = (rod.parent, rod.child) == (joints[1].child, joints[2].parent)
+            if between and np.allclose(turn, [-1.0, 1.0, 0.0, 0.0, 0.0, 0.0], atol=1e-9):
+                return -1
+        raise RobotError(
+            f"{file}: joint `{rod.name}` mimics `{rod.mimic.joint}`; supported is only a link that "
+            "a rod holds level between joints 2 and 3"
+        )
+    return 0
+
+
+def _axes_at_zero(robot: yourdfpy.Robot, joints: list[yourdfpy.Joint]) -> AxesAtZero:
+    base_from_link = _frames_at_zero(robot)
+    names = {link.name for link in robot.links}
+    last = joints[-1].child
+    flange = next((name for name in FLANGE_NAMES if name in names), last)
+    matrices = np.array([base_from_link[joint.child] for joint in joints])
+    axes = np.array([joint.axis for joint in joints], dtype=np.float64)
+    axes /= np.linalg.norm(axes, axis=-1, keepdims=True)
+    rotations, points = matrices[:, :3, :3], matrices[:, :3, 3]
+    return AxesAtZero(
+        directions=np.einsum("kij,kj->ki", rotations, axes),
+        points=points,
+        base_from_link=Transform(rotations, points),
+        base_from_flange=_transform(base_from_link[flange]),
+    )
+
+
+def _frames_at_zero(robot: yourdfpy.Robot) -> dict[str, Array]:
+    """base_from_link as matrix (4, 4) of every link with all joints at 0."""
+    children = {joint.child for joint in robot.joints}
+    frames = {link.name: np.eye(4) for link in robot.links if link.name not in children}
+    waiting = list(robot.joints)
+    while waiting:
+        known = [joint for joint in waiting if joint.parent in frames]
+        if not known:
+            break
+        for joint in known:
+            origin = np.eye(4) if joint.origin is None else joint.origin
+            frames[joint.child] = frames[joint.parent] @ origin
+        waiting = [joint for joint in waiting if joint.child not in frames]
+    return frames
+
+
+def _max_speed(joint: yourdfpy.Joint) -> float | None:
+    """The speed [rad/s] of a joint; URDF demands one, and exporters write 0 where none is known."""
+    return joint.limit.velocity or None if joint.limit else None
+
+
+def _limits(file: Path, joint: yourdfpy.Joint) -> tuple[float, float]:
+    if joint.type == "continuous":
+        return -inf, inf
+    limit = joint.limit
+    if limit is None or limit.lower is None or limit.upper is None:
+        raise RobotError(f"{file}: joint `{joint.name}` has no limits")
+    return float(limit.lower), float(limit.upper)
+
+
+def _transform(matrix: Array) -> Transform:
+    return Transform(matrix[:3, :3], matrix[:3, 3])

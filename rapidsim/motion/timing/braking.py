@@ -1,0 +1,64 @@
+"""Stopping on the path: the hardest braking that keeps the axes' accelerations and the path."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.path.path import Path
+from rapidsim.motion.timing.axis_limits import Limits
+from rapidsim.motion.timing.constraints import Limiter, Quantity
+from rapidsim.motion.timing.discretisation import cells_of
+from rapidsim.motion.timing.problem import problem_of
+from rapidsim.motion.timing.stages import Stages
+from rapidsim.motion.timing.time_optimal import fastest_drive
+from rapidsim.motion.timing.time_scaling import Timing
+
+_STANDSTILL = 1e-9
+"""Path speed [m/s] that counts as standing."""
+
+
+def stop_at(path: Path, limits: Limits, s: float, speed: float) -> Timing:
+    """Brake from a place on a path as fast as the axes can.
+
+    Args:
+        path: The geometry.
+        limits: Of the axes.
+        s: Where braking begins [m].
+        speed: Path speed there [m/s], one that the plan of the path has.
+
+    Returns:
+        The motion to rest; its last `s` is where the arm stands. Time 0 is at `s`.
+    """
+    nothing = (Limiter(Quantity.NOTHING),) * len(path.segments)
+    if speed <= _STANDSTILL or s >= path.length:
+        return Timing(np.full(2, s), np.zeros(2), 0.0, nothing)
+    problem = problem_of(path, cells_of(path, limits, s), limits)
+    # The same stages as for the plan that had this speed here.
+    _, motion = fastest_drive(problem, speed)
+    stages = motion.stages
+    stands, x = _braked(stages, motion.x, speed)
+    nodes = stages.nodes[: len(x)].copy()
+    nodes[-1] = stands
+    return Timing(nodes, np.sqrt(x), 0.0, nothing)
+
+
+def _braked(stages: Stages, fastest: Array, speed: float) -> tuple[float, Array]:
+    """Where the arm comes to rest [m], and x at the nodes on the way, the last of them 0.
+
+    `fastest` (m + 1,) is the x of the plan at the nodes.
+    """
+    x = [speed**2]
+    nodes = stages.nodes.tolist()
+    rows = zip(stages.slack, stages.tilt, fastest[1:].tolist(), strict=True)
+    for k, (slack, tilt, most) in enumerate(rows):
+        # Every row asks u >= -slack - tilt x. In a corner that may mean to speed up for a moment:
+        # an axis that the corner brakes as hard as it can must not be braked more.
+        u = float(np.max(-slack - tilt * x[-1]))
+        after = min(x[-1] + 2.0 * u * (nodes[k + 1] - nodes[k]), most)
+        if after <= 0.0:
+            x.append(0.0)
+            return min(nodes[k] - x[-2] / min(2.0 * u, -1e-300), nodes[k + 1]), np.array(x)
+        x.append(after)
+    x[-1] = 0.0
+    return nodes[-1], np.array(x)

@@ -1,0 +1,217 @@
+"""What limits the motion along a path, as rows of numbers: all that the solver knows of an arm.
+
+With v = ds/dt and u = d2s/dt2, a speed row asks |rate| v <= 1, an acceleration row asks
+|slope u + bend v2| <= 1. Each row is divided by its limit, so rows of axes, of the TCP and of
+whatever else moves are the same to the solver. A new kind of limit is a new entry in `_SPEEDS` or
+`_ACCELERATIONS`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from enum import Enum
+from types import MappingProxyType
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.path.path import Path
+from rapidsim.motion.timing.axis_limits import Limits
+from rapidsim.motion.timing.discretisation import Places
+
+Paces = Mapping[int, float]
+"""Path speeds [m/s] that give segments their programmed times, by the position of the segment."""
+NO_PACES: Paces = MappingProxyType({})
+
+
+class Quantity(Enum):
+    """What can be at its limit."""
+
+    AXIS_SPEED = "axis speed"
+    AXIS_ACCELERATION = "axis acceleration"
+    TCP_SPEED = "TCP speed"
+    REORIENTATION_SPEED = "reorientation speed"
+    EXTERNAL_AXIS_SPEED = "programmed speed of external axes"
+    TCP_ACCELERATION = "PathAccLim"
+    WORLD_ACCELERATION = "WorldAccLim"
+    DURATION = "programmed time"
+    NOTHING = "nothing"
+    """The segment has no length, or lies before the start of the timing."""
+
+
+@dataclass(frozen=True, slots=True)
+class Limiter:
+    """A limit that was reached."""
+
+    quantity: Quantity
+    axis: int | None = None
+    """Counted from 1; None where no single axis is meant."""
+
+    def __str__(self) -> str:
+        """Such as `acceleration of axis 2`."""
+        match self.quantity:
+            case Quantity.AXIS_SPEED:
+                return f"speed of axis {self.axis}"
+            case Quantity.AXIS_ACCELERATION:
+                return f"acceleration of axis {self.axis}"
+            case _:
+                return str(self.quantity.value)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SpeedRows:
+    """Some limits of the path speed."""
+
+    limiters: tuple[Limiter, ...]
+    """One a row."""
+    rate: Array
+    """Shape (k, rows) [s/m]: share of the limit that a path speed of 1 m/s uses, not negative; 0
+    where there is no such limit."""
+
+    @property
+    def largest(self) -> Array:
+        """The share (k,) of the tightest limit; column by column, for rows are short."""
+        largest = self.rate[:, 0].copy()
+        for column in range(1, self.rate.shape[1]):
+            np.maximum(largest, self.rate[:, column], out=largest)
+        return largest
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AccelerationRows:
+    """Some limits of the path acceleration."""
+
+    limiters: tuple[Limiter, ...]
+    """One a row."""
+    slope: Array
+    """Shape (k, rows) [s2/m]: signed share of the limit that a path acceleration of 1 m/s2 uses; 0
+    where there is no such limit."""
+    bend: Array
+    """Shape (k, rows) [s2/m2]: signed share that a path speed of 1 m/s uses; 0 likewise."""
+
+    @property
+    def largest_bend(self) -> Array:
+        """The largest bend (k,), without sign."""
+        largest = np.abs(self.bend[:, 0])
+        for column in range(1, self.bend.shape[1]):
+            np.maximum(largest, np.abs(self.bend[:, column]), out=largest)
+        return largest
+
+
+def speed_rows(path: Path, places: Places, limits: Limits, paces: Paces) -> SpeedRows:
+    """Every limit of the path speed.
+
+    Args:
+        path: The geometry.
+        places: Where it is looked at.
+        limits: Of the axes.
+        paces: Largest path speeds [m/s] of segments with a programmed time, by position; they
+            replace the programmed speeds there.
+    """
+    found = [_programmed_speeds(path, places, paces)]
+    found += [rows for kind in _SPEEDS if (rows := kind(path, places, limits)) is not None]
+    return SpeedRows(
+        tuple(limiter for rows in found for limiter in rows.limiters),
+        np.concatenate([rows.rate for rows in found], axis=-1),
+    )
+
+
+def acceleration_rows(path: Path, places: Places, limits: Limits) -> AccelerationRows:
+    """Every limit of the path acceleration."""
+    found = [rows for kind in _ACCELERATIONS if (rows := kind(path, places, limits)) is not None]
+    return AccelerationRows(
+        tuple(limiter for rows in found for limiter in rows.limiters),
+        np.concatenate([rows.slope for rows in found], axis=-1),
+        np.concatenate([rows.bend for rows in found], axis=-1),
+    )
+
+
+def _axis_speeds(path: Path, places: Places, limits: Limits) -> SpeedRows:
+    del path
+    rate = np.abs(places.rates.first) / limits.max_speed
+    return SpeedRows(_of_axes(Quantity.AXIS_SPEED, rate), rate)
+
+
+def _programmed_speeds(path: Path, places: Places, paces: Paces) -> SpeedRows:
+    """The four programmed speeds, or the pace that gives a segment its programmed time."""
+    segment = path.segment_of(places.piece)
+    paced, timed = np.zeros(len(path.segments), dtype=np.bool_), np.zeros(len(path.segments))
+    if paces:
+        positions = list(paces)
+        paced[positions], timed[positions] = True, 1.0 / np.array(list(paces.values()))
+    tcp = np.where(paced, 0.0, 1.0 / path.programmed.tcp)
+    turn = np.where(paced, 0.0, 1.0 / path.programmed.reorientation)
+    rate = np.empty((len(segment), len(_PROGRAMMED)))
+    rate[:, 0] = places.rates.tcp_rate * tcp[segment]
+    rate[:, 1] = places.rates.turn_rate * turn[segment]
+    rate[:, 2] = timed[segment]
+    joint_count = path.kinematics.joint_count
+    if path.axis_count == joint_count:
+        return SpeedRows(_PROGRAMMED, rate)
+    share = np.where(paced[:, None], 0.0, 1.0 / path.programmed.external)[segment]
+    external = np.abs(places.rates.first[:, joint_count:]) * share
+    limiters = _PROGRAMMED + (Limiter(Quantity.EXTERNAL_AXIS_SPEED),) * external.shape[1]
+    return SpeedRows(limiters, np.concatenate([rate, external], axis=-1))
+
+
+def _axis_accelerations(path: Path, places: Places, limits: Limits) -> AccelerationRows:
+    allowed = limits.max_acceleration * path.acceleration_share[places.piece][:, None]
+    slope, bend = places.rates.first / allowed, places.rates.second / allowed
+    return AccelerationRows(_of_axes(Quantity.AXIS_ACCELERATION, slope), slope, bend)
+
+
+def _path_accelerations(path: Path, places: Places, limits: Limits) -> AccelerationRows | None:
+    """PathAccLim. The solver brakes as it accelerates, so the smaller of both limits counts."""
+    del limits
+    allowed = path.programmed.tcp_acceleration
+    if np.isinf(allowed).all():
+        return None
+    along, straight, _ = _tcp_bends(path, places)
+    share = 1.0 / allowed[path.segment_of(places.piece)]
+    limiters = (Limiter(Quantity.TCP_ACCELERATION),)
+    return AccelerationRows(limiters, (along * share)[:, None], (straight * share)[:, None])
+
+
+def _world_accelerations(path: Path, places: Places, limits: Limits) -> AccelerationRows | None:
+    """WorldAccLim: an octagon within the circle of all accelerations along and across the path."""
+    del limits
+    allowed = path.programmed.world_acceleration
+    if np.isinf(allowed).all():
+        return None
+    along, straight, across = _tcp_bends(path, places)
+    share = 1.0 / (np.cos(np.pi / 8.0) * allowed[path.segment_of(places.piece)])
+    along, straight, across = along * share, straight * share, across * share
+    diagonal = np.sqrt(0.5)
+    slope = [along, 0.0 * along, diagonal * along, diagonal * along]
+    bend = [straight, across, diagonal * (straight + across), diagonal * (straight - across)]
+    limiters = (Limiter(Quantity.WORLD_ACCELERATION),) * 4
+    return AccelerationRows(limiters, np.stack(slope, axis=-1), np.stack(bend, axis=-1))
+
+
+def _tcp_bends(path: Path, places: Places) -> tuple[Array, Array, Array]:
+    """|p'|, and p'' along and across the path, (k,) each."""
+    first, second = path.tcp_derivatives(places.s, places.piece)
+    along = np.linalg.norm(first, axis=-1)
+    straight = np.einsum("ki,ki->k", first, second) / np.maximum(along, 1e-12)
+    across = np.sqrt(np.maximum(np.einsum("ki,ki->k", second, second) - straight**2, 0.0))
+    return along, straight, across
+
+
+def _of_axes(quantity: Quantity, values: Array) -> tuple[Limiter, ...]:
+    return tuple(Limiter(quantity, axis + 1) for axis in range(values.shape[-1]))
+
+
+_PROGRAMMED = (
+    Limiter(Quantity.TCP_SPEED),
+    Limiter(Quantity.REORIENTATION_SPEED),
+    Limiter(Quantity.DURATION),
+)
+_SPEEDS: tuple[Callable[[Path, Places, Limits], SpeedRows | None], ...] = (_axis_speeds,)
+"""What limits speed beside what is programmed; None where a path has no such limit at all."""
+_ACCELERATIONS: tuple[Callable[[Path, Places, Limits], AccelerationRows | None], ...] = (
+    _axis_accelerations,
+    _path_accelerations,
+    _world_accelerations,
+)
+"""What limits acceleration; None where a path has no such limit at all."""

@@ -1,0 +1,195 @@
+"""The places of a path at which timing looks: cells, denser where derivatives bend.
+
+Each cell knows derivatives at its start, middle and end, all taken from the piece it lies in, so
+that what jumps at zone edges does not smear; between the three they follow a parabola. Cells of one
+piece share the places where they meet.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.geometry.curves import Index
+from rapidsim.motion.geometry.parameterisation import Layout
+from rapidsim.motion.interruption import Look, undisturbed
+from rapidsim.motion.kinematics.arm import Mask
+from rapidsim.motion.path.path import Path
+from rapidsim.motion.path.path_derivatives import PathRates
+from rapidsim.motion.timing.axis_limits import Limits
+
+_LONGEST_CELL = 0.025
+_TCP_CELLS = 8
+"""Cells of half a corner where the acceleration of the TCP is limited: its derivatives are lengths
+of vectors, which bend more than those of joints."""
+_MIXED_CELLS = 4
+"""Cells of half a corner between a joint move and a line: they bend so much that fewer never do."""
+_FIRST_DEVIATION = 0.02
+_SECOND_DEVIATION = 0.2
+_SHORTEST_SHARE = 1e-9
+_DENT = 0.002
+_DROP = 0.15
+_SHORTEST_DENT = 1e-4
+_ROUNDS = 24
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Places:
+    """Places (k,) of a path with their derivatives, in no order."""
+
+    s: Array
+    piece: Index
+    rates: PathRates
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Cells:
+    """Cells (c,) in the order of s."""
+
+    places: Places
+    at: Index
+    """Shape (c, 3): which of the places are the start, the middle and the end of each cell."""
+    driven: int
+    """The first cell of the motion; smoothing sees the speed limits of those before it."""
+
+    @property
+    def s(self) -> Array:
+        """Start, middle and end of each cell, shape (c, 3) [m]."""
+        ends: Array = self.places.s[self.at]
+        return ends
+
+    @property
+    def width(self) -> Array:
+        """Shape (c,) [m]."""
+        width: Array = self.places.s[self.at[:, 2]] - self.places.s[self.at[:, 0]]
+        return width
+
+    @property
+    def piece(self) -> Index:
+        """The piece of each cell (c,)."""
+        piece: Index = self.places.piece[self.at[:, 0]]
+        return piece
+
+
+def cells_of(path: Path, limits: Limits, start: float, look: Look = undisturbed) -> Cells:
+    """Cells of a path, fine enough for its derivatives; the motion starts at a place [m] of it."""
+    cells = _evaluate(path, *_first_cells(path, start))
+    rough = np.arange(len(cells.at))
+    for _ in range(_ROUNDS):
+        look()
+        rough = rough[_rough(cells, rough, limits, path.length)]
+        if not len(rough):
+            break
+        cells = _halved(path, cells, rough)
+        # Only the halves can be rough still.
+        first = rough + np.arange(len(rough))
+        rough = np.stack([first, first + 1], axis=1).ravel()
+    driven = int(np.searchsorted(cells.places.s[cells.at[:, 0]], start))
+    return replace(cells, driven=driven)
+
+
+def _halved(path: Path, cells: Cells, index: Index) -> Cells:
+    """Cut some cells (k,), in increasing order, in the middle."""
+    places, cut = cells.places, cells.at[index]
+    start, middle, end = places.s[cut].T
+    s = np.concatenate([0.5 * (start + middle), 0.5 * (middle + end)])
+    pieces = np.tile(places.piece[cut[:, 0]], 2)
+    count, k = len(places.s), len(index)
+    number = count + np.arange(k)
+    rows = np.repeat(cells.at, 1 + np.bincount(index, minlength=len(cells.at)), axis=0)
+    first = index + np.arange(k)
+    rows[first] = np.stack([cut[:, 0], number, cut[:, 1]], axis=1)
+    rows[first + 1] = np.stack([cut[:, 1], number + k, cut[:, 2]], axis=1)
+    more = Places(
+        np.concatenate([places.s, s]),
+        np.concatenate([places.piece, pieces]),
+        places.rates.and_then(path.rates(s, pieces)),
+    )
+    return Cells(more, rows, cells.driven)
+
+
+def _first_cells(path: Path, start: float) -> tuple[Array, Array, Index]:
+    layout = path.layout
+    width = np.diff(layout.bounds)
+    in_corner = np.maximum(layout.orientation_corner, layout.joint_corner) >= 0
+    least = np.where(in_corner & _tcp_is_limited(path), _TCP_CELLS, 1)
+    least = np.where(_is_mixed(layout), np.maximum(least, _MIXED_CELLS), least)
+    longest = np.maximum(_LONGEST_CELL, path.length * 1e-4)
+    count = np.maximum(least, np.ceil(width / longest)).astype(np.int64)
+    owner = np.repeat(np.arange(len(width)), count)
+    number = np.arange(len(owner)) - np.repeat(np.cumsum(count) - count, count)
+    begin = layout.bounds[owner] + width[owner] * (number / count[owner])
+    end = np.append(begin[1:], layout.bounds[-1])
+    if start <= 0.0:
+        return begin, end, owner.astype(np.int64)
+    # A start inside a cell cuts it; a sliver of a cell would only be rounding.
+    kept = end > start + 1e-3 * np.minimum(end - begin, path.length)
+    kept[-1] = True
+    before = begin < start
+    rest = np.maximum(begin[kept], start)
+    rest[0] = start
+    return (
+        np.concatenate([begin[before], rest]),
+        np.concatenate([np.minimum(end[before], start), end[kept]]),
+        np.concatenate([owner[before], owner[kept]]).astype(np.int64),
+    )
+
+
+def _is_mixed(layout: Layout) -> Mask:
+    """Which pieces (p,) lie in a corner between a joint move and another curve."""
+    corner, in_joints = layout.joint_corner, layout.curves.in_joints
+    mixed: Mask = (corner >= 0) & ~(in_joints[corner] & in_joints[corner + 1])
+    return mixed
+
+
+def _tcp_is_limited(path: Path) -> bool:
+    """Whether PathAccLim or WorldAccLim hold somewhere."""
+    limits = (path.programmed.tcp_acceleration, path.programmed.world_acceleration)
+    return any(np.isfinite(limit).any() for limit in limits)
+
+
+def _evaluate(path: Path, start: Array, end: Array, piece: Index) -> Cells:
+    count = len(start)
+    number = np.arange(count)
+    # Where the next cell is of another piece, the end is a place of its own.
+    last = np.flatnonzero(np.append(piece[1:] != piece[:-1], True))
+    after = number + 1
+    after[last] = 2 * count + np.arange(len(last))
+    s = np.concatenate([start, 0.5 * (start + end), end[last]])
+    pieces = np.concatenate([piece, piece, piece[last]])
+    at = np.stack([number, count + number, after], axis=1)
+    return Cells(Places(s, pieces, path.rates(s, pieces)), at, 0)
+
+
+def _rough(cells: Cells, index: Index, limits: Limits, length: float) -> Mask:
+    """Whether derivatives bend too much within some cells (k,)."""
+    at, rates = cells.at[index], cells.places.rates
+    start, middle, end = at.T
+    width = cells.places.s[end] - cells.places.s[start]
+    bend, scale = _bend(rates.first[at] / limits.max_speed)
+    curl, curve = _bend(rates.second[at] / limits.max_acceleration)
+    # What the second derivative does counts as far as it can use up the acceleration.
+    fastest = np.minimum(1.0 / np.maximum(curve, 1e-12), 1.0 / np.maximum(scale, 1e-12) ** 2)
+    wide = width > _SHORTEST_SHARE * length
+    # The TCP may come to a point and go back: then its rate is a V that a middle can miss, and on
+    # the way there an S that three places do not show.
+    a, b, c = rates.tcp_rate[start], rates.tcp_rate[middle], rates.tcp_rate[end]
+    most = np.maximum(np.maximum(a, b), c)
+    dented = (np.abs(b - 0.5 * (a + c)) > _DENT * most) | (np.abs(c - a) > _DROP * most)
+    dented &= width > _SHORTEST_DENT * length
+    bent = (bend > _FIRST_DEVIATION * scale) | (curl * fastest > _SECOND_DEVIATION)
+    rough: Mask = (wide & bent) | dented
+    return rough
+
+
+def _bend(values: Array) -> tuple[Array, Array]:
+    """How far values (k, 3, n) are off a straight line in the middle, and how large they get (k,).
+
+    Of the n columns the largest counts; they come first, for short rows are slow to go along.
+    """
+    columns = np.ascontiguousarray(values.T)
+    off: Array = np.abs(columns[:, 1] - 0.5 * (columns[:, 0] + columns[:, 2])).max(axis=0)
+    largest: Array = np.abs(columns).max(axis=(0, 1))
+    return off, largest

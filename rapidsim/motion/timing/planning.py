@@ -1,0 +1,130 @@
+"""The fastest motion along a path within limits and programmed times."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.interruption import Look, undisturbed
+from rapidsim.motion.path.path import Path
+from rapidsim.motion.timing.active_constraints import limiters_of
+from rapidsim.motion.timing.axis_limits import Limits
+from rapidsim.motion.timing.constraints import Limiter, Paces, Quantity
+from rapidsim.motion.timing.discretisation import cells_of
+from rapidsim.motion.timing.problem import Problem, at_pace, problem_of
+from rapidsim.motion.timing.time_optimal import Division, drive, fastest_drive
+from rapidsim.motion.timing.time_scaling import Timing
+
+_TIMED_ROUNDS = 4
+_TIMED_HALVINGS = 16
+_TIME_TOLERANCE = 1e-3
+
+
+def plan(
+    path: Path,
+    limits: Limits,
+    *,
+    start: float = 0.0,
+    start_speed: float = 0.0,
+    look: Look = undisturbed,
+) -> Timing:
+    """Find the fastest motion to rest at the end of a path.
+
+    Args:
+        path: The geometry.
+        limits: Of the axes; the segments bring the limits of the TCP.
+        start: Place [m] where the motion starts.
+        start_speed: Path speed [m/s] there. If it is too fast to brake within the limits, it is
+            kept, the first stretch brakes harder than allowed, and `Timing.start_excess` says so.
+        look: Called now and then.
+    """
+    if start >= path.length:
+        nothing = Limiter(Quantity.NOTHING)
+        return Timing(
+            s=np.full(2, path.length),
+            speed=np.zeros(2),
+            start_excess=start_speed,
+            limited_by=(nothing,) * len(path.segments),
+        )
+    timed = _timed(path, start)
+    problem = problem_of(
+        path, cells_of(path, limits, start, look), limits, dict.fromkeys(timed, math.inf)
+    )
+    division, motion = fastest_drive(problem, start_speed, look)
+    if timed:
+        paces = _paces(problem, division, start_speed, timed, look)
+        division, _ = fastest_drive(at_pace(problem, paces), start_speed, look)
+        problem = at_pace(problem, _paces(problem, division, start_speed, timed, look))
+        motion = drive(problem, division, start_speed)
+    nodes, speed = motion.stages.nodes, np.sqrt(motion.x)
+    stops = np.flatnonzero(np.isin(nodes[1:-1], path.stops)) + 1
+    standing = None
+    if len(stops) and path.window:
+        # So long that the smoothed motion comes to rest, too: it could not turn a kink on the way.
+        nodes, speed = np.insert(nodes, stops, nodes[stops]), np.insert(speed, stops, 0.0)
+        standing = np.where(np.diff(nodes) == 0.0, path.window, 0.0)
+    return Timing(
+        s=nodes,
+        speed=speed,
+        start_excess=max(0.0, start_speed - float(np.sqrt(motion.fastest_start))),
+        limited_by=limiters_of(problem, motion),
+        standing=standing,
+    )
+
+
+def _timed(path: Path, start: float) -> dict[int, float]:
+    """Programmed time [s] of what is left of each segment that has one."""
+    begins, ends = path.segment_bounds[:-1], path.segment_bounds[1:]
+    times = {}
+    for i, segment in enumerate(path.segments):
+        if segment.duration is not None and ends[i] > max(start, begins[i]):
+            share = (ends[i] - max(start, begins[i])) / (ends[i] - begins[i])
+            times[i] = segment.duration * float(share)
+    return times
+
+
+def _paces(
+    problem: Problem,
+    division: Division,
+    start_speed: float,
+    timed: dict[int, float],
+    look: Look,
+) -> Paces:
+    """The path speed that gives each timed segment its time; infinite if too short.
+
+    Neighbours share the ramps between them, so all are halved together, and again around what was
+    found until the times agree.
+    """
+    index = np.array(list(timed))
+    wanted = np.array(list(timed.values()))
+    path, stages = problem.path, division.stages.beyond(division.driven)
+    segment, width = path.segment_of(problem.cells.piece[stages.cell]), stages.width
+    way = np.bincount(segment, width, minlength=len(path.segments))[index]
+
+    def spent(trial: Array) -> Array:
+        """Time of the timed segments at some paces."""
+        look()
+        attempt = dict(zip(timed, trial.tolist(), strict=True))
+        step = drive(at_pace(problem, attempt), division, start_speed).times
+        time: Array = np.bincount(segment, step, minlength=len(path.segments))[index]
+        return time
+
+    fastest = spent(np.full(len(index), np.inf))
+    feasible = fastest < wanted * (1.0 - _TIME_TOLERANCE)
+    # Half the mean speed is slow enough even where a fast start has to be braked away first.
+    low = 0.5 * way / wanted
+    high = np.where(feasible, 4.0 * way / fastest + low, np.inf)
+    found = high
+    for _ in range(_TIMED_ROUNDS):
+        for _ in range(_TIMED_HALVINGS):
+            middle = np.where(feasible, 0.5 * (low + high), np.inf)
+            slow = spent(middle) > wanted
+            low, high = np.where(slow, middle, low), np.where(slow, high, middle)
+        found = np.where(feasible, 0.5 * (low + high), np.inf)
+        miss = np.abs(spent(found) - wanted) / wanted
+        if not (feasible & (miss > _TIME_TOLERANCE)).any():
+            break
+        low, high = found / 1.3, found * 1.3
+    return dict(zip(timed, found.tolist(), strict=True))

@@ -1,0 +1,118 @@
+"""How fast the command may be where, so that the smoothed motion keeps the largest speeds.
+
+The arm's speed is the mean of the command's over the filter time, and its place the mean of the
+command's places. When the arm is at p, the command passes p in the middle of that time, and gets as
+far as half the time takes it to either side; where it is slow on one side, it is the longer there.
+If around p it stays below one straight line through the largest speed at p, then so does its mean:
+that of values on a line is the line at the mean of the places.
+
+Any line will do. A level one fits what dips; where the largest speed rises or falls evenly, as it
+does along a joint move, a level one would cost time and the line that follows it costs none.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.compiled import compiled
+from rapidsim.motion.geometry.curves import Index
+from rapidsim.motion.kinematics.arm import Mask
+from rapidsim.motion.timing import smoothed_speed_loops
+from rapidsim.motion.timing.smoothed_speed_loops import EVEN, LEVEL, NEXT, STEEP
+
+_REACH = 0.5
+"""Share of the window that the command is away from the arm at most, to either side."""
+_PAIRS = 2_000_000
+
+
+def held_speeds(places: Array, speeds: Array, needed: Mask, window: float) -> Array:
+    """Largest speeds of the command.
+
+    Args:
+        places: Shape (k,) [m], ascending.
+        speeds: Shape (k,) [m/s]: largest speeds of the arm there.
+        needed: Shape (k,): where the smoothed motion would exceed them; elsewhere it is enough that
+            the command keeps them.
+        window: The filter time [s].
+
+    Returns:
+        Shape (k,) [m/s].
+    """
+    # No command gets there sooner. A place of its own where the TCP only turns has next to no
+    # largest speed, so how far it gets follows from all the places on the way.
+    steps = 0.5 * np.diff(places) * (1.0 / speeds[1:] + 1.0 / speeds[:-1])
+    times = np.concatenate([[0.0], np.cumsum(steps)])
+    reach = _REACH * window
+    kernel = compiled(smoothed_speed_loops, "hold", len(places))
+    if kernel is not None:
+        result = np.empty(len(places))
+        kernel(places, speeds, needed, times, reach, result)
+        return result
+    near = first, after = within(times, reach)
+    # Where places are farther apart than that, the next ones stand for what lies between.
+    own = np.arange(len(places))
+    next_before = np.maximum(own - NEXT, 0)
+    next_after = np.minimum(own + NEXT + 1, len(places))
+    lonely = (first > next_before) | (after < next_after)
+    first, after = np.minimum(first, next_before), np.maximum(after, next_after)
+    slopes = np.zeros(len(places))
+    at = np.flatnonzero(needed)
+    slopes[at] = _slopes(places, speeds, at, first[at], after[at] - 1)
+    lined = lonely | (slopes != 0.0)
+    held = least_around(np.where(lined | ~needed, np.inf, speeds), near)
+    _keep_below_lines(held, places, speeds, slopes, np.flatnonzero(lined & needed), first, after)
+    return np.minimum(held, speeds)
+
+
+def _slopes(places: Array, speeds: Array, at: Index, first: Index, last: Index) -> Array:
+    """The slopes (j,) [1/s] of the lines to keep below around some places (j,), 0 for level ones.
+
+    `first` and `last` (j,) are the places at the ends of their windows.
+    """
+    way, rise = places[last] - places[first], speeds[last] - speeds[first]
+    steepness = np.abs(rise)
+    rising = (steepness > LEVEL * speeds[at]) & (steepness < STEEP * speeds[at]) & (way > 0.0)
+    slopes = np.where(rising, rise / np.where(rising, way, 1.0), 0.0)
+    off = np.zeros(len(at))
+    for other in (first, (first + at) // 2, (at + last) // 2, last):
+        line = speeds[at] + slopes * (places[other] - places[at])
+        np.maximum(off, np.abs(speeds[other] - line), out=off)
+    return np.where(off < EVEN * steepness, slopes, 0.0)
+
+
+def _keep_below_lines(
+    held: Array,
+    places: Array,
+    speeds: Array,
+    slopes: Array,
+    lined: Index,
+    first: Index,
+    after: Index,
+) -> None:
+    """Lower speeds (k,) to the lines through some places as far as they reach."""
+    if not len(lined):
+        return
+    ends = np.cumsum(after[lined] - first[lined])
+    parts = np.split(lined, np.searchsorted(ends, np.arange(_PAIRS, ends[-1], _PAIRS)))
+    for part in parts:
+        count = after[part] - first[part]
+        owner = np.repeat(part, count)
+        number = np.arange(len(owner)) - np.repeat(np.cumsum(count) - count, count)
+        other = first[owner] + number
+        line = speeds[owner] + slopes[owner] * (places[other] - places[owner])
+        np.minimum.at(held, other, line)
+
+
+def within(times: Array, window: float) -> tuple[Index, Index]:
+    """The first of ascending times (k,) within a window [s] around each, and the one after it."""
+    first = np.searchsorted(times, times - window, side="left")
+    return first, np.searchsorted(times, times + window, side="right")
+
+
+def least_around(speeds: Array, near: tuple[Index, Index]) -> Array:
+    """The least of speeds (k,) [m/s] around each place; `near` is what `within` says of it."""
+    # `reduceat` takes the least from each index to the next; every second one is a window.
+    bounds = np.stack(near, axis=1).ravel()
+    least: Array = np.minimum.reduceat(np.append(speeds, np.inf), bounds)[::2]
+    return least

@@ -1,0 +1,96 @@
+"""The loops of `smoothed_speed_limits`, to be compiled; without numba it goes in columns."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.kinematics.arm import Mask
+
+NEXT = 2
+"""As many places to either side count even if they are out of reach; two may be at one place."""
+LEVEL = 2e-4
+"""Share of a speed by which it may change over the window and still count as level."""
+STEEP = 1.0
+"""Share above which lines would go to nothing within the window."""
+EVEN = 0.25
+"""Share of its rise by which the largest speed may be off the line."""
+
+
+def hold(
+    places: Array, speeds: Array, needed: Mask, times: Array, reach: float, held: Array
+) -> None:
+    """Fill in the largest speeds (k,) [m/s] of the command; see `smoothed_speed_limits`.
+
+    Args:
+        places: Shape (k,) [m], ascending.
+        speeds: Shape (k,) [m/s].
+        needed: Shape (k,).
+        times: Shape (k,) [s], ascending: when the command is at the places at its soonest.
+        reach: How far [s] the command gets away from the arm, to either side.
+        held: Filled in.
+    """
+    count = len(places)
+    level = np.empty(count)
+    for k in range(count):
+        held[k] = speeds[k]
+    first, after = 0, 0
+    for k in range(count):
+        while times[first] < times[k] - reach:
+            first += 1
+        while after < count and times[after] <= times[k] + reach:
+            after += 1
+        level[k] = np.inf
+        if not needed[k]:
+            continue
+        next_before, next_after = max(k - NEXT, 0), min(k + NEXT + 1, count)
+        lonely = first > next_before or after < next_after
+        low, high = min(first, next_before), max(after, next_after)
+        slope = slope_around(places, speeds, k, low, high - 1)
+        if lonely or slope != 0.0:
+            for other in range(low, high):
+                line = speeds[k] + slope * (places[other] - places[k])
+                held[other] = min(held[other], line)
+        else:
+            level[k] = speeds[k]
+    keep_below_levels(level, times, reach, held)
+
+
+def slope_around(places: Array, speeds: Array, k: int, first: int, last: int) -> float:
+    """The slope [1/s] of the line to keep below around a place; 0 for a level one."""
+    way, rise = places[last] - places[first], speeds[last] - speeds[first]
+    if not (LEVEL * speeds[k] < abs(rise) < STEEP * speeds[k] and way > 0.0):
+        return 0.0
+    slope: float = rise / way
+    for other in (first, (first + k) // 2, (k + last) // 2, last):
+        line = speeds[k] + slope * (places[other] - places[k])
+        if abs(speeds[other] - line) >= EVEN * abs(rise):
+            return 0.0
+    return slope
+
+
+def keep_below_levels(level: Array, times: Array, reach: float, held: Array) -> None:
+    """Lower `held` (k,) to the least of some levels (k,) [m/s] within reach [s] of each.
+
+    One that a slower one follows is the least of no window that holds both, so those that can be
+    wait in a row, in which they become faster towards its end.
+    """
+    count = len(level)
+    row = np.empty(count, np.int64)
+    head, end, after = 0, 0, 0
+    for k in range(count):
+        while after < count and times[after] <= times[k] + reach:
+            if level[after] < np.inf:
+                while end > head and level[row[end - 1]] >= level[after]:
+                    end -= 1
+                row[end] = after
+                end += 1
+            after += 1
+        while head < end and times[row[head]] < times[k] - reach:
+            head += 1
+        if head < end:
+            held[k] = min(held[k], level[row[head]])
+
+
+COMPILED = (slope_around, keep_below_levels, hold)
+"""All functions, each after those that it calls."""

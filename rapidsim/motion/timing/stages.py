@@ -1,0 +1,239 @@
+"""The steps of the solver: parts of the cells of a path, with all their limits.
+
+Derivatives are known at three places of a cell (`discretisation`). Within it they follow the
+parabola through these, so a cell can be driven in as many stages as its time is worth without
+looking at the arm again. Within a stage the path acceleration is constant.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.compiled import compiled
+from rapidsim.motion.geometry.curves import Index
+from rapidsim.motion.timing import two_pass_loops
+from rapidsim.motion.timing.constraints import AccelerationRows
+from rapidsim.motion.timing.discretisation import Cells
+
+LARGEST_X = 1e12
+"""Square of a path speed [m2/s2] that nothing reaches."""
+_CROSSINGS = 30
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Stages:
+    """Stages (m,) in the order of s."""
+
+    cell: Index
+    """Shape (m,)."""
+    begin: Array
+    """Where in its cell each begins, shape (m,), from 0 to 1."""
+    end: Array
+    """Where it ends."""
+    nodes: Array
+    """S of their ends, shape (m + 1,) [m]."""
+    slack: Array
+    """Shape (m, rows of begins, then of ends): |u + tilt x| <= slack, x at the begin."""
+    tilt: Array
+    widest: Array
+    """Shape (m,): largest x at the begin for which some u keeps every row."""
+
+    @property
+    def width(self) -> Array:
+        """Shape (m,) [m]."""
+        return np.diff(self.nodes)
+
+    @property
+    def places(self) -> Array:
+        """Begin, middle and end of each, shape (m, 3) [m]."""
+        first, last = self.nodes[:-1], self.nodes[1:]
+        return np.stack([first, 0.5 * (first + last), last], axis=1)
+
+    def beyond(self, count: int) -> Stages:
+        """Those after the first few."""
+        return Stages(
+            self.cell[count:],
+            self.begin[count:],
+            self.end[count:],
+            self.nodes[count:],
+            self.slack[count:],
+            self.tilt[count:],
+            self.widest[count:],
+        )
+
+
+def stages_of(cells: Cells, rows: AccelerationRows, parts: int) -> Stages:
+    """Each cell in a number of equal stages; `rows` are those of the places of the cells."""
+    cell = np.repeat(np.arange(len(cells.at)), parts)
+    share = np.arange(parts + 1) / parts
+    begin, end = (np.tile(part, len(cells.at)) for part in (share[:-1], share[1:]))
+    count, columns = len(cell), 2 * rows.slope.shape[1]
+    slack, tilt = np.empty((2, count, columns))
+    stages = Stages(cell, begin, end, np.empty(count + 1), slack, tilt, np.empty(count))
+    _fill_in(stages, cells, rows, np.arange(count))
+    return stages
+
+
+def cut(stages: Stages, cells: Cells, rows: AccelerationRows, parts: Index) -> Stages:
+    """Each stage in a number (m,) of equal ones."""
+    owner = np.repeat(np.arange(len(parts)), parts)
+    number = np.arange(len(owner)) - np.repeat(np.cumsum(parts) - parts, parts)
+    begin, step = stages.begin[owner], ((stages.end - stages.begin) / parts)[owner]
+    # The last one ends exactly where its stage did, for ends are compared with stops.
+    last = number + 1 == parts[owner]
+    smaller = Stages(
+        stages.cell[owner],
+        np.where(number == 0, begin, begin + step * number),
+        np.where(last, stages.end[owner], begin + step * (number + 1)),
+        np.append(stages.nodes[owner], stages.nodes[-1]),
+        stages.slack[owner],
+        stages.tilt[owner],
+        stages.widest[owner],
+    )
+    _fill_in(smaller, cells, rows, np.flatnonzero(parts[owner] > 1))
+    return smaller
+
+
+def weights_of(share: Array) -> Array:
+    """What start, middle and end of cells count at shares (m,) of them, shape (m, 3).
+
+    These are the weights of the parabola through three values.
+    """
+    rest = 1.0 - share
+    weights = np.empty((len(share), 3))
+    weights[:, 0] = rest * (1.0 - 2.0 * share)
+    weights[:, 1] = 4.0 * share * rest
+    weights[:, 2] = share * (2.0 * share - 1.0)
+    return weights
+
+
+def rows_along(values: Array, at: Index, weights: Array) -> Array:
+    """Rows (m, r) within cells, on the parabolas through three places of each.
+
+    Args:
+        values: Shape (k, r), at places.
+        at: Shape (m, 3): the start, the middle and the end of each cell among the places.
+        weights: Shape (m, 3); see `weights_of`.
+    """
+    rows: Array = np.einsum("mp,mpr->mr", weights, values[at])
+    return rows
+
+
+def fastest(stages: Stages, cells: Cells, slowness: Array) -> Array:
+    """Largest path speeds (m, 3) [m/s] at begin, middle and end of stages.
+
+    `slowness` (k,) [s/m] is that of the places of the cells. Within a cell it may have a kink,
+    where another limit takes over: of the parabola and of straight lines the slower counts.
+    """
+    kernel = compiled(two_pass_loops, "fast_stages", len(stages.cell))
+    if kernel is not None:
+        speeds = np.empty((len(stages.cell), 3))
+        kernel(cells.at, slowness, stages.cell, stages.begin, stages.end, speeds)
+        return speeds
+    own = slowness[cells.at][stages.cell]
+    start, middle, end = own.T
+    slow = np.empty((len(own), 3))
+    for i, share in enumerate((stages.begin, 0.5 * (stages.begin + stages.end), stages.end)):
+        of_end = np.maximum(2.0 * share - 1.0, 0.0)
+        of_middle = 2.0 * (share - of_end)
+        straight = start * (1.0 - of_middle - of_end) + middle * of_middle + end * of_end
+        parabola = np.einsum("mp,mp->m", weights_of(share), own)
+        np.maximum(parabola, straight, out=slow[:, i])
+    speeds = 1.0 / slow
+    return speeds
+
+
+def _fill_in(stages: Stages, cells: Cells, rows: AccelerationRows, new: Index) -> None:
+    """Fill in nodes, slack, tilt and widest of some stages (j,).
+
+    At the end of a stage x has grown by span u, so its row there is
+    |(slope + span bend) u + bend x| <= 1.
+    """
+    cell, begin, end = stages.cell[new], stages.begin[new], stages.end[new]
+    s = cells.places.s[cells.at]
+    width = (s[:, 2] - s[:, 0])[cell]
+    stages.nodes[new] = s[cell, 0] + width * begin
+    stages.nodes[-1] = s[-1, 2]
+    span = 2.0 * (end - begin) * width
+    kernel = compiled(two_pass_loops, "limit_stages", len(new))
+    if kernel is not None:
+        kernel(
+            (cells.at, rows.slope, rows.bend),
+            (cell, begin, end, span),
+            (LARGEST_X, new),
+            (stages.slack, stages.tilt, stages.widest),
+        )
+        return
+    at = cells.at[cell]
+    own = rows.slope.shape[1]
+    ends = weights_of(begin), weights_of(end)
+    tilt = np.concatenate([rows_along(rows.bend, at, weights) for weights in ends], axis=1)
+    slope = np.concatenate([rows_along(rows.slope, at, weights) for weights in ends], axis=1)
+    slope[:, own:] += span[:, None] * tilt[:, own:]
+    steepest = np.abs(slope).max(axis=1)
+    # Rows that hardly see u get a small share of it instead: their bound on x is then 1 / |bend|.
+    least = 1e-9 * (steepest[:, None] + span[:, None] * np.abs(tilt)) + 1e-300
+    inverse = 1.0 / np.where(np.abs(slope) > least, slope, least)
+    slack, tilt = np.abs(inverse), tilt * inverse
+    stages.slack[new], stages.tilt[new] = slack, tilt
+    stages.widest[new] = _widest(slack, tilt, span)
+
+
+def _widest(slack: Array, tilt: Array, span: Array) -> Array:
+    """Largest x (m,) for which some u keeps every row of a stage and stays above zero.
+
+    Seen over x, the rows leave u a band that narrows to a point. From far outside one goes to where
+    the two rows cross that are the tightest there, until they are the tightest at their crossing.
+    """
+    x = np.full(len(slack), LARGEST_X)
+    among = np.arange(len(slack))
+    for _ in range(_CROSSINGS):
+        own_slack, own_tilt = slack[among], tilt[among]
+        leaning = own_tilt * x[among, None]
+        number = np.arange(len(among))
+        above = (own_slack - leaning).argmin(axis=1)
+        below = (own_slack + leaning).argmin(axis=1)
+        gap = own_tilt[number, above] - own_tilt[number, below]
+        room = own_slack[number, above] + own_slack[number, below]
+        crossing = room / np.maximum(gap, room / LARGEST_X)
+        nearer = crossing < x[among]
+        among = among[nearer]
+        if not len(among):
+            break
+        x[among] = crossing[nearer]
+    # x + span u >= 0 with u <= slack - tilt x.
+    falls = span[:, None] * tilt - 1.0
+    grown = span[:, None] * slack / np.where(falls > 1e-12, falls, 1.0)
+    ends = np.where(falls > 1e-12, grown, np.inf).min(axis=1)
+    result: Array = np.minimum(x, ends)
+    return result
+
+
+def in_the_middle(stages: Stages, x: Array) -> tuple[Array, Array, Array]:
+    """Share of the cell, path acceleration [m/s2] and square of the speed (m,) in mid-stage.
+
+    `x` (m + 1,) is given at the nodes.
+    """
+    u = np.diff(x) / np.maximum(2.0 * stages.width, 1e-300)
+    return 0.5 * (stages.begin + stages.end), u, 0.5 * (x[:-1] + x[1:])
+
+
+def loads(stages: Stages, cells: Cells, rows: AccelerationRows, x: Array) -> Array:
+    """The largest share (m,) of an acceleration that is used in the middle of stages.
+
+    `x` (m + 1,) is given at the nodes, `rows` are those of the places of the cells.
+    """
+    middle, u, square = in_the_middle(stages, x)
+    kernel = compiled(two_pass_loops, "load_stages", len(u))
+    if kernel is not None:
+        found = np.empty(len(u))
+        kernel((cells.at, rows.slope, rows.bend), stages.cell, middle, u, square, found)
+        return found
+    at = cells.at[stages.cell]
+    weights = weights_of(middle)
+    slope, bend = rows_along(rows.slope, at, weights), rows_along(rows.bend, at, weights)
+    largest: Array = np.abs(slope * u[:, None] + bend * square[:, None]).max(axis=1)
+    return largest

@@ -1,0 +1,166 @@
+"""The fastest drive along a path: stages cut until their size costs no time, speeds held.
+
+A stage keeps every acceleration at both of its ends with one path acceleration, so it is a little
+slower than need be, by less the shorter it is. Cells look at the arm and cost much, stages cost
+little: only they are cut.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.geometry.curves import Index
+from rapidsim.motion.interruption import Look, undisturbed
+from rapidsim.motion.kinematics.arm import Mask
+from rapidsim.motion.timing.problem import Problem
+from rapidsim.motion.timing.smoothed_speed_limits import held_speeds
+from rapidsim.motion.timing.stages import Stages, cut, fastest, loads, stages_of
+from rapidsim.motion.timing.time_scaling import Timing
+from rapidsim.motion.timing.two_pass import solve
+
+_FIRST_PARTS = 2
+_ROUNDS = 3
+_MORE_ROUNDS = 3
+"""After the rounds that save time, those in which only stages are cut that break a limit."""
+_MOST_PARTS = 8
+_IDLE = 1e-5
+"""Share of its segment's time that a stage may lose by its size."""
+_IDLE_S = 1e-6
+_ACCELERATION_EXCESS = 0.002
+"""Share of an acceleration by which it may be exceeded within a stage."""
+_SPEED_EXCESS = 5e-4
+_NEARLY = 0.97
+"""A smoothed speed this near to its limit counts as exceeding it."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Drive:
+    """A motion over stages (m,)."""
+
+    stages: Stages
+    x: Array
+    """Squares of the path speed at the nodes, shape (m + 1,)."""
+    fastest_start: float
+    """The largest x at the start from which the rest can be driven."""
+    by_speed: Array
+    """Largest x by speeds in the middle of the stages, shape (m,)."""
+
+    @property
+    def times(self) -> Array:
+        """Time (m,) [s] in each stage."""
+        speed = np.sqrt(self.x)
+        times: Array = 2.0 * self.stages.width / np.maximum(speed[1:] + speed[:-1], 1e-300)
+        return times
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Division:
+    """How the cells of a path are divided, those before the start too."""
+
+    stages: Stages
+    needed: Mask
+    """Shape (m,): the stages in which the smoothed motion would be too fast."""
+    driven: int
+    """The first stage of the motion."""
+
+    def cut(self, problem: Problem, parts: Index) -> Division:
+        """Each stage in a number (m,) of parts."""
+        stages = cut(self.stages, problem.cells, problem.accelerations, parts)
+        return Division(stages, np.repeat(self.needed, parts), int(parts[: self.driven].sum()))
+
+
+def fastest_drive(
+    problem: Problem, start_speed: float, look: Look = undisturbed
+) -> tuple[Division, Drive]:
+    """Find the fastest motion from a start speed [m/s] to rest at the end of the path."""
+    stages = stages_of(problem.cells, problem.accelerations, _FIRST_PARTS)
+    first = problem.cells.driven * _FIRST_PARTS
+    division = Division(stages, np.zeros(len(stages.cell), dtype=bool), first)
+    if problem.path.window:
+        division = Division(stages, _needed(problem, division, start_speed), first)
+    result = drive(problem, division, start_speed)
+    for number in range(_ROUNDS + _MORE_ROUNDS):
+        look()
+        parts = np.ones(len(division.needed), dtype=np.int64)
+        parts[division.driven :] = _parts(problem, result, save_time=number < _ROUNDS)
+        if (parts == 1).all():
+            break
+        division = division.cut(problem, parts)
+        result = drive(problem, division, start_speed)
+    return division, result
+
+
+def drive(problem: Problem, division: Division, start_speed: float) -> Drive:
+    """The fastest motion over given stages from a start speed [m/s]."""
+    stages = division.stages
+    speeds = fastest(stages, problem.cells, problem.slowness)
+    if division.needed.any():
+        window = problem.path.window
+        places, needed = stages.places.ravel(), np.repeat(division.needed, 3)
+        speeds = held_speeds(places, speeds.ravel(), needed, window).reshape(-1, 3)
+    own, speeds = stages.beyond(division.driven), speeds[division.driven :]
+    x, fastest_start = solve(own, _caps(problem, own, speeds), start_speed)
+    return Drive(own, x, fastest_start, speeds[:, 1] ** 2)
+
+
+def _caps(problem: Problem, stages: Stages, speeds: Array) -> Array:
+    """Largest x (m + 1,) at the nodes from largest speeds (m, 3) of stages.
+
+    A dip within a stage holds at both of its ends.
+    """
+    dip = np.where(speeds[:, 1] < np.minimum(speeds[:, 0], speeds[:, 2]), speeds[:, 1], np.inf)
+    caps = np.append(np.minimum(speeds[:, 0], dip), np.inf)
+    caps[1:] = np.minimum(caps[1:], np.minimum(speeds[:, 2], dip))
+    caps[np.isin(stages.nodes, problem.path.stops)] = 0.0
+    squares: Array = caps**2
+    return squares
+
+
+def _needed(problem: Problem, division: Division, start_speed: float) -> Mask:
+    """In which stages (m,) speeds must be held for the smoothed motion to keep them.
+
+    That is where a motion would exceed it that holds nothing: what holds is slower, and so is its
+    mean.
+    """
+    stages = division.stages
+    speeds = fastest(stages, problem.cells, problem.slowness)
+    caps = _caps(problem, stages, speeds)
+    x, _ = solve(stages, caps, float(np.sqrt(caps[0])) if division.driven else start_speed)
+    free = Timing(stages.nodes, np.sqrt(x), 0.0, ())
+    needed: Mask = np.zeros(len(speeds), dtype=bool)
+    for window in problem.path.windows:
+        place, speed = free.smoothed(window)
+        mean = np.interp(stages.places, place, speed)
+        needed |= np.any(mean > _NEARLY * speeds, axis=1)
+    # What happens between two places shows in one of the next stages.
+    near = needed.copy()
+    near[1:] |= needed[:-1]
+    near[:-1] |= needed[1:]
+    return near
+
+
+def _parts(problem: Problem, result: Drive, *, save_time: bool) -> Index:
+    """In how many parts (m,) to cut the stages of a motion, to keep limits and to save time."""
+    stages, x = result.stages, result.x
+    load = loads(stages, problem.cells, problem.accelerations, x)
+    speed = np.sqrt(0.5 * (x[1:] + x[:-1]) / result.by_speed)
+    # What a limit is exceeded by between two ends where it is kept falls with the square.
+    over = np.maximum((load - 1.0) / _ACCELERATION_EXCESS, (speed - 1.0) / _SPEED_EXCESS)
+    parts = np.sqrt(np.maximum(over, 0.0))
+    if save_time:
+        parts = np.maximum(parts, _parts_worth_while(problem, result, np.maximum(load, speed)))
+    whole: Index = np.clip(np.ceil(parts), 1, _MOST_PARTS).astype(np.int64)
+    return whole
+
+
+def _parts_worth_while(problem: Problem, result: Drive, used: Array) -> Array:
+    """In how many parts (m,) stages lose little time that use some share (m,) of their limits."""
+    segment = problem.path.segment_of(problem.cells.piece[result.stages.cell])
+    times = result.times
+    matters = np.bincount(segment, times, minlength=len(problem.path.segments))[segment]
+    lost = 0.5 * times * (1.0 - used)
+    parts: Array = lost / np.maximum(_IDLE * matters, _IDLE_S)
+    return parts

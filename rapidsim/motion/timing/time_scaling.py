@@ -1,0 +1,126 @@
+"""When the arm is where on a path: place and speed as exact functions of time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import overload
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.geometry.curves import Index
+from rapidsim.motion.timing.constraints import Limiter
+
+
+@dataclass(frozen=True, eq=False)
+class Timing:
+    """Place on a path as a function of time; time 0 is at the place where it starts."""
+
+    s: Array
+    """Nodes (k,) [m]."""
+    speed: Array
+    """Path speed ds/dt at the nodes, shape (k,) [m/s]."""
+    start_excess: float
+    """How much faster [m/s] the start was than what can be braked within the limits, else 0. Up to
+    1 % of the speed comes from looking at other nodes than the plan that led there."""
+    limited_by: tuple[Limiter, ...]
+    """What holds each segment of the path back for most of its time."""
+    standing: Array | None = None
+    """Time [s] spent in each cell (k - 1,) beside driving through it: at stops in mid path, which
+    are cells without width. None where there are none."""
+
+    @cached_property
+    def acceleration(self) -> Array:
+        """Path acceleration in each cell, shape (k - 1,) [m/s2]."""
+        change: Array = np.diff(self.speed**2) / np.maximum(2.0 * np.diff(self.s), 1e-300)
+        return change
+
+    @cached_property
+    def times(self) -> Array:
+        """Time at the nodes, shape (k,) [s]."""
+        pace = self.speed[1:] + self.speed[:-1]
+        steps = 2.0 * np.diff(self.s) / np.maximum(pace, 1e-300)
+        if self.standing is not None:
+            steps = steps + self.standing
+        return np.concatenate([[0.0], np.cumsum(steps)])
+
+    @property
+    def duration(self) -> float:
+        """[s]"""
+        return float(self.times[-1])
+
+    @overload
+    def s_at(self, t: float) -> float: ...
+
+    @overload
+    def s_at(self, t: Array) -> Array: ...
+
+    def s_at(self, t: float | Array) -> float | Array:
+        """Place [m] at times [s], one or (k,); outside its time the motion stands."""
+        k, since = self._cell(t)
+        place: Array = self.s[k] + since * (self.speed[k] + 0.5 * since * self.acceleration[k])
+        place = np.clip(place, self.s[0], self.s[-1])
+        return place if np.ndim(t) else float(place)
+
+    @overload
+    def speed_at(self, t: float) -> float: ...
+
+    @overload
+    def speed_at(self, t: Array) -> Array: ...
+
+    def speed_at(self, t: float | Array) -> float | Array:
+        """Path speed [m/s] at times [s], one or (k,)."""
+        k, since = self._cell(t)
+        speed: Array = self.speed[k] + since * self.acceleration[k]
+        speed = np.maximum(speed, 0.0)
+        return speed if np.ndim(t) else float(speed)
+
+    @overload
+    def time_at(self, s: float) -> float: ...
+
+    @overload
+    def time_at(self, s: Array) -> Array: ...
+
+    def time_at(self, s: float | Array) -> float | Array:
+        """Time [s] at places [m], one or (k,)."""
+        place = np.clip(np.asarray(s, dtype=np.float64), self.s[0], self.s[-1])
+        k = np.clip(np.searchsorted(self.s, place, side="right") - 1, 0, len(self.s) - 2)
+        way = place - self.s[k]
+        speed = np.sqrt(np.maximum(self.speed[k] ** 2 + 2.0 * self.acceleration[k] * way, 0.0))
+        time: Array = self.times[k] + 2.0 * way / np.maximum(speed + self.speed[k], 1e-300)
+        return time if np.ndim(s) else float(time)
+
+    def way_integral(self, t: Array) -> Array:
+        """Integral of s - s[0] from time 0 to times (k,) [m s]."""
+        k, since = self._cell(t)
+        cubic = since * (
+            self.s[k] - self.s[0] + since * (self.speed[k] / 2 + since * self.acceleration[k] / 6)
+        )
+        integral: Array = self.integrals[k] + cubic
+        return integral
+
+    def smoothed(self, window: float) -> tuple[Array, Array]:
+        """Places [m] and speeds [m/s], (k,) each, of the mean over a window [s] before each node.
+
+        Before the first node the motion is taken to have had the speed that it has there.
+        """
+        early = self.times - window
+        before = np.minimum(early, 0.0)
+        place = self.s_at(early) + self.speed[0] * before
+        integral = self.way_integral(early) + 0.5 * self.speed[0] * before**2
+        mean = self.s[0] + (self.integrals - integral) / window
+        return mean, (self.s - place) / window
+
+    @cached_property
+    def integrals(self) -> Array:
+        """Integral of s - s[0] from time 0 to the nodes, shape (k,) [m s]."""
+        step = np.diff(self.times)
+        way, speed = self.s[:-1] - self.s[0], self.speed[:-1]
+        parts = step * (way + step * (speed / 2 + step * self.acceleration / 6))
+        return np.concatenate([[0.0], np.cumsum(parts)])
+
+    def _cell(self, t: float | Array) -> tuple[Index, Array]:
+        time = np.clip(np.asarray(t, dtype=np.float64), 0.0, self.times[-1])
+        k = np.clip(np.searchsorted(self.times, time, side="right") - 1, 0, len(self.s) - 2)
+        return k, time - self.times[k]

@@ -1,1 +1,0 @@
-"""Trajectories through a row of points, as they are taught: lines, splines, joint polynomials."""

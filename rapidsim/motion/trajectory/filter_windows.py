@@ -1,0 +1,187 @@
+"""How wide the window of the smoothing is at any time, and how AccSet's ramps widen it.
+
+The arm is seen where the mean of the command is over the window [t - T(t), t]. T is the filter
+time; a ramp of p % makes it 100 / p of that. Nothing was measured of ramps: this is an assumption.
+
+The mean stays on the way of the command and is never faster than it while 0 <= T' <= 1, so a window
+only widens while the arm moves, evenly and slowly. It becomes narrow again where it is empty, when
+the arm has been standing for so long that nothing but the standstill is in it. From there on it
+does not look back beyond the new start.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.path.path import Path
+from rapidsim.motion.timing.time_scaling import Timing
+from rapidsim.motion.trajectory.zero_crossings import first_crossing
+
+_STEEPEST = 0.5
+"""Largest T' while a window widens: the arm is seen at least at three quarters of its speed."""
+_UNHURRIED_S = 1.0
+"""A window takes at least so long to widen. It slows the arm down a little, which takes a share of
+the acceleration: quicker, that would be felt. A last move that is shorter gets less of a ramp."""
+_ROUNDING = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class _Step:
+    """From an instant on the window widens, or begins anew."""
+
+    start_s: float
+    floor_s: float
+    """Before this nothing counts: the arm stood."""
+    width_s: float
+    """At the start."""
+    growth_s: float = 0.0
+    lasts_s: float = 1.0
+
+    @property
+    def end_s(self) -> float:
+        return self.start_s + self.lasts_s if self.growth_s else self.start_s
+
+    @property
+    def widest_s(self) -> float:
+        return self.width_s + self.growth_s
+
+
+class Windows:
+    """The width of the window over the time of a whole run; it can only be added to."""
+
+    def __init__(self, filter_time: float) -> None:
+        """`filter_time` [s] is the width without ramps."""
+        self.filter_time = filter_time
+        self.widest = filter_time
+        """No width [s] is larger."""
+        self._steps: list[_Step] = []
+        self._table = np.zeros((16, 5))
+        """What `_at` asks of each step."""
+        self._add(_Step(-np.inf, -np.inf, filter_time))
+
+    @property
+    def is_constant(self) -> bool:
+        """Whether the width is the filter time throughout."""
+        return len(self._steps) == 1
+
+    def copy(self) -> Windows:
+        """The same, to be added to on its own."""
+        copied = Windows(self.filter_time)
+        copied.widest = self.widest
+        copied._steps, copied._table = list(self._steps), self._table.copy()
+        return copied
+
+    def at(self, times: Array) -> tuple[Array, Array, Array]:
+        """Width T [s], its rate T' and the earliest instant that counts [s] at times (k,)."""
+        if self.is_constant:
+            count = len(times)
+            return np.full(count, self.filter_time), np.zeros(count), np.full(count, -np.inf)
+        return _at(self._table[: len(self._steps)], times)
+
+    def lag(self, command_s: float) -> float:
+        """How long [s] after a command time the arm is seen to have made all of it."""
+        if self.is_constant:
+            return self.filter_time
+        starts = self._table[: len(self._steps), 0]
+        first = int(np.searchsorted(starts, command_s, side="right")) - 1
+        last = first
+        while (
+            last + 1 < len(self._steps)
+            and self._steps[last + 1].floor_s == self._steps[first].floor_s
+        ):
+            last += 1
+        if command_s + self._steps[last].widest_s >= self._steps[last].end_s:
+            return self._steps[last].widest_s
+        # The window goes on widening while the arm comes to rest.
+        steps = self._table[first : last + 1]
+        run_empty = first_crossing(
+            lambda since, _: since - _at(steps, command_s + since)[0],
+            np.zeros(1),
+            np.array([self._steps[last].widest_s]),
+        )
+        return float(run_empty[0])
+
+    def cut(self, time_s: float) -> None:
+        """Take back what begins at a time [s] or later."""
+        while self._steps[-1].start_s >= time_s:
+            self._steps.pop()
+
+    def follow(
+        self, start_s: float, path: Path, timing: Timing, from_s: float, to_s: float, *, empty: bool
+    ) -> None:
+        """Widen the window as the moves of a stretch of path ask for.
+
+        Args:
+            start_s: When the stretch is commanded from [s].
+            path: Its geometry; the moves of a block have falling ramps.
+            timing: Of the path.
+            from_s: Where on the path it starts [m].
+            to_s: Where it ends [m].
+            empty: Whether the arm is seen to stand when it starts.
+        """
+        if self.is_constant and path.window == self.filter_time:
+            return
+        starts = path.segment_starts
+        first = max(int(np.searchsorted(starts, from_s + _ROUNDING, side="right")) - 1, 0)
+        last = max(int(np.searchsorted(starts, to_s - _ROUNDING, side="left")) - 1, first)
+        if empty:
+            self._begin(start_s, self.filter_time / path.segments[first].ramp)
+        shift_s = start_s - timing.time_at(from_s)
+        for index in range(first, last + 1):
+            segment = path.segments[index]
+            width_s = self.filter_time / segment.ramp
+            stop_width_s = 0.0 if segment.zone else self.filter_time / segment.stop_ramp
+            if max(width_s, stop_width_s) <= self._steps[-1].widest_s:
+                continue
+            begins_s = max(start_s, shift_s + timing.time_at(float(starts[index])))
+            self._widen(begins_s, width_s)
+            end = float(path.segment_bounds[index + 1])
+            if stop_width_s > width_s and timing.s[-1] >= end - _ROUNDING:
+                ends_s = shift_s + timing.time_at(end)
+                begins_s = max(ends_s - self._lasts(stop_width_s), begins_s)
+                # What begins later than this stretch ends, the next one brings along.
+                if begins_s < shift_s + timing.time_at(to_s):
+                    self._widen(begins_s, stop_width_s)
+
+    def _begin(self, start_s: float, width_s: float) -> None:
+        """Begin anew with a width, unless the window is as wide."""
+        self.cut(start_s)
+        last = self._steps[-1]
+        if width_s != last.widest_s or last.end_s > start_s:
+            self._add(_Step(start_s, start_s, width_s))
+
+    def _lasts(self, width_s: float) -> float:
+        """How long it takes [s] to widen to a width."""
+        return max(_UNHURRIED_S, 1.5 * (width_s - self._steps[-1].widest_s) / _STEEPEST)
+
+    def _widen(self, begins_s: float, width_s: float) -> None:
+        """Widen to a width, if it is not as wide already; one step after the other."""
+        last = self._steps[-1]
+        growth_s = width_s - last.widest_s
+        if growth_s > 0.0:
+            start_s = max(begins_s, last.end_s)
+            lasts_s = self._lasts(width_s)
+            self._add(_Step(start_s, last.floor_s, last.widest_s, growth_s, lasts_s))
+
+    def _add(self, step: _Step) -> None:
+        number = len(self._steps)
+        if number == len(self._table):
+            self._table = np.concatenate([self._table, np.zeros_like(self._table)])
+        row = (step.start_s, step.floor_s, step.width_s, step.growth_s, step.lasts_s)
+        self._table[number] = row
+        self._steps.append(step)
+        self.widest = max(self.widest, step.widest_s)
+
+
+def _at(steps: Array, times: Array) -> tuple[Array, Array, Array]:
+    """Width, its rate and the earliest instant that counts at times (k,) [s], from steps (m, 5)."""
+    number = np.maximum(np.searchsorted(steps[:, 0], times, side="right") - 1, 0)
+    start, floor, width, growth, lasts = steps[number].T
+    since = times - np.where(growth > 0.0, start, times)
+    share = np.clip(since / lasts, 0.0, 1.0)
+    grown: Array = width + growth * share**2 * (3.0 - 2.0 * share)
+    rate: Array = 6.0 * growth / lasts * share * (1.0 - share)
+    return grown, rate, floor

@@ -1,0 +1,277 @@
+"""A whole run's motion as a function of time, while it grows and afterwards.
+
+A controller smooths its command (`command`): the visible place is the mean of the commanded place
+over a window of time (`filter_windows`), which ends now and is as wide as the filter time. The arm
+therefore stays exactly on its path and lags behind the command. If each axis is smoothed by itself
+instead, the joints are the means of those commanded (`axis_smoothing`); the visible place then
+tells how far the arm has got.
+
+Nothing is sampled or interpolated: within a cell of a timing S is a parabola of time and its mean
+a cubic, and joints come from the exact pose.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import overload
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.geometry.segments import Waypoint
+from rapidsim.motion.model import Smoothing
+from rapidsim.motion.trajectory.axis_smoothing import mean_joints
+from rapidsim.motion.trajectory.command import ROUNDING_M, Index, MotionCommand, Piece, groups
+from rapidsim.motion.trajectory.filter_windows import Windows
+from rapidsim.motion.trajectory.zero_crossings import first_crossing
+
+SAMPLE_STEP_S = 0.012
+"""As often as ABB's controllers log positions."""
+_SAMPLES_AT_ONCE = 10_000
+_ROUNDING_S = 1e-11
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Samples:
+    """The arm at some instants."""
+
+    times: Array
+    """Shape (k,) [s]."""
+    move: Index
+    """Shape (k,): index of the move under way; the last one while standing still after it, the
+    first one before it."""
+    joints: Array
+    """Shape (k, n) [rad]."""
+    base_from_tcp: Transform
+    """Shape (k,); the tool is that of the move."""
+    tcp_speed: Array
+    """Shape (k,) [m/s], against the work object."""
+    external: Array = field(default_factory=lambda: np.zeros((0, 0)))
+    """Shape (k, e) [m or rad]: the external axes."""
+
+
+class Trajectory:
+    """Where the arm is at any time; it can only be added to."""
+
+    def __init__(
+        self, start: Waypoint, filter_time: float = 0.0, smoothing: Smoothing = "path"
+    ) -> None:
+        """Stand still at a start.
+
+        Args:
+            start: Where the arm stands.
+            filter_time: Width [s] of the smoothing without ramps; 0 switches it off.
+            smoothing: What is smoothed; see `MotionModel`.
+        """
+        self._start = start
+        self._smoothing = smoothing
+        self._windows = Windows(filter_time)
+        self._command = MotionCommand()
+
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """What was appended, in the order of time."""
+        return self._command.pieces
+
+    def append(self, piece: Piece) -> float:
+        """Add a piece after the last one.
+
+        Returns:
+            The place S [m] of the whole run where the piece starts: S - `from_s` turns places on
+            its path into places of the run.
+
+        Raises:
+            ValueError: If the piece starts before the last one ends, or ends before it starts.
+        """
+        empty = piece.start_time >= self.duration - _ROUNDING_S
+        place = self._command.append(piece)
+        self._windows.follow(
+            piece.start_time, piece.path, piece.timing, piece.from_s, piece.to_s, empty=empty
+        )
+        return place
+
+    def cut(self, time_s: float) -> None:
+        """Take back what is commanded after a time [s]."""
+        self._windows.cut(time_s)
+        self._command.cut(time_s)
+
+    def extended(self, piece: Piece) -> Trajectory:
+        """A copy with one more piece; this one stays as it is."""
+        longer = Trajectory(self._start, smoothing=self._smoothing)
+        longer._windows, longer._command = self._windows.copy(), self._command.copy()
+        longer.append(piece)
+        return longer
+
+    @property
+    def command_end(self) -> float:
+        """When the command comes to its end [s]; 0 without pieces."""
+        return self._command.end
+
+    @property
+    def duration(self) -> float:
+        """Last instant [s] of visible motion; 0 without pieces."""
+        return self.seen_s(self.command_end) if self._command.last else 0.0
+
+    def seen_s(self, command_s: float) -> float:
+        """When [s] the arm is seen to have made all that is commanded up to a time [s]."""
+        return command_s + self.lag_s(command_s)
+
+    def lag_s(self, command_s: float) -> float:
+        """How long [s] after that time it is."""
+        return self._windows.lag(command_s)
+
+    @property
+    def has_ramps(self) -> bool:
+        """Whether a ramp of AccSet makes the window of the smoothing wider somewhere."""
+        return not self._windows.is_constant
+
+    @property
+    def length(self) -> float:
+        """Place S [m] of the run where the last piece ends."""
+        return self._command.length
+
+    @property
+    def travelled_m(self) -> float:
+        """TCP travel [m] of the whole run, corners cut."""
+        travel = 0.0
+        for piece in self.pieces:
+            start, end = piece.path.travelled(np.array([piece.from_s, piece.to_s]))
+            travel += float(end - start)
+        return travel
+
+    def at(self, times: Array) -> Samples:
+        """The arm at some instants (k,) [s], in any order."""
+        times = np.atleast_1d(np.asarray(times, dtype=np.float64))
+        if not self._command.last:
+            return self._standing(times)
+        number, way, speed = self._visible(times)
+        by_axes = self._smoothing == "axes" and self._windows.filter_time > 0.0
+        joints = np.empty((len(times), self._command.piece(1).path.axis_count))
+        rates = np.empty(0)
+        if by_axes:
+            joints, rates = mean_joints(self._command, self._windows, times)
+        pose = Transform(np.empty((len(times), 3, 3)), np.empty((len(times), 3)))
+        move, tcp_speed = np.empty(len(times), dtype=np.int64), np.empty(len(times))
+        # Before the first piece the arm stands where it begins, with the tool it begins with.
+        for each, at in groups(np.maximum(number, 1)):
+            piece = self._command.piece(each)
+            s = piece.from_s + way[at]
+            if by_axes:
+                tcp, segment, tcp_speed[at] = piece.path.beside(s, joints[at], rates[at])
+            else:
+                points = piece.path.evaluate(s)
+                joints[at] = np.concatenate([points.joints, points.external], axis=1)
+                tcp, segment = points.base_from_tcp, points.segment
+                tcp_speed[at] = points.tcp_rate * speed[at]
+            pose.rotation[at], pose.translation[at] = tcp.rotation, tcp.translation
+            indices = np.array([one.index for one in piece.path.segments])
+            move[at] = indices[segment]
+        arm, external = np.split(joints, [len(self._start.joints)], axis=1)
+        return Samples(times, move, arm, pose, tcp_speed, external)
+
+    def _standing(self, times: Array) -> Samples:
+        """The arm at its start."""
+        count = len(times)
+        pose = self._start.base_from_tcp
+        return Samples(
+            times,
+            np.zeros(count, dtype=np.int64),
+            np.tile(self._start.joints, (count, 1)),
+            Transform(np.tile(pose.rotation, (count, 1, 1)), np.tile(pose.translation, (count, 1))),
+            np.zeros(count),
+            np.tile(self._start.external, (count, 1)),
+        )
+
+    @property
+    def times(self) -> Array:
+        """Instants (k,) [s] every `SAMPLE_STEP_S` from 0, and the last of visible motion."""
+        steps: Array = np.arange(0.0, self.duration, SAMPLE_STEP_S)
+        return np.append(steps, self.duration)
+
+    @property
+    def joints(self) -> Array:
+        """Joints (k, n) [rad] at `times`, worked out anew each time; `at` gives more."""
+        times = self.times
+        # In parts, so that a long run does not need the memory for all its solutions at once.
+        parts = np.array_split(times, len(times) // _SAMPLES_AT_ONCE + 1)
+        return np.concatenate([self.at(part).joints for part in parts])
+
+    def place_at(self, times: Array) -> Array:
+        """Visible place S (k,) [m] of the run at times (k,) [s]."""
+        number, way, _ = self._visible(np.atleast_1d(np.asarray(times, dtype=np.float64)))
+        place: Array = self._command.starts(number)[1] + way
+        return place
+
+    def speed_at(self, times: Array) -> Array:
+        """Visible speed dS/dt (k,) [m/s] along the path at times (k,) [s]."""
+        return self._visible(times)[2]
+
+    @overload
+    def time_at_place(self, place: float) -> float: ...
+
+    @overload
+    def time_at_place(self, place: Array) -> Array: ...
+
+    def time_at_place(self, place: float | Array) -> float | Array:
+        """First time [s] at which the visible motion is at places S [m] of the run.
+
+        Args:
+            place: One place, or places (k,).
+        """
+        places = np.atleast_1d(np.asarray(place, dtype=np.float64))
+        times = self._command.time_at(places)
+        if self._windows.filter_time > 0.0:
+            # The mean over a window has passed what the command passed before it.
+            wanted = places - ROUNDING_M
+            times = first_crossing(
+                lambda now, row: self.place_at(now) - wanted[row],
+                times,
+                times + self._windows.widest,
+            )
+        return times if np.ndim(place) else float(times[0])
+
+    def _visible(self, times: Array) -> tuple[Index, Array, Array]:
+        """Piece (k,), way (k,) [m] since its start and speed dS/dt (k,) [m/s] of the motion."""
+        command = self._command
+        number = command.number_at(times)
+        way, integral = command.state(number, times)
+        if self._windows.filter_time == 0.0:
+            return number, way, command.speed(number, times)
+        width, rate, floor = self._windows.at(times)
+        before = np.maximum(times - width, floor)
+        oldest = command.number_at(before)
+        old_way, old_integral = command.state(oldest, before)
+        # Places are counted from the start of the oldest piece in the window, so that a long run
+        # costs no digits.
+        _, origin = command.starts(oldest)
+        total = integral - old_integral
+        between = oldest.copy()
+        while True:
+            at = np.flatnonzero(between < number)
+            if not len(at):
+                break
+            # A piece that ended within the window counts up to the start of the next one.
+            passed = between[at]
+            start, place = command.starts(passed)
+            next_start, _ = command.starts(passed + 1)
+            total[at] += command.state(passed, next_start)[1] + (place - origin[at]) * (
+                next_start - start
+            )
+            between[at] += 1
+        start, place = command.starts(number)
+        rise = place - origin
+        total += rise * (times - start)
+        mean = total / width
+        speed = (1.0 - rate) * (rise + way - old_way) / width + rate * (rise + way - mean) / width
+        return *self._piece_of(oldest, mean), speed
+
+    def _piece_of(self, oldest: Index, way: Array) -> tuple[Index, Array]:
+        """Move ways (k,) [m] counted from pieces (k,) on to the pieces that hold them."""
+        number, way = oldest.copy(), np.maximum(way, 0.0)
+        while True:
+            whole = self._command.ways(number)
+            past = np.flatnonzero((way > whole + ROUNDING_M) & (number < self._command.last))
+            if not len(past):
+                return number, np.minimum(way, whole)
+            way[past] -= whole[past]
+            number[past] += 1

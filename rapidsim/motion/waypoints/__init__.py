@@ -1,0 +1,1 @@
+"""Trajectories through taught points, without a program."""

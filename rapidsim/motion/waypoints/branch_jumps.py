@@ -1,0 +1,54 @@
+"""Find where an arm that keeps to a path of its TCP would have to jump."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.waypoints.plan import TcpMotion
+
+LARGEST_STEP = 0.5
+"""[rad] between two samples; no axis turns so fast."""
+_SMOOTH = 0.1
+"""[rad]; less than this the joints half-way between two samples are off their mean."""
+_HALVINGS = 24
+"""Of the time between two samples, after which a change of branch is one of the path itself."""
+
+
+def jump_on(
+    robot: Robot, motion: TcpMotion, tcp_from_flange: Transform, times: Array, joints: Array
+) -> tuple[int, int, float] | None:
+    """Where an arm would have to jump on its way: the sample before, the joint, how far [rad].
+
+    A jump shows between two samples, or hides there: close to a singularity joints on two branches
+    nearly meet, and only the poses in between tell whether the path goes from one to the other.
+    """
+    step = np.abs(np.diff(joints, axis=0))
+    row, joint = (int(i) for i in np.unravel_index(np.argmax(step), step.shape))
+    if step[row, joint] > LARGEST_STEP:
+        return row, joint, float(step[row, joint])
+    branch = robot.kinematics.branch_of(joints)
+    for row in np.flatnonzero(np.diff(branch)).tolist():
+        ends = {int(branch[row]): joints[row], int(branch[row + 1]): joints[row + 1]}
+        first = int(branch[row])
+        low, high = float(times[row]), float(times[row + 1])
+        for _ in range(_HALVINGS):
+            middle = 0.5 * (low + high)
+            flange = motion.at(np.array([middle]))[0] @ tcp_from_flange
+            average = sum(ends.values()) / 2.0
+            found = {
+                at: robot.kinematics.inverse_on_branch(flange, at, average[None]) for at in ends
+            }
+            off = {
+                at: np.abs(one.joints[0] - average)
+                if one.exists[0]
+                else np.full_like(average, np.pi)
+                for at, one in found.items()
+            }
+            nearer = min(off, key=lambda at: float(off[at].max()))
+            if off[nearer].max() > _SMOOTH:
+                return row, int(off[nearer].argmax()), 2.0 * float(off[nearer].max())
+            ends[nearer] = found[nearer].joints[0]
+            low, high = (middle, high) if nearer == first else (low, middle)
+    return None

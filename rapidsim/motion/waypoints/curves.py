@@ -1,0 +1,150 @@
+"""Curves of the TCP by the way along them: straight lines, arcs around the base, splines.
+
+The place on a curve is the way of the TCP [m]; where it only turns, the way that it would cover in
+the same time.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Protocol
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.waypoints.piecewise_polynomials import Piecewise
+from rapidsim.motion.waypoints.points import between, posed
+
+_CELLS = 16
+"""Stretches of a spline between two knots whose lengths are found apart."""
+_GAUSS, _WEIGHTS = np.polynomial.legendre.leggauss(8)
+_NEWTON_STEPS = 6
+
+
+class Curve(Protocol):
+    """A stretch that is run from rest to rest."""
+
+    @property
+    def length(self) -> float:
+        """[m]"""
+        ...
+
+    @property
+    def travel(self) -> float:
+        """How far the TCP goes [m]; less than the length where it turns more than it travels."""
+        ...
+
+    def at(self, place: Array) -> Transform:
+        """base_from_tcp (k,) at places (k,) [m]."""
+        ...
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Line:
+    """The TCP straight, its attitude turning evenly."""
+
+    start: Array
+    """Shape (3,) [m]."""
+    end: Array
+    start_attitude: Array
+    end_attitude: Array
+    length: float
+    """[m]"""
+
+    @property
+    def travel(self) -> float:
+        """See `Curve`."""
+        return float(np.linalg.norm(self.end - self.start))
+
+    def at(self, place: Array) -> Transform:
+        """See `Curve`."""
+        share = place / self.length
+        position = self.start + share[:, None] * (self.end - self.start)
+        return posed(position, between(self.start_attitude, self.end_attitude, share))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class BaseArc:
+    """The TCP on a great circle around the origin of the base, from `start` to `end`.
+
+    It is where the points of a straight line come to lie that are pushed out to a sphere.
+    """
+
+    start: Array
+    """Shape (3,) [m]; as far from the origin as `end`, and not opposite to it."""
+    end: Array
+    start_attitude: Array
+    end_attitude: Array
+    length: float
+    """[m]"""
+
+    @property
+    def travel(self) -> float:
+        """See `Curve`."""
+        return self.length
+
+    def at(self, place: Array) -> Transform:
+        """See `Curve`."""
+        radius = float(np.linalg.norm(self.start))
+        ahead = self.end - self.start * float(self.start @ self.end) / radius**2
+        ahead *= radius / np.linalg.norm(ahead)
+        angle = (place / radius)[:, None]
+        position = np.cos(angle) * self.start + np.sin(angle) * ahead
+        share = place / self.length
+        return posed(position, between(self.start_attitude, self.end_attitude, share))
+
+
+@dataclass(frozen=True, eq=False)
+class SplineCurve:
+    """The TCP on a spline; quaternions are splined likewise and made unit."""
+
+    positions: Piecewise
+    """Of the knots' parameter, [m]."""
+    attitudes: Piecewise
+
+    @cached_property
+    def _cells(self) -> tuple[Array, Array]:
+        """Parameters and ways [m] at the ends of all cells, (c + 1,) each."""
+        breaks = self.positions.breaks
+        share = np.arange(_CELLS) / _CELLS
+        inner = (breaks[:-1, None] + share * np.diff(breaks)[:, None]).reshape(-1)
+        ends = np.append(inner, breaks[-1])
+        return ends, np.concatenate([[0.0], np.cumsum(self._way(ends[:-1], ends[1:]))])
+
+    @property
+    def length(self) -> float:
+        """[m]"""
+        return float(self._cells[1][-1])
+
+    @property
+    def travel(self) -> float:
+        """See `Curve`."""
+        return self.length
+
+    def parameter(self, place: Array) -> Array:
+        """The spline's parameter (k,) at places (k,) [m]."""
+        ends, ways = self._cells
+        cell = np.clip(np.searchsorted(ways, place, side="right") - 1, 0, len(ends) - 2)
+        low, high = ends[cell], ends[cell + 1]
+        size = np.maximum(ways[cell + 1] - ways[cell], 1e-300)
+        found = low + (place - ways[cell]) / size * (high - low)
+        for _ in range(_NEWTON_STEPS):
+            speed = np.linalg.norm(self.positions.at(found, 1), axis=1)
+            missing = place - ways[cell] - self._way(low, found)
+            found = np.clip(found + missing / np.maximum(speed, 1e-12), low, high)
+        inside: Array = found
+        return inside
+
+    def at(self, place: Array) -> Transform:
+        """See `Curve`."""
+        parameter = self.parameter(place)
+        return posed(self.positions.at(parameter), self.attitudes.at(parameter))
+
+    def _way(self, start: Array, end: Array) -> Array:
+        """Length (k,) [m] between parameters (k,) of one cell."""
+        half = 0.5 * (end - start)
+        nodes = (0.5 * (start + end))[:, None] + half[:, None] * _GAUSS
+        speed = np.linalg.norm(self.positions.at(nodes.reshape(-1), 1), axis=1)
+        way: Array = half * (speed.reshape(nodes.shape) @ _WEIGHTS)
+        return way

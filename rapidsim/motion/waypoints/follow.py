@@ -1,0 +1,347 @@
+"""Follow points: choose how the arm takes them, solve it, and say how well it did.
+
+Deviations are those of the TCP by forward kinematics of the solved joints, from what was asked.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import degrees
+
+import numpy as np
+import numpy.typing as npt
+
+from rapidsim.frames.rotation_vectors import vector_from_rotation
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.configurations.branch_choice import least_motion
+from rapidsim.motion.configurations.confdata import told_apart
+from rapidsim.motion.configurations.reachability import limit_excess, why_unreachable
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.waypoints.branch_jumps import jump_on
+from rapidsim.motion.waypoints.plan import (
+    JointMotion,
+    Plan,
+    Refused,
+    TcpMotion,
+    Way,
+    even_joint_motion,
+    quintic_motion,
+    tcp_motion,
+)
+from rapidsim.motion.waypoints.points import Points, posed
+from rapidsim.motion.waypoints.quintic import overshoot
+
+DEFAULT_DT = 0.012
+"""[s]"""
+MOST_SAMPLES = 200_000
+_NOT_FROM_THERE = "it is reached, but not in the configuration in which the arm comes"
+_SEARCHED_AT_ONCE = 8
+_SAME_INSTANT = 1e-9
+"""[s]"""
+_CHORDS = 64
+"""Of a straight way in joint space, from which the way of its TCP is found."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Followed:
+    """A trajectory with the joints that it takes."""
+
+    plan: Plan
+    robot: Robot
+    points: Points
+    flange_from_tcp: Transform
+    samples: Samples
+    """`move` is the point, counted from 0, from which the arm comes."""
+    wanted: Transform
+    """base_from_tcp (k,) that was asked for; on ways in joint space what came of it."""
+    deviation: Array
+    """Distance (k,) [m] of the TCP from what was asked: the same instant on ways of the TCP, the
+    straight line between the points on ways of the joints."""
+    turn_deviation: float
+    """Largest turn [rad] off the attitude asked for; 0 on ways of the joints."""
+    joint_peaks: Array
+    """Largest speed (n,) [rad/s]."""
+    overshoot: Array
+    """How far (n,) [rad] joints go beyond the points beside them, on ways in joint space."""
+    path_length: float
+    """Travel of the TCP [m]."""
+    peak_speed: float
+    """Of the TCP [m/s]."""
+    poses_solved: int
+    """How often inverse kinematics was asked for a pose."""
+
+    @property
+    def duration(self) -> float:
+        """[s]"""
+        return float(self.samples.times[-1])
+
+    @property
+    def deviation_rms(self) -> float:
+        """Root of the mean square [m]."""
+        return float(np.sqrt(np.mean(self.deviation**2)))
+
+    @property
+    def deviation_max(self) -> float:
+        """[m]"""
+        return float(self.deviation.max())
+
+    @property
+    def from_chord(self) -> float:
+        """The furthest [m] that the TCP comes from the straight lines between the points."""
+        tcp = self.samples.base_from_tcp.translation
+        return float(_off_the_chord(tcp, self.points.positions, self.samples.move).max())
+
+    @property
+    def speed_ratios(self) -> tuple[float | None, ...]:
+        """Peak speed over the limit of each joint; None where the limit is not known."""
+        return tuple(
+            None if joint.max_speed is None else peak / joint.max_speed
+            for joint, peak in zip(self.robot.joints, self.joint_peaks.tolist(), strict=True)
+        )
+
+
+def follow(
+    robot: Robot,
+    points: Points,
+    attitudes: Array,
+    flange_from_tcp: Transform,
+    plan: Plan,
+    *,
+    start: Array | None = None,
+    first: Array | None = None,
+    dt: float = DEFAULT_DT,
+) -> Followed | Refused:
+    """Solve a trajectory through points.
+
+    Args:
+        robot: The arm.
+        points: Two or more.
+        attitudes: At each, (k, 4) or (k, 1); see `reachable.reach`.
+        flange_from_tcp: The tool.
+        plan: What is asked for.
+        start: Joints (n,) [rad] near which the arm shall begin; without them what turns least.
+        first: Joints (n,) [rad] that it shall have at the first point.
+        dt: Time [s] between samples.
+
+    Returns:
+        The trajectory, or why there is none.
+    """
+    if len(points) < 2:
+        return Refused(f"a trajectory needs two points or more, not {len(points)}")
+    tcp_from_flange = flange_from_tcp.inverse()
+    if plan.way.of_tcp:
+        motion = tcp_motion(points, attitudes, plan)
+        if isinstance(motion, Refused):
+            return motion
+        times = _times(motion.starts, dt)
+        if isinstance(times, Refused):
+            return times
+        wanted, segment = motion.at(times)
+        joints = _solved(robot, wanted @ tcp_from_flange, start, first)
+        if isinstance(joints, int):
+            why = why_unreachable(robot, (wanted @ tcp_from_flange)[joints])
+            said = why.message if why else _NOT_FROM_THERE
+            return Refused(
+                f"{_when(points, segment, times, joints)}: {said}",
+                "take points nearer to each other, another attitude, or another way",
+                int(segment[joints]),
+            )
+        return _of_tcp(robot, points, flange_from_tcp, plan, motion, times, joints)
+
+    at_points = posed(points.positions, attitudes)
+    knots = _solved(robot, at_points @ tcp_from_flange, start, first)
+    if isinstance(knots, int):
+        why = why_unreachable(robot, (at_points @ tcp_from_flange)[knots])
+        said = why.message if why else _NOT_FROM_THERE
+        return Refused(f"point {points.number(knots)}: {said}", None, knots)
+    if plan.way is Way.JOINT_QUINTIC:
+        made = quintic_motion(points, knots, plan)
+    else:
+        ways = _joint_ways(robot, knots, flange_from_tcp)
+        made = even_joint_motion(knots, ways, plan)
+    if isinstance(made, Refused):
+        return made
+    times = _times(made.trajectory.breaks, dt)
+    if isinstance(times, Refused):
+        return times
+    return _of_joints(robot, points, flange_from_tcp, plan, made, knots, times)
+
+
+def _solved(
+    robot: Robot, base_from_flange: Transform, start: Array | None, first: Array | None
+) -> Array | int:
+    """Joints (k, n) of poses (k,), or the first that is not reached."""
+    if not told_apart(robot.kinematics):
+        return _searched(robot, base_from_flange, start, first)
+    if first is None:
+        found = least_motion(robot, base_from_flange, start)
+        return found if isinstance(found, int) else found.joints
+    rest = least_motion(robot, base_from_flange[1:], first)
+    if isinstance(rest, int):
+        return rest + 1
+    return np.concatenate([first[None], rest.joints])
+
+
+def _searched(
+    robot: Robot, base_from_flange: Transform, start: Array | None, first: Array | None
+) -> Array | int:
+    """The same for an arm whose joints are searched for: each pose from the one before it.
+
+    Looking for all solutions of every pose, to choose among them, would take a hundred times longer
+    and find other ones each time.
+    """
+    if first is None:
+        chosen = least_motion(robot, base_from_flange[:1], start)
+        if isinstance(chosen, int):
+            return 0
+        first = chosen.joints[0]
+    rows, before = [], first
+    # Not all at once: behind the first pose out of reach every search is long and in vain.
+    for begin in range(0, len(base_from_flange), _SEARCHED_AT_ONCE):
+        some = base_from_flange[begin : begin + _SEARCHED_AT_ONCE]
+        found = robot.kinematics.inverse_on_branch(some, 0, before)
+        missed = ~found.exists | limit_excess(robot, found.joints).any(axis=1)
+        if missed.any():
+            return begin + int(np.argmax(missed))
+        rows.append(found.joints)
+        before = found.joints[-1]
+    return np.concatenate(rows)
+
+
+def _joint_ways(robot: Robot, knots: Array, flange_from_tcp: Transform) -> Array:
+    """How far the TCP goes (k - 1,) [m] where all joints turn evenly between knots (k, n)."""
+    share = np.linspace(0.0, 1.0, _CHORDS + 1)[:, None, None]
+    joints = knots[:-1] + share * np.diff(knots, axis=0)
+    tcp = (robot.forward(joints) @ flange_from_tcp).translation
+    ways: Array = np.linalg.norm(np.diff(tcp, axis=0), axis=-1).sum(axis=0)
+    return ways
+
+
+def _of_tcp(
+    robot: Robot,
+    points: Points,
+    flange_from_tcp: Transform,
+    plan: Plan,
+    motion: TcpMotion,
+    times: Array,
+    joints: Array,
+) -> Followed | Refused:
+    wanted, segment = motion.at(times)
+    step = np.abs(np.diff(joints, axis=0))
+    jump = jump_on(robot, motion, flange_from_tcp.inverse(), times, joints)
+    if jump is not None:
+        row, joint, size = jump
+        return Refused(
+            f"{_when(points, segment, times, row)}: joint {joint + 1} would have to jump "
+            f"by {degrees(size):.0f} deg: the path passes a singularity, or no configuration goes "
+            "all the way",
+            "begin in another configuration with --conf, move the points, or use --path joint",
+            int(segment[row]),
+        )
+    base_from_tcp = robot.forward(joints) @ flange_from_tcp
+    off = vector_from_rotation(np.swapaxes(wanted.rotation, -1, -2) @ base_from_tcp.rotation)
+    peaks = (step / np.diff(times)[:, None]).max(axis=0)
+    speeds = np.zeros(len(times))
+    for number, began in enumerate(motion.starts[:-1].tolist()):
+        at = (times >= began) & (times <= motion.starts[number + 1])
+        curve = motion.curves[number]
+        rate = motion.laws[number].at(times[at] - began, 1)[:, 0]
+        speeds[at] = rate * curve.travel / curve.length
+    return Followed(
+        plan=plan,
+        robot=robot,
+        points=points,
+        flange_from_tcp=flange_from_tcp,
+        samples=Samples(times, segment, joints, base_from_tcp, np.maximum(speeds, 0.0)),
+        wanted=wanted,
+        deviation=np.linalg.norm(base_from_tcp.translation - wanted.translation, axis=1),
+        turn_deviation=float(np.linalg.norm(off, axis=1).max()),
+        joint_peaks=peaks,
+        overshoot=np.zeros(len(robot.joints)),
+        path_length=motion.travel,
+        peak_speed=motion.peak_speed,
+        poses_solved=len(times),
+    )
+
+
+def _of_joints(
+    robot: Robot,
+    points: Points,
+    flange_from_tcp: Transform,
+    plan: Plan,
+    motion: JointMotion,
+    knots: Array,
+    times: Array,
+) -> Followed | Refused:
+    joints = motion.trajectory.at(times)
+    segment = np.searchsorted(motion.passed, times, side="right") - 1
+    segment = np.clip(segment, 0, len(points) - 2).astype(np.int64)
+    excess = limit_excess(robot, joints)
+    if excess.any():
+        row, joint = (int(i) for i in np.unravel_index(np.argmax(np.abs(excess)), excess.shape))
+        limit = "upper" if excess[row, joint] > 0.0 else "lower"
+        return Refused(
+            f"{_when(points, segment, times, row)}: joint {joint + 1} would go "
+            f"{degrees(abs(excess[row, joint])):.1f} deg beyond its {limit} limit",
+            "give lower speeds at the points, or more time between them",
+            int(segment[row]),
+        )
+    base_from_tcp = robot.forward(joints) @ flange_from_tcp
+    tcp = base_from_tcp.translation
+    travel = np.linalg.norm(np.diff(tcp, axis=0), axis=1)
+    speed = np.linalg.norm(
+        _tcp_velocity(robot, joints, motion.trajectory.at(times, 1), tcp), axis=1
+    )
+    beyond = np.zeros(len(robot.joints))
+    if plan.way is Way.JOINT_QUINTIC:
+        beyond = overshoot(motion.trajectory, knots)
+    return Followed(
+        plan=plan,
+        robot=robot,
+        points=points,
+        flange_from_tcp=flange_from_tcp,
+        samples=Samples(times, segment, joints, base_from_tcp, speed),
+        wanted=base_from_tcp,
+        deviation=_off_the_chord(tcp, points.positions, segment),
+        turn_deviation=0.0,
+        joint_peaks=motion.trajectory.peak(1),
+        overshoot=beyond,
+        path_length=float(travel.sum()),
+        peak_speed=float(speed.max()),
+        poses_solved=len(points),
+    )
+
+
+def _tcp_velocity(robot: Robot, joints: Array, speeds: Array, tcp: Array) -> Array:
+    """Velocity (k, 3) [m/s] of TCPs (k, 3) [m] from joint speeds (k, n) [rad/s]."""
+    twist = np.einsum("kij,kj->ki", robot.kinematics.jacobian(joints), speeds)
+    arm = tcp - robot.forward(joints).translation
+    velocity: Array = twist[:, :3] + np.cross(twist[:, 3:], arm)
+    return velocity
+
+
+def _off_the_chord(tcp: Array, points: Array, segment: npt.NDArray[np.int64]) -> Array:
+    """Distances (k,) [m] of places (k, 3) from the straight lines between points (p, 3)."""
+    start, along = points[segment], np.diff(points, axis=0)[segment]
+    square = np.maximum(np.sum(along**2, axis=1), 1e-300)
+    share = np.clip(np.sum((tcp - start) * along, axis=1) / square, 0.0, 1.0)
+    off: Array = np.linalg.norm(tcp - start - share[:, None] * along, axis=1)
+    return off
+
+
+def _times(breaks: Array, dt: float) -> Array | Refused:
+    """Every `dt` from 0, with all breaks among them."""
+    end = float(breaks[-1])
+    if end / dt > MOST_SAMPLES:
+        return Refused(
+            f"the trajectory takes {end:.0f} s: over {MOST_SAMPLES} samples",
+            "raise --speed, or --dt",
+        )
+    times = np.unique(np.concatenate([np.arange(int(np.ceil(end / dt))) * dt, breaks]))
+    apart: Array = times[np.append(np.diff(times) > _SAME_INSTANT, True)]
+    return apart
+
+
+def _when(points: Points, segment: npt.NDArray[np.int64], times: Array, row: int) -> str:
+    return f"between {points.pair(int(segment[row]))} at {times[row]:.3f} s"

@@ -1,0 +1,91 @@
+"""The sphere around the base that a trajectory keeps out of, and the way around it.
+
+Near the base an arm folds up, and a small move of the TCP asks for large ones of its axes.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.waypoints.curves import BaseArc, Curve, Line, SplineCurve
+from rapidsim.motion.waypoints.points import between
+
+_ROUNDING = 1e-9
+"""[m]; so far inside counts as on the sphere."""
+_PLACES = 2000
+"""Of a spline, where its distance from the base is looked at."""
+
+
+class ThroughBaseError(ValueError):
+    """A line goes through the very middle of the sphere: no way round is nearer than others."""
+
+
+def nearest(curve: Curve) -> float:
+    """The least distance [m] of a curve from the origin of the base."""
+    match curve:
+        case Line():
+            along = curve.end - curve.start
+            square = float(along @ along)
+            share = 0.0 if square == 0.0 else float(np.clip(-(curve.start @ along) / square, 0, 1))
+            return float(np.linalg.norm(curve.start + share * along))
+        case SplineCurve():
+            parameters = np.linspace(curve.positions.breaks[0], curve.positions.end, _PLACES)
+            distances = np.linalg.norm(curve.positions.at(parameters), axis=1)
+            return float(distances.min())
+        case _:
+            ends = curve.at(np.array([0.0, curve.length])).translation
+            return float(np.linalg.norm(ends, axis=1).min())
+
+
+def around(line: Line, radius: float) -> tuple[Curve, ...]:
+    """A line with the part that lies inside a sphere [m] around the base pushed out to the sphere.
+
+    Args:
+        line: Its ends lie outside the sphere, or on it.
+        radius: Of the sphere [m].
+
+    Returns:
+        The line itself, or what is left of it before and behind an arc.
+
+    Raises:
+        ThroughBaseError: If the line goes through the middle.
+    """
+    closest = nearest(line)
+    if closest > radius - _ROUNDING:
+        return (line,)
+    if closest < _ROUNDING:
+        raise ThroughBaseError
+    along = line.end - line.start
+    way = float(np.linalg.norm(along))
+    middle = -float(line.start @ along) / way
+    half = sqrt(radius**2 - closest**2)
+    first, last = (middle - half) / way, (middle + half) / way
+    entry, leave = (line.start + share * along for share in (first, last))
+    # The ends to the last bit on the sphere, so that arc and lines meet.
+    entry, leave = (radius * point / np.linalg.norm(point) for point in (entry, leave))
+    turned = between(line.start_attitude, line.end_attitude, np.array([first, last]))
+    angle = float(np.arctan2(np.linalg.norm(np.cross(entry, leave)), entry @ leave))
+    arc = BaseArc(entry, leave, turned[0], turned[1], radius * angle)
+    pieces: list[Curve] = [arc]
+    before, after = first * line.length, (1.0 - last) * line.length
+    if before > _ROUNDING:
+        pieces.insert(0, Line(line.start, entry, line.start_attitude, turned[0], before))
+    if after > _ROUNDING:
+        pieces.append(Line(leave, line.end, turned[1], line.end_attitude, after))
+    return tuple(pieces)
+
+
+def pushed_out(positions: Array, radius: float) -> Array:
+    """Positions (k, 3) [m] with those inside a sphere [m] moved straight out to its surface.
+
+    Raises:
+        ThroughBaseError: If one lies in the middle.
+    """
+    distance = np.linalg.norm(positions, axis=1, keepdims=True)
+    if (distance < _ROUNDING).any():
+        raise ThroughBaseError
+    out: Array = positions * np.maximum(1.0, radius / distance)
+    return out

@@ -1,0 +1,283 @@
+"""What a trajectory through points shall be: its way, profile and speeds, what it keeps out of.
+
+Enters a `Plan` with points, leaves curves with time laws, or a joint polynomial, not yet solved.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+from itertools import pairwise
+from math import pi
+
+import numpy as np
+import numpy.typing as npt
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.waypoints.curves import Curve, Line, SplineCurve
+from rapidsim.motion.waypoints.keep_out_sphere import ThroughBaseError, around, nearest
+from rapidsim.motion.waypoints.piecewise_polynomials import Piecewise
+from rapidsim.motion.waypoints.points import Points, turn
+from rapidsim.motion.waypoints.quintic import quintics
+from rapidsim.motion.waypoints.spline import spline
+from rapidsim.motion.waypoints.velocity_profiles import Profile, law
+
+_NOTHING = 1e-12
+"""[m]; a shorter stretch takes no time."""
+
+
+class Way(StrEnum):
+    """How a trajectory gets from point to point."""
+
+    LINE = "line"
+    """Straight, with a stop at each point."""
+    SPLINE = "spline"
+    """On one smooth curve of the TCP through all points, with a stop at its ends only."""
+    JOINT = "joint"
+    """All joints evenly, with a stop at each point: what MoveJ does."""
+    JOINT_QUINTIC = "joint-quintic"
+    """Each joint on polynomials of degree 5 with given speeds and accelerations at the points."""
+
+    @property
+    def of_tcp(self) -> bool:
+        """Whether the way is one of the TCP; otherwise it is one of the joints."""
+        return self in (Way.LINE, Way.SPLINE)
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """A trajectory asked for."""
+
+    way: Way = Way.LINE
+    profile: Profile = Profile.TRAPEZOID
+    speed: float = 0.1
+    """Greatest speed of the TCP [m/s]; in joint space it sets the time between points."""
+    acceleration: float = 1.0
+    """Greatest acceleration along the way [m/s2]."""
+    turn_speed: float = 0.5 * pi
+    """[rad/s]; where the TCP turns more than it travels, this sets the time."""
+    ease: float = 0.2
+    """Share of the time at rest at either end of the sigmoid."""
+    least_radius: float = 0.0
+    """Distance [m] from the origin of the base that the TCP keeps; 0 for none."""
+    avoid: bool = False
+    """Whether lines are led around the sphere of that radius; otherwise they are refused. Points
+    must lie outside; `sphere.pushed_out` moves them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Refused:
+    """Why a trajectory is not made."""
+
+    message: str
+    help: str | None = None
+    segment: int | None = None
+    """The stretch after this point, counted from 0; None if it is no particular one."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TcpMotion:
+    """Curves of the TCP, one after the other, each from rest to rest."""
+
+    curves: tuple[Curve, ...]
+    laws: tuple[Piecewise, ...]
+    owner: npt.NDArray[np.int64]
+    """Shape (m,): the point at which the stretch of each curve begins."""
+
+    @property
+    def starts(self) -> Array:
+        """When each curve begins and the last ends, (m + 1,) [s]."""
+        return np.concatenate([[0.0], np.cumsum([law.end for law in self.laws])])
+
+    @property
+    def travel(self) -> float:
+        """The way of the TCP [m]."""
+        return float(sum(curve.travel for curve in self.curves))
+
+    @property
+    def peak_speed(self) -> float:
+        """The greatest speed of the TCP [m/s]."""
+        return max(
+            float(law.peak(1)[0]) * curve.travel / curve.length
+            for law, curve in zip(self.laws, self.curves, strict=True)
+        )
+
+    def at(self, times: Array) -> tuple[Transform, npt.NDArray[np.int64]]:
+        """base_from_tcp (k,) at times (k,) [s], and the point at which the stretch begins."""
+        starts = self.starts
+        row = np.clip(np.searchsorted(starts, times, side="right") - 1, 0, len(self.curves) - 1)
+        rotations = np.empty((len(times), 3, 3))
+        positions = np.empty((len(times), 3))
+        segment = self.owner[row]
+        for number in np.unique(row).tolist():
+            at = np.flatnonzero(row == number)
+            curve = self.curves[number]
+            place = self.laws[number].at(times[at] - starts[number])[:, 0]
+            place = np.clip(place, 0.0, curve.length)
+            pose = curve.at(place)
+            rotations[at], positions[at] = pose.rotation, pose.translation
+            if isinstance(curve, SplineCurve):
+                segment[at] = curve.positions.piece(curve.parameter(place))
+        return Transform(rotations, positions), segment
+
+
+def tcp_motion(points: Points, attitudes: Array, plan: Plan) -> TcpMotion | Refused:
+    """The motion of the TCP that a plan asks for, way `LINE` or `SPLINE`.
+
+    Args:
+        points: Two or more.
+        attitudes: At each point, (k, 4) or (k, 1).
+        plan: What is asked for.
+    """
+    if plan.way is Way.SPLINE:
+        made = _spline_curve(points, attitudes)
+        if isinstance(made, Refused):
+            return made
+        curves: list[tuple[int, Curve]] = [(0, made)]
+    else:
+        curves = [*_lines(points.positions, attitudes, plan)]
+    kept = _kept_out(points, curves, plan)
+    if isinstance(kept, Refused):
+        return kept
+    if not kept:
+        return Refused("all points are the same: there is no way to go")
+    laws = tuple(
+        law(plan.profile, curve.length, plan.speed, plan.acceleration, plan.ease)
+        for _, curve in kept
+    )
+    owner = np.array([number for number, _ in kept], dtype=np.int64)
+    return TcpMotion(tuple(curve for _, curve in kept), laws, owner)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class JointMotion:
+    """Joints as a function of time."""
+
+    trajectory: Piecewise
+    """n components [rad] of the time [s]."""
+    passed: Array
+    """When each point is passed, (k,) [s]."""
+
+
+def quintic_motion(points: Points, joints: Array, plan: Plan) -> JointMotion | Refused:
+    """The motion of the joints that a plan asks for, way `JOINT_QUINTIC`.
+
+    Args:
+        points: Two or more.
+        joints: At each point, (k, n) [rad].
+        plan: What is asked for.
+    """
+    times = points.times
+    if times is None:
+        chord = np.linalg.norm(np.diff(points.positions, axis=0), axis=1)
+        turned = np.abs(np.diff(joints, axis=0)).max(axis=1)
+        widths = np.maximum(chord / plan.speed, turned * (chord < _NOTHING) / plan.turn_speed)
+        times = np.concatenate([[0.0], np.cumsum(widths)])
+    same = np.flatnonzero(np.diff(times) <= _NOTHING)
+    if len(same):
+        first = int(same[0])
+        return Refused(
+            f"{points.pair(first)} are to be passed at the same time",
+            "leave one of them out, or give times",
+            first,
+        )
+    speeds, accelerations = points.speeds, points.accelerations
+    if speeds is None:
+        speeds = np.zeros_like(joints)
+    if accelerations is None:
+        accelerations = np.zeros_like(joints)
+    times = times - times[0]
+    return JointMotion(quintics(times, joints, speeds, accelerations), times)
+
+
+def even_joint_motion(joints: Array, ways: Array, plan: Plan) -> JointMotion | Refused:
+    """All joints evenly from point to point, with a stop at each: way `JOINT`.
+
+    Args:
+        joints: At each point, (k, n) [rad].
+        ways: How far the TCP goes in between, (k - 1,) [m].
+        plan: Profile and speeds.
+    """
+    breaks, pieces, passed = [np.zeros(1)], [], [0.0]
+    for (first, last), way in zip(pairwise(joints), ways.tolist(), strict=True):
+        begin = passed[-1]
+        way = max(way, float(np.abs(last - first).max()) * plan.speed / plan.turn_speed)
+        if way > _NOTHING:
+            timing = law(plan.profile, way, plan.speed, plan.acceleration, plan.ease)
+            piece = timing.coefficients / way * (last - first)
+            piece[:, 0] += first
+            pieces.append(piece)
+            breaks.append(begin + timing.breaks[1:])
+            begin += timing.end
+        passed.append(begin)
+    if not pieces:
+        return Refused("all points are the same: there is no way to go")
+    return JointMotion(Piecewise(np.concatenate(breaks), np.concatenate(pieces)), np.array(passed))
+
+
+def _lines(positions: Array, attitudes: Array, plan: Plan) -> list[tuple[int, Line]]:
+    lines = []
+    for number in range(len(positions) - 1):
+        start, end = positions[number : number + 2]
+        before, after = attitudes[number : number + 2]
+        length = max(
+            float(np.linalg.norm(end - start)), turn(before, after) * plan.speed / plan.turn_speed
+        )
+        if length > _NOTHING:
+            lines.append((number, Line(start, end, before, after, length)))
+    return lines
+
+
+def _spline_curve(points: Points, attitudes: Array) -> SplineCurve | Refused:
+    knots = points.knots
+    if knots is None:
+        chords = np.linalg.norm(np.diff(points.positions, axis=0), axis=1)
+        same = np.flatnonzero(chords < _NOTHING)
+        if len(same):
+            first = int(same[0])
+            message = f"{points.pair(first)} are in the same place"
+            return Refused(message, "leave one of them out: a spline passes each once", first)
+        knots = np.concatenate([[0.0], np.cumsum(chords)])
+    if attitudes.shape[1] == 4:
+        attitudes = attitudes.copy()
+        for before, now in pairwise(attitudes):
+            # Of the two quaternions of an attitude the one nearer to that before.
+            now *= -1.0 if float(before @ now) < 0.0 else 1.0
+    return SplineCurve(spline(knots, points.positions), spline(knots, attitudes))
+
+
+def _kept_out(
+    points: Points, curves: list[tuple[int, Curve]], plan: Plan
+) -> list[tuple[int, Curve]] | Refused:
+    """The curves, led around the sphere about the base where the plan says so."""
+    if plan.least_radius <= 0.0:
+        return curves
+    kept: list[tuple[int, Curve]] = []
+    for number, curve in curves:
+        closest = nearest(curve)
+        if closest > plan.least_radius - 1e-9:
+            kept.append((number, curve))
+        elif plan.avoid and isinstance(curve, Line) and _ends_outside(curve, plan.least_radius):
+            try:
+                kept += [(number, piece) for piece in around(curve, plan.least_radius)]
+            except ThroughBaseError:
+                message = (
+                    f"the line between {points.pair(number)} goes through the origin of the base"
+                )
+                return Refused(message, "put a point beside it", number)
+        else:
+            where = (
+                f"the line between {points.pair(number)}" if plan.way is Way.LINE else "the spline"
+            )
+            message = (
+                f"{where} comes to {closest * 1000.0:.1f} mm of the origin of the base, "
+                f"and shall keep {plan.least_radius * 1000.0:g} mm"
+            )
+            help = "only lines are led around" if plan.avoid else "straight lines can be led around"
+            return Refused(message, help, number)
+    return kept
+
+
+def _ends_outside(line: Line, radius: float) -> bool:
+    ends = np.linalg.norm([line.start, line.end], axis=1)
+    return bool((ends > radius - 1e-9).all())

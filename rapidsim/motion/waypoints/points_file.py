@@ -1,0 +1,171 @@
+"""Read points from a table: a header that names columns, a line a point, mm and degrees.
+
+Leaves `Points` in m and rad. Every mistake is told with file, line and column.
+"""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Sequence
+from math import isfinite
+
+import numpy as np
+
+from rapidsim.files import InputError, did_you_mean
+from rapidsim.frames.transform import Array
+from rapidsim.motion.waypoints.points import Points
+
+MOST_POINTS = 20_000
+_PLACE = ("x", "y", "z")
+_QUATERNION = ("q1", "q2", "q3", "q4")
+_PITCH, _KNOT, _TIME = "pitch", "knot", "time"
+_OF_JOINT = re.compile(r"[va][1-9]")
+_UNIT = re.compile(r"_(mm|deg|s|deg_s|deg_s2)$")
+_UNIT_TOLERANCE = 1e-3
+_KNOWN = "x, y, z in mm; q1 to q4 or pitch in degrees; knot; time in s; v1, v2, ... in deg/s; a1, "
+
+
+def points_from_text(text: str, file: str, joint_count: int) -> Points:
+    """Read the text of a table.
+
+    Args:
+        text: Lines; empty ones and those that begin with `#` say nothing.
+        file: What messages call it.
+        joint_count: How many joints the arm has, for speeds and accelerations at the points.
+
+    Raises:
+        InputError: If something is missing, unknown, or no number.
+    """
+    lines = [
+        (number, line)
+        for number, line in enumerate(text.splitlines(), start=1)
+        if line.strip() and not line.lstrip().startswith("#")
+    ]
+    if not lines:
+        raise InputError(f"{file} is empty", "the first line names the columns: x,y,z")
+    header_line, header = lines[0]
+    delimiter = next((mark for mark in (";", "\t") if mark in header), ",")
+    names = _names(header, header_line, delimiter, file, joint_count)
+    if len(lines) - 1 > MOST_POINTS:
+        raise InputError(f"{file} has {len(lines) - 1} points; at most {MOST_POINTS} are followed")
+    if len(lines) == 1:
+        raise InputError(f"{file} has no points, only a header")
+    rows = [
+        _row(fields, number, names, file)
+        for (number, _), fields in zip(
+            lines[1:], csv.reader((line for _, line in lines[1:]), delimiter=delimiter), strict=True
+        )
+    ]
+    columns = dict(zip(names, np.array(rows).T, strict=True))
+    numbers = [number for number, _ in lines[1:]]
+
+    def together(wanted: Sequence[str]) -> Array | None:
+        if wanted[0] not in columns:
+            return None
+        return np.stack([columns[name] for name in wanted], axis=1)
+
+    quaternions = together(_QUATERNION)
+    if quaternions is not None:
+        _check_unit(quaternions, numbers, file)
+        quaternions = quaternions / np.linalg.norm(quaternions, axis=1, keepdims=True)
+    pitches = together((_PITCH,))
+    for rising in (_KNOT, _TIME):
+        if rising in columns:
+            _check_rising(columns[rising], rising, numbers, file)
+    joints = range(1, joint_count + 1)
+    speeds = together([f"v{joint}" for joint in joints])
+    accelerations = together([f"a{joint}" for joint in joints])
+    return Points(
+        positions=np.stack([columns[name] for name in _PLACE], axis=1) / 1000.0,
+        attitudes=quaternions if pitches is None else np.radians(pitches),
+        knots=columns.get(_KNOT),
+        times=columns.get(_TIME),
+        speeds=None if speeds is None else np.radians(speeds),
+        accelerations=None if accelerations is None else np.radians(accelerations),
+    )
+
+
+def _names(header: str, line: int, delimiter: str, file: str, joint_count: int) -> tuple[str, ...]:
+    """The columns without units."""
+    where = f"{file}:{line}"
+    fields = [field.strip().strip('"').lower() for field in header.split(delimiter)]
+    if all(_is_number(field) for field in fields):
+        raise InputError(
+            f"{where}: the first line must name the columns", "such as x,y,z or x,y,z,q1,q2,q3,q4"
+        )
+    names = tuple(_UNIT.sub("", field) for field in fields)
+    known = (*_PLACE, *_QUATERNION, _PITCH, _KNOT, _TIME)
+    for name in names:
+        if name not in known and not _OF_JOINT.fullmatch(name):
+            help = did_you_mean(name, known) or f"columns are {_KNOWN}a2, ... in deg/s2"
+            raise InputError(f"{where}: there is no column `{name}`", help)
+        if names.count(name) > 1:
+            raise InputError(f"{where}: column `{name}` stands twice")
+    _need(where, names, _PLACE, "a point has x, y and z")
+    if any(name in names for name in _QUATERNION):
+        _need(where, names, _QUATERNION, "a quaternion has q1 to q4, the scalar first")
+        if _PITCH in names:
+            raise InputError(
+                f"{where}: there are both a quaternion and a pitch", "leave one of them out"
+            )
+    for letter, what in (("v", "speeds"), ("a", "accelerations")):
+        given = [name for name in names if re.fullmatch(f"{letter}[1-9]", name)]
+        wanted = tuple(f"{letter}{joint}" for joint in range(1, joint_count + 1))
+        beyond = [name for name in given if name not in wanted]
+        if beyond:
+            raise InputError(f"{where}: column `{beyond[0]}`: the arm has {joint_count} joints")
+        if given:
+            _need(where, names, wanted, f"{what} are given for all {joint_count} joints")
+    return names
+
+
+def _need(where: str, names: Sequence[str], wanted: Sequence[str], help: str) -> None:
+    for name in wanted:
+        if name not in names:
+            raise InputError(f"{where}: column `{name}` is missing", help)
+
+
+def _row(fields: Sequence[str], line: int, names: Sequence[str], file: str) -> list[float]:
+    if len(fields) != len(names):
+        raise InputError(
+            f"{file}:{line}: {len(fields)} fields, but the header names {len(names)} columns"
+        )
+    return [_number(field, name, line, file) for field, name in zip(fields, names, strict=True)]
+
+
+def _number(field: str, name: str, line: int, file: str) -> float:
+    text = field.strip()
+    if not _is_number(text):
+        what = f"`{text}` is not a number" if text else "there is no number"
+        help = "write the decimal point as `.`" if "," in text else None
+        raise InputError(f"{file}:{line}: column `{name}`: {what}", help)
+    return float(text)
+
+
+def _is_number(text: str) -> bool:
+    try:
+        return isfinite(float(text))
+    except ValueError:
+        return False
+
+
+def _check_unit(quaternions: Array, lines: Sequence[int], file: str) -> None:
+    length = np.linalg.norm(quaternions, axis=1)
+    wrong = np.flatnonzero(np.abs(length - 1.0) > _UNIT_TOLERANCE)
+    if len(wrong):
+        first = int(wrong[0])
+        raise InputError(
+            f"{file}:{lines[first]}: the quaternion has length {length[first]:.4g}, not 1",
+            "the scalar part comes first, as RAPID writes it",
+        )
+
+
+def _check_rising(values: Array, name: str, lines: Sequence[int], file: str) -> None:
+    wrong = np.flatnonzero(np.diff(values) <= 0.0)
+    if len(wrong):
+        row = int(wrong[0]) + 1
+        raise InputError(
+            f"{file}:{lines[row]}: column `{name}`: {values[row]:g} follows {values[row - 1]:g}",
+            "it must rise from point to point",
+        )

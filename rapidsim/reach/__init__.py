@@ -1,0 +1,1 @@
+"""Can the arm make every move of the text? Answered before anything runs."""

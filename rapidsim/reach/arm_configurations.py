@@ -1,0 +1,216 @@
+"""How the arm stands at the end of each known move: in the stored configuration where that works.
+
+Lines and arcs whose configuration is not monitored, or not to be had, arrive as the way takes the
+arm there. Where not even that is known, nothing is said of the next way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from collections.abc import Set as AbstractSet
+from dataclasses import dataclass
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.language.data import RobTarget
+from rapidsim.language.moves import Interpolation
+from rapidsim.motion.configurations.confdata import configurations, select, told_apart
+from rapidsim.motion.configurations.reachability import limit_excess, turns_within_limits
+from rapidsim.motion.geometry.curves import circle_fault
+from rapidsim.motion.kinematics.arm import Mask
+from rapidsim.motion.path.wrist_circle import led_by_pair
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.reach.dataflow.circle_modes import led_by_wrist, may_be_led_by_wrist
+from rapidsim.reach.dataflow.known_moves import KnownMove
+from rapidsim.reach.move_segments import segments_of
+from rapidsim.reach.target_poses import PosedMoves
+
+MOST_SEARCHED = 40
+"""Targets for which an arm without a closed form is searched; the others are left to a run."""
+_BATCH = 4096
+_MOST = 9999.0
+_CURVES = (Interpolation.LINE, Interpolation.CIRCLE)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Ends:
+    """What the arm can do about the end of each move, whatever comes before."""
+
+    looked_at: Mask
+    reachable: Mask
+    """Within the limits, in some configuration."""
+    stored_works: Mask
+    stored: Array
+    """Shape (k, n) [rad]: joints in the stored configuration, where that works."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Stances:
+    """How the arm stands at the end of each move."""
+
+    joints: Array
+    """Shape (k, n) [rad]; 0 where that is not known."""
+    sure: Mask
+
+
+def ends_of(posed: PosedMoves, robot: Robot) -> Ends:
+    """Solve the ends of all moves."""
+    count = len(posed.moves)
+    looked_at = np.ones(count, dtype=bool)
+    looked_at[list(posed.left_out)] = False
+    reachable, works = np.zeros(count, dtype=bool), np.zeros(count, dtype=bool)
+    stored = np.zeros((count, len(robot.joints)))
+    to_axes = np.flatnonzero(looked_at & posed.to_axes)
+    stored[to_axes] = posed.axes[to_axes]
+    works[to_axes] = ~limit_excess(robot, posed.axes[to_axes]).any(axis=-1)
+    reachable[to_axes] = works[to_axes]
+    led = np.array([led_by_wrist(known, robot) for known in posed.moves], dtype=bool)
+    # Their way tells whether they can be made; nobody goes to the pose of their target.
+    reachable[looked_at & led] = True
+    rows = np.flatnonzero(looked_at & ~posed.to_axes & ~led)
+    if not told_apart(robot.kinematics):
+        looked_at[rows[MOST_SEARCHED:]] = False
+        rows = rows[:MOST_SEARCHED]
+    near = turns_within_limits(robot, np.zeros(len(robot.joints)))
+    for first in range(0, len(rows), _BATCH):
+        at = rows[first : first + _BATCH]
+        pose = posed.base_from_flange[at]
+        branches = robot.inverse(pose)
+        turned = turns_within_limits(robot, branches.joints)
+        within = branches.exists & ~limit_excess(robot, turned).any(axis=-1)
+        reachable[at] = within.any(axis=-1)
+        selected = select(robot, pose, _confdata(posed.moves, at.tolist()), near)
+        kept = selected.exists & ~selected.quarters_off.any(axis=-1)
+        kept &= ~limit_excess(robot, selected.joints).any(axis=-1)
+        works[at] = kept
+        stored[at] = np.where(kept[:, None], selected.joints, 0.0)
+    return Ends(looked_at, reachable, works, stored)
+
+
+def stances_of(
+    posed: PosedMoves,
+    ends: Ends,
+    robot: Robot,
+    base_from_world: Transform,
+    arrivals: Mapping[int, Array],
+    lost: AbstractSet[int] = frozenset(),
+) -> Stances:
+    """Stand the arm at the end of each move.
+
+    Args:
+        posed: The moves.
+        ends: What the arm can do about their ends.
+        robot: The arm.
+        base_from_world: Where the world is.
+        arrivals: Joints (n,) [rad] of rows that are known to arrive in another way than stored.
+        lost: Rows whose way fails; where they end without a stored configuration is not known.
+    """
+    count = len(posed.moves)
+    joints = np.zeros((count, len(robot.joints)))
+    sure = np.zeros(count, dtype=bool)
+    row = 0
+    while row < count:
+        known = posed.moves[row]
+        if row in arrivals:
+            joints[row], sure[row] = arrivals[row], True
+        elif may_be_led_by_wrist(known, robot):
+            arrival = _end_of_led(posed, ends, robot, base_from_world, row, joints, sure)
+            if arrival is not None:
+                joints[row], sure[row] = arrival, True
+        elif posed.to_axes[row] or (ends.stored_works[row] and is_monitored(known, robot)):
+            joints[row], sure[row] = ends.stored[row], ends.stored_works[row]
+        elif known.previous is not None and sure[known.previous] and ends.reachable[row]:
+            start = joints[known.previous]
+            if known.move.interpolation in _CURVES:
+                stop = _end_of_chain(posed, ends, robot, {*arrivals, *lost}, row)
+                if row not in lost:
+                    _follow(posed, robot, range(row, stop), start, joints, sure)
+                row = stop
+                continue
+            if is_free(known):
+                found = configurations(robot, posed.base_from_flange[row])
+                travel = [float(np.abs(one.joints - start).max()) for one in found]
+                if found:
+                    joints[row], sure[row] = found[int(np.argmin(travel))].joints, True
+        row += 1
+    return Stances(joints, sure)
+
+
+def is_monitored(known: KnownMove, robot: Robot) -> bool:
+    """Whether the controller insists on the stored configuration at the end of a move for sure."""
+    field = "conf_l" if known.move.interpolation in _CURVES else "conf_j"
+    monitored = bool(getattr(known.settings, field)) and field not in known.uncertain
+    return monitored and told_apart(robot.kinematics) and not led_by_wrist(known, robot)
+
+
+def is_free(known: KnownMove) -> bool:
+    """Whether the configuration is not monitored for sure: ConfJ or ConfL is off."""
+    field = "conf_l" if known.move.interpolation in _CURVES else "conf_j"
+    return not getattr(known.settings, field) and field not in known.uncertain
+
+
+def stored_confdata(known: KnownMove) -> tuple[int, int, int, int]:
+    """cf1, cf4, cf6 and cfx of a move to a pose; numbers far beyond any turn stay countable."""
+    assert isinstance(known.move.to, RobTarget)
+    cf1, cf4, cf6, cfx = (round(min(max(n, -_MOST), _MOST)) for n in known.move.to.robconf)
+    return cf1, cf4, cf6, cfx
+
+
+def _confdata(moves: Sequence[KnownMove], rows: list[int]) -> Array:
+    return np.array([stored_confdata(moves[row]) for row in rows], dtype=np.float64)
+
+
+def _end_of_led(
+    posed: PosedMoves,
+    ends: Ends,
+    robot: Robot,
+    base_from_world: Transform,
+    row: int,
+    joints: Array,
+    sure: Mask,
+) -> Array | None:
+    """Joints (n,) [rad] at the end of an arc that two wrist axes lead; None if not known."""
+    known = posed.moves[row]
+    before = known.previous
+    starts = before is not None and sure[before] and ends.looked_at[row]
+    if not starts or not led_by_wrist(known, robot):
+        return None
+    (segment,) = segments_of(posed, joints, robot, base_from_world, [row])
+    if circle_fault(segment) is not None:
+        return None
+    led = led_by_pair(robot.kinematics, segment)
+    if led is None or limit_excess(robot, led.arrival).any():
+        return None
+    return led.arrival
+
+
+def _end_of_chain(
+    posed: PosedMoves, ends: Ends, robot: Robot, settled: AbstractSet[int], row: int
+) -> int:
+    """One past the last of consecutive lines that arrive as the way takes the arm there."""
+    stop = row + 1
+    while (
+        stop < len(posed.moves)
+        and (known := posed.moves[stop]).previous == stop - 1
+        and known.move.interpolation in _CURVES
+        and stop not in settled
+        and not may_be_led_by_wrist(known, robot)
+        and ends.reachable[stop]
+        and not (ends.stored_works[stop] and is_monitored(known, robot))
+    ):
+        stop += 1
+    return stop
+
+
+def _follow(
+    posed: PosedMoves, robot: Robot, rows: range, start: Array, joints: Array, sure: Mask
+) -> None:
+    """Follow a chain of lines from its start joints (n,), as far as the branch leads."""
+    branch = int(robot.kinematics.branch_of(start))
+    pose = posed.base_from_flange[slice(rows.start, rows.stop)]
+    followed = robot.kinematics.inverse_on_branch(pose, branch, start)
+    good = followed.exists & ~limit_excess(robot, followed.joints).any(axis=-1)
+    good = np.logical_and.accumulate(good)
+    joints[rows.start : rows.stop] = np.where(good[:, None], followed.joints, 0.0)
+    sure[rows.start : rows.stop] = good

@@ -1,0 +1,1 @@
+"""What is known of a program where each statement stands, without running it."""

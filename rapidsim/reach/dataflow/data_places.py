@@ -1,0 +1,57 @@
+"""Data as they are declared and as assignments to a part of them leave them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import prod
+
+from rapidsim.analysis.program import DataSymbol
+from rapidsim.language.initial import initial_value
+from rapidsim.language.types import ArrayOf, Record, resolved
+from rapidsim.reach.dataflow.known_values import Evaluator, Known, Unknown, component_index
+from rapidsim.syntax import tree
+
+MOST_ELEMENTS = 20_000
+"""Of an array that is followed; larger ones take longer than they are worth."""
+
+
+def empty_data(symbol: DataSymbol) -> Known:
+    """What data hold that are declared without a value."""
+    of = resolved(symbol.type)
+    if isinstance(of, ArrayOf) and prod(size or 1 for size in of.dimensions) > MOST_ELEMENTS:
+        return Unknown(f"`{symbol.name}` is too large an array to be followed")
+    return initial_value(symbol.type)
+
+
+def replaced(evaluator: Evaluator, path: tree.DataPath, value: Known) -> Known:
+    """The whole of the data that a path begins with, after a value is assigned to the path."""
+    if isinstance(path, tree.Reference) or isinstance(value, Unknown):
+        return value
+    outer = path.array if isinstance(path, tree.Index) else path.record
+    whole = evaluator.value(outer)
+    if isinstance(whole, Unknown):
+        return whole
+    if isinstance(path, tree.Index):
+        places = [evaluator.value(index) for index in path.indices]
+        return replaced(evaluator, outer, _with_element(whole, places, value))
+    of = evaluator.program.type_of.get(path.record)
+    target = None if of is None else resolved(of)
+    if not isinstance(target, Record):
+        return Unknown("a component of what is no record")
+    parts = list(whole)
+    parts[component_index(target, path.name.key)] = value
+    return replaced(evaluator, outer, tuple.__new__(type(whole), parts))
+
+
+def _with_element(array: Known, places: Sequence[Known], value: Known) -> Known:
+    """An array with one element replaced; unknown where the place is not known or not there."""
+    place, *inner = places
+    if isinstance(place, Unknown):
+        return place
+    if place % 1.0 or not 1 <= place <= len(array):
+        return Unknown(f"there is no element {place:g}")
+    at = int(place) - 1
+    changed = _with_element(array[at], inner, value) if inner else value
+    if isinstance(changed, Unknown):
+        return changed
+    return [*array[:at], changed, *array[at + 1 :]]

@@ -1,0 +1,296 @@
+"""Which data each routine may write, which routines move the robot, and what may change any time.
+
+Everything here errs on the side of "may": what is not said to be written keeps its value for sure.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from rapidsim.analysis.program import (
+    CounterSymbol,
+    DataSymbol,
+    LibrarySymbol,
+    ParameterSymbol,
+    Program,
+    RoutineSymbol,
+    Storage,
+    Symbol,
+)
+from rapidsim.analysis.tree_walk import clauses, descendants, statements
+from rapidsim.interpreter.codegen.calls import Given, match_arguments
+from rapidsim.interpreter.codegen.data_access import bare, by_reference
+from rapidsim.language.annotations import Mode
+from rapidsim.language.moves import MotionSettings
+from rapidsim.library.table import LibraryRoutine
+from rapidsim.reach.dataflow.motion_settings import fields_set_by
+from rapidsim.syntax import tree
+
+_CALLS_ON_THE_WAY = frozenset({"movecsync", "movejsync", "movelsync"})
+"""Moves that call a procedure, which runs when the robot is there: after later statements."""
+_CALLS_BY_NAME = _CALLS_ON_THE_WAY | {"callbyvar"}
+_WRITES_BY_NAME = frozenset({"setdataval", "setalldataval"})
+_MOVE_PARAMETERS = frozenset({"to_point", "to_joint_pos", "topoint", "tojointpos"})
+
+
+@dataclass(slots=True)
+class _Direct:
+    """What a stretch of a program does itself, without what it calls."""
+
+    writes: set[Symbol] = field(default_factory=set)
+    calls: set[RoutineSymbol] = field(default_factory=set)
+    gives: list[tuple[Symbol, RoutineSymbol, ParameterSymbol]] = field(default_factory=list)
+    """Data given by reference, to which parameter of which routine."""
+    settings: set[str] = field(default_factory=set)
+    """Fields of `MotionSettings` that its instructions set."""
+    moves: bool = False
+    calls_anything: bool = False
+    """It calls a routine whose name only the run knows."""
+
+
+@dataclass(frozen=True, slots=True)
+class Effects:
+    """What a stretch of a program may do, with all it calls."""
+
+    writes: frozenset[Symbol]
+    settings: frozenset[str]
+    moves: bool
+
+
+@dataclass(frozen=True, eq=False)
+class ProgramEffects:
+    """The effects of all routines of a program."""
+
+    program: Program
+    _locals: dict[RoutineSymbol, frozenset[Symbol]] = field(default_factory=dict)
+
+    @cached_property
+    def routines(self) -> tuple[RoutineSymbol, ...]:
+        """All routines, in order of the text."""
+        return tuple(
+            symbol
+            for module in self.program.modules
+            for node in module.routines
+            if isinstance(symbol := self.program.symbol_of.get(node), RoutineSymbol)
+        )
+
+    @cached_property
+    def everything(self) -> Effects:
+        """What any routine may do."""
+        found = [self._routine_effects[routine] for routine in self.routines]
+        return _united(found)
+
+    @cached_property
+    def volatile(self) -> frozenset[Symbol]:
+        """Data that may change at any statement: traps, error handlers and their like write it."""
+        aside: list[Effects] = [self.everything] if self._calls_on_the_way else []
+        for routine in self.routines:
+            node = routine.node
+            if isinstance(node, tree.Trap):
+                aside.append(self.of_routine(routine))
+            for body in list(clauses(node))[1:]:
+                aside.append(self.of_bodies(body))
+        return _united(aside).writes
+
+    @cached_property
+    def _calls_on_the_way(self) -> bool:
+        """Whether a procedure, by its name, runs somewhere on the path."""
+        called = (
+            self.program.symbol_of.get(node)
+            for routine in self.routines
+            for node in statements(*clauses(routine.node))
+        )
+        return any(
+            isinstance(one, LibrarySymbol) and one.name.lower() in _CALLS_ON_THE_WAY
+            for one in called
+        )
+
+    def of_routine(self, routine: RoutineSymbol) -> Effects:
+        """What a call of a routine may do, its parameters included."""
+        return self._routine_effects[routine]
+
+    def of_bodies(self, *bodies: tree.Body) -> Effects:
+        """What some lists of statements may do."""
+        return self._with_calls(self._direct(statements(*bodies)), self._routine_effects)
+
+    def locals_of(self, routine: RoutineSymbol) -> frozenset[Symbol]:
+        """The parameters of a routine, and the data and counters declared in it."""
+        if routine not in self._locals:
+            found: set[Symbol] = set(routine.parameters)
+            for node in statements(*clauses(routine.node)):
+                symbol = self.program.symbol_of.get(node)
+                if isinstance(symbol, DataSymbol | CounterSymbol):
+                    found.add(symbol)
+            self._locals[routine] = frozenset(found)
+        return self._locals[routine]
+
+    def variables_in(self, expressions: Iterable[tree.Expression]) -> list[Symbol]:
+        """The data that expressions read and that are no constants."""
+        found: list[Symbol] = []
+        for node in descendants(*expressions):
+            if isinstance(node, tree.Reference):
+                symbol = self.program.symbol_of.get(node)
+                if isinstance(symbol, DataSymbol) and symbol.storage is Storage.CONST:
+                    continue
+                if isinstance(symbol, DataSymbol | ParameterSymbol | CounterSymbol):
+                    found.append(symbol)
+        return found
+
+    def is_written(self, symbol: Symbol) -> bool:
+        """Whether anything in the program may write some data."""
+        return symbol in self.everything.writes
+
+    @cached_property
+    def _routine_effects(self) -> dict[RoutineSymbol, Effects]:
+        direct = {
+            routine: self._direct(statements(*clauses(routine.node))) for routine in self.routines
+        }
+        nothing = Effects(frozenset(), frozenset(), moves=False)
+        effects = dict.fromkeys(self.routines, nothing)
+        while True:
+            grown = {routine: self._with_calls(direct[routine], effects) for routine in effects}
+            if grown == effects:
+                return effects
+            effects = grown
+
+    def _with_calls(self, direct: _Direct, effects: Mapping[RoutineSymbol, Effects]) -> Effects:
+        called = (
+            effects.values() if direct.calls_anything else map(effects.__getitem__, direct.calls)
+        )
+        below = _united(called)
+        given = {
+            symbol
+            for symbol, routine, parameter in direct.gives
+            if parameter in effects[routine].writes
+        }
+        return Effects(
+            frozenset(direct.writes | given | below.writes),
+            frozenset(direct.settings | below.settings),
+            direct.moves or below.moves,
+        )
+
+    def _direct(self, body: Iterable[tree.Statement]) -> _Direct:
+        found = _Direct()
+        for statement in body:
+            if isinstance(statement, tree.Assignment | tree.Connect):
+                target = statement.target if isinstance(statement, tree.Assignment) else None
+                written = target or getattr(statement, "interrupt", None)
+                if isinstance(written, tree.Reference | tree.Index | tree.Component):
+                    found.writes.update(self._root(written))
+            for node in _own_calls(statement):
+                self._add_call(node, found)
+        return found
+
+    def _add_call(self, node: tree.Node, found: _Direct) -> None:
+        callee = self.program.symbol_of.get(node)
+        if self.program.loads_modules and not isinstance(callee, RoutineSymbol | LibrarySymbol):
+            # The routine may be one of a module that is loaded while the program runs.
+            found.writes.update(self._all_data)
+            found.settings.update(MotionSettings.__dataclass_fields__)
+            found.moves = True
+        if isinstance(node, tree.LateCall):
+            found.calls_anything = True
+            for argument in node.arguments:
+                found.writes.update(self._given_data(argument))
+            return
+        assert isinstance(node, tree.Call | tree.FunctionCall)
+        match callee:
+            case RoutineSymbol() as routine:
+                found.calls.add(routine)
+                given = match_arguments(node.arguments, routine.parameters)
+                for parameter in routine.parameters:
+                    for symbol in self._referred(parameter.mode, given.get(parameter.name.lower())):
+                        found.gives.append((symbol, routine, parameter))
+            case LibrarySymbol(routine=library):
+                self._add_library_call(library, node.arguments, found)
+            case _:
+                for argument in node.arguments:
+                    found.writes.update(self._given_data(argument))
+
+    def _add_library_call(
+        self, library: LibraryRoutine, arguments: Sequence[tree.Argument], found: _Direct
+    ) -> None:
+        key = library.name.lower()
+        found.settings.update(fields_set_by(key))
+        found.moves |= is_move(library)
+        if key in _CALLS_BY_NAME:
+            found.calls_anything = True
+        if key in _WRITES_BY_NAME:
+            found.writes.update(self._all_data)
+        given = match_arguments(arguments, library.signature.parameters)
+        for parameter in library.signature.parameters:
+            # Tools and work objects are given as PERS and only read.
+            if parameter.mode in (Mode.INOUT, Mode.VAR):
+                found.writes.update(
+                    self._referred(parameter.mode, given.get(parameter.name.lower()))
+                )
+
+    def _referred(self, mode: Mode, given: Given | None) -> Iterator[Symbol]:
+        if given is not None and given.value is not None and by_reference(mode):
+            value = bare(given.value)
+            if isinstance(value, tree.Reference | tree.Index | tree.Component):
+                yield from self._root(value)
+
+    def _given_data(self, argument: tree.Argument) -> Iterator[Symbol]:
+        value = None if isinstance(argument, tree.Conditional) else argument.value
+        inner = None if value is None else bare(value)
+        if isinstance(inner, tree.Reference | tree.Index | tree.Component):
+            yield from self._root(inner)
+
+    def _root(self, path: tree.DataPath) -> Iterator[Symbol]:
+        symbol = self.program.symbol_of.get(root_of(path))
+        if isinstance(symbol, DataSymbol | ParameterSymbol):
+            yield symbol
+
+    @cached_property
+    def _all_data(self) -> frozenset[Symbol]:
+        return frozenset(
+            symbol
+            for module in self.program.modules
+            for item in module.items
+            if isinstance(item, tree.Data)
+            and isinstance(symbol := self.program.symbol_of.get(item), DataSymbol)
+        )
+
+
+def is_move(routine: LibraryRoutine) -> bool:
+    """Whether an installed routine sends the robot to a target that its call names."""
+    return any(p.python in _MOVE_PARAMETERS for p in routine.signature.parameters)
+
+
+def root_of(path: tree.DataPath) -> tree.Reference:
+    """The name a path begins with."""
+    while not isinstance(path, tree.Reference):
+        path = path.array if isinstance(path, tree.Index) else path.record
+    return path
+
+
+def _own_calls(statement: tree.Statement) -> Iterator[tree.Node]:
+    """The calls of a statement, those of statements inside it left out."""
+    match statement:
+        case tree.If(branches=branches):
+            roots: list[tree.Node] = [branch.condition for branch in branches]
+        case tree.CompactIf(condition=condition) | tree.While(condition=condition):
+            roots = [condition]
+        case tree.For(first=first, last=last, step=step):
+            roots = [first, last, *([] if step is None else [step])]
+        case tree.Test(subject=subject, cases=cases):
+            roots = [subject, *(value for case in cases for value in case.values)]
+        case _:
+            roots = [statement]
+    for node in descendants(*roots):
+        if isinstance(node, tree.Call | tree.FunctionCall | tree.LateCall):
+            yield node
+
+
+def _united(effects: Iterable[Effects]) -> Effects:
+    writes: set[Symbol] = set()
+    settings: set[str] = set()
+    moves = False
+    for one in effects:
+        writes |= one.writes
+        settings |= one.settings
+        moves |= one.moves
+    return Effects(frozenset(writes), frozenset(settings), moves)

@@ -1,0 +1,60 @@
+"""What is known where a statement stands, and what is left of it where ways meet."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from rapidsim.analysis.program import Symbol
+from rapidsim.reach.dataflow.known_values import Known, Unknown
+from rapidsim.reach.dataflow.motion_settings import KnownSettings
+
+_MISSING = object()
+
+
+@dataclass(slots=True)
+class State:
+    """What is known before a statement."""
+
+    values: dict[Symbol, Known] = field(default_factory=dict)
+    """Data that hold something else than at the entry, or may."""
+    settings: KnownSettings = field(default_factory=KnownSettings)
+    last: int | None = None
+    """Index of the move at whose end the robot stands; None where that is not known."""
+    alive: bool = True
+    """Whether the program can come here."""
+
+    def copy(self) -> State:
+        """The same, to be changed apart."""
+        return State(dict(self.values), self.settings, self.last, self.alive)
+
+    def forget(self, symbols: Iterable[Symbol], why: str) -> None:
+        """Let data hold anything; `why` is a format with the name of each."""
+        for symbol in symbols:
+            self.values[symbol] = Unknown(why.format(name=symbol.name))
+
+    def without(self, symbols: frozenset[Symbol]) -> State:
+        """The same after the data of a routine are gone."""
+        kept = {symbol: value for symbol, value in self.values.items() if symbol not in symbols}
+        return State(kept, self.settings, self.last, self.alive)
+
+
+def joined(ways: Iterable[State]) -> State:
+    """What is known where several ways meet; those the program cannot take do not count."""
+    possible = [way for way in ways if way.alive]
+    if not possible:
+        return State(alive=False)
+    first, *others = possible
+    result = first.copy()
+    for other in others:
+        for symbol in {**result.values, **other.values}:
+            a = result.values.get(symbol, _MISSING)
+            b = other.values.get(symbol, _MISSING)
+            if a is not b and (a is _MISSING or b is _MISSING or type(a) is not type(b) or a != b):
+                result.values[symbol] = Unknown(
+                    f"`{symbol.name}` depends on the way the program takes"
+                )
+        result.settings = result.settings.joined(other.settings)
+        if result.last != other.last:
+            result.last = None
+    return result

@@ -1,0 +1,85 @@
+"""Perform an installed instruction on known values: its own Python function, without a robot."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from rapidsim.interpreter.codegen.calls import match_arguments
+from rapidsim.interpreter.codegen.data_access import bare, by_reference
+from rapidsim.language.controller import Controller
+from rapidsim.language.errors import RapidError, Stopped
+from rapidsim.language.reference import Box
+from rapidsim.language.types import ArrayOf, resolved
+from rapidsim.library.table import LibraryRoutine
+from rapidsim.reach.dataflow.known_values import Evaluator, Known, Unknown
+from rapidsim.reach.dataflow.recorder import NeedsRunError, Recorder
+from rapidsim.syntax import tree
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Performed:
+    """What an instruction did to the data it was given by reference."""
+
+    written: tuple[tuple[tree.DataPath, Known], ...] = ()
+    goes_on: bool = True
+    """Whether the program goes on with the next statement; not after ExitCycle and its like."""
+
+
+def perform(
+    routine: LibraryRoutine,
+    arguments: Sequence[tree.Argument],
+    evaluator: Evaluator,
+    recorder: Recorder,
+) -> Performed | str:
+    """Perform an instruction; or say why that takes a run.
+
+    Args:
+        routine: The instruction.
+        arguments: What its call gives.
+        evaluator: Knows the values of the arguments, as far as they are known.
+        recorder: Takes the settings and moves it makes.
+    """
+    signature = routine.signature
+    if any(parameter.deferred for parameter in signature.parameters):
+        return "only a run can tell"
+    given = match_arguments(arguments, signature.parameters)
+    values = evaluator.arguments(signature.parameters, given)
+    if isinstance(values, Unknown):
+        return values.reason
+    cells: list[tuple[Box[Known], Known, tree.DataPath]] = []
+    controller: Controller = recorder
+    required: list[object] = [controller] if signature.takes_controller else []
+    options: dict[str, object] = {}
+    for parameter in signature.parameters:
+        key = parameter.name.lower()
+        if key not in values:
+            continue
+        value = values[key]
+        if by_reference(parameter.mode):
+            if any(isinstance(resolved(of), ArrayOf) for of in parameter.types):
+                return "an array is given by reference"
+            written = given[key].value
+            path = None if written is None else bare(written)
+            cell = Box(value)
+            if isinstance(path, tree.Reference | tree.Index | tree.Component):
+                cells.append((cell, value, path))
+            value = cell
+        if parameter.by_keyword:
+            options[parameter.python] = value
+        else:
+            required.append(value)
+    if signature.type_of is not None:
+        typed = given.get(signature.type_of.name.lower())
+        if typed is None or typed.value is None:
+            return "its type is not known"
+        options[signature.type_keyword] = evaluator.program.type_of.get(typed.value)
+    try:
+        routine.body(*required, **options)
+    except NeedsRunError:
+        return f"`{routine.name}` asks where the robot is"
+    except Stopped:
+        return Performed(goes_on=False)
+    except RapidError as error:
+        return f"it fails: {error.message}"
+    return Performed(tuple((path, c.value) for c, old, path in cells if c.value is not old))

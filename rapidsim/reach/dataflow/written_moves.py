@@ -1,0 +1,56 @@
+"""The moves that stand in a program's text, run or not."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from rapidsim.analysis.program import DataSymbol, LibrarySymbol, Program
+from rapidsim.analysis.tree_walk import descendants
+from rapidsim.diagnostics import Span
+from rapidsim.syntax import tree
+
+NO_WOBJ = "wobj0"
+_MOVES = ("moveabsj", "movec", "movej", "movel")
+
+
+def written_moves(files: Iterable[tree.File]) -> tuple[Span, ...]:
+    """The places of all move instructions."""
+    return tuple(
+        module.span(node)
+        for file in files
+        for module in file.modules
+        for node in descendants(module)
+        if isinstance(node, tree.Call) and node.name.key in _MOVES
+    )
+
+
+def targets_by_wobj(program: Program) -> dict[str, tuple[str, ...]]:
+    """Declared names of the targets that installed instructions go to, by folded work object."""
+    found: dict[str, dict[str, None]] = {}
+    for module in program.modules:
+        for node in descendants(module):
+            if isinstance(node, tree.Call) and _is_installed(program, node):
+                found.setdefault(_wobj(node), {}).update(dict.fromkeys(_targets(program, node)))
+    return {wobj: tuple(names) for wobj, names in found.items()}
+
+
+def _is_installed(program: Program, call: tree.Call) -> bool:
+    return isinstance(program.symbol_of.get(call), LibrarySymbol)
+
+
+def _wobj(call: tree.Call) -> str:
+    for argument in call.arguments:
+        match argument:
+            case tree.Optional(name=tree.Name(key="wobj"), value=tree.Reference(name=wobj)):
+                return wobj.key
+            case _:
+                continue
+    return NO_WOBJ
+
+
+def _targets(program: Program, call: tree.Call) -> Iterator[str]:
+    for argument in call.arguments:
+        if isinstance(argument, tree.Required) and isinstance(argument.value, tree.Reference):
+            symbol = program.symbol_of.get(argument.value)
+            if isinstance(symbol, DataSymbol) and symbol.type.name == "robtarget":
+                yield symbol.name

@@ -1,0 +1,284 @@
+"""Findings about the ways between known moves: where they fail, what holds the arm up, zones."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from rapidsim.analysis.program import Program
+from rapidsim.controller.moves.motion_findings import fault_violation
+from rapidsim.controller.moves.move_data import zone_of
+from rapidsim.diagnostics import Diagnostic, Related, Violation
+from rapidsim.findings.reach_and_motion_data import CircleUncertain
+from rapidsim.findings.reachability import (
+    AxisSpeedLimits,
+    ConfigurationChangesOnLine,
+    NearSingularity,
+    ZeroLengthMove,
+    ZoneTooLarge,
+)
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.language.moves import Interpolation, SingularArea
+from rapidsim.motion.configurations.confdata import confdata_of, told_apart
+from rapidsim.motion.geometry.curves import circle_fault
+from rapidsim.motion.geometry.segments import Segment, Waypoint
+from rapidsim.motion.model import MotionModel
+from rapidsim.motion.path.curve_feasibility import HoldUp, SurveyedWay, survey_ways
+from rapidsim.motion.path.curve_following import PathFault
+from rapidsim.motion.path.path import build_path
+from rapidsim.motion.path.wrist_circle import findings_on_pair, led_by_pair
+from rapidsim.motion.robot.robot import Robot, RobotError
+from rapidsim.motion.timing.axis_limits import limits_of
+from rapidsim.reach.arm_configurations import (
+    Ends,
+    Stances,
+    is_monitored,
+    stances_of,
+    stored_confdata,
+)
+from rapidsim.reach.move_segments import segments_of
+from rapidsim.reach.target_findings import conf_text
+from rapidsim.reach.target_poses import PosedMoves
+from rapidsim.reach.wording import confdata_fix, target_span, target_text
+
+_SAME_JOINTS = 1e-3
+_STANDSTILL = 1e-5
+_NO_TURN = 1e-3
+_REDUCED = 0.99
+_SMALL_ZONE = 1.1e-3
+"""z0 and z1 [m] on close points are how dense paths are written; nobody wants them smaller."""
+_HARDLY = 0.5
+"""Share of the programmed speed below which a singularity is a warning."""
+_SLOWER = 0.95
+_PASSES = 3
+_CURVES = (Interpolation.LINE, Interpolation.CIRCLE)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Ways:
+    """Surveyed ways of a program, by row of its moves."""
+
+    stances: Stances
+    segments: Mapping[int, Segment]
+    surveyed: Mapping[int, SurveyedWay]
+    circle_faults: Mapping[int, str]
+    strays: Mapping[int, Array]
+    """Joints (n,) [rad] of rows that do not arrive in their stored configuration."""
+
+
+@dataclass(frozen=True, eq=False)
+class WayFinder:
+    """Surveys the ways between the known moves of one program and tells what is wrong with them."""
+
+    program: Program
+    posed: PosedMoves
+    ends: Ends
+    robot: Robot
+    model: MotionModel
+    base_from_world: Transform
+    known_joints: Mapping[int, Array]
+    """Joints (n,) [rad] of rows that a run has told."""
+    _max_speed: Array | None = field(init=False)
+
+    def __post_init__(self) -> None:
+        """Look up what the axes can do; without it no speed is checked."""
+        try:
+            speed = limits_of(self.robot, self.model).max_speed[: len(self.robot.joints)]
+        except RobotError:
+            speed = None
+        object.__setattr__(self, "_max_speed", speed)
+
+    def survey(self) -> Ways:
+        """Survey all lines and arcs whose start is known.
+
+        Where a line strays from the configuration that its target stores, what comes after it
+        starts from there, and where it fails, nobody knows where it starts; so the survey is made
+        again.
+        """
+        ways, lost = self._surveyed({}, frozenset()), frozenset[int]()
+        for _ in range(_PASSES):
+            strays = {
+                row: way.arrival
+                for row, way in ways.surveyed.items()
+                if way.arrival is not None and self._strays(row, way, ways)
+            }
+            failing = frozenset(row for row, way in ways.surveyed.items() if way.broken)
+            if not strays and failing <= lost:
+                break
+            lost |= failing
+            ways = self._surveyed({**ways.strays, **strays}, lost)
+        return ways
+
+    def _surveyed(self, strays: Mapping[int, Array], lost: frozenset[int]) -> Ways:
+        robot = self.robot
+        arrivals = {**self.known_joints, **strays}
+        stances = stances_of(self.posed, self.ends, robot, self.base_from_world, arrivals, lost)
+        if not told_apart(robot.kinematics):
+            return Ways(stances, {}, {}, {}, strays)
+        rows = [
+            row
+            for row, known in enumerate(self.posed.moves)
+            if known.move.interpolation in _CURVES
+            and known.previous is not None
+            and stances.sure[known.previous]
+            and self.ends.looked_at[row]
+            and self.ends.reachable[row]
+            and known.settings.singular_area is SingularArea.OFF
+            and not {"singular_area", "circle_path"} & known.uncertain
+        ]
+        segments = segments_of(self.posed, stances.joints, robot, self.base_from_world, rows)
+        faults = {
+            row: fault
+            for row, segment in zip(rows, segments, strict=True)
+            if (fault := circle_fault(segment)) is not None
+        }
+        by_row = {
+            row: segment for row, segment in zip(rows, segments, strict=True) if row not in faults
+        }
+        surveyed = survey_ways(robot, list(by_row.values()), self._max_speed)
+        return Ways(stances, by_row, dict(zip(by_row, surveyed, strict=True)), faults, strays)
+
+    def _strays(self, row: int, way: SurveyedWay, ways: Ways) -> bool:
+        known = self.posed.moves[row]
+        if way.broken or way.arrival is None or not ways.stances.sure[row] or row in ways.strays:
+            return False
+        apart = np.abs(way.arrival - ways.stances.joints[row]).max()
+        return bool(is_monitored(known, self.robot) and apart > _SAME_JOINTS)
+
+    def findings(self, ways: Ways) -> Iterator[Diagnostic]:
+        """All findings about the ways."""
+        for row, fault in ways.circle_faults.items():
+            name = target_text(self.program, self.posed.moves[row])
+            yield self._finding(row, CircleUncertain(name, fault))
+        following = self._following()
+        for row, way in ways.surveyed.items():
+            if way.broken:
+                fault_found = self._fault(row, ways, following)
+                if fault_found is not None:
+                    yield self._finding(row, fault_found)
+                continue
+            yield from self._led(row, ways)
+            if row in ways.strays and self.ends.stored_works[row]:
+                yield self._changed(row, ways.strays[row])
+            if way.hold_up is not None and not self._speed_unknown(row):
+                held = self._held_up(row, way.hold_up)
+                if held is not None:
+                    yield self._finding(row, held)
+            if way.travel < _STANDSTILL and way.turned < _NO_TURN:
+                name = target_text(self.program, self.posed.moves[row])
+                yield self._finding(row, ZeroLengthMove(name))
+            reduced = self._reduced_zone(row, ways, following)
+            if reduced is not None:
+                yield self._finding(row, reduced)
+
+    def _led(self, row: int, ways: Ways) -> Iterator[Diagnostic]:
+        """What is worth a word of an arc that two wrist axes lead."""
+        segment = ways.segments[row]
+        if segment.wrist_pair is None:
+            return
+        led = led_by_pair(self.robot.kinematics, segment)
+        name = target_text(self.program, self.posed.moves[row])
+        for violation in () if led is None else findings_on_pair(led, segment, name):
+            yield self._finding(row, violation)
+
+    def _finding(self, row: int, violation: Violation) -> Diagnostic:
+        known = self.posed.moves[row]
+        related: tuple[Related, ...] = ()
+        if known.previous is not None and not isinstance(violation, ZoneTooLarge | ZeroLengthMove):
+            start = target_span(self.program, self.posed.moves[known.previous])
+            related = (Related(start, "the way begins here"),)
+        span = target_span(self.program, known)
+        return Diagnostic(violation, span, related, routine=known.routine)
+
+    def _speed_unknown(self, row: int) -> bool:
+        return "speed_override_percent" in self.posed.moves[row].uncertain
+
+    def _following(self) -> Mapping[int, list[int]]:
+        """The moves that start where each ends."""
+        following: dict[int, list[int]] = {}
+        for row, known in enumerate(self.posed.moves):
+            if known.previous is not None:
+                following.setdefault(known.previous, []).append(row)
+        return following
+
+    def _fault(self, row: int, ways: Ways, following: Mapping[int, list[int]]) -> Violation | None:
+        """Where and why a way fails, as planning says it; None if corners keep the arm off it."""
+        segment = self._with_arrival(row, ways)
+        fault = build_path(self.robot, [replace(segment, zone=None)], self.model)
+        if not isinstance(fault, PathFault):
+            return None
+        # A wrist must be able to lead all of an arc, as a run has it.
+        led = segment.wrist_pair is not None
+        if not led and not self._fails_with_corners(row, segment, ways, following):
+            return None
+        return fault_violation(fault, target_text(self.program, self.posed.moves[row]))
+
+    def _fails_with_corners(
+        self, row: int, segment: Segment, ways: Ways, following: Mapping[int, list[int]]
+    ) -> bool:
+        before = self.posed.moves[row].previous
+        around = [segment]
+        if before is not None and before in ways.segments and ways.segments[before].zone:
+            around.insert(0, self._with_arrival(before, ways))
+        after = [one for one in following.get(row, ()) if one in ways.segments]
+        if segment.zone is not None and len(after) == 1:
+            around.append(self._with_arrival(after[0], ways))
+        if len(around) == 1:
+            return True
+        linked = [around[0]]
+        for one in around[1:]:
+            linked.append(
+                replace(one, start=Waypoint(linked[-1].end.joints, one.start.base_from_tcp))
+            )
+        return isinstance(build_path(self.robot, linked, self.model), PathFault)
+
+    def _with_arrival(self, row: int, ways: Ways) -> Segment:
+        """The segment of a way that ends as the way arrives, where it does."""
+        segment, way = ways.segments[row], ways.surveyed[row]
+        if way.arrival is None:
+            return segment
+        return replace(segment, end=Waypoint(way.arrival, segment.end.base_from_tcp))
+
+    def _changed(self, row: int, arrival: Array) -> Diagnostic:
+        known = self.posed.moves[row]
+        arrives = confdata_of(self.robot.kinematics, arrival).tolist()
+        found = ConfigurationChangesOnLine(
+            target_text(self.program, known), conf_text(stored_confdata(known)), conf_text(arrives)
+        )
+        fix = confdata_fix(self.program, known, arrives)
+        return replace(self._finding(row, found), fix=fix)
+
+    def _held_up(self, row: int, hold_up: HoldUp) -> Violation | None:
+        known = self.posed.moves[row]
+        name = target_text(self.program, known)
+        if hold_up.singularity is not None and hold_up.share < _HARDLY:
+            return NearSingularity(
+                name,
+                hold_up.singularity,
+                100.0 * hold_up.fraction,
+                hold_up.axis,
+                100.0 * hold_up.share,
+            )
+        if hold_up.share > _SLOWER:
+            return None
+        programmed = known.move.speed.v_tcp * known.settings.speed_override_percent / 100.0
+        return AxisSpeedLimits(
+            name, hold_up.axis, programmed, hold_up.share * programmed, 100.0 * hold_up.fraction
+        )
+
+    def _reduced_zone(
+        self, row: int, ways: Ways, following: Mapping[int, list[int]]
+    ) -> ZoneTooLarge | None:
+        zone = zone_of(self.posed.moves[row].move)
+        after = [
+            ways.surveyed[one].travel for one in following.get(row, ()) if one in ways.surveyed
+        ]
+        if zone is None or zone.position <= _SMALL_ZONE or not after:
+            return None
+        sides = [(ways.surveyed[row].travel, "before"), (min(after), "after")]
+        length, which = min(sides)
+        if length < _STANDSTILL or 0.5 * length >= _REDUCED * zone.position:
+            return None
+        return ZoneTooLarge(1e3 * zone.position, 1e3 * length, which, 500.0 * length)

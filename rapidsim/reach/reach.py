@@ -1,0 +1,147 @@
+"""Can the robot make every move of a program? By value where that is known, by a run elsewhere."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+from rapidsim.analysis.program import Program
+from rapidsim.diagnostics import Diagnostic, Span
+from rapidsim.frames.transform import Array
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.reach.arm_configurations import Ends, ends_of
+from rapidsim.reach.checked_moves import Coverage, ReachReport, UncheckedMove
+from rapidsim.reach.cures import Cures
+from rapidsim.reach.cycle_time_findings import budget_findings, stop_findings
+from rapidsim.reach.dataflow.interpretation import walk_program
+from rapidsim.reach.dataflow.known_moves import WalkedProgram
+from rapidsim.reach.path_findings import WayFinder
+from rapidsim.reach.target_findings import (
+    configuration_findings,
+    margin_findings,
+    unreachable_findings,
+    wind_up_findings,
+)
+from rapidsim.reach.target_poses import FRAME_WITHOUT_ORIENTATION, posed
+from rapidsim.reach.trial_run import LONGEST_RUN_S, RunMoves, run_for_moves
+from rapidsim.simulation.options import RunOptions
+
+_SAID_BY_TEXT = ("M501",)
+"""Findings of a run that checking the text makes already."""
+_SAME_CAUSE = {"K603": "K606"}
+"""A run says the first where checking by value says the second."""
+
+
+def check_reach(
+    program: Program,
+    robot: Robot,
+    options: RunOptions | None = None,
+    *,
+    run: bool = True,
+    cycle_budget_s: float | None = None,
+) -> ReachReport:
+    """Check the moves of a program.
+
+    Args:
+        program: A checked program.
+        robot: The arm.
+        options: How main is run, where it is: where the arm starts, signals, motion model.
+        run: Whether main is run for the moves that only a run can tell.
+        cycle_budget_s: How long one cycle of main may take; then needless stops are told, too.
+    """
+    options = options or RunOptions()
+    walked = walk_program(program)
+    budget = cycle_budget_s if run else None
+    if not walked.written and budget is None:
+        return ReachReport()
+    known = list(walked.known)
+    told: RunMoves | None = None
+    joints: dict[int, Array] = {}
+    base_from_world = options.world_from_base.inverse()
+    left_out = posed(known, robot, base_from_world, options.external_axes).left_out
+    can_run = run and FRAME_WITHOUT_ORIENTATION not in left_out.values()
+    if can_run and (walked.unknown or left_out or budget is not None):
+        longest_s = max(LONGEST_RUN_S, 2.0 * (budget or 0.0))
+        told = run_for_moves(program, robot, options, walked, len(known), longest_s)
+        joints = {len(known) + at: one.joints for at, one in enumerate(told.executed)}
+        known += told.moves
+    placed = posed(known, robot, base_from_world, options.external_axes)
+    ends = ends_of(placed, robot)
+    cures = Cures(program, placed, ends, robot, base_from_world)
+    finder = WayFinder(program, placed, ends, robot, options.model, base_from_world, joints)
+    ways = finder.survey()
+    found = [
+        *unreachable_findings(program, placed, ends, robot, cures),
+        *configuration_findings(program, placed, ends, robot),
+        *finder.findings(ways),
+        *margin_findings(program, placed, ends, ways.stances, robot),
+        *wind_up_findings(program, placed, ways.stances, robot),
+        *(() if told is None else told.diagnostics),
+    ]
+    if budget is not None and told is not None:
+        found += budget_findings(program, told, budget)
+        found += stop_findings(program, placed, ways)
+    distinct = tuple(_Places(walked).distinct(found))
+    return ReachReport(distinct, _coverage(walked, ends, told, left_out))
+
+
+@dataclass(eq=False)
+class _Places:
+    """Tells findings apart by rule and move: the same of one move is said once."""
+
+    walked: WalkedProgram
+
+    def __post_init__(self) -> None:
+        self._starts: dict[str, list[tuple[int, int]]] = {}
+        for call, module in self.walked.written:
+            self._starts.setdefault(module.source.file, []).append((call.start, call.end))
+
+    def distinct(self, diagnostics: Iterable[Diagnostic]) -> Iterator[Diagnostic]:
+        """The first of the findings that say the same of one move."""
+        said: set[tuple[str, object]] = set()
+        for diagnostic in diagnostics:
+            code, move = diagnostic.violation.code, self._move_of(diagnostic.span)
+            if code in _SAID_BY_TEXT:
+                continue
+            if {(code, move), (_SAME_CAUSE.get(code, code), move)} & said:
+                continue
+            said.add((code, move))
+            yield diagnostic
+
+    def _move_of(self, span: Span | None) -> object:
+        if span is None:
+            return None
+        starts = self._starts.get(span.file, [])
+        at = bisect_right(starts, (span.start, len(span.source.text))) - 1
+        inside = at >= 0 and span.start < starts[at][1]
+        return (span.file, starts[at][0] if inside else span.start)
+
+
+def _coverage(
+    walked: WalkedProgram, ends: Ends, told: RunMoves | None, left_out: Mapping[int, str]
+) -> Coverage:
+    by_value = {
+        known.call
+        for row, known in enumerate(walked.known)
+        if row not in left_out and ends.looked_at[row]
+    }
+    reasons = {walked.known[row].call: why for row, why in left_out.items()}
+    met = frozenset() if told is None else told.met
+    values = runs = 0
+    unchecked: list[UncheckedMove] = []
+    for call, module in walked.written:
+        open_ = call in walked.unknown or call in reasons
+        if call in by_value and not (open_ and call in met):
+            values += 1
+        elif call in met:
+            runs += 1
+        else:
+            why = walked.unknown.get(call) or reasons.get(call) or _NOT_SEARCHED
+            if told is not None and call not in met:
+                why = f"{why}; a run of main {told.outcome}"
+            unchecked.append(UncheckedMove(module.span(call), why))
+    return Coverage(values, runs, tuple(unchecked))
+
+
+_NOT_SEARCHED = "this arm is solved by search, which a check does for a few targets only"

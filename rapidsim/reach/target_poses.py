@@ -1,0 +1,132 @@
+"""Where known moves put the tool, all at once, in the robot's base."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from rapidsim.frames.quaternion import norm
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.language.data import JointTarget, Orient, ToolData, WobjData
+from rapidsim.language.moves import Interpolation
+from rapidsim.motion.configurations import targets
+from rapidsim.motion.kinematics.arm import Mask
+from rapidsim.motion.robot.external_axes import ExternalAxis
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.reach.dataflow.circle_modes import led_by_wrist
+from rapidsim.reach.dataflow.known_moves import KnownMove
+
+FRAME_WITHOUT_ORIENTATION = "the frame of the tool or the work object has no orientation"
+"""Why moves are left out that no run can place either."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PosedMoves:
+    """Known moves with their ends as poses; one row a move."""
+
+    moves: Sequence[KnownMove]
+    base_from_tcp: Transform
+    tcp_from_flange: Transform
+    base_from_flange: Transform
+    axes: Array
+    """Shape (k, n) [rad]: the joints that MoveAbsJ names; 0 for moves to poses."""
+    to_axes: Mask
+    """Whether a move goes to joints rather than to a pose."""
+    left_out: Mapping[int, str]
+    """Why rows are not looked at: a set-up that is not plain, an orientation that is none."""
+
+
+def posed(
+    moves: Sequence[KnownMove],
+    robot: Robot,
+    base_from_world: Transform,
+    external: Sequence[ExternalAxis] = (),
+) -> PosedMoves:
+    """Place the ends of known moves.
+
+    Args:
+        moves: What is placed.
+        robot: The arm.
+        base_from_world: Where the world is.
+        external: Axes beside the arm; moves that they take part in are left out.
+    """
+    count = len(moves)
+    position, quaternion = np.zeros((count, 3)), np.tile([1.0, 0.0, 0.0, 0.0], (count, 1))
+    axes = np.zeros((count, len(robot.joints)))
+    to_axes = np.zeros(count, dtype=bool)
+    left_out: dict[int, str] = {}
+    frames: dict[tuple[ToolData, WobjData], int] = {}
+    placements: list[targets.Placement | targets.NotSimulatedFrame] = []
+    frame = np.zeros(count, dtype=np.int64)
+    for row, known in enumerate(moves):
+        move = known.move
+        pair = (move.tool, move.wobj)
+        at = frames.setdefault(pair, len(placements))
+        if at == len(placements):
+            placements.append(_placement(*pair, base_from_world, external))
+        frame[row] = at
+        placement = placements[at]
+        if isinstance(placement, targets.NotSimulatedFrame):
+            left_out[row] = placement.reason
+        elif placement.carrier is not None or external:
+            left_out[row] = "external axes, a stationary tool or a moved work object take part"
+        if move.interpolation is Interpolation.EXTERNAL_AXES:
+            left_out[row] = "only external axes move"
+        elif isinstance(move.to, JointTarget):
+            axes[row] = targets.joints(move.to, len(robot.joints))
+            to_axes[row] = True
+        if isinstance(move.to, JointTarget):
+            continue
+        for target in (move.to, *(() if move.circle_point is None else (move.circle_point,))):
+            if _is_no_orientation(target.rot):
+                left_out[row] = "its orientation is no unit quaternion"
+        if known.previous is None and led_by_wrist(known, robot):
+            left_out[row] = "two wrist axes lead it from where the arm stands, which a run tells"
+        if row not in left_out:
+            position[row], quaternion[row] = move.to.trans, move.to.rot
+    plain = [
+        targets.Placement(Transform.identity(), Transform.identity())
+        if isinstance(one, targets.NotSimulatedFrame)
+        else one
+        for one in placements
+    ]
+    base_from_object = _stacked([one.curve_from_object for one in plain])[frame]
+    tcp_from_flange = _stacked([one.tcp_from_flange for one in plain])[frame]
+    base_from_tcp = base_from_object @ Transform.from_quaternion(quaternion, position * targets.MM)
+    base_from_flange = base_from_tcp @ tcp_from_flange
+    if to_axes.any():
+        rows = np.flatnonzero(to_axes)
+        flange = robot.forward(axes[rows])
+        tcp = flange @ tcp_from_flange[rows].inverse()
+        base_from_flange.rotation[rows] = flange.rotation
+        base_from_flange.translation[rows] = flange.translation
+        base_from_tcp.rotation[rows] = tcp.rotation
+        base_from_tcp.translation[rows] = tcp.translation
+    return PosedMoves(
+        moves, base_from_tcp, tcp_from_flange, base_from_flange, axes, to_axes, left_out
+    )
+
+
+def _placement(
+    tool: ToolData,
+    wobj: WobjData,
+    base_from_world: Transform,
+    external: Sequence[ExternalAxis],
+) -> targets.Placement | targets.NotSimulatedFrame:
+    for frame in (tool.tframe, wobj.uframe, wobj.oframe):
+        if _is_no_orientation(frame.rot):
+            return targets.NotSimulatedFrame(FRAME_WITHOUT_ORIENTATION)
+    return targets.placement(tool, wobj, base_from_world, external)
+
+
+def _is_no_orientation(rotation: Orient) -> bool:
+    return abs(norm(rotation) - 1.0) > targets.REFUSED_NORM_ERROR
+
+
+def _stacked(transforms: Sequence[Transform]) -> Transform:
+    return Transform(
+        np.array([one.rotation for one in transforms]).reshape(-1, 3, 3),
+        np.array([one.translation for one in transforms]).reshape(-1, 3),
+    )

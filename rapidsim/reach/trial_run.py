@@ -1,0 +1,142 @@
+"""The moves that only a run of main can tell, and what that run found about moves.
+
+The run is short and has no consequences: files go to a folder that is thrown away, and it is over
+after some virtual time, or at a question to the operator. It ends earlier where the arm cannot go
+on.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from rapidsim.analysis.program import Program
+from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.files import InputError
+from rapidsim.interpreter.limits import NotExecutableError
+from rapidsim.language.errors import Stopped
+from rapidsim.language.moves import MotionSettings
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.reach.dataflow.known_moves import KnownMove, WalkedProgram
+from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.results.simulation import End
+from rapidsim.simulation.simulate import simulate
+from rapidsim.syntax import tree
+
+LONGEST_RUN_S = 120.0
+"""Virtual time after which the run of a check is over."""
+LONGEST_WORK_S = 60.0
+"""Time on the computer's clock after which it is over, too: many times what so much virtual time
+takes in a program that gets on."""
+MOST_MOVES = 4000
+"""Move instructions in a text beyond which a check does not run it."""
+_TOLD_BY_RUN = frozenset({"conf_j", "conf_l"})
+"""Settings whose findings the run makes itself."""
+_ENDS = {
+    End.ENDED: "it ended without coming here",
+    End.STOPPED: "the program stopped before, or asked the operator something",
+    End.TIME_LIMIT: "its time was over before it came here",
+    End.CYCLE_LIMIT: "it ended without coming here",
+    End.ERROR: "it stopped with an error before",
+}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RunMoves:
+    """What a run told of moves."""
+
+    moves: tuple[KnownMove, ...]
+    """The moves it made, in order; `previous` counts from `first_row`."""
+    executed: tuple[ExecutedMove, ...]
+    met: frozenset[tree.Call]
+    """Also those that it could not make."""
+    diagnostics: tuple[Diagnostic, ...]
+    """Its findings about moves."""
+    time_s: float | None
+    """How long it took; None where it did not get to its end."""
+    duration_unknown: str
+    """What is known of its length where it did not."""
+    outcome: str
+    """Why moves were not met, to follow "a run of main"."""
+
+
+def run_for_moves(
+    program: Program,
+    robot: Robot,
+    options: RunOptions,
+    walked: WalkedProgram,
+    first_row: int,
+    longest_s: float = LONGEST_RUN_S,
+) -> RunMoves:
+    """Run main and collect its moves.
+
+    Args:
+        program: The program.
+        robot: The arm.
+        options: Inputs of the run.
+        walked: The moves of its text.
+        first_row: The number of the first move of the run among all known moves.
+        longest_s: Virtual time after which the run is over.
+    """
+    if program.routines.get(options.entry.lower()) is None:
+        return _not_run(f"is not possible: there is no `{options.entry}`")
+    if len(walked.written) > MOST_MOVES:
+        return _not_run("is left out in a check of so many moves; `rapidsim run` makes it")
+    calls = {(module.source.file, call.start): (call, module) for call, module in walked.written}
+    with TemporaryDirectory(prefix="rapidsim-") as home:
+        limited = replace(
+            options,
+            home=Path(home),
+            answers=_nobody,
+            max_cycles=1,
+            max_time_s=min(options.max_time_s, longest_s),
+            max_wall_s=LONGEST_WORK_S,
+        )
+        try:
+            run = simulate(program, robot, options=limited)
+        except (InputError, NotExecutableError) as error:
+            return _not_run(f"is not possible: {error}")
+    made = [
+        (one, calls[key])
+        for one in run.moves
+        if (key := (one.place.span.file, one.place.span.start)) in calls
+    ]
+    moves = tuple(
+        KnownMove(
+            call,
+            module,
+            one.place.routine,
+            one.move,
+            MotionSettings(),
+            _TOLD_BY_RUN | walked.settings_set,
+            first_row + position - 1 if position else None,
+        )
+        for position, (one, (call, module)) in enumerate(made)
+    )
+    failed = {
+        calls[key][0]
+        for one in run.failed_moves
+        if (key := (one.place.span.file, one.place.span.start)) in calls
+    }
+    return RunMoves(
+        moves,
+        tuple(one for one, _ in made),
+        frozenset(failed | {call for _, (call, _) in made}),
+        tuple(one for one in run.diagnostics if one.violation.code[0] in "KM"),
+        run.time_s if run.end in (End.ENDED, End.CYCLE_LIMIT) else None,
+        f"more than {run.time_s:.0f} s"
+        if run.end is End.TIME_LIMIT
+        else "a time that is not known: its run stopped before the end",
+        f"does not tell: {_ENDS[run.end]}",
+    )
+
+
+def _nobody(prompt: str) -> str | None:
+    """End the run at a question: what comes after it depends on the answer."""
+    raise Stopped(f"nobody answers `{prompt}`")
+
+
+def _not_run(outcome: str) -> RunMoves:
+    return RunMoves((), (), frozenset(), (), None, "a time that is not known", outcome)

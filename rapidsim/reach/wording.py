@@ -1,0 +1,96 @@
+"""Words and places for findings about moves: targets and data as the program names them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rapidsim.analysis.program import DataSymbol, LibrarySymbol, Program, Storage
+from rapidsim.controller.moves.target_words import named_target
+from rapidsim.diagnostics import Edit, Fix, Related, Span
+from rapidsim.interpreter.codegen.calls import Given, match_arguments
+from rapidsim.interpreter.codegen.data_access import bare
+from rapidsim.reach.dataflow.known_moves import KnownMove
+from rapidsim.syntax import tree
+
+_TARGETS = ("topoint", "tojointpos")
+
+
+def argument(program: Program, known: KnownMove, *keys: str) -> tree.Expression | None:
+    """What a move gives for a parameter, by the first of some folded names that it has."""
+    symbol = program.symbol_of[known.call]
+    assert isinstance(symbol, LibrarySymbol)
+    given = match_arguments(known.call.arguments, symbol.routine.signature.parameters)
+    found = next((given[key] for key in keys if key in given), Given())
+    return None if found.value is None else bare(found.value)
+
+
+def target_text(program: Program, known: KnownMove) -> str:
+    """The target of a move as findings name it; else the name of the instruction."""
+    written = argument(program, known, *_TARGETS)
+    if written is None:
+        return known.move.instruction
+    return named_target(known.module.span(written).text)
+
+
+def target_span(program: Program, known: KnownMove) -> Span:
+    """The place of the target in a move."""
+    written = argument(program, known, *_TARGETS)
+    return known.span if written is None else known.module.span(written)
+
+
+def data_of(program: Program, known: KnownMove, *keys: str) -> DataSymbol | None:
+    """The module data that an argument of a move names, where it is no more than a name."""
+    written = argument(program, known, *keys)
+    if not isinstance(written, tree.Reference):
+        return None
+    symbol = program.symbol_of.get(written)
+    return symbol if isinstance(symbol, DataSymbol) else None
+
+
+def declared(symbol: DataSymbol | None, message: str) -> tuple[Related, ...]:
+    """Where data are declared, as a place that explains a finding."""
+    if symbol is None or symbol.node is None or symbol.module is None:
+        return ()
+    return (Related(symbol.module.span(symbol.node.name), message.format(name=symbol.name)),)
+
+
+def confdata_fix(program: Program, known: KnownMove, wanted: Sequence[int]) -> Fix | None:
+    """Write another configuration into the declaration of a target; None where it has none.
+
+    The declaration of a variable is not touched: what it holds when it is used may be another.
+    """
+    written = argument(program, known, *_TARGETS)
+    module = known.module
+    name = "the target"
+    if isinstance(written, tree.Reference):
+        symbol = data_of(program, known, *_TARGETS)
+        if symbol is None or symbol.node is None or symbol.storage is Storage.VAR:
+            return None
+        if symbol.module is None or symbol.node.dimensions:
+            return None
+        written, module, name = symbol.node.value, symbol.module, f"`{symbol.name}`"
+    if not isinstance(written, tree.LiteralAggregate | tree.Aggregate):
+        return None
+    place = _third_part(module.span(written))
+    if place is None:
+        return None
+    text = f"[{','.join(map(str, wanted))}]"
+    return Fix(f"store {text} in {name}", (Edit(place, text),), safe=False)
+
+
+def _third_part(span: Span) -> Span | None:
+    """The third bracket inside the outermost one of a literal: the confdata of a robtarget."""
+    depth = opened = begin = 0
+    text, in_comment = span.text, False
+    for at, character in enumerate(text):
+        if in_comment or character == "!":
+            in_comment = character not in "\r\n"
+        elif character == "[":
+            depth += 1
+            opened += depth == 2
+            begin = at if depth == 2 else begin
+        elif character == "]":
+            if depth == 2 and opened == 3:
+                return Span(span.source, span.start + begin, span.start + at + 1)
+            depth -= 1
+    return None

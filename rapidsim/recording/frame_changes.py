@@ -1,0 +1,50 @@
+"""When a frame that moves refer to takes another value: the first use holds from the start."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.frames.transform import Transform
+from rapidsim.language.data import Pose
+from rapidsim.motion.configurations.targets import transform
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Change:
+    """A frame has this value from an instant on."""
+
+    time_s: float
+    frame: Transform
+    parent: str = ""
+    """The frame it is in, where that may change too."""
+
+
+def changes(
+    moves: Iterable[ExecutedMove],
+    frame_of: Callable[[ExecutedMove], Pose],
+    parent_of: Callable[[ExecutedMove], str] = lambda _: "",
+) -> tuple[Change, ...]:
+    """The values of a frame over some moves, each with its first instant [s]; none for no moves.
+
+    The first one holds from 0 s: the arm has the tool in its hand before it moves.
+    """
+    found: list[Change] = []
+    last: tuple[Pose, str] | None = None
+    for move in moves:
+        frame = frame_of(move), parent_of(move)
+        if frame != last:
+            found.append(Change(move.start_s if found else 0.0, transform(frame[0]), frame[1]))
+            last = frame
+    return tuple(found)
+
+
+def stacked(values: tuple[Change, ...]) -> Transform:
+    """The frames of some changes as a batch (k,)."""
+    return Transform(
+        np.stack([change.frame.rotation for change in values]),
+        np.stack([change.frame.translation for change in values]),
+    )

@@ -1,0 +1,1 @@
+"""How the viewer lays it out, and writing it all."""

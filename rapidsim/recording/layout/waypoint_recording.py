@@ -1,0 +1,257 @@
+"""A trajectory through points as one `.rrd` file: the arm, the points, the path, its figures."""
+
+from __future__ import annotations
+
+import hashlib
+import uuid
+from dataclasses import dataclass
+from math import degrees
+from pathlib import Path
+
+import numpy as np
+import rerun as rr
+import rerun.blueprint as rrb
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.waypoints.follow import Followed
+from rapidsim.motion.waypoints.plan import Way
+from rapidsim.recording import palette
+from rapidsim.recording.layout.blueprint import laid_out, space
+from rapidsim.recording.layout.camera import looking_at
+from rapidsim.recording.panels.legend import emptiest_corner
+from rapidsim.recording.scene.arm import FLANGE, log_arm
+from rapidsim.recording.scene.tool import BODY_ENTITY, FRAME_ENTITY, TCP, tool_body
+from rapidsim.recording.stream import recording_file
+from rapidsim.recording.timelines import Clock
+from rapidsim.recording.transforms import BASE, BASE_FROM_WORLD, WORLD, static_frame
+
+POINTS = "points"
+PATH = "path/travelled"
+STRAIGHT = "path/straight"
+ANGLES = "joints/angle"
+SPEEDS = "joints/speed"
+TCP_SPEED = "tcp/speed"
+DEVIATION = "tcp/deviation"
+FIGURES = "figures"
+
+_SIDE_RAD = np.radians(48.0)
+"""How far the camera stands beside the line from base to work, so that the arm hides nothing."""
+_HEIGHT_RAD = np.radians(24.0)
+_NEAR_HEIGHT_RAD = np.radians(18.0)
+_POSES = 60
+"""Poses of the arm that stand for its sweep."""
+_LEAST_DEVIATION_MM = 0.01
+"""The axis of deviations goes so far at least: rounding is not to look like a motion."""
+_MOST_NAMES = 40
+"""More points than this are shown without their numbers."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FollowedArm:
+    """The arm of a trajectory, as an arm is drawn."""
+
+    robot: Robot
+    samples: Samples
+    clock: Clock
+    name: str = ""
+
+    def entity(self, path: str) -> str:
+        """There is one robot: its entities carry no name."""
+        return path
+
+    def frame(self, name: str) -> str:
+        """There is one robot: its frames carry no name."""
+        return name
+
+
+def record_followed(followed: Followed, title: str, path: Path) -> Path:
+    """Write a recording of a trajectory.
+
+    Args:
+        followed: The trajectory.
+        title: What the viewer calls it.
+        path: Where to write; the file appears only when it is complete.
+
+    Returns:
+        The path written.
+
+    Raises:
+        InputError: When nothing can be written there.
+    """
+    samples = followed.samples
+    _, first = np.unique(samples.move, return_index=True)
+    arm = FollowedArm(followed.robot, samples, Clock(samples.times[np.sort(first)]))
+    with recording_file(path, _content_id(followed), _blueprint(followed)) as stream:
+        stream.send_recording_name(title)
+        stream.log("/", rr.ViewCoordinates.RIGHT_HAND_Z_UP, rr.CoordinateFrame(WORLD), static=True)
+        stream.log("base", static_frame(WORLD, BASE, BASE_FROM_WORLD.inverse()), static=True)
+        remarks = log_arm(stream, arm)
+        _log_tool(stream, followed)
+        _log_path(stream, followed)
+        _log_plots(stream, followed, arm.clock)
+        figures = rr.TextDocument(_figures(followed, title, remarks), media_type="text/markdown")
+        stream.log(FIGURES, figures, static=True)
+    return path
+
+
+def _log_tool(stream: rr.RecordingStream, followed: Followed) -> None:
+    tool = followed.flange_from_tcp
+    size = 0.2 * float(np.ptp(_cell_points(followed), axis=0).max())
+    stream.log(FRAME_ENTITY, static_frame(FLANGE, TCP, tool), static=True)
+    axes = rr.TransformAxes3D(0.3 * size)
+    stream.log(f"{FRAME_ENTITY}/axes", rr.CoordinateFrame(TCP), axes, static=True)
+    body = tool_body(tool.translation)
+    stream.log(BODY_ENTITY, rr.CoordinateFrame(FLANGE), body, static=True)
+
+
+def _log_path(stream: rr.RecordingStream, followed: Followed) -> None:
+    """The points with their numbers, the lines between them, and where the TCP went."""
+    points = followed.points.positions
+    names = [str(followed.points.number(row)) for row in range(len(points))]
+    frame = rr.CoordinateFrame(BASE)
+    stream.log(
+        POINTS,
+        frame,
+        rr.Points3D(
+            points,
+            radii=rr.Radius.ui_points(4.0),
+            colors=palette.rgba(palette.TARGET),
+            labels=names,
+            show_labels=len(points) <= _MOST_NAMES,
+        ),
+        static=True,
+    )
+    for entity, strip, radius, colour in (
+        (STRAIGHT, points, 0.8, palette.rgba(palette.PROGRAMMED, 150)),
+        (
+            PATH,
+            followed.samples.base_from_tcp.translation,
+            2.2,
+            palette.rgba(palette.TCP_SPEED),
+        ),
+    ):
+        line = rr.LineStrips3D([strip], radii=rr.Radius.ui_points(radius), colors=colour)
+        stream.log(entity, frame, line, static=True)
+
+
+def _log_plots(stream: rr.RecordingStream, followed: Followed, clock: Clock) -> None:
+    samples = followed.samples
+    count = len(followed.robot.joints)
+    names = [f"J{number}" for number in range(1, count + 1)]
+    colours = [palette.rgba(palette.JOINTS[k % len(palette.JOINTS)]) for k in range(count)]
+    index = clock.columns(samples.times)
+    for entity, values in (
+        (ANGLES, np.degrees(samples.joints)),
+        (SPEEDS, np.degrees(_rates(samples))),
+    ):
+        look = rr.SeriesLines(
+            names=names, colors=np.array(colours, dtype=np.uint32), widths=np.full(count, 1.6)
+        )
+        stream.log(entity, look, static=True)
+        scalars = rr.Scalars.columns(scalars=values.reshape(-1))
+        stream.send_columns(
+            entity, indexes=index, columns=scalars.partition([count] * len(samples.times))
+        )
+    for entity, name, colour, one in (
+        (TCP_SPEED, "TCP", palette.TCP_SPEED, samples.tcp_speed),
+        (DEVIATION, "deviation", palette.LIMIT, followed.deviation),
+    ):
+        line = rr.SeriesLines(names=name, colors=palette.rgba(colour), widths=1.8)
+        stream.log(entity, line, static=True)
+        stream.send_columns(entity, indexes=index, columns=rr.Scalars.columns(scalars=one * 1000.0))
+
+
+def _rates(samples: Samples) -> Array:
+    """Joint speeds (k, n) [rad/s]: the mean since the sample before."""
+    speeds: Array = np.zeros_like(samples.joints)
+    speeds[1:] = np.diff(samples.joints, axis=0) / np.diff(samples.times)[:, None]
+    return speeds
+
+
+def _figures(followed: Followed, title: str, remarks: tuple[str, ...]) -> str:
+    plan = followed.plan
+    off = "path" if plan.way.of_tcp else "straight lines"
+    profile = "" if plan.way is Way.JOINT_QUINTIC else f", {plan.profile.value}"
+    rows = [
+        ("robot", followed.robot.title),
+        ("path", plan.way.value + profile),
+        ("points", str(len(followed.points))),
+        ("duration", f"{followed.duration:.3f} s"),
+        ("way", f"{followed.path_length * 1000.0:.1f} mm"),
+        ("peak speed", f"{followed.peak_speed * 1000.0:.1f} mm/s"),
+        (f"off the {off}, rms", f"{followed.deviation_rms * 1000.0:.3g} mm"),
+        (f"off the {off}, at most", f"{followed.deviation_max * 1000.0:.3g} mm"),
+    ]
+    for joint, peak in zip(followed.robot.joints, followed.joint_peaks.tolist(), strict=True):
+        limit = "?" if joint.max_speed is None else f"{degrees(joint.max_speed):g}"
+        rows.append((joint.name, f"{degrees(peak):.1f} of {limit} deg/s"))
+    table = "\n".join(f"| {name} | {value} |" for name, value in rows)
+    said = "".join(f"\n\n{remark}" for remark in remarks)
+    return f"### {title}\n\n| | |\n|---|---|\n{table}{said}\n"
+
+
+def _blueprint(followed: Followed) -> rrb.Blueprint:
+    time = rrb.TimeAxis(link="LinkToGlobal")
+    samples, mm = followed.samples, followed.deviation_max * 1000.0
+    tcp = samples.base_from_tcp.translation
+    x, y, _ = tcp.mean(axis=0)
+    azimuth = float(np.arctan2(y, x))
+    cell = looking_at(_cell_points(followed), azimuth - _SIDE_RAD, _HEIGHT_RAD, air=1.08)
+    # Towards the robot, a little aside: the arm is not in this view, and y goes to the right.
+    near = looking_at(
+        np.concatenate([tcp, followed.points.positions]),
+        azimuth - 0.3 * _SIDE_RAD,
+        _NEAR_HEIGHT_RAD,
+        air=1.15,
+    )
+    views = [
+        space("Cell", cell, 0.1, ["+ /**"]),
+        space("Path, seen towards the robot", near, 0.1, [f"+ /{POINTS}", "+ /path/**"]),
+    ]
+    legend = emptiest_corner(samples.times, samples.joints, 0.14, 0.5)
+    top = rrb.Corner2D.RightTop
+    plots = [
+        rrb.TimeSeriesView(
+            origin=f"/{entity}",
+            name=name,
+            axis_x=time,
+            axis_y=None if end is None else rrb.ScalarAxis(range=(0.0, end)),
+            plot_legend=corner,
+        )
+        for entity, name, corner, end in (
+            (ANGLES, "Joint angles [deg]", legend, None),
+            (SPEEDS, "Joint speeds [deg/s]", top, None),
+            (TCP_SPEED, "TCP speed [mm/s]", top, 1300.0 * followed.peak_speed),
+            (DEVIATION, "Deviation [mm]", top, 1.3 * max(mm, _LEAST_DEVIATION_MM)),
+        )
+    ]
+    return laid_out(
+        rrb.Vertical(
+            rrb.Horizontal(
+                *views,
+                rrb.TextDocumentView(origin=f"/{FIGURES}", name="Figures"),
+                column_shares=[10, 8, 5],
+            ),
+            rrb.Horizontal(*plots),
+            row_shares=[8, 4],
+        ),
+    )
+
+
+def _cell_points(followed: Followed) -> Array:
+    """Points (k, 3) [m] that a picture of arm and work must hold."""
+    samples = followed.samples
+    rows = np.linspace(0, len(samples.times) - 1, _POSES).astype(np.int64)
+    links = followed.robot.kinematics.link_frames(samples.joints[rows])
+    parts = (links.translation.reshape(-1, 3), samples.base_from_tcp.translation)
+    return np.concatenate([np.zeros((1, 3)), *parts, followed.points.positions])
+
+
+def _content_id(followed: Followed) -> uuid.UUID:
+    """An id that only the content decides: equal trajectories are one recording to the viewer."""
+    digest = hashlib.sha256(followed.robot.name.encode())
+    for array in (followed.samples.times, followed.samples.joints, followed.points.positions):
+        digest.update(np.ascontiguousarray(array).tobytes())
+    return uuid.UUID(bytes=digest.digest()[:16])

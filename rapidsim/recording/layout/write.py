@@ -1,0 +1,150 @@
+"""Write a run as one `.rrd` file that the rerun viewer opens, layout included.
+
+The same run gives the same recording: its id comes from its content, and nothing in it comes from a
+wall clock. (Row ids and the layout's ids are the viewer's own and differ; compare recordings with
+`rerun rrd compare --unordered`.)
+"""
+
+from __future__ import annotations
+
+import hashlib
+import uuid
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+import rerun as rr
+
+from rapidsim.frames.transform import Transform
+from rapidsim.recording.layout.blueprint import blueprint
+from rapidsim.recording.layout.camera import cell_size
+from rapidsim.recording.panels.log import log_messages
+from rapidsim.recording.panels.plots import log_plots
+from rapidsim.recording.panels.program_listing import log_listing
+from rapidsim.recording.panels.state_lanes import log_moves, log_signals
+from rapidsim.recording.samples import SampledRun, sample
+from rapidsim.recording.scene.arm import log_arm
+from rapidsim.recording.scene.failed_moves import log_failed
+from rapidsim.recording.scene.paths import log_paths
+from rapidsim.recording.scene.speed_path import log_speed_path
+from rapidsim.recording.scene.stop_mark import log_stopped
+from rapidsim.recording.scene.targets import Target, extent, log_targets, near_targets, targets_of
+from rapidsim.recording.scene.tool import log_tool
+from rapidsim.recording.scene.work_objects import log_work_objects
+from rapidsim.recording.stream import recording_file
+from rapidsim.recording.transforms import BASE, WORLD, moving_frame, static_frame
+from rapidsim.simulation.results.simulation import Simulation
+
+
+def record(simulation: Simulation, path: str | Path, *, dt: float | None = None) -> Path:
+    """Write a recording of a run.
+
+    Args:
+        simulation: The run.
+        path: Where to write; the file appears only when it is complete.
+        dt: Time [s] between samples of the motion; None takes 12 ms, or more for a run of more
+            than half an hour under way.
+
+    Returns:
+        The path written.
+
+    Raises:
+        InputError: When nothing can be written there, or `dt` makes no sense.
+    """
+    path = Path(path)
+    runs = sample(simulation, dt)
+    targets = [targets_of(run) for run in runs]
+    layout = blueprint(runs, targets[0])
+    with recording_file(path, _content_id(simulation, runs), layout) as stream:
+        _log_whole(stream, simulation, runs[0])
+        remarks: tuple[str, ...] = runs[0].remarks
+        for run, of_robot in zip(runs, targets, strict=True):
+            remarks += _log_robot(stream, run, of_robot)
+        log_messages(stream, runs[0], remarks)
+    return path
+
+
+def _log_whole(stream: rr.RecordingStream, simulation: Simulation, run: SampledRun) -> None:
+    """Log what there is once, however many robots there are."""
+    stream.send_recording_name(" ".join(Path(name).name for name in simulation.program))
+    stream.send_property("run", _properties(simulation, run.dt))
+    stream.log("/", rr.ViewCoordinates.RIGHT_HAND_Z_UP, rr.CoordinateFrame(WORLD), static=True)
+    log_signals(stream, run)
+
+
+def _log_robot(
+    stream: rr.RecordingStream, run: SampledRun, targets: tuple[Target, ...]
+) -> tuple[str, ...]:
+    """Log one robot; returns what the viewer will not show as it should."""
+    remarks = _log_base(stream, run)
+    size_m = cell_size(run)
+    near_m = extent(near_targets(targets)) or size_m
+    # Long enough to see in the cell, short enough not to cover a small figure seen from near.
+    axis_m = float(np.clip(0.35 * near_m, 0.03 * size_m, 0.1 * size_m))
+    remarks += log_arm(stream, run)
+    log_tool(stream, run, 0.7 * axis_m)
+    remarks += log_work_objects(stream, run, axis_m)
+    log_paths(stream, run)
+    log_speed_path(stream, run)
+    remarks += log_targets(
+        stream, run, targets, axis_m=min(0.12 * near_m, 0.5 * axis_m), apart_m=0.1 * size_m
+    )
+    remarks += log_failed(stream, run, 0.2 * axis_m)
+    remarks += log_listing(stream, run)
+    log_stopped(stream, run, 0.05 * size_m)
+    log_plots(stream, run)
+    log_moves(stream, run)
+    return remarks
+
+
+def _log_base(stream: rr.RecordingStream, run: SampledRun) -> tuple[str, ...]:
+    """Log where the robot stands; returns what the viewer will not show as it should."""
+    where = static_frame(WORLD, run.still_frame, run.world_from_base)
+    if not run.on_track:
+        stream.log(run.entity("base"), where, static=True)
+        return ()
+    stream.log(run.entity("foot"), where, static=True)
+    samples = run.samples
+    still = Transform(np.eye(3)[None], np.zeros((1, 3)))
+    stream.send_columns(
+        run.entity("base"),
+        indexes=run.clock.columns(samples.times),
+        columns=moving_frame(
+            run.still_frame, run.frame(BASE), run.still_from(still, samples.external)
+        ),
+    )
+    track = "the robot is on a track: its programmed path is not drawn"
+    return (f"{track}, and what failed is drawn with the track at zero",)
+
+
+def _properties(simulation: Simulation, dt: float) -> rr.AnyValues:
+    model = simulation.model
+    return rr.AnyValues(
+        program=list(simulation.program),
+        robot=simulation.robot.title,
+        end=simulation.end.value,
+        time_s=simulation.time_s,
+        motion_s=simulation.motion_s,
+        wait_s=simulation.wait_s,
+        path_mm=simulation.path_m * 1000.0,
+        moves=len(simulation.moves),
+        sample_interval_s=dt,
+        acceleration_time_s=model.acceleration_time,
+        filter_time_s=model.filter_time,
+        smoothing=model.smoothing,
+        fine_dwell_s=model.fine_dwell,
+        corner=model.corner,
+    )
+
+
+def _content_id(simulation: Simulation, runs: Sequence[SampledRun]) -> uuid.UUID:
+    """An id that only the content decides: equal runs are one recording to the viewer."""
+    digest = hashlib.sha256()
+    for text in (*simulation.program, simulation.robot.name, simulation.end.value):
+        digest.update(text.encode() + b"\0")
+    for run in runs:
+        for array in (run.samples.times, run.samples.joints):
+            digest.update(np.ascontiguousarray(array).tobytes())
+    for event in simulation.events:
+        digest.update(f"{event.time_s!r} {event.kind} {event.message}\0".encode())
+    return uuid.UUID(bytes=digest.digest()[:16])

@@ -1,0 +1,1 @@
+"""What stands beside the cell: plots, lanes, program, log."""

@@ -1,0 +1,108 @@
+"""What was written, reported and found, as one log: FlexPendant, events, findings."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import rerun as rr
+
+from rapidsim.controller.journal.events import Event, EventKind, ExecutedLine
+from rapidsim.diagnostics import Diagnostic, Severity
+from rapidsim.language.moves import Place
+from rapidsim.recording.samples import SampledRun
+from rapidsim.simulation.results.simulation import Simulation
+
+ENTITY = "log"
+
+SHOWN_LEVELS = ("ERROR", "WARN", "INFO", "DEBUG")
+"""What the log shows when it is opened; `TRACE` is there to be switched on."""
+_EVENT_LEVELS = {
+    EventKind.TEXT: "INFO",
+    EventKind.SIGNAL: "DEBUG",
+    EventKind.INTERRUPT: "TRACE",
+    EventKind.FILE: "DEBUG",
+    EventKind.SOCKET: "DEBUG",
+    EventKind.CORNER: "WARN",
+    EventKind.LIMIT: "WARN",
+    EventKind.ERROR: "ERROR",
+}
+_FINDING_LEVELS = {Severity.ERROR: "ERROR", Severity.WARNING: "WARN", Severity.NOTE: "INFO"}
+
+
+@dataclass(frozen=True, slots=True)
+class _Row:
+    time_s: float
+    level: str
+    text: str
+
+
+def log_messages(stream: rr.RecordingStream, run: SampledRun, remarks: Sequence[str]) -> None:
+    """Log everything there is to read; `remarks` are about the recording itself."""
+    simulation = run.simulation
+    # Whose it is, where there is a choice.
+    several = len({event.task for event in simulation.events if event.place}) > 1
+    sources = {
+        "recording": [_Row(0.0, "WARN", remark) for remark in remarks],
+        "events": [_event_row(event, several) for event in simulation.events],
+        "findings": list(_finding_rows(run)),
+    }
+    for name, rows in sources.items():
+        if not rows:
+            continue
+        # Milliseconds, which is what the log's column shows; the event file has every digit.
+        stream.send_columns(
+            f"{ENTITY}/{name}",
+            indexes=run.clock.columns([round(row.time_s, 3) for row in rows]),
+            columns=rr.TextLog.columns(
+                text=[row.text for row in rows], level=[row.level for row in rows]
+            ),
+        )
+
+
+def _event_row(event: Event, several: bool) -> _Row:
+    where = f"{event.task}  " if several and event.place else ""
+    where += _where(event.place) if event.place else ""
+    what = "" if event.kind is EventKind.TEXT else f"{event.kind.value}: "
+    text = event.message if event.message or event.kind is not EventKind.TEXT else "(cleared)"
+    return _Row(event.time_s, _EVENT_LEVELS[event.kind], f"{where}{what}{text}")
+
+
+def _where(place: Place) -> str:
+    """The place first, as in a listing: at the end of a long line nobody would see it."""
+    return f"{place.routine}:{place.span.line}  "
+
+
+def _finding_rows(run: SampledRun) -> Iterator[_Row]:
+    """A finding is logged when the program first got to its line; else at the end."""
+    first: dict[tuple[str, int], float] = {}
+    for line in sorted(_lines(run.simulation), key=lambda line: line.time_s):
+        span = line.place.span
+        first.setdefault((span.file, span.line), line.time_s)
+    for finding in run.simulation.diagnostics:
+        yield _Row(
+            _finding_time_s(finding, first, run.simulation),
+            _FINDING_LEVELS[finding.severity],
+            _finding_text(finding),
+        )
+
+
+def _lines(simulation: Simulation) -> Iterator[ExecutedLine]:
+    for robot in simulation.robots:
+        yield from robot.lines
+
+
+def _finding_time_s(
+    finding: Diagnostic, first: dict[tuple[str, int], float], simulation: Simulation
+) -> float:
+    if finding.span is None:
+        return 0.0
+    return first.get((finding.span.file, finding.span.line), simulation.time_s)
+
+
+def _finding_text(finding: Diagnostic) -> str:
+    where = ""
+    if finding.span is not None:
+        routine = finding.routine or finding.span.file
+        where = f"{routine}:{finding.span.line}  "
+    return f"{where}{finding.violation.code} {finding.violation.message}"

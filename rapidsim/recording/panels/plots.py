@@ -1,0 +1,182 @@
+"""What the plots draw: joint angles, speeds and accelerations with their limits, TCP speed.
+
+Joints have different limits. To show them all against one pair of lines, each joint is also drawn
+as the share of what it may do: 0 in the middle of its range or at rest, 100 % at a limit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+import numpy as np
+import rerun as rr
+
+from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.frames.transform import Array
+from rapidsim.recording import palette
+from rapidsim.recording.samples import SampledRun
+
+ANGLES = "joints/angle"
+RANGE = "joints/range"
+JOINT_SPEED = "joints/speed"
+JOINT_ACCELERATION = "joints/acceleration"
+LIMITS = "joints/limits"
+EXTERNAL = "joints/external"
+SPEED = "tcp/speed"
+PROGRAMMED_SPEED = "tcp/programmed_speed"
+
+SHARES: Mapping[str, str] = MappingProxyType(
+    {
+        RANGE: "range [%]",
+        JOINT_SPEED: "speed [%]",
+        JOINT_ACCELERATION: "accel. [%]",
+    }
+)
+"""What is drawn as a share of its limit, with the titles of the plots."""
+
+_MOST_DRAWN = 20_000
+"""So many samples are drawn each; of more, those that share a pixel are drawn as their extremes."""
+
+
+def log_plots(stream: rr.RecordingStream, run: SampledRun) -> None:
+    """Log what the plots draw."""
+    _log_joints(stream, run)
+    if run.robot.external:
+        _log_external(stream, run)
+    _log_speed(stream, run)
+
+
+def shares(run: SampledRun, entity: str) -> Array:
+    """What `SHARES` names, of each joint (k, n) [%]."""
+    match entity:
+        case "joints/range":
+            middle = 0.5 * (run.robot.upper + run.robot.lower)
+            half_range = 0.5 * (run.robot.upper - run.robot.lower)
+            share: Array = (run.samples.joints - middle) / half_range
+        case "joints/speed":
+            share = run.joint_speed / run.limits.max_speed[: len(run.robot.joints)]
+        case _:
+            share = run.joint_acceleration / run.limits.max_acceleration[: len(run.robot.joints)]
+    return 100.0 * share
+
+
+def _log_joints(stream: rr.RecordingStream, run: SampledRun) -> None:
+    samples = run.samples
+    count = len(run.robot.joints)
+    colours = [palette.rgba(palette.JOINTS[k % len(palette.JOINTS)]) for k in range(count)]
+    look = rr.SeriesLines(
+        names=[f"J{k}" for k in range(1, count + 1)],
+        colors=np.array(colours, dtype=np.uint32),
+        widths=np.full(count, 1.6),
+        aggregation_policy=_aggregation(run),
+    )
+    index = run.clock.columns(samples.times)
+    drawn = {ANGLES: np.degrees(samples.joints), **{one: shares(run, one) for one in SHARES}}
+    for entity, values in drawn.items():
+        stream.log(run.entity(entity), look, static=True)
+        stream.send_columns(
+            run.entity(entity),
+            indexes=index,
+            columns=rr.Scalars.columns(scalars=values.reshape(-1)).partition(
+                [count] * len(samples.times)
+            ),
+        )
+    stream.log(
+        run.entity(LIMITS),
+        rr.SeriesLines(
+            names=["lower limit", "upper limit"],
+            colors=np.full(2, palette.rgba(palette.LIMIT), dtype=np.uint32),
+            widths=[1.0, 1.0],
+        ),
+        static=True,
+    )
+    stream.send_columns(
+        run.entity(LIMITS),
+        indexes=run.clock.columns([0.0, run.end_s]),
+        columns=rr.Scalars.columns(scalars=[-100.0, 100.0] * 2).partition([2, 2]),
+    )
+
+
+def _log_external(stream: rr.RecordingStream, run: SampledRun) -> None:
+    """The external axes in mm or degrees, as targets have them."""
+    axes = run.robot.external
+    colours = [palette.rgba(palette.JOINTS[k % len(palette.JOINTS)]) for k in range(len(axes))]
+    stream.log(
+        run.entity(EXTERNAL),
+        rr.SeriesLines(
+            names=[f"{axis.unit} {axis.component} [{axis.measure}]" for axis in axes],
+            colors=np.array(colours, dtype=np.uint32),
+            widths=np.full(len(axes), 1.6),
+            aggregation_policy=_aggregation(run),
+        ),
+        static=True,
+    )
+    values = run.samples.external * np.array([axis.scale for axis in axes])
+    stream.send_columns(
+        run.entity(EXTERNAL),
+        indexes=run.clock.columns(run.samples.times),
+        columns=rr.Scalars.columns(scalars=values.reshape(-1)).partition([len(axes)] * len(values)),
+    )
+
+
+def _log_speed(stream: rr.RecordingStream, run: SampledRun) -> None:
+    samples = run.samples
+    stream.log(
+        run.entity(PROGRAMMED_SPEED),
+        rr.SeriesLines(
+            names="programmed",
+            colors=palette.rgba(palette.PROGRAMMED),
+            widths=1.2,
+            # The mean of a standstill of some microseconds and the move after it is no speed.
+            aggregation_policy=rr.components.AggregationPolicy.Max,
+            interpolation_mode=rr.components.InterpolationMode.StepAfter,
+        ),
+        static=True,
+    )
+    stream.log(
+        run.entity(SPEED),
+        rr.SeriesLines(
+            names="TCP",
+            colors=palette.rgba(palette.TCP_SPEED),
+            widths=1.8,
+            aggregation_policy=_aggregation(run),
+        ),
+        static=True,
+    )
+    stream.send_columns(
+        run.entity(SPEED),
+        indexes=run.clock.columns(samples.times),
+        columns=rr.Scalars.columns(scalars=samples.tcp_speed * 1000.0),
+    )
+    if not run.moves:
+        return
+    times, speeds = _programmed_steps(run.moves, run.end_s)
+    stream.send_columns(
+        run.entity(PROGRAMMED_SPEED),
+        indexes=run.clock.columns(times),
+        columns=rr.Scalars.columns(scalars=speeds),
+    )
+
+
+def _programmed_steps(moves: tuple[ExecutedMove, ...], end_s: float) -> tuple[Array, Array]:
+    """Instants [s] and the speed [mm/s] programmed from there on; 0 where nothing moves.
+
+    Recordings count nanoseconds: of two speeds within the same one the viewer would draw the mean.
+    """
+    steps: dict[float, float] = {0.0: 0.0}
+    for move in moves:
+        if move.end_s <= move.start_s:
+            continue  # To where the arm was; the move after it may have begun already.
+        steps[round(move.end_s, 9)] = 0.0
+        steps[round(move.start_s, 9)] = move.move.speed.v_tcp
+    steps.setdefault(round(end_s, 9), 0.0)
+    times = sorted(steps)
+    return np.array(times), np.array([steps[time] for time in times])
+
+
+def _aggregation(run: SampledRun) -> rr.components.AggregationPolicy:
+    """How the viewer thins a plot out; its own choice, the mean, would cut peaks and stops off."""
+    if len(run.samples.times) <= _MOST_DRAWN:
+        return rr.components.AggregationPolicy.Off
+    return rr.components.AggregationPolicy.MinMax

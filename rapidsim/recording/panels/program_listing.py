@@ -1,0 +1,140 @@
+"""The program text as it runs: a window of lines with the two pointers of the controller.
+
+The program pointer runs ahead of the robot; the motion pointer is at the move that the robot makes.
+The window moves only when a pointer would leave it, so that the text does not jump at every line.
+"""
+
+from __future__ import annotations
+
+import bisect
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import rerun as rr
+
+from rapidsim.controller.journal.events import ExecutedLine
+from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.diagnostics import Source
+from rapidsim.recording.samples import SampledRun
+
+ENTITY = "program/text"
+
+WINDOW = 18
+"""Lines shown at once."""
+_MARGIN = 3
+"""Lines kept above and below the pointer."""
+MOST_TEXTS = 5000
+"""Times the text is logged; a long run shows it at so many instants, evenly spread."""
+_WIDTH = 78
+"""Characters of a line; the rest would wrap and push the pointer out of sight."""
+
+PROGRAM_POINTER = "▶"
+MOTION_POINTER = "●"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Pointers:
+    """Where the pointers are from an instant on; a line is counted from 1."""
+
+    time_s: float
+    source: Source
+    program_line: int | None
+    motion_line: int | None
+
+
+def log_listing(stream: rr.RecordingStream, run: SampledRun) -> tuple[str, ...]:
+    """Log the program text, once for each time a pointer moves.
+
+    Returns:
+        What the viewer will not show as it should, a line each.
+    """
+    states = list(_pointers(run.lines, run.moves))
+    remarks: tuple[str, ...] = ()
+    if len(states) > MOST_TEXTS:
+        apart_s = run.end_s / MOST_TEXTS
+        states = list(_apart(states, apart_s))
+        remarks = (f"the pointers in the program text are shown every {apart_s:.3g} s only",)
+    rows = list(_texts(states))
+    if rows:
+        stream.send_columns(
+            run.entity(ENTITY),
+            indexes=run.clock.columns([time_s for time_s, _ in rows]),
+            columns=rr.TextDocument.columns(
+                text=[text for _, text in rows],
+                media_type=[rr.MediaType.MARKDOWN] * len(rows),
+            ),
+        )
+    return remarks
+
+
+def _apart(states: Sequence[_Pointers], apart_s: float) -> Iterator[_Pointers]:
+    """The states that are some time apart."""
+    next_s = 0.0
+    for state in states:
+        if state.time_s >= next_s:
+            yield state
+            next_s = state.time_s + apart_s
+
+
+def _pointers(lines: Sequence[ExecutedLine], moves: Sequence[ExecutedMove]) -> Iterator[_Pointers]:
+    """Both pointers at each instant at which one of them moves."""
+    line_times = [line.time_s for line in lines]
+    move_times = [move.start_s for move in moves]
+    instants = sorted({0.0, *line_times, *move_times})
+    for time_s in instants:
+        # Before the first statement the pointer waits at it.
+        line = lines[max(bisect.bisect_right(line_times, time_s) - 1, 0)] if lines else None
+        begun = bisect.bisect_right(move_times, time_s) - 1
+        move = moves[begun] if begun >= 0 else None
+        # The text follows the robot where it moves, else the program.
+        under_way = move if move is not None and time_s < move.end_s else None
+        place = under_way.place if under_way else line.place if line else None
+        if place is None:
+            continue
+        source = place.span.source
+        in_sight = line is not None and line.place.span.source is source
+        yield _Pointers(
+            time_s,
+            source,
+            line.place.span.line if line is not None and in_sight else None,
+            under_way.place.span.line if under_way else None,
+        )
+
+
+def _texts(states: Sequence[_Pointers]) -> Iterator[tuple[float, str]]:
+    """The window at each change of what it shows."""
+    shown: str | None = None
+    source: Source | None = None
+    top = 1
+    for state in states:
+        line = state.motion_line or state.program_line or 1
+        if state.source is not source:
+            source, top = state.source, 1
+        top = _scrolled(top, line, len(state.source.line_starts))
+        text = _window(state, top)
+        if text != shown:
+            shown = text
+            yield state.time_s, text
+
+
+def _scrolled(top: int, line: int, count: int) -> int:
+    """The first line of the window once `line` is well inside it."""
+    if not top + _MARGIN <= line < top + WINDOW - _MARGIN:
+        top = line - WINDOW // 3
+    return max(1, min(top, count - WINDOW + 1))
+
+
+def _window(state: _Pointers, top: int) -> str:
+    """Markdown: the name of the file, then the lines with their pointers."""
+    source = state.source
+    last = min(top + WINDOW - 1, len(source.line_starts))
+    rows = []
+    for number in range(top, last + 1):
+        program = PROGRAM_POINTER if number == state.program_line else " "
+        motion = MOTION_POINTER if number == state.motion_line else " "
+        text = source.line(number).expandtabs(2).replace("```", "'''")
+        if len(text) > _WIDTH:
+            text = text[: _WIDTH - 1] + "…"
+        rows.append(f"{program}{motion}{number:>4} {text}".rstrip())
+    # A fence keeps blanks and needs no escapes.
+    return f"```\n{chr(10).join(rows)}\n```"

@@ -1,0 +1,100 @@
+"""States over time as coloured lanes: the move under way, and each signal."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+import rerun as rr
+
+from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.recording import palette
+from rapidsim.recording.samples import SampledRun
+from rapidsim.recording.scene.targets import target_name
+from rapidsim.recording.timelines import Clock
+from rapidsim.simulation.results.signal_history import signal_changes
+
+MOVE_LANE = "moves"
+SIGNALS = "signals"
+
+_MOST_STATES = 200
+"""With more different moves than this a lane names the instruction only."""
+_STANDSTILL = "at rest"
+_SHORTEST_STANDSTILL_S = 1e-6
+
+_States = list[tuple[float, str]]
+
+
+def log_moves(stream: rr.RecordingStream, run: SampledRun) -> None:
+    """Log what a robot does."""
+    if run.moves:
+        states, colours = _move_states(run.moves)
+        _log_lane(stream, run.entity(MOVE_LANE), states, colours, run.clock)
+
+
+def log_signals(stream: rr.RecordingStream, run: SampledRun) -> None:
+    """Log the signals of the whole cell."""
+    for name, changes in signal_changes(run.simulation).items():
+        states, colours = _signal_states(changes)
+        _log_lane(stream, rr.new_entity_path([SIGNALS, name]), states, colours, run.clock)
+
+
+def _log_lane(
+    stream: rr.RecordingStream,
+    entity: str,
+    states: _States,
+    colours: Mapping[str, palette.Colour],
+    clock: Clock,
+) -> None:
+    stream.log(
+        entity,
+        rr.StateConfiguration(
+            values=list(colours),
+            labels=list(colours),
+            colors=np.array([palette.rgba(colour) for colour in colours.values()], dtype=np.uint32),
+        ),
+        static=True,
+    )
+    stream.send_columns(
+        entity,
+        indexes=clock.columns([time_s for time_s, _ in states]),
+        columns=rr.StateChange.columns(state=[state for _, state in states]),
+    )
+
+
+def _move_states(
+    moves: Sequence[ExecutedMove],
+) -> tuple[_States, dict[str, palette.Colour]]:
+    """The move lane: what moves, and standstill between."""
+    names = [f"{move.move.instruction} {target_name(move)}".rstrip() for move in moves]
+    if len(set(names)) > _MOST_STATES:
+        names = [move.move.instruction for move in moves]
+    colours: dict[str, palette.Colour] = {_STANDSTILL: palette.STANDSTILL}
+    states: _States = []
+    now_s = 0.0
+    for name, move in zip(names, moves, strict=True):
+        if name not in colours:
+            # Every other move is a shade darker: neighbours of one kind would run together.
+            colour = palette.of_move(move)
+            colours[name] = colour if len(colours) % 2 else palette.darker(colour)
+        if move.start_s > now_s + _SHORTEST_STANDSTILL_S:
+            states.append((now_s, _STANDSTILL))
+        if move.end_s > move.start_s:
+            states.append((move.start_s, name))
+            now_s = move.end_s
+    states.append((now_s, _STANDSTILL))
+    return states, colours
+
+
+def _signal_states(
+    changes: Sequence[tuple[float, float]],
+) -> tuple[_States, dict[str, palette.Colour]]:
+    """A lane of a signal: on and off where it knows only these, else its numbers."""
+    if all(value in (0.0, 1.0) for _, value in changes):
+        states = [(time_s, "on" if value else "off") for time_s, value in changes]
+        colours = {"off": palette.SIGNAL_OFF, "on": palette.SIGNAL_ON}
+    else:
+        states = [(time_s, f"{value:g}") for time_s, value in changes]
+        distinct = dict.fromkeys(state for _, state in states)
+        colours = dict.fromkeys(distinct, palette.SIGNAL_VALUE)
+    return states, colours

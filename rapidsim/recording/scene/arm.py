@@ -1,0 +1,202 @@
+"""The arm: link shapes in named frames, moved by the joints.
+
+The link frames hang on one another, base to flange, under names that carry the robot's so that
+RAPID's own names (`tool0`, `wobj1`) stay free. Edges come from the robot's own kinematics, not from
+the description's joints: a coupled axis moves as it does in the run, and a joint beyond its limit
+is shown beyond its limit.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+import rerun as rr
+from rerun.urdf import UrdfTree
+
+from rapidsim.frames.transform import Transform
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.recording.scene.link_shapes import log_shapes
+from rapidsim.recording.scene.stick_figure import log_bar
+from rapidsim.recording.timelines import Clock
+from rapidsim.recording.transforms import BASE, moving_frame, static_frame
+
+ENTITY = "robot"
+FLANGE = "tool0"
+"""RAPID's name of the flange."""
+
+
+class MovingArm(Protocol):
+    """What an arm is drawn from: a run, or a trajectory without a program."""
+
+    @property
+    def name(self) -> str:
+        """Goes before the names of its entities and frames; empty where there is one robot."""
+        ...
+
+    @property
+    def robot(self) -> Robot:
+        """The arm."""
+        ...
+
+    @property
+    def samples(self) -> Samples:
+        """Its motion."""
+        ...
+
+    @property
+    def clock(self) -> Clock:
+        """The clock of the recording."""
+        ...
+
+    def entity(self, path: str) -> str:
+        """Where in the recording something of this robot is logged."""
+        ...
+
+    def frame(self, name: str) -> str:
+        """The name of a frame of this robot, which every robot has: `tool0`, `base`."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Chain:
+    """The frames of an arm from base to flange."""
+
+    joint_names: tuple[str, ...]
+    link_frames: tuple[str, ...]
+    """The frame that each joint moves."""
+
+
+def log_arm(stream: rr.RecordingStream, run: MovingArm) -> tuple[str, ...]:
+    """Log the arm and its motion.
+
+    Returns:
+        What the viewer will not show as it should, a line each.
+    """
+    robot = run.robot
+    prefix = run.frame(f"{robot.name}/")
+    tree = (
+        UrdfTree.from_file_path(robot.urdf, entity_path_prefix=_shapes(run), frame_prefix=prefix)
+        if robot.urdf is not None
+        else None
+    )
+    chain = _chain(robot, tree, prefix)
+    _log_motion(stream, run, chain)
+    if tree is None:
+        _log_skeleton(stream, run, chain, frozenset((run.frame(BASE), *chain.link_frames)))
+        return (f"{robot.name} has no description with link shapes: links are drawn as bars",)
+    _log_other_frames(stream, run, tree, prefix, chain)
+    shapes = log_shapes(stream, tree)
+    if not shapes.drawn:
+        _log_skeleton(stream, run, chain, frozenset((run.frame(BASE), *chain.link_frames)))
+        return (f"{robot.name}: the description draws no link: links are drawn as bars",)
+    if shapes.missing:
+        bare = shapes.missing - shapes.drawn
+        root = prefix + tree.root_link().name
+        base = frozenset({run.frame(BASE)}) if root in bare else frozenset[str]()
+        _log_skeleton(stream, run, chain, bare | base)
+        names = ", ".join(sorted(frame.removeprefix(prefix) for frame in shapes.missing))
+        return (f"{robot.name}: cannot read the shape of {names}: drawn as bars",)
+    return ()
+
+
+def _entity(run: MovingArm, *parts: str) -> str:
+    path = rr.new_entity_path([ENTITY, *parts])
+    return run.entity(path.removeprefix("/"))
+
+
+def _shapes(run: MovingArm) -> str:
+    """Where the link shapes are logged: rerun's reader takes one word, never a path."""
+    return f"{run.name}_{ENTITY}" if run.name else ENTITY
+
+
+def _chain(robot: Robot, tree: UrdfTree | None, prefix: str) -> Chain:
+    """Names of the moved frames: the description's links, or link_1, link_2, ... without one."""
+    names = tuple(joint.name for joint in robot.joints)
+    links = {joint.name: joint.child_link for joint in tree.joints()} if tree else {}
+    frames = tuple(
+        prefix + links.get(name, f"link_{number}") for number, name in enumerate(names, start=1)
+    )
+    return Chain(names, frames)
+
+
+def _log_motion(stream: rr.RecordingStream, run: MovingArm, chain: Chain) -> None:
+    """One edge a joint, from the link before it."""
+    samples = run.samples
+    base_from_link = run.robot.kinematics.link_frames(samples.joints)
+    index = run.clock.columns(samples.times)
+    parent, base_from_parent = run.frame(BASE), Transform.identity()
+    for k, frame in enumerate(chain.link_frames):
+        parent_from_link = base_from_parent.inverse() @ base_from_link[:, k]
+        stream.send_columns(
+            _entity(run, "joints", chain.joint_names[k]),
+            indexes=index,
+            columns=moving_frame(parent, frame, parent_from_link),
+        )
+        parent, base_from_parent = frame, base_from_link[:, k]
+    stream.log(
+        _entity(run, "flange"),
+        static_frame(chain.link_frames[-1], run.frame(FLANGE), last_link_from_flange(run.robot)),
+        static=True,
+    )
+
+
+def last_link_from_flange(robot: Robot) -> Transform:
+    """Where the flange sits on the last link; the same in every pose."""
+    zero = np.zeros(len(robot.joints))
+    base_from_links = robot.kinematics.link_frames(zero)
+    return base_from_links[-1].inverse() @ robot.kinematics.forward(zero)
+
+
+def _log_other_frames(
+    stream: rr.RecordingStream, run: MovingArm, tree: UrdfTree, prefix: str, chain: Chain
+) -> None:
+    """The frames of the description that no joint of the run moves.
+
+    Joints that mimic one of the run follow it; a gripper's joints stay at 0.
+    """
+    stream.log(
+        _entity(run, "base"),
+        static_frame(run.frame(BASE), prefix + tree.root_link().name, Transform.identity()),
+        static=True,
+    )
+    samples = run.samples
+    for joint in tree.joints():
+        if joint.name in chain.joint_names:
+            continue
+        if joint.mimic is not None and joint.mimic.joint in chain.joint_names:
+            leader = samples.joints[:, chain.joint_names.index(joint.mimic.joint)]
+            angles = (joint.mimic.multiplier or 1.0) * leader + (joint.mimic.offset or 0.0)
+            stream.send_columns(
+                _entity(run, "joints", joint.name),
+                indexes=run.clock.columns(samples.times),
+                columns=joint.compute_transform_columns(angles.tolist(), clamp=False),
+            )
+        else:
+            stream.log(
+                _entity(run, "fixed", joint.name),
+                joint.compute_transform(0.0),
+                static=True,
+            )
+
+
+def _log_skeleton(
+    stream: rr.RecordingStream, run: MovingArm, chain: Chain, frames: frozenset[str]
+) -> None:
+    """Bars from joint to joint, for the links that have no shape of their own."""
+    robot = run.robot
+    zero = np.zeros(len(robot.joints))
+    origins = robot.kinematics.link_frames(zero)
+    flange = robot.kinematics.forward(zero)
+    size = robot.reach_m or float(np.linalg.norm(flange.translation))
+    parent_from_base = Transform.identity()
+    for k, frame in enumerate((run.frame(BASE), *chain.link_frames)):
+        base_from_next = origins[k] if k < len(chain.link_frames) else flange
+        end = parent_from_base.apply(base_from_next.translation)
+        if frame in frames:
+            # Thick at the foot, slender at the wrist.
+            radius = size * (0.055 - 0.005 * min(k, 6))
+            log_bar(stream, _entity(run, "bars", str(k)), frame, end, radius)
+        parent_from_base = base_from_next.inverse()

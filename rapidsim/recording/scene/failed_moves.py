@@ -1,0 +1,157 @@
+"""What the arm cannot do, in red: targets out of reach, and where on a way a move fails, and why.
+
+It is there from the start of the recording, so that it is seen before the robot gets there. The
+reasons stand on pins above the cell, where they hide nothing.
+"""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+
+import numpy as np
+import rerun as rr
+
+from rapidsim.controller.journal.failed_moves import FailedMove
+from rapidsim.frames.transform import Array
+from rapidsim.recording import palette
+from rapidsim.recording.samples import SampledRun
+
+TARGETS = "failed/targets"
+WAYS = "failed/ways"
+PLACES = "failed/places"
+CODES = "failed/codes"
+REASONS = "failed/reasons"
+PINS = "failed/pins"
+
+MOST_REASONS = 12
+"""With more than this the reasons cover one another; the log has them all."""
+_LETTERS = 36
+"""Width of a reason, in letters."""
+_LINES = 4
+"""Of a reason; the log has all of it."""
+_LOWEST_PIN = 0.24
+_PIN_STEP = 0.22
+"""Shares of the height of the cell, above it and above one another."""
+_FARTHEST = 2.5
+"""Shares of the reach; a target farther away does not draw the camera back."""
+_APART = 1e-3
+"""[m]; a place on the way this near to the target is the target."""
+
+
+def log_failed(stream: rr.RecordingStream, run: SampledRun, mark_m: float) -> tuple[str, ...]:
+    """Log the moves that could not be made, with crosses of some size [m] on their ways.
+
+    Returns:
+        What the viewer will not show as it should, a line each.
+    """
+    failed = run.failed_moves
+    if not failed:
+        return ()
+    frame = rr.CoordinateFrame(run.still_frame)
+    red = palette.rgba(palette.FAILED)
+    targets = np.array([move.base_from_tcp.translation for move in failed])
+    stream.log(
+        run.entity(TARGETS),
+        frame,
+        rr.Points3D(targets, radii=rr.Radius.ui_points(7.0), colors=red),
+        static=True,
+    )
+    ways = [move.way for move in failed if len(move.way) > 1]
+    if ways:
+        stream.log(
+            run.entity(WAYS),
+            frame,
+            rr.LineStrips3D(ways, radii=rr.Radius.ui_points(1.6), colors=red),
+            static=True,
+        )
+    places = [move.fails_at for move in failed if on_the_way(move)]
+    if places:
+        stream.log(
+            run.entity(PLACES),
+            frame,
+            rr.LineStrips3D(
+                [bar for place in places for bar in _cross(place, mark_m)],
+                radii=rr.Radius.ui_points(2.6),
+                colors=red,
+            ),
+            static=True,
+        )
+    told = failed[:MOST_REASONS]
+    feet, heads = in_sight(run, told), pin_heads(run)
+    stream.log(
+        run.entity(PINS),
+        frame,
+        rr.LineStrips3D(
+            np.stack([feet, heads], axis=1), radii=rr.Radius.ui_points(0.8), colors=red
+        ),
+        static=True,
+    )
+    for entity, stands, texts in (
+        (REASONS, heads, [_reason(move) for move in told]),
+        (CODES, feet, [f"{move.violation.code} line {move.place.span.line}" for move in told]),
+    ):
+        stream.log(
+            run.entity(entity),
+            frame,
+            rr.Points3D(
+                stands,
+                radii=rr.Radius.ui_points(0.0),
+                colors=red,
+                labels=texts,
+                show_labels=True,
+            ),
+            static=True,
+        )
+    if len(failed) > MOST_REASONS:
+        return (f"{len(failed)} moves fail: the reasons of the first {MOST_REASONS} are shown",)
+    return ()
+
+
+def on_the_way(move: FailedMove) -> bool:
+    """Whether a move fails before its end."""
+    end = move.base_from_tcp.translation
+    return float(np.linalg.norm(move.fails_at - end)) > _APART
+
+
+def pin_heads(run: SampledRun) -> Array:
+    """Where the reasons stand (k, 3) [m] in base: above the cell, one above the other."""
+    feet = in_sight(run, run.failed_moves[:MOST_REASONS])
+    sweep = run.places
+    top = max(float(sweep[:, 2].max()), 0.8 * _reach(run), *feet[:, 2])
+    heads = feet.copy()
+    heads[:, 2] = top + _reach(run) * (_LOWEST_PIN + _PIN_STEP * np.arange(len(feet)))
+    return heads
+
+
+def reason_room(run: SampledRun) -> Array:
+    """Points (4 k, 3) [m] in base around the reasons, so that their texts are in the picture."""
+    aside = 0.3 * _reach(run) * np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0]])
+    room: Array = (pin_heads(run)[:, None] + aside[None]).reshape(-1, 3)
+    return room
+
+
+def in_sight(run: SampledRun, failed: Sequence[FailedMove]) -> Array:
+    """Where moves fail (k, 3) [m] in base, drawn nearer where it is too far away to be shown."""
+    places = np.array([move.fails_at for move in failed]).reshape(-1, 3)
+    distance = np.linalg.norm(places, axis=1, keepdims=True)
+    shown: Array = places * np.minimum(1.0, _FARTHEST * _reach(run) / np.maximum(distance, 1e-9))
+    return shown
+
+
+def _reach(run: SampledRun) -> float:
+    """About how far the arm reaches [m]."""
+    farthest = float(np.linalg.norm(run.places, axis=1).max())
+    return run.robot.reach_m or farthest
+
+
+def _reason(move: FailedMove) -> str:
+    violation = move.violation
+    message = violation.message.replace("`", "")
+    text = f"{violation.code} line {move.place.span.line}: {message}"
+    return "\n".join(textwrap.wrap(text, _LETTERS, max_lines=_LINES, placeholder=" …"))
+
+
+def _cross(place: Array, size_m: float) -> list[Array]:
+    """Three bars through a place (3,)."""
+    return [np.stack([place - bar, place + bar]) for bar in size_m * np.eye(3)]

@@ -1,0 +1,151 @@
+"""The path in the cell: as programmed, thin, and as travelled, in the colour of the move.
+
+Where a corner was cut the travelled path has the corner's colour.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+import numpy as np
+import numpy.typing as npt
+import rerun as rr
+
+from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.frames.transform import Array
+from rapidsim.language.moves import Interpolation
+from rapidsim.motion.configurations.targets import base_from_tcp
+from rapidsim.recording import palette
+from rapidsim.recording.samples import SampledRun
+from rapidsim.recording.scene.arc import arc_through
+from rapidsim.simulation.results.sampling import in_corner
+
+PROGRAMMED = "path/programmed"
+TRAVELLED = "path/travelled"
+
+_CURVE_POINTS = 48
+"""Points that make a joint move or an arc look round."""
+_NO_STEP = 1e-6
+"""[m]; a step that does not show."""
+_JUMP = 5e-3
+"""[m]; less than this between two samples is speed that the two samples do not show."""
+_CORNER = "corner"
+
+
+def log_paths(stream: rr.RecordingStream, run: SampledRun) -> None:
+    """Log both paths of a run."""
+    if not run.moves:
+        return
+    strips = _joined(programmed(run))
+    if strips:
+        stream.log(
+            run.entity(PROGRAMMED),
+            rr.CoordinateFrame(run.still_frame),
+            rr.LineStrips3D(
+                strips,
+                radii=rr.Radius.ui_points(0.8),
+                colors=palette.rgba(palette.PROGRAMMED, 150),
+            ),
+            static=True,
+        )
+    for name, (colour, pieces) in _travelled(run).items():
+        stream.log(
+            run.entity(f"{TRAVELLED}/{name}"),
+            rr.CoordinateFrame(run.still_frame),
+            rr.LineStrips3D(pieces, radii=rr.Radius.ui_points(2.2), colors=palette.rgba(colour)),
+            static=True,
+        )
+
+
+def programmed(run: SampledRun) -> Iterator[Array]:
+    """The curve (k, 3) [m] of each move in the base, corners not cut.
+
+    Moves in frames that move have no such curve.
+    """
+    kinematics = run.robot.kinematics
+    joints = run.samples.joints[0]
+    flange = kinematics.forward(joints)
+    for move in run.moves:
+        if not _stands_still(run, move):
+            joints, flange = move.joints, move.base_from_tcp @ move.tcp_from_flange
+            continue
+        flange_from_tcp = move.tcp_from_flange.inverse()
+        start = flange.apply(flange_from_tcp.translation)
+        end = move.base_from_tcp.translation
+        match move.move.interpolation:
+            case Interpolation.JOINT | Interpolation.AXES | Interpolation.EXTERNAL_AXES:
+                share = np.linspace(0.0, 1.0, _CURVE_POINTS)[:, None]
+                between = joints + share * (move.joints - joints)
+                yield (kinematics.forward(between) @ flange_from_tcp).translation
+            case Interpolation.LINE:
+                yield np.stack([start, end])
+            case Interpolation.CIRCLE:
+                yield arc_through(start, _circle_point(run, move), end, _CURVE_POINTS)
+        joints = move.joints
+        flange = move.base_from_tcp @ move.tcp_from_flange
+
+
+def _stands_still(run: SampledRun, move: ExecutedMove) -> bool:
+    """Whether a move is in a frame that stands still: tool in hand, work and robot in place."""
+    tool, wobj = move.move.tool, move.move.wobj
+    return tool.robhold and not wobj.robhold and wobj.ufprog and not run.on_track
+
+
+def _circle_point(run: SampledRun, move: ExecutedMove) -> Array:
+    assert move.move.circle_point is not None
+    base_from_world = run.world_from_base.inverse()
+    via = base_from_tcp(move.move.circle_point, move.move.wobj, base_from_world)
+    return via.translation
+
+
+def _joined(curves: Iterator[Array]) -> list[Array]:
+    """The same curves as few strips: one goes on where the next begins."""
+    strips: list[list[Array]] = []
+    for curve in curves:
+        if strips and np.linalg.norm(strips[-1][-1][-1] - curve[0]) < _NO_STEP:
+            strips[-1].append(curve[1:])
+        else:
+            strips.append([curve])
+    return [np.concatenate(strip) for strip in strips]
+
+
+def _travelled(run: SampledRun) -> dict[str, tuple[palette.Colour, list[Array]]]:
+    """Pieces of the travelled path by what they are, in the order they first occur."""
+    moves = run.moves
+    kinds = dict.fromkeys(move.move.instruction for move in moves)
+    number_of = {name: number for number, name in enumerate((_CORNER, *kinds))}
+    colour_of = {move.move.instruction: palette.of_move(move) for move in moves}
+    colour_of[_CORNER] = palette.CORNER
+
+    of_move = np.array([number_of[move.move.instruction] for move in moves])
+    of_sample = np.where(
+        in_corner(run.samples, run.moves), number_of[_CORNER], of_move[_move_index(run)]
+    )
+    names = tuple(number_of)
+    points = run.places
+    pieces: dict[str, tuple[palette.Colour, list[Array]]] = {}
+    jumped = jumps(run)
+    bounds = np.flatnonzero((of_sample[1:] != of_sample[:-1]) | jumped) + 1
+    for begin, end in pairwise([0, *bounds.tolist(), len(of_sample)]):
+        # A piece ends where the next one begins, so that the path has no gaps but real ones.
+        goes_on = end < len(of_sample) and not jumped[end - 1]
+        piece = points[begin : end + 1] if goes_on else points[begin:end]
+        if np.ptp(piece, axis=0).max() >= _NO_STEP:
+            name = names[of_sample[begin]]
+            pieces.setdefault(name, (colour_of[name], []))[1].append(piece)
+    return pieces
+
+
+def jumps(run: SampledRun) -> npt.NDArray[np.bool_]:
+    """Between which samples (k - 1,) the TCP is elsewhere without a way: the tool was changed."""
+    samples = run.samples
+    step = np.linalg.norm(np.diff(run.places, axis=0), axis=1)
+    faster = np.maximum(samples.tcp_speed[1:], samples.tcp_speed[:-1])
+    jumped: npt.NDArray[np.bool_] = step > 2.0 * faster * np.diff(samples.times) + _JUMP
+    return jumped
+
+
+def _move_index(run: SampledRun) -> npt.NDArray[np.int64]:
+    """Index of the move under way (k,); the first before any."""
+    return np.clip(run.samples.move, 0, len(run.moves) - 1)

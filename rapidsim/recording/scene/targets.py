@@ -1,0 +1,201 @@
+"""The programmed targets: points, names and axes, each target once."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import rerun as rr
+
+from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.diagnostics import Severity
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.language.moves import Interpolation
+from rapidsim.recording import palette
+from rapidsim.recording.samples import SampledRun
+
+ENTITY = "targets"
+NAMES_NEAR = f"{ENTITY}/names/near"
+NAMES_FAR = f"{ENTITY}/names/far"
+
+MOST_NAMES = 60
+"""With more targets than this the names cover each other and everything else."""
+MOST_AXES = 2000
+_APART = 0.02
+"""Share of the work's extent within which targets share one label."""
+_SAME = 1e-6
+"""[m]; targets nearer than this with one name are one target."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Target:
+    """A place the program sends the TCP to."""
+
+    name: str
+    still_from_tcp: Transform
+    on_line: bool
+    """Whether a line or an arc leads there."""
+    warned: bool
+    """Whether there is a finding on a move that leads there."""
+
+
+def targets_of(run: SampledRun) -> tuple[Target, ...]:
+    """The targets of a run in the order of their first use."""
+    warned = {
+        (finding.span.file, finding.span.line)
+        for finding in run.simulation.diagnostics
+        if finding.span is not None and finding.severity is not Severity.NOTE
+    }
+    found: dict[tuple[object, ...], Target] = {}
+    for move in run.moves:
+        still_from_tcp = run.still_from_end(move)
+        place = tuple(np.round(still_from_tcp.translation / _SAME).astype(np.int64).tolist())
+        target = Target(
+            target_name(move),
+            still_from_tcp,
+            move.move.interpolation in (Interpolation.LINE, Interpolation.CIRCLE),
+            (move.place.span.file, move.place.span.line) in warned,
+        )
+        key = (target.name, *place)
+        if key not in found or target.on_line:
+            found[key] = target
+    return tuple(found.values())
+
+
+def near_targets(targets: Sequence[Target]) -> tuple[Target, ...]:
+    """The targets where the work is done: on lines and arcs, if there are some apart, else all."""
+    on_lines = tuple(target for target in targets if target.on_line)
+    return on_lines if extent(on_lines) > 0.0 else tuple(targets)
+
+
+def extent(targets: Sequence[Target]) -> float:
+    """The largest extent [m] of some targets along an axis; 0 for none."""
+    if not targets:
+        return 0.0
+    return float(np.ptp(points_of(targets), axis=0).max())
+
+
+def points_of(targets: Sequence[Target]) -> Array:
+    """Where some targets are (k, 3) [m]."""
+    return np.array([target.still_from_tcp.translation for target in targets])
+
+
+def target_name(move: ExecutedMove) -> str:
+    """What the program calls the target: the text of the argument, shortened."""
+    arguments = move.place.arguments
+    text = arguments.get("topoint") or arguments.get("tojointpos") or ""
+    text = " ".join(text.split())
+    return text if len(text) <= 24 else text[:23] + "…"
+
+
+def log_targets(
+    stream: rr.RecordingStream,
+    run: SampledRun,
+    targets: Sequence[Target],
+    *,
+    axis_m: float,
+    apart_m: float,
+) -> tuple[str, ...]:
+    """Log targets.
+
+    Args:
+        stream: The recording.
+        run: The run they belong to.
+        targets: What is logged.
+        axis_m: Length [m] of their axes.
+        apart_m: Names of targets far from the work that are nearer to each other [m] become one.
+
+    Returns:
+        What the viewer will not show as it should, a line each.
+    """
+    if not targets:
+        return ()
+    stream.log(
+        run.entity(f"{ENTITY}/points"),
+        rr.CoordinateFrame(run.still_frame),
+        rr.Points3D(
+            points_of(targets),
+            radii=rr.Radius.ui_points(3.5),
+            colors=np.array(
+                [
+                    palette.rgba(palette.WARNED if target.warned else palette.TARGET)
+                    for target in targets
+                ],
+                dtype=np.uint32,
+            ),
+        ),
+        static=True,
+    )
+    _log_axes(stream, run, targets[:MOST_AXES], axis_m)
+    if len(targets) <= MOST_NAMES:
+        near = near_targets(targets)
+        far = [target for target in targets if target not in near]
+        _log_names(stream, run, NAMES_NEAR, near, apart_m=_APART * extent(near))
+        _log_names(stream, run, NAMES_FAR, far, apart_m=apart_m)
+        return ()
+    remarks: tuple[str, ...] = (f"{len(targets)} targets: their names are not shown",)
+    if len(targets) > MOST_AXES:
+        remarks += (f"{len(targets)} targets: the first {MOST_AXES} have axes",)
+    return remarks
+
+
+def _log_names(
+    stream: rr.RecordingStream,
+    run: SampledRun,
+    entity: str,
+    targets: Sequence[Target],
+    apart_m: float,
+) -> None:
+    if not targets:
+        return
+    places, names = _gathered(targets, apart_m)
+    stream.log(
+        run.entity(entity),
+        rr.CoordinateFrame(run.still_frame),
+        rr.Points3D(
+            places,
+            radii=rr.Radius.ui_points(0.0),
+            colors=palette.rgba(palette.TARGET_NAME),
+            labels=names,
+            show_labels=True,
+        ),
+        static=True,
+    )
+
+
+def _log_axes(
+    stream: rr.RecordingStream, run: SampledRun, targets: Sequence[Target], axis_m: float
+) -> None:
+    origins = np.repeat([target.still_from_tcp.translation for target in targets], 3, axis=0)
+    # Columns of the rotation are the axes.
+    columns = np.stack([target.still_from_tcp.rotation.T for target in targets])
+    stream.log(
+        run.entity(f"{ENTITY}/axes"),
+        rr.CoordinateFrame(run.still_frame),
+        rr.Arrows3D(
+            origins=origins,
+            vectors=columns.reshape(-1, 3) * axis_m,
+            radii=[axis_m * 0.035],
+            colors=np.tile([palette.rgba(axis) for axis in palette.AXES], len(targets)).astype(
+                np.uint32
+            ),
+        ),
+        static=True,
+    )
+
+
+def _gathered(targets: Sequence[Target], apart_m: float) -> tuple[Array, list[str]]:
+    """Places that are some way [m] apart, with the names of all targets near each."""
+    names: list[list[str]] = []
+    places: list[Array] = []
+    for target in targets:
+        point = target.still_from_tcp.translation
+        distances = [float(np.linalg.norm(place - point)) for place in places]
+        nearest = int(np.argmin(distances)) if distances else -1
+        if not distances or distances[nearest] > apart_m:
+            places.append(point)
+            names.append([target.name])
+        elif target.name not in names[nearest]:
+            names[nearest].append(target.name)
+    return np.array(places), [", ".join(group) for group in names]

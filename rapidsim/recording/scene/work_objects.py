@@ -1,0 +1,157 @@
+"""The work objects: user frame, object frame, and a faint plate in the object's plane.
+
+The world is no work object of its own here: `wobj0` has no frames to show beside it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import rerun as rr
+
+from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.frames.transform import Array
+from rapidsim.language.data import IDENTITY_POSE, WobjData
+from rapidsim.motion.configurations.targets import base_from_object
+from rapidsim.recording import palette
+from rapidsim.recording.frame_changes import changes, stacked
+from rapidsim.recording.samples import SampledRun
+from rapidsim.recording.scene.arm import FLANGE
+from rapidsim.recording.scene.tool import TCP
+from rapidsim.recording.transforms import BASE, WORLD, moving_frame
+
+ENTITY = "work_objects"
+
+_THICKNESS = 0.002
+_SMALLEST = 0.05
+"""[m]; half the side of the smallest plate."""
+
+
+def log_work_objects(stream: rr.RecordingStream, run: SampledRun, axis_m: float) -> tuple[str, ...]:
+    """Log the frames of the work objects with axes of a length [m].
+
+    Returns:
+        What the viewer will not show as it should, a line each.
+    """
+    for name, moves in _by_name(run.moves).items():
+        _log_frames(stream, run, name, moves, axis_m)
+        _log_plate(stream, run, name, moves)
+    moved = dict.fromkeys(move.move.wobj.ufmec for move in run.moves if not move.move.wobj.ufprog)
+    return tuple(f"work objects moved by `{unit}` are shown with it at zero" for unit in moved)
+
+
+def _log_frames(
+    stream: rr.RecordingStream,
+    run: SampledRun,
+    name: str,
+    moves: Sequence[ExecutedMove],
+    axis_m: float,
+) -> None:
+    """User frame and object frame; that of a work object in the robot's hand is on the flange."""
+    object_frame, flange = run.frame(name), run.frame(FLANGE)
+    user_frame = f"{object_frame}.uframe"
+    users = changes(
+        moves,
+        lambda move: move.move.wobj.uframe,
+        lambda move: flange if move.move.wobj.robhold else WORLD,
+    )
+    objects = changes(moves, lambda move: move.move.wobj.oframe, lambda _: user_frame)
+    for entity, child, values in (("user", user_frame, users), ("object", object_frame, objects)):
+        path = _entity(run, name, entity)
+        parents = [change.parent for change in values]
+        stream.send_columns(
+            path,
+            indexes=run.clock.columns([change.time_s for change in values]),
+            columns=moving_frame(parents, child, stacked(values)),
+        )
+        stream.log(
+            path,
+            rr.CoordinateFrame(child),
+            rr.TransformAxes3D(axis_m if child == object_frame else 0.6 * axis_m),
+            static=True,
+        )
+
+
+def object_origins(run: SampledRun) -> Array:
+    """Where the object frames are (k, 3) [m] in the base."""
+    used = dict.fromkeys(
+        move.move.wobj
+        for group in _by_name(run.moves).values()
+        for move in group
+        if not move.move.wobj.robhold
+    )
+    base_from_world = run.world_from_base.inverse()
+    origins = [base_from_object(wobj, base_from_world).translation for wobj in used]
+    return np.array(origins).reshape(-1, 3)
+
+
+def _entity(run: SampledRun, name: str, part: str) -> str:
+    """Where a part of a work object is logged; the name may be any expression, `wobjs{1}` too."""
+    return run.entity(rr.new_entity_path([ENTITY, name, part]).removeprefix("/"))
+
+
+def _by_name(moves: Sequence[ExecutedMove]) -> dict[str, list[ExecutedMove]]:
+    """The moves that use a work object of their own, by its name."""
+    found: dict[str, list[ExecutedMove]] = {}
+    for move in moves:
+        wobj = move.move.wobj
+        if wobj.uframe == IDENTITY_POSE and wobj.oframe == IDENTITY_POSE:
+            continue
+        name = " ".join(move.place.arguments.get("wobj", "wobj").split())
+        if name in (WORLD, BASE, FLANGE, TCP):
+            name = f"{name} (wobj)"
+        found.setdefault(name, []).append(move)
+    return found
+
+
+def _log_plate(
+    stream: rr.RecordingStream, run: SampledRun, name: str, moves: Sequence[ExecutedMove]
+) -> None:
+    """A plate under the targets and the origin, in the plane of the object frame, and a name."""
+    places: dict[WobjData, list[Array]] = {}
+    for move in moves:
+        if not move.move.wobj.robhold and move.move.wobj.ufprog and move.move.tool.robhold:
+            place = run.still_from_end(move).translation
+            places.setdefault(move.move.wobj, []).append(place)
+    in_plane = [np.zeros((1, 2))]
+    for wobj, places_in_base in places.items():
+        object_from_base = base_from_object(wobj, run.world_from_base.inverse()).inverse()
+        in_plane.append(object_from_base.apply(np.array(places_in_base))[:, :2])
+    corners = np.concatenate(in_plane)
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    half = np.maximum(0.5 * (high - low) * 1.5, _SMALLEST)
+    centre = 0.5 * (low + high)
+    stream.log(
+        _entity(run, name, "plate"),
+        rr.CoordinateFrame(run.frame(name)),
+        rr.Boxes3D(
+            centers=[[*centre, -_THICKNESS]],
+            half_sizes=[[*half, 0.5 * _THICKNESS]],
+            colors=palette.rgba(palette.WORK_PLANE),
+            fill_mode=rr.components.FillMode.Solid,
+        ),
+        static=True,
+    )
+    stream.log(
+        _entity(run, name, "name"),
+        rr.CoordinateFrame(run.frame(name)),
+        rr.Points3D(
+            [[*_emptiest_corner(centre, half, corners), 0.0]],
+            radii=rr.Radius.ui_points(0.0),
+            colors=palette.rgba(palette.FRAME_NAME),
+            labels=[name],
+            show_labels=True,
+        ),
+        static=True,
+    )
+
+
+def _emptiest_corner(centre: Array, half: Array, targets: Array) -> Array:
+    """The corner (2,) of a plate farthest from all targets (k, 2), where a name covers nothing."""
+    signs = np.array([[-1.0, 1.0], [1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]])
+    corners = centre + half * signs
+    distances = np.linalg.norm(corners[:, None] - targets[None], axis=2).min(axis=1)
+    # Rounded, so that corners equally far give the first of them on every machine.
+    corner: Array = corners[int(np.argmax(np.round(distances, 6)))]
+    return corner

@@ -1,0 +1,35 @@
+"""How many moves of a program a check looked at, in lines for people."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rapidsim.reach.checked_moves import Coverage
+
+_SHOWN = 3
+
+
+def coverage_lines(coverage: Coverage, robot: str) -> Iterator[str]:
+    """One line of counts, and one for each of the first moves that were not checked.
+
+    Args:
+        coverage: What was looked at.
+        robot: The arm, and why it was taken.
+    """
+    if not coverage.moves:
+        return
+    ways = [
+        f"{count} {way}"
+        for count, way in (
+            (coverage.by_value, "by value"),
+            (coverage.by_run, "by a run of main"),
+        )
+        if count
+    ]
+    how = f": {', '.join(ways)}" if ways else ""
+    moves = "1 move" if coverage.moves == 1 else f"{coverage.moves} moves"
+    yield f"Reach of {coverage.checked} of {moves} checked on {robot}{how}."
+    for move in coverage.unchecked[:_SHOWN]:
+        yield f"  not checked: {move.span.file}:{move.span.line}: {move.reason}"
+    if (more := len(coverage.unchecked) - _SHOWN) > 0:
+        yield f"  nor {more} more; the JSON format lists them all."

@@ -1,0 +1,173 @@
+"""Findings as text with source frames, as one line each, and as JSON values."""
+
+from __future__ import annotations
+
+import textwrap
+from collections import Counter
+from collections.abc import Sequence
+
+from rapidsim.diagnostics import Diagnostic, Edit, Fix, Severity, Span
+from rapidsim.report.findings.merging import Finding
+from rapidsim.report.findings.source_frame import printable, source_frame
+from rapidsim.report.palette import Palette
+
+_LISTED_LINES = 6
+
+
+def full(findings: Sequence[Finding], palette: Palette, *, width: int) -> str:
+    """Each finding with the source text it points at, related places, and the cure if known."""
+    return "".join(f"{_full(finding, palette, width)}\n\n" for finding in findings)
+
+
+def concise(findings: Sequence[Finding], palette: Palette) -> str:
+    """One line a finding: `file:line:column: severity[code] message`."""
+    return "".join(f"{_concise(finding, palette)}\n" for finding in findings)
+
+
+def summary_line(
+    findings: Sequence[Finding], *, files: int, seconds: float | None, known: int = 0
+) -> str:
+    """How much was found in how many files, repeats counted, and how long it took.
+
+    Args:
+        findings: What is shown.
+        files: How many files were read.
+        seconds: How long it took; None is not told.
+        known: How many more findings a baseline holds back.
+    """
+    counts: Counter[Severity] = Counter()
+    for finding in findings:
+        counts[finding.first.severity] += 1 + len(finding.repeats)
+    kinds = [
+        _counted(counts[severity], severity.value) for severity in Severity if severity in counts
+    ]
+    found = f"Found {_listed(kinds)}" if kinds else f"Found nothing {'new' if known else 'wrong'}"
+    took = "" if seconds is None else f" ({seconds:.2f} s)"
+    return f"{found} in {_counted(files, 'file')}{took}."
+
+
+def diagnostic_json(finding: Finding) -> dict[str, object]:
+    """A finding as JSON values; `repeats` holds the places of the findings merged into it."""
+    diagnostic = finding.first
+    violation = diagnostic.violation
+    return {
+        "code": violation.code,
+        "name": violation.name,
+        "severity": diagnostic.severity.value,
+        "message": violation.message,
+        **_span_json(diagnostic.span),
+        "related": [
+            {"file": related.span.file, "line": related.span.line, "message": related.message}
+            for related in diagnostic.related
+        ],
+        "fix": _fix_json(diagnostic.fix) if diagnostic.fix else None,
+        "cf": violation.cf,
+        "help": violation.help,
+        "routine": diagnostic.routine,
+        "repeats": [
+            {"file": repeat.span.file, "line": repeat.span.line, "column": repeat.span.column}
+            for repeat in finding.repeats
+            if repeat.span
+        ],
+    }
+
+
+def _full(finding: Finding, palette: Palette, width: int) -> str:
+    diagnostic = finding.first
+    colour = palette.of(diagnostic.severity)
+    lines = [_headline(diagnostic, palette)]
+    gutter = 1
+    if span := diagnostic.span:
+        gutter = len(str(span.line))
+        within = f" in {diagnostic.routine}" if diagnostic.routine else ""
+        arrow = palette.paint(f"{' ' * gutter}-->", palette.frame)
+        lines.append(f"{arrow} {_place(span)}{within}")
+        lines += source_frame(span, "", palette, colour=colour, width=width)
+    shown = diagnostic.span
+    for related in diagnostic.related:
+        if shown is None or related.span.file != shown.file:
+            arrow = palette.paint(f"{' ' * gutter}:::", palette.frame)
+            lines.append(f"{arrow} {_place(related.span)}")
+        label = printable(related.message)
+        lines += source_frame(related.span, label, palette, colour=palette.note, width=width)
+        shown = related.span
+    margin = f"{' ' * gutter} {palette.paint('=', palette.frame)}"
+    cures = (
+        ("help:", diagnostic.violation.help),
+        ("fix:", diagnostic.fix and _fix_title(diagnostic.fix)),
+    )
+    for label, cure in cures:
+        if cure:
+            first, *rest = textwrap.wrap(
+                f"{label} {printable(cure)}",
+                width - gutter - 3,
+                subsequent_indent=" " * (len(label) + 1),
+                break_on_hyphens=False,
+            )
+            coloured = first.replace(label, palette.paint(label, palette.help), 1)
+            lines.append(f"{margin} {coloured}")
+            lines += [f"{' ' * (gutter + 3)}{line}" for line in rest]
+    if finding.repeats:
+        lines.append(f"{margin} and {len(finding.repeats)} more like it, {_lines_of(finding)}")
+    return "\n".join(lines)
+
+
+def _headline(diagnostic: Diagnostic, palette: Palette) -> str:
+    violation = diagnostic.violation
+    severity = diagnostic.severity
+    code = palette.paint(f"{severity.value}[{violation.code}]", palette.of(severity))
+    message = palette.paint(printable(violation.message), palette.strong)
+    compare = f" (cf. {violation.cf})" if violation.cf else ""
+    return f"{code} {violation.name}: {message}{compare}"
+
+
+def _concise(finding: Finding, palette: Palette) -> str:
+    diagnostic = finding.first
+    violation = diagnostic.violation
+    severity = diagnostic.severity
+    code = palette.paint(f"{severity.value}[{violation.code}]", palette.of(severity))
+    place = f"{_place(diagnostic.span)}: " if diagnostic.span else ""
+    repeats = f" (and {len(finding.repeats)} more)" if finding.repeats else ""
+    return f"{place}{code} {printable(violation.message)}{repeats}"
+
+
+def _place(span: Span) -> str:
+    return f"{span.file}:{span.line}:{span.column}"
+
+
+def _lines_of(finding: Finding) -> str:
+    lines = sorted({repeat.span.line for repeat in finding.repeats if repeat.span})
+    if len(lines) == 1:
+        return f"on line {lines[0]}"
+    listed = ", ".join(str(line) for line in lines[:_LISTED_LINES])
+    return f"on lines {listed}{', ...' if len(lines) > _LISTED_LINES else ''}"
+
+
+def _counted(count: int, noun: str) -> str:
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
+
+
+def _listed(parts: Sequence[str]) -> str:
+    return " and ".join([", ".join(parts[:-1]), parts[-1]] if len(parts) > 1 else parts)
+
+
+def _span_json(span: Span | None) -> dict[str, object]:
+    return {
+        "file": span.file if span else None,
+        "line": span.line if span else None,
+        "column": span.column if span else None,
+        "end_line": span.end_line if span else None,
+        "end_column": span.end_column if span else None,
+    }
+
+
+def _fix_title(fix: Fix) -> str:
+    return fix.title if fix.safe else f"{fix.title} (with --unsafe-fixes)"
+
+
+def _fix_json(fix: Fix) -> dict[str, object]:
+    return {"title": fix.title, "safe": fix.safe, "edits": [_edit_json(edit) for edit in fix.edits]}
+
+
+def _edit_json(edit: Edit) -> dict[str, object]:
+    return {**_span_json(edit.span), "text": edit.text}

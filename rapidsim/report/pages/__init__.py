@@ -1,0 +1,1 @@
+"""Pages of the manual, made from the tables of rules and routines."""

@@ -1,0 +1,194 @@
+"""Figures of a run: what a person asks first, computed from moves and trajectory.
+
+Everything is a function of the simulation alone, so a report of the same run is the same text.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
+from rapidsim.frames.transform import Array
+from rapidsim.language.moves import Place
+from rapidsim.motion.timing.axis_limits import limits_of
+from rapidsim.simulation.results.acceleration_sensitivity import extra_time_s
+from rapidsim.simulation.results.simulation import End, RobotRun, Simulation
+
+_SAMPLE_S = 0.012
+_MOST_SAMPLES = 20_000
+_SLOWEST = 5
+_OTHER_ACCELERATIONS = (0.5, 2.0)
+_CUT_SHORT = (End.ERROR, End.TIME_LIMIT)
+
+
+@dataclass(frozen=True, slots=True)
+class LineTime:
+    """Time spent in the moves of one source line."""
+
+    place: Place
+    instruction: str
+    to: str
+    seconds: float
+    times: int
+    """How often the line was run."""
+
+
+@dataclass(frozen=True, slots=True)
+class JointMargin:
+    """The nearest that any joint came to a limit."""
+
+    degrees: float
+    """What is left; negative beyond the limit."""
+    joint: int
+    """From 1."""
+    time_s: float
+    move: ExecutedMove
+
+
+@dataclass(frozen=True, slots=True)
+class SingularityMargin:
+    """The nearest that the arm came to a singularity."""
+
+    smallest_singular_value: float
+    """Of the flange's Jacobian in m and rad; 0 in a singularity."""
+    time_s: float
+    move: ExecutedMove
+
+
+@dataclass(frozen=True, slots=True)
+class Figures:
+    """What the summary of a run shows beside its events."""
+
+    moves_by_instruction: tuple[tuple[str, int], ...]
+    """In order of first use."""
+    moves_by_corner: tuple[tuple[CornerKind, int], ...]
+    slowest: tuple[LineTime, ...]
+    joint_margin: JointMargin | None
+    """None where nothing moved."""
+    singularity: SingularityMargin | None
+    otherwise: tuple[OtherTime, ...]
+    """Times of the run with other accelerations; none where nothing moved, or too much.
+
+    Nor where the program did not come to its end: that is no cycle time.
+    """
+
+
+@dataclass(frozen=True, slots=True)
+class OtherTime:
+    """How long the run would take if the axes accelerated otherwise."""
+
+    factor: float
+    """On all accelerations."""
+    time_s: float
+
+
+def figures(simulation: Simulation) -> Figures:
+    """Compute the figures of a run."""
+    moves = simulation.all_moves
+    corners = Counter(move.corner for move in moves)
+    found = [
+        _along_the_path(robot, offset)
+        for robot, offset in zip(simulation.robots, simulation.move_offsets, strict=True)
+        if robot.moves
+    ]
+    margins, singularities = [margin for margin, _ in found], [place for _, place in found]
+    return Figures(
+        moves_by_instruction=tuple(Counter(m.move.instruction for m in moves).items()),
+        moves_by_corner=tuple((kind, corners[kind]) for kind in CornerKind if kind in corners),
+        slowest=_slowest(moves),
+        joint_margin=min(margins, key=lambda one: one.degrees, default=None),
+        singularity=min(singularities, key=lambda one: one.smallest_singular_value, default=None),
+        # What one robot would save, another may wait away.
+        otherwise=_otherwise(simulation) if moves and _has_cycle_time(simulation) else (),
+    )
+
+
+def argument(move: ExecutedMove, *names: str) -> str | None:
+    """Source text of the first of some arguments of a move that was written."""
+    given = (move.place.arguments.get(name) for name in names)
+    return next((text for text in given if text is not None), None)
+
+
+def end_point(move: ExecutedMove) -> str:
+    """What the program calls the end of a move; `*` where it is written out in place."""
+    text = argument(move, "topoint", "tojointpos") or "*"
+    return "*" if text.startswith("[") else text
+
+
+def _has_cycle_time(simulation: Simulation) -> bool:
+    """Whether the time of the run is that of a whole cycle, and of one robot."""
+    return simulation.end not in _CUT_SHORT and not simulation.other_robots
+
+
+def _otherwise(simulation: Simulation) -> tuple[OtherTime, ...]:
+    """The times at half and double acceleration, which is the assumption that counts most."""
+    limits = limits_of(simulation.robot, simulation.model)
+    times = []
+    for factor in _OTHER_ACCELERATIONS:
+        extra_s = extra_time_s(simulation.trajectory, limits, factor)
+        if extra_s is None:
+            return ()
+        times.append(OtherTime(factor, simulation.time_s + extra_s))
+    return tuple(times)
+
+
+def _slowest(moves: tuple[ExecutedMove, ...]) -> tuple[LineTime, ...]:
+    by_line: dict[tuple[str, int], list[ExecutedMove]] = {}
+    for move in moves:
+        by_line.setdefault((move.place.span.file, move.place.span.start), []).append(move)
+    times = (
+        LineTime(
+            place=same[0].place,
+            instruction=same[0].move.instruction,
+            to=end_point(same[0]),
+            seconds=sum(move.end_s - move.start_s for move in same),
+            times=len(same),
+        )
+        for same in by_line.values()
+    )
+    return tuple(sorted(times, key=lambda line: -line.seconds)[:_SLOWEST])
+
+
+def _along_the_path(run: RobotRun, offset: int) -> tuple[JointMargin, SingularityMargin]:
+    robot = run.robot
+    times = _sample_times(run)
+    samples = run.trajectory.at(times)
+    indices = np.array([move.index for move in run.moves])
+
+    def move_at(row: int) -> ExecutedMove:
+        """The move under way, numbered among those of all robots.
+
+        A run that is cut off where a move begins has the one before.
+        """
+        before = int(np.searchsorted(indices, samples.move[row], side="right")) - 1
+        move = run.moves[max(before, 0)]
+        return replace(move, index=offset + move.index)
+
+    left = np.minimum(samples.joints - robot.lower, robot.upper - samples.joints)
+    row, joint = (int(i) for i in np.unravel_index(np.argmin(left), left.shape))
+    margin = JointMargin(
+        degrees=float(np.degrees(left[row, joint])),
+        joint=joint + 1,
+        time_s=float(times[row]),
+        move=move_at(row),
+    )
+    jacobians = robot.kinematics.jacobian(samples.joints)
+    smallest = np.linalg.svd(jacobians, compute_uv=False)[:, -1]
+    row = int(np.argmin(smallest))
+    singularity = SingularityMargin(
+        smallest_singular_value=float(smallest[row]),
+        time_s=float(times[row]),
+        move=move_at(row),
+    )
+    return margin, singularity
+
+
+def _sample_times(run: RobotRun) -> Array:
+    """Instants under way; the ends of moves are among them, standstill before the first is not."""
+    start, end = run.moves[0].start_s, run.trajectory.duration
+    count = min(_MOST_SAMPLES, int((end - start) / _SAMPLE_S) + 2)
+    ends = np.array([move.end_s for move in run.moves])
+    return np.unique(np.concatenate([np.linspace(start, end, count), ends.clip(start, end)]))

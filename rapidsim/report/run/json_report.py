@@ -1,0 +1,252 @@
+"""A run as one JSON object: plain Python numbers, all finite, keys in a fixed order."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.motion.robot.external_axes import ExternalAxis
+from rapidsim.report.findings.merging import merged
+from rapidsim.report.findings.text import diagnostic_json
+from rapidsim.report.run.figures import Figures, JointMargin, LineTime, SingularityMargin, argument
+from rapidsim.report.run.verdicts import NOTHING_ASKED, Judgement
+from rapidsim.simulation.results.event_values import event_record
+from rapidsim.simulation.results.simulation import End, Simulation
+
+SCHEMA = 1
+PROGRAM_POINTER = (
+    "runs ahead of the robot; goes on after a fly-by move when the robot starts that move"
+)
+
+
+def run_json(
+    simulation: Simulation,
+    figures: Figures,
+    findings: Sequence[Diagnostic],
+    files: Mapping[str, object],
+    judgement: Judgement = NOTHING_ASKED,
+) -> dict[str, object]:
+    """The object that `rapidsim run --format json` prints.
+
+    Args:
+        simulation: The run.
+        figures: Its figures.
+        findings: What checking and running found.
+        files: Paths of the files written, by what they are; `program` lists those of the program.
+        judgement: What became of assertions and the cycle budget.
+    """
+    report = rejected_json(simulation.program, simulation.robot.name, findings, _robots(simulation))
+    ran = {
+        "end": simulation.end.value,
+        "time_s": _number(simulation.time_s),
+        "motion_s": _number(simulation.motion_s),
+        "wait_s": _number(simulation.wait_s),
+        "path_mm": _number(sum(robot.path_m for robot in simulation.robots) * 1000.0),
+        "moves": [
+            _move(move, robot.robot.external, offset)
+            for robot, offset in zip(simulation.robots, simulation.move_offsets, strict=True)
+            for move in robot.moves
+        ],
+        "slowest": [_line_time(line) for line in figures.slowest],
+        "min_joint_margin": _margin(figures.joint_margin),
+        "min_singularity": _singularity(figures.singularity),
+        "events": [event_record(event) for event in simulation.events],
+        "unsimulated": [
+            {"name": one.name, "count": one.count, "treated_as": one.treated_as}
+            for one in simulation.unsimulated
+        ],
+        "persistents": [
+            {"name": one.name, "module": one.module, "old": one.old, "new": one.new}
+            for one in simulation.persistents
+        ],
+        **judgement.as_json(),
+        "models": {
+            **models(simulation),
+            "time_s_with_acceleration_times": {
+                f"{other.factor:g}": _number(other.time_s) for other in figures.otherwise
+            },
+        },
+        "files": {
+            **files,
+            "home": [{"path": file.path, "size": file.size} for file in simulation.home_files],
+        },
+    }
+    assert report.keys() >= ran.keys()
+    return report | ran
+
+
+def rejected_json(
+    program: Sequence[str],
+    robot: str,
+    findings: Sequence[Diagnostic],
+    robots: Sequence[object] = (),
+) -> dict[str, object]:
+    """The same object for a program that cannot run because of the errors in it.
+
+    All keys in their order stand here; a run puts its own values in their places.
+    """
+    return {
+        "schema": SCHEMA,
+        "program": list(program),
+        "robot": robot,
+        **({"robots": robots} if robots else {}),
+        "end": End.ERROR.value,
+        "time_s": 0.0,
+        "motion_s": 0.0,
+        "wait_s": 0.0,
+        "path_mm": 0.0,
+        "moves": [],
+        "slowest": [],
+        "min_joint_margin": None,
+        "min_singularity": None,
+        "diagnostics": [diagnostic_json(finding) for finding in merged(findings)],
+        "events": [],
+        "unsimulated": [],
+        "persistents": [],
+        **NOTHING_ASKED.as_json(),
+        "models": {},
+        "files": {},
+    }
+
+
+def models(simulation: Simulation) -> dict[str, object]:
+    """The models behind the numbers and their parameters, and what they leave out of the arm."""
+    model = simulation.model
+    measured = [joint.max_acceleration for joint in simulation.robot.joints]
+    if model.acceleration is not None:
+        acceleration = f"axis accelerations {_degrees(model.acceleration)} deg/s2"
+    elif model.own_accelerations and any(measured):
+        known = _degrees([a for a in measured if a is not None])
+        acceleration = f"axis accelerations {known} deg/s2, measured on this arm"
+    else:
+        acceleration = f"axis acceleration = axis speed / {model.acceleration_time:g} s"
+    given_speeds = {}
+    if model.max_speed is not None:
+        given_speeds = {
+            "axis_speed": f"axis speeds {_degrees(model.max_speed)} deg/s, as the station file says"
+        }
+    return {
+        "acceleration": acceleration,
+        **given_speeds,
+        "corner": model.corner,
+        "program_pointer": PROGRAM_POINTER,
+        "filter_time_s": model.filter_time,
+        "smoothing": model.smoothing,
+        "fine_dwell_s": model.fine_dwell,
+        **_ramps(simulation),
+        "robot_not_modelled": list(simulation.robot.not_modelled),
+    }
+
+
+def _ramps(simulation: Simulation) -> dict[str, object]:
+    """What ramps of AccSet were taken to do; nothing where no move has one."""
+    if not any(robot.trajectory.has_ramps for robot in simulation.robots):
+        return {}
+    return {
+        "ramp": "AccSet's ramp of p % smooths over 100 / p of that time, which is assumed and not "
+        "measured"
+    }
+
+
+def _degrees(values: Sequence[float]) -> str:
+    return ", ".join(f"{math.degrees(value):g}" for value in values)
+
+
+def _robots(simulation: Simulation) -> list[object]:
+    """Which task moves which robot and where it stands; none where there is one."""
+    if not simulation.other_robots:
+        return []
+    return [
+        {
+            "task": one.task,
+            "robot": one.robot.name,
+            "position_mm": [_number(x * 1000.0) for x in one.world_from_base.translation],
+            "quaternion": [_number(q) for q in one.world_from_base.quaternion],
+        }
+        for one in simulation.robots
+    ]
+
+
+def _move(move: ExecutedMove, axes: Sequence[ExternalAxis], offset: int) -> dict[str, object]:
+    return {
+        "index": offset + move.index,
+        "task": move.task,
+        "instruction": move.move.instruction,
+        **_place(move),
+        "routine": move.place.routine,
+        "to": argument(move, "topoint", "tojointpos"),
+        "tool": argument(move, "tool"),
+        "wobj": argument(move, "wobj") or "wobj0",
+        "speed_mm_s": _number(move.move.speed.v_tcp),
+        "zone_mm": _number(move.zone_m * 1000.0),
+        "start_s": _number(move.start_s),
+        "end_s": _number(move.end_s),
+        "length_mm": _number(move.length_m * 1000.0),
+        "corner": move.corner.value,
+        "corner_reason": move.corner_reason,
+        "target": {
+            "position_mm": [_number(x * 1000.0) for x in move.base_from_tcp.translation],
+            "quaternion": [_number(q) for q in move.base_from_tcp.quaternion],
+            "frame": "base",
+        },
+        "joints_deg": [_number(q) for q in np.degrees(move.joints)],
+        "conf": [int(value) for value in move.conf],
+        **_external(move, axes),
+    }
+
+
+def _external(move: ExecutedMove, axes: Sequence[ExternalAxis]) -> dict[str, object]:
+    """The external axes at the end of a move, in mm and degrees; nothing where there are none."""
+    if not axes:
+        return {}
+    values = zip(axes, move.external, strict=True)
+    return {"external": {axis.component: _number(v * axis.scale) for axis, v in values}}
+
+
+def _line_time(line: LineTime) -> dict[str, object]:
+    return {
+        "file": line.place.span.file,
+        "line": line.place.span.line,
+        "routine": line.place.routine,
+        "instruction": line.instruction,
+        "to": line.to,
+        "time_s": _number(line.seconds),
+        "times": line.times,
+    }
+
+
+def _margin(margin: JointMargin | None) -> dict[str, object] | None:
+    if margin is None:
+        return None
+    return {
+        "margin_deg": _number(margin.degrees),
+        "joint": margin.joint,
+        "time_s": _number(margin.time_s),
+        "move": margin.move.index,
+        **_place(margin.move),
+    }
+
+
+def _singularity(singularity: SingularityMargin | None) -> dict[str, object] | None:
+    if singularity is None:
+        return None
+    return {
+        "smallest_singular_value": _number(singularity.smallest_singular_value),
+        "time_s": _number(singularity.time_s),
+        "move": singularity.move.index,
+        **_place(singularity.move),
+    }
+
+
+def _place(move: ExecutedMove) -> dict[str, object]:
+    return {"file": move.place.span.file, "line": move.place.span.line}
+
+
+def _number(value: float | np.floating[np.typing.NBitBase]) -> float | None:
+    """A finite number; JSON has no others, so they become null."""
+    plain = float(value)
+    return plain if math.isfinite(plain) else None

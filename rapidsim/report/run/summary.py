@@ -1,0 +1,286 @@
+"""The summary of a run for a person: how it ended, how long it took, where the time went.
+
+Built of rich tables without boxes, so that it reads in 80 columns and in a log file.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from rich.console import Group, RenderableType
+from rich.rule import Rule
+from rich.table import Table
+from rich.text import Text
+
+from rapidsim.controller.journal.events import EventKind
+from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
+from rapidsim.report.findings.source_frame import printable
+from rapidsim.report.run.figures import Figures, JointMargin, LineTime, SingularityMargin
+from rapidsim.report.run.json_report import models
+from rapidsim.report.uncut_table import WholeTable
+from rapidsim.simulation.results.persistents import PersistentChange, parts_of
+from rapidsim.simulation.results.simulation import End, Simulation
+
+_BAR_CELLS = 24
+_MOVE_CELLS = 22
+_ROUTINE_CELLS = 14
+_LINE_BAR_CELLS = 10
+_SHOWN_TEXTS = 8
+_SHOWN_PERSISTENTS = 8
+_LOW_MARGIN_DEG = 5.0
+_NEAR_SINGULAR = 0.05
+_BARE = "._-/\\:"
+"""Characters beside letters and digits that need no quotes in a path on a command line."""
+_FACTORS = {0.5: "half", 2.0: "twice"}
+
+_ENDS = {
+    End.ENDED: ("ended as programmed", "green"),
+    End.STOPPED: ("stopped by the program", "green"),
+    End.TIME_LIMIT: ("cut off at the time limit", "yellow"),
+    End.CYCLE_LIMIT: ("ended after the cycles asked for", "green"),
+    End.ERROR: ("stopped with an error", "red"),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Bars:
+    """The characters bars are made of."""
+
+    full: str
+    rest: str
+
+
+BLOCK_BARS = Bars("█", "░")
+ASCII_BARS = Bars("#", ".")
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """A file the command wrote."""
+
+    path: Path
+    what: str
+    """Such as "recording"."""
+
+
+def summary(
+    simulation: Simulation,
+    figures: Figures,
+    *,
+    robot_reason: str | None,
+    written: Sequence[Written],
+    bars: Bars = BLOCK_BARS,
+) -> RenderableType:
+    """The summary of a run.
+
+    Args:
+        simulation: The run.
+        figures: Its figures.
+        robot_reason: Why this robot, unless the user named it.
+        written: Files of the command, the recording among them.
+        bars: The characters bars are made of.
+    """
+    parts: list[RenderableType] = [_headline(simulation), Rule(style="dim"), Text()]
+    parts.append(_facts(simulation, figures, robot_reason, bars))
+    if figures.slowest:
+        parts += [Text(), _slowest(figures.slowest, bars)]
+    if simulation.all_moves:
+        parts += [Text(), _models(simulation, figures)]
+    if written or simulation.home_files:
+        by_program = [f"{file.path} (by the program)" for file in simulation.home_files]
+        parts += [Text(), files_text(written, by_program)]
+    return Group(*parts)
+
+
+def _headline(simulation: Simulation) -> Text:
+    words, colour = _ENDS[simulation.end]
+    names = [Path(name).name for name in simulation.program]
+    program = names[0] if len(names) == 1 else f"{names[0]} and {len(names) - 1} more"
+    return Text.assemble(
+        (program, "bold"),
+        f" on {simulation.robot.title} ",
+        (f"{words} after {simulation.time_s:.3f} s", f"bold {colour}"),
+    )
+
+
+def _facts(
+    simulation: Simulation, figures: Figures, robot_reason: str | None, bars: Bars
+) -> RenderableType:
+    facts = Table.grid(padding=(0, 2))
+    facts.add_column(style="cyan", no_wrap=True)
+    facts.add_column()
+    reason = f" ({robot_reason})" if robot_reason else ""
+    facts.add_row("robot", f"{simulation.robot.name}{reason}")
+    for robot in simulation.other_robots:
+        facts.add_row("", f"{robot.robot.name} of {robot.task}")
+    facts.add_row("time", _time_split(simulation, bars))
+    facts.add_row("moves", _moves(simulation, figures))
+    if figures.moves_by_corner:
+        facts.add_row("corners", _corners(figures))
+    if figures.joint_margin:
+        facts.add_row("joint limits", _margin(figures.joint_margin))
+    if figures.singularity:
+        facts.add_row("singularity", _singularity(figures.singularity))
+    for name, value in _happenings(simulation):
+        facts.add_row(name, value)
+    return facts
+
+
+def _time_split(simulation: Simulation, bars: Bars) -> Text:
+    total = simulation.time_s
+    if total <= 0.0:
+        return Text("no time passed")
+    moving = round(_BAR_CELLS * min(1.0, simulation.motion_s / total))
+    return Text.assemble(
+        (bars.full * moving, "green"),
+        (bars.rest * (_BAR_CELLS - moving), "yellow"),
+        ("  moving ", "green"),
+        f"{simulation.motion_s:.3f} s",
+        ("  waiting ", "yellow"),
+        f"{simulation.wait_s:.3f} s",
+    )
+
+
+def _moves(simulation: Simulation, figures: Figures) -> str:
+    moves = simulation.all_moves
+    if not moves:
+        return "none"
+    kinds = ", ".join(f"{count} {name}" for name, count in figures.moves_by_instruction)
+    path_m = sum(robot.path_m for robot in simulation.robots)
+    return f"{len(moves)} ({kinds}), {path_m * 1000.0:.1f} mm travelled"
+
+
+def _corners(figures: Figures) -> Text:
+    words = {
+        CornerKind.FLY_BY: ("passed by", ""),
+        CornerKind.STOP: ("stopped at", ""),
+        CornerKind.STOP_CORNER_PATH_FAILURE: (
+            "stopped because the next move came too late (cf. ABB 50024)",
+            "yellow",
+        ),
+    }
+    texts = [Text(f"{n} {words[kind][0]}", words[kind][1]) for kind, n in figures.moves_by_corner]
+    return Text(", ").join(texts)
+
+
+def _margin(margin: JointMargin) -> Text:
+    text = f"joint {margin.joint} came within {margin.degrees:.1f}° of its limit{_at(margin.move)}"
+    return Text(text, "yellow" if margin.degrees < _LOW_MARGIN_DEG else "")
+
+
+def _singularity(singularity: SingularityMargin) -> Text:
+    value = singularity.smallest_singular_value
+    text = f"smallest singular value {value:.3f}{_at(singularity.move)} (singular: 0)"
+    return Text(text, "yellow" if value < _NEAR_SINGULAR else "")
+
+
+def _happenings(simulation: Simulation) -> list[tuple[str, RenderableType]]:
+    """Rows that only some runs have."""
+    rows: list[tuple[str, RenderableType]] = []
+    counts = Counter(event.kind for event in simulation.events)
+    if interrupts := counts[EventKind.INTERRUPT]:
+        rows.append(("interrupts", str(interrupts)))
+    if signals := counts[EventKind.SIGNAL]:
+        rows.append(("signals", f"{signals} change{'s' if signals > 1 else ''}"))
+    texts = [event for event in simulation.events if event.kind is EventKind.TEXT]
+    if texts:
+        shown = Text("\n").join(
+            Text.assemble((f"{event.time_s:.3f} s  ", "dim"), printable(event.message))
+            for event in texts[:_SHOWN_TEXTS]
+        )
+        if len(texts) > _SHOWN_TEXTS:
+            shown.append(f"\nand {len(texts) - _SHOWN_TEXTS} more", "dim")
+        rows.append(("operator", shown))
+    if simulation.unsimulated:
+        lines = (
+            f"{one.name} ({one.count} {'time' if one.count == 1 else 'times'}): {one.treated_as}"
+            for one in simulation.unsimulated
+        )
+        rows.append(("not simulated", Text("\n".join(lines), "yellow")))
+    if simulation.persistents:
+        rows.append(("persistents", _persistents(simulation.persistents)))
+    return rows
+
+
+def _persistents(changes: Sequence[PersistentChange]) -> Text:
+    """What the run left in persistents; of records and arrays the first part that changed."""
+    shown = Text("\n").join(
+        Text.assemble(f"{one.name} ", (f"({one.module}) ", "dim"), printable(_change(one)))
+        for one in changes[:_SHOWN_PERSISTENTS]
+    )
+    if len(changes) > _SHOWN_PERSISTENTS:
+        shown.append(f"\nand {len(changes) - _SHOWN_PERSISTENTS} more", "dim")
+    return shown
+
+
+def _change(change: PersistentChange) -> str:
+    old, new = parts_of(change.old), parts_of(change.new)
+    changed = [pair for pair in zip(old, new, strict=True) if pair[0] != pair[1]]
+    first = f"{changed[0][0]} -> {changed[0][1]}"
+    if len(old) == 1:
+        return first
+    return f"{first}, {len(changed)} of {len(old)} values changed"
+
+
+def _slowest(lines: Sequence[LineTime], bars: Bars) -> Table:
+    table = WholeTable(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
+    table.add_column("slowest lines", no_wrap=True)
+    table.add_column("routine", no_wrap=True, max_width=_ROUTINE_CELLS)
+    table.add_column("move", no_wrap=True, max_width=_MOVE_CELLS)
+    table.add_column("times", justify="right", no_wrap=True)
+    table.add_column("time", justify="right", no_wrap=True)
+    table.add_column("", no_wrap=True, overflow="crop")
+    longest = max(line.seconds for line in lines) or 1.0
+    for line in lines:
+        span = line.place.span
+        table.add_row(
+            f"{Path(span.file).name}:{span.line}",
+            line.place.routine,
+            f"{line.instruction} {printable(line.to)}",
+            str(line.times),
+            f"{line.seconds:.3f} s",
+            Text(bars.full * round(_LINE_BAR_CELLS * line.seconds / longest), "green"),
+        )
+    return table
+
+
+def _models(simulation: Simulation, figures: Figures) -> Text:
+    others = " and ".join(
+        f"{other.time_s:.3f} s with {_FACTORS[other.factor]} the acceleration"
+        for other in figures.otherwise
+    )
+    behind = models(simulation)
+    speeds = f"{behind['axis_speed']}; " if "axis_speed" in behind else ""
+    smoothed = "each axis" if behind["smoothing"] == "axes" else "command"
+    ramps = f"; {behind['ramp']}" if "ramp" in behind else ""
+    left_out = "".join(f" Not modelled: {what}." for what in simulation.robot.not_modelled)
+    return Text(
+        f"Models behind it: {speeds}{behind['acceleration']}; corners {behind['corner']}; "
+        f"{smoothed} smoothed over {behind['filter_time_s']} s{ramps}; {behind['fine_dwell_s']} s "
+        "at a fine point; "
+        f"the program pointer {behind['program_pointer']}.{left_out}"
+        f"{f' The run takes {others}.' if others else ''}",
+        "dim",
+    )
+
+
+def files_text(written: Sequence[Written], others: Sequence[str] = ()) -> Text:
+    """The files that were written, and how to open a recording among them."""
+    text = Text(
+        f"Written: {', '.join([*(f'{one.path} ({one.what})' for one in written), *others])}"
+    )
+    for one in written:
+        if one.path.suffix == ".rrd":
+            text.append("\nOpen the recording with: ")
+            # Quotes that a shell on any system understands.
+            quote = '"' if any(not (c.isalnum() or c in _BARE) for c in str(one.path)) else ""
+            text.append(f"rerun {quote}{one.path}{quote}", "bold")
+    return text
+
+
+def _at(move: ExecutedMove) -> str:
+    span = move.place.span
+    return f" at {Path(span.file).name}:{span.line}"

@@ -1,0 +1,1 @@
+"""What kin, follow, frames and robots print."""

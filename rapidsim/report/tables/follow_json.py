@@ -1,0 +1,107 @@
+"""What `rapidsim follow` finds as JSON values: mm, degrees, seconds of the trajectory.
+
+Nothing in it depends on how long the computer took.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import degrees
+
+import numpy as np
+
+from rapidsim.motion.waypoints.follow import Followed
+from rapidsim.motion.waypoints.plan import Refused, Way
+from rapidsim.motion.waypoints.reachability import PointReach
+from rapidsim.report.tables.follow_tables import Asked, Attempt
+
+
+def follow_json(asked: Asked, attempts: Sequence[Attempt]) -> dict[str, object]:
+    """Points, and the one trajectory or why there is none."""
+    (attempt,) = attempts
+    profile = None if asked.plan.way is Way.JOINT_QUINTIC else asked.plan.profile.value
+    said = {"path": asked.plan.way.value, "profile": profile}
+    return {**_asked(asked), **said, **_result(attempt.result)}
+
+
+def compared_json(asked: Asked, attempts: Sequence[Attempt]) -> dict[str, object]:
+    """Points, and every trajectory or why there is none."""
+    profile = {"profile": asked.plan.profile.value}
+    compared = [{"path": one.plan.way.value, **_result(one.result)} for one in attempts]
+    return {**_asked(asked), **profile, "compared": compared}
+
+
+def _asked(asked: Asked) -> dict[str, object]:
+    return {
+        "schema": 1,
+        "robot": asked.robot.name,
+        "speed_mm_s": asked.plan.speed * 1000.0,
+        "acceleration_mm_s2": asked.plan.acceleration * 1000.0,
+        "points": [
+            _point(position, point)
+            for position, point in zip(asked.points.positions.tolist(), asked.reached, strict=True)
+        ],
+    }
+
+
+def _result(result: Followed | Refused) -> dict[str, object]:
+    if isinstance(result, Refused):
+        return {
+            "refused": {"message": result.message, "help": result.help},
+            "trajectory": None,
+        }
+    return {"refused": None, "trajectory": _trajectory(result)}
+
+
+def _trajectory(followed: Followed) -> dict[str, object]:
+    """One trajectory: how long, how far off, how fast."""
+    joints = followed.samples.joints
+    return {
+        "duration_s": followed.duration,
+        "path_mm": followed.path_length * 1000.0,
+        "peak_tcp_speed_mm_s": followed.peak_speed * 1000.0,
+        "deviation": {
+            "from": "path" if followed.plan.way.of_tcp else "straight lines",
+            "rms_mm": followed.deviation_rms * 1000.0,
+            "max_mm": followed.deviation_max * 1000.0,
+            "max_deg": degrees(followed.turn_deviation),
+        },
+        "from_straight_lines_max_mm": followed.from_chord * 1000.0,
+        "poses_solved": followed.poses_solved,
+        "samples": len(followed.samples.times),
+        "joints": [
+            {
+                "name": joint.name,
+                "start_deg": start,
+                "end_deg": end,
+                "peak_deg_s": degrees(peak),
+                "limit_deg_s": None if joint.max_speed is None else degrees(joint.max_speed),
+                "overshoot_deg": degrees(beyond),
+            }
+            for joint, start, end, peak, beyond in zip(
+                followed.robot.joints,
+                np.degrees(joints[0]).tolist(),
+                np.degrees(joints[-1]).tolist(),
+                followed.joint_peaks.tolist(),
+                followed.overshoot.tolist(),
+                strict=True,
+            )
+        ],
+    }
+
+
+def _point(position: Sequence[float], reached: PointReach) -> dict[str, object]:
+    why = reached.why
+    ranges = None
+    if reached.pitches is not None:
+        ranges = [degrees(pitch) for pitch in reached.pitches]
+    return {
+        "position_mm": [value * 1000.0 for value in position],
+        "reachable": reached.reachable,
+        "why": reached.message,
+        "shortfall_mm": 0.0 if why is None else why.shortfall * 1000.0,
+        "joint": None if why is None else why.joint,
+        "over_deg": 0.0 if why is None else degrees(why.excess),
+        "pitch_deg": None if reached.pitch is None else degrees(reached.pitch),
+        "pitch_range_deg": ranges,
+    }

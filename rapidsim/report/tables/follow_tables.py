@@ -1,0 +1,222 @@
+"""What `rapidsim follow` finds as tables for people."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import degrees
+
+from rich.console import Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.waypoints.follow import Followed
+from rapidsim.motion.waypoints.plan import Plan, Refused, Way
+from rapidsim.motion.waypoints.points import Points, linear_turn_rates, turn
+from rapidsim.motion.waypoints.reachability import PointReach
+from rapidsim.report.uncut_table import WholeTable
+
+_MOST_ROWS = 30
+"""With more points, only those out of reach are listed."""
+_LEAST_TURN_DEG = 0.5
+_MOST_TURNS = 10
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Asked:
+    """Points as the user gave them, and what the arm can do about each."""
+
+    robot: Robot
+    points: Points
+    reached: tuple[PointReach, ...]
+    attitudes: Array
+    """Shape (k, 4) or (k, 1); chosen where they are free."""
+    plan: Plan
+
+
+@dataclass(frozen=True, slots=True)
+class Attempt:
+    """One way through the points, and what it has cost."""
+
+    plan: Plan
+    result: Followed | Refused
+    seconds: float
+    """By the clock on the wall; nothing depends on it."""
+
+    @property
+    def possible(self) -> bool:
+        """Whether the arm can do it, as fast as asked."""
+        return isinstance(self.result, Followed) and not over_speed(self.result)
+
+
+def points_page(asked: Asked) -> RenderableType:
+    """A row a point: where, and whether the arm gets there, or what is missing."""
+    reached, points = asked.reached, asked.points
+    count = len(reached)
+    missing = [number for number, point in enumerate(reached) if not point.reachable]
+    facts = Text(f"{count - len(missing)} of {count} points reached", "red" if missing else "green")
+    shown = range(count) if count <= _MOST_ROWS else missing[:_MOST_ROWS]
+    parts: list[RenderableType] = [Text(asked.robot.title, "bold"), facts]
+    if shown:
+        free = any(point.pitch is not None for point in reached)
+        table = _table("point", "x", "y", "z", *(("pitch", "possible") if free else ()))
+        table.add_column("", no_wrap=False)
+        for number in shown:
+            point = reached[number]
+            table.add_row(
+                str(number + 1),
+                *(f"{value:.1f}" for value in (points.positions[number] * 1000.0 + 0.0).tolist()),
+                *(_pitch(point) if free else ()),
+                point.message or "reached",
+                style="" if point.reachable else "red",
+            )
+        parts += [Text(), table]
+    if len(missing) > len(shown):
+        parts.append(Text(f"and {len(missing) - len(shown)} more out of reach", "red"))
+    return Group(*parts)
+
+
+def trajectory_page(attempt: Attempt) -> RenderableType:
+    """How long, how far off, how fast; or why not."""
+    result, plan = attempt.result, attempt.plan
+    if isinstance(result, Refused):
+        return refused_text(result)
+    facts = Table.grid(padding=(0, 2))
+    facts.add_column(style="cyan", no_wrap=True)
+    facts.add_column()
+    profile = "" if plan.way is Way.JOINT_QUINTIC else f", {plan.profile.value}"
+    facts.add_row("path", f"{plan.way.value}{profile}, {result.path_length * 1000.0:.1f} mm")
+    facts.add_row("duration", f"{result.duration:.3f} s")
+    facts.add_row(
+        "TCP speed",
+        f"at most {result.peak_speed * 1000.0:.1f} mm/s, asked for {plan.speed * 1000.0:g} mm/s",
+    )
+    off = "from the path" if plan.way.of_tcp else "from the straight lines between the points"
+    facts.add_row(
+        "deviation",
+        f"rms {length(result.deviation_rms)}, at most {length(result.deviation_max)} {off}",
+    )
+    if plan.way.of_tcp:
+        facts.add_row("", f"at most {degrees(result.turn_deviation):.0e} deg of turn")
+    facts.add_row(
+        "solver", f"{result.poses_solved} poses solved in {attempt.seconds * 1000.0:.1f} ms"
+    )
+    return Group(facts, Text(), _joints(result))
+
+
+def compare_page(attempts: Sequence[Attempt]) -> RenderableType:
+    """A row a way: what it costs and how far it leaves the straight lines."""
+    table = _table("path", "poses", "solver", "off the line", "way", "time", "axis")
+    refused = []
+    for attempt in attempts:
+        result = attempt.result
+        if isinstance(result, Refused):
+            refused.append(Text.assemble((f"{attempt.plan.way.value}: ", "red"), result.message))
+            continue
+        known = [ratio for ratio in result.speed_ratios if ratio is not None]
+        table.add_row(
+            attempt.plan.way.value,
+            str(result.poses_solved),
+            f"{attempt.seconds * 1000.0:.1f} ms",
+            length(result.from_chord),
+            f"{result.path_length * 1000.0:.1f} mm",
+            f"{result.duration:.3f} s",
+            f"{100.0 * max(known):.0f} %" if known else "?",
+        )
+    said = (
+        "poses: solved by inverse kinematics; solver: time of this computer; off the line: the "
+        "furthest from the straight lines between the points; axis: peak speed of the fastest, of "
+        "its limit"
+    )
+    return Group(table, *refused, Text(said, "dim"))
+
+
+def turns_page(attitudes: Array) -> RenderableType | None:
+    """How evenly the tool turns between points, by slerp and with quaternions taken linearly."""
+    if attitudes.shape[1] != 4:
+        return None
+    table = _table("turn", "angle", "slerp", "linear, at the ends", "in the middle")
+    turned = 0
+    for number in range(len(attitudes) - 1):
+        angle = turn(attitudes[number], attitudes[number + 1])
+        if degrees(angle) < _LEAST_TURN_DEG:
+            continue
+        turned += 1
+        if turned <= _MOST_TURNS:
+            ends, middle = linear_turn_rates(angle)
+            table.add_row(
+                f"{number + 1} - {number + 2}",
+                f"{degrees(angle):.2f} deg",
+                *(f"{degrees(rate):.2f}" for rate in (angle, ends, middle)),
+            )
+    if not turned:
+        return None
+    said = "rates in deg per stretch; lines here turn by slerp"
+    if turned > _MOST_TURNS:
+        said += f"; and {turned - _MOST_TURNS} turns more"
+    return Group(table, Text(said, "dim"))
+
+
+def over_speed(followed: Followed) -> tuple[str, ...]:
+    """A line for each joint that would have to be faster than it can."""
+    return tuple(
+        f"joint {number} would need {degrees(peak):.1f} deg/s, "
+        f"its limit is {degrees(joint.max_speed):g} deg/s"
+        for number, (joint, peak) in enumerate(
+            zip(followed.robot.joints, followed.joint_peaks.tolist(), strict=True), start=1
+        )
+        if joint.max_speed is not None and peak > joint.max_speed * (1.0 + 1e-9)
+    )
+
+
+def refused_text(refused: Refused) -> RenderableType:
+    """Why there is no trajectory, and what would help."""
+    text = Text.assemble(("no trajectory: ", "red"), refused.message)
+    if refused.help:
+        text.append(f"\n help: {refused.help}")
+    return text
+
+
+def length(metres: float) -> str:
+    """In mm, also where it is next to nothing."""
+    mm = metres * 1000.0
+    return f"{mm:.3f} mm" if mm >= 1e-3 else f"{mm:.0e} mm"
+
+
+def _joints(result: Followed) -> Table:
+    quintic = result.plan.way is Way.JOINT_QUINTIC
+    table = _table("joint", "peak speed", "limit", "", *(("overshoot",) if quintic else ()))
+    for joint, peak, ratio, beyond in zip(
+        result.robot.joints,
+        result.joint_peaks.tolist(),
+        result.speed_ratios,
+        result.overshoot.tolist(),
+        strict=True,
+    ):
+        limit = "?" if joint.max_speed is None else f"{degrees(joint.max_speed):g} deg/s"
+        table.add_row(
+            joint.name,
+            f"{degrees(peak):.2f} deg/s",
+            limit,
+            "" if ratio is None else f"{100.0 * ratio:.0f} %",
+            *((f"{degrees(beyond):.3f} deg",) if quintic else ()),
+            style="red" if ratio is not None and ratio > 1.0 else "",
+        )
+    return table
+
+
+def _pitch(point: PointReach) -> tuple[str, str]:
+    if point.pitches is None or point.pitch is None:
+        return "", ""
+    low, high = (degrees(pitch) for pitch in point.pitches)
+    return f"{degrees(point.pitch):.1f}", f"{low:.1f}..{high:.1f}"
+
+
+def _table(first: str, *others: str) -> Table:
+    table = WholeTable(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
+    table.add_column(first, no_wrap=True)
+    for name in others:
+        table.add_column(name, justify="right", no_wrap=True)
+    return table

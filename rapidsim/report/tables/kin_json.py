@@ -1,0 +1,120 @@
+"""What `rapidsim kin` finds as JSON values: mm, degrees, quaternions scalar first."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import degrees
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.configurations.confdata import confdata_of
+from rapidsim.motion.configurations.pose_solutions import PoseSolutions
+from rapidsim.motion.configurations.singularities import Differential, joint_speeds
+from rapidsim.motion.robot.robot import Robot
+
+_DIGITS = 12
+"""Of joints [deg], so that 30 comes back as 30."""
+
+
+@dataclass(frozen=True, slots=True)
+class Searched:
+    """What a search has cost."""
+
+    starts: int
+    iterations: int
+    tolerance: float
+    """Way [m] and turn [rad] left at which it stops."""
+    seconds: float
+    """By the clock on the wall; nothing depends on it."""
+
+
+def forward_json(robot: Robot, joints: Array, flange_from_tcp: Transform) -> dict[str, object]:
+    """Where the TCP and the links are."""
+    tcp = robot.forward(joints) @ flange_from_tcp
+    links = robot.kinematics.link_frames(joints)
+    matrix = tcp.matrix
+    matrix[:3, 3] *= 1000.0
+    return {
+        "schema": 1,
+        "robot": robot.name,
+        "joints_deg": _plain(np.degrees(joints).round(_DIGITS)),
+        **_pose(tcp),
+        "matrix": _plain(matrix),
+        "links": [
+            {"name": f"link_{number}", **_pose(links[number - 1])}
+            for number in range(1, len(links) + 1)
+        ],
+        "conf": confdata_of(robot.kinematics, joints).tolist(),
+    }
+
+
+def inverse_json(
+    robot: Robot, solver: str, found: PoseSolutions, searched: Searched | None
+) -> dict[str, object]:
+    """The joints that reach a pose, or why none do."""
+    report: dict[str, object] = {
+        "schema": 1,
+        "robot": robot.name,
+        "solver": solver,
+        "solutions": [
+            {
+                "joints_deg": _plain(np.degrees(solution.joints)),
+                "conf": list(solution.confdata),
+                "within_limits": solution.within_limits,
+                "residual_mm": solution.distance * 1000.0,
+                "residual_deg": degrees(solution.angle),
+            }
+            for solution in found.solutions
+        ],
+        "reachable": found.why is None,
+        "why": found.why,
+    }
+    if searched:
+        report["search"] = {
+            "starts": searched.starts,
+            "iterations": searched.iterations,
+            "tolerance_mm": searched.tolerance * 1000.0,
+            "tolerance_deg": degrees(searched.tolerance),
+            "time_s": searched.seconds,
+        }
+    return report
+
+
+def jacobian_json(robot: Robot, found: Differential, twist: Array | None) -> dict[str, object]:
+    """The Jacobian and what follows from it; with a twist (6,) [m/s, rad/s] also joint speeds."""
+    report: dict[str, object] = {
+        "schema": 1,
+        "robot": robot.name,
+        "jacobian": _plain(found.jacobian),
+        "frame": "base",
+        "singular_values": _plain(found.singular_values),
+        "manipulability": found.manipulability,
+        "near": list(found.near),
+        "rank": found.rank,
+        "singularities": [
+            {"name": s.name, "distance": s.distance, "near": s.near, "reason": s.reason}
+            for s in found.singularities
+        ],
+    }
+    if twist is not None:
+        speeds, missed = joint_speeds(found.jacobian, twist)
+        report["joint_speeds_deg_s"] = _plain(np.degrees(speeds))
+        report["missed"] = {
+            "velocity_mm_s": _plain(missed[:3] * 1000.0),
+            "turning_deg_s": _plain(np.degrees(missed[3:])),
+        }
+    return report
+
+
+def _pose(base_from_frame: Transform) -> dict[str, object]:
+    return {
+        "position_mm": _plain(base_from_frame.translation * 1000.0),
+        "quaternion": _plain(base_from_frame.quaternion),
+    }
+
+
+def _plain(values: Array) -> list[object]:
+    """Numbers without a negative zero."""
+    numbers: list[object] = (values + 0.0).tolist()
+    return numbers

@@ -1,0 +1,110 @@
+"""The catalogue of robots as a table by maker, and one robot as a page."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import groupby
+from math import degrees
+
+from rich.console import Group, RenderableType
+from rich.padding import Padding
+from rich.table import Table
+from rich.text import Text
+
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.report.uncut_table import WholeTable
+
+_UNKNOWN = "?"
+_MEANING = (
+    "? is not known: no source gives it, and nothing is made up. To run a program on an arm of "
+    "unknown axis speeds, give them in rapidsim.toml: [motion] axis_speed = [...] in deg/s."
+)
+
+
+def catalogue_table(robots: Sequence[tuple[Robot, Sequence[str]]]) -> RenderableType:
+    """One row a robot with its short names, maker by maker."""
+    table = WholeTable(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
+    table.add_column("name", style="bold", no_wrap=True)
+    table.add_column("short", no_wrap=True)
+    table.add_column("payload", justify="right", no_wrap=True)
+    table.add_column("reach", justify="right", no_wrap=True)
+    table.add_column("axes", justify="right", no_wrap=True)
+    table.add_column("axis speeds", justify="right", no_wrap=True)
+    by_maker = sorted(robots, key=_maker)
+    for maker, group in groupby(by_maker, key=_maker):
+        table.add_row()
+        table.add_row(Text(maker, "cyan"))
+        for robot, aliases in group:
+            table.add_row(
+                f"  {robot.name}",
+                ", ".join(aliases),
+                _payload(robot),
+                _reach(robot),
+                str(len(robot.joints)),
+                _speeds(robot),
+            )
+    if any(_lacks_something(robot) for robot, _ in robots):
+        return Group(table, Padding(Text(_MEANING, "dim"), (1, 0, 0, 0)))
+    return table
+
+
+def robot_page(robot: Robot, aliases: Sequence[str]) -> RenderableType:
+    """One robot with its axes."""
+    facts = Table.grid(padding=(0, 2))
+    facts.add_column(style="cyan", no_wrap=True)
+    facts.add_column()
+    facts.add_row("name", ", ".join((robot.name, *aliases)))
+    facts.add_row("payload", _payload(robot))
+    facts.add_row("reach", _reach(robot))
+    facts.add_row("shapes", str(robot.urdf) if robot.urdf else "none")
+    for label, lines in (
+        ("source", robot.sources),
+        ("checked", robot.checks),
+        ("note", robot.notes),
+        ("not modelled", robot.not_modelled),
+    ):
+        for number, line in enumerate(lines):
+            facts.add_row("" if number else label, line)
+    axes = WholeTable(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
+    axes.add_column("axis", style="bold", no_wrap=True)
+    axes.add_column("from", justify="right", no_wrap=True)
+    axes.add_column("to", justify="right", no_wrap=True)
+    axes.add_column("speed", justify="right", no_wrap=True)
+    measured = any(joint.max_acceleration is not None for joint in robot.joints)
+    if measured:
+        axes.add_column("acceleration, measured", justify="right", no_wrap=True)
+    for joint in robot.joints:
+        speed = _UNKNOWN if joint.max_speed is None else f"{degrees(joint.max_speed):.10g}°/s"
+        lower, upper = degrees(joint.lower), degrees(joint.upper)
+        row = [joint.name, f"{lower:.10g}°", f"{upper:.10g}°", speed]
+        if joint.max_acceleration is not None:
+            row.append(f"{degrees(joint.max_acceleration):.10g}°/s²")
+        axes.add_row(*row)
+    page: list[RenderableType] = [Text(robot.title, "bold"), Text(), facts, Text(), axes]
+    if _lacks_something(robot):
+        page += [Text(), Text(_MEANING, "dim")]
+    return Group(*page)
+
+
+def _maker(listed: tuple[Robot, Sequence[str]]) -> str:
+    return listed[0].maker or _UNKNOWN
+
+
+def _lacks_something(robot: Robot) -> bool:
+    return _UNKNOWN in (_payload(robot), _reach(robot), _speeds(robot))
+
+
+def _payload(robot: Robot) -> str:
+    return _UNKNOWN if robot.payload_kg is None else f"{robot.payload_kg:g} kg"
+
+
+def _reach(robot: Robot) -> str:
+    return _UNKNOWN if robot.reach_m is None else f"{robot.reach_m * 1000.0:.0f} mm"
+
+
+def _speeds(robot: Robot) -> str:
+    """From the slowest axis to the fastest."""
+    known = [joint.max_speed for joint in robot.joints if joint.max_speed is not None]
+    if len(known) < len(robot.joints):
+        return _UNKNOWN
+    return f"{degrees(min(known)):.4g}-{degrees(max(known)):.4g}°/s"

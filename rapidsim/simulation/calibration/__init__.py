@@ -1,0 +1,1 @@
+"""Fitting the motion model to logs of a real controller."""

@@ -1,0 +1,77 @@
+"""What a run leaves in the persistents, as it would stand in their declarations.
+
+A controller keeps the value of a PERS in the text of its module: whoever saves the module saves the
+value. A run changes no file by itself; it says which values would be saved.
+
+Source: RAPID Overview, "Declarations", persistent declarations.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from rapidsim.analysis.types.operators import has_value
+from rapidsim.diagnostics import Span
+from rapidsim.interpreter.linking.loader import Task
+from rapidsim.interpreter.linking.saved_text import declared_value
+from rapidsim.library.text import source_text
+
+_LEAF = re.compile(
+    r'(?P<leaf>"(?:[^"]|"")*"|[+-]?\s*(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?|TRUE\b|FALSE\b)'
+    r"|(?P<between>[\[\](),\s]+|![^\r\n]*)",
+    re.IGNORECASE,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class PersistentChange:
+    """A PERS that ended with another value than its declaration gives it."""
+
+    name: str
+    module: str
+    old: str
+    """The value it was declared with, as RAPID text."""
+    new: str
+    """The value it has now, with every digit that tells it from its neighbours."""
+    declared: Span
+    """The initial value in the declaration; empty, before the semicolon, where there is none."""
+
+
+def changed_persistents(task: Task) -> tuple[PersistentChange, ...]:
+    """The persistents of a task whose values have changed, in order of writing."""
+    return tuple(
+        PersistentChange(
+            change.name,
+            change.module,
+            source_text(change.old, change.symbol.type),
+            source_text(change.new, change.symbol.type),
+            declared_value(change.symbol),
+        )
+        for change in task.persistents()
+        if has_value(change.symbol.type)
+    )
+
+
+def parts_of(text: str) -> tuple[str, ...]:
+    """The numbers, strings and bools of which a value consists, one of a plain value."""
+    return tuple(text[start:end] for start, end in literal_places(text) or ())
+
+
+def literal_places(text: str) -> tuple[tuple[int, int], ...] | None:
+    """Where the numbers, strings and bools of a literal value stand in its text.
+
+    Returns:
+        Offsets of start and end; None if there is anything else in the text than literals, brackets
+        and comments.
+    """
+    found: list[tuple[int, int]] = []
+    at = 0
+    while at < len(text):
+        match = _LEAF.match(text, at)
+        if match is None:
+            return None
+        if match["leaf"] is not None:
+            found.append(match.span())
+        at = match.end()
+    return tuple(found)

@@ -1,0 +1,38 @@
+"""Poses in the base of a robot, in the frame that a picture of the robot is drawn in.
+
+That is the base of a robot that stands still, as targets are thought of there, and the world where
+a track moves the base or several robots share a cell.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.configurations.targets import world_from_base_at
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.simulation.results.simulation import RobotRun, Simulation
+
+
+def is_on_track(robot: Robot) -> bool:
+    """Whether external axes move the robot's base."""
+    return any(axis.carries == "robot" for axis in robot.external)
+
+
+def is_shown_in_world(simulation: Simulation) -> bool:
+    """Whether pictures of a run are in the world, and not in the base of its only robot."""
+    robots = simulation.robots
+    return len(robots) > 1 or is_on_track(robots[0].robot)
+
+
+def shown_from_base(one: RobotRun, external: Array, *, in_world: bool) -> Transform:
+    """The base (k,) of a robot with external axes (k, e) [m or rad], in the frame of pictures."""
+    if not in_world:
+        return Transform(np.tile(np.eye(3), (len(external), 1, 1)), np.zeros((len(external), 3)))
+    return world_from_base_at(one.robot.external, one.world_from_base, external)
+
+
+def shown_end(one: RobotRun, move: ExecutedMove, *, in_world: bool) -> Transform:
+    """The programmed end of a move in the frame of pictures."""
+    return shown_from_base(one, move.external[None], in_world=in_world)[0] @ move.base_from_tcp

@@ -1,0 +1,126 @@
+"""Looking at a run's motion often enough to draw it.
+
+Every change that an eye could miss between two samples gets its own: starts and ends of moves, and
+the last instant. What an arm that stands still would show again and again is left out.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+
+_BLOCK = 20_000
+"""Samples evaluated at once, which bounds the memory that the kinematics needs."""
+_STEP_S = 0.002
+"""[s]; from an instant to the two beside it, by which speeds and accelerations are found."""
+_CLOSE_S = 0.004
+"""[s]; samples nearer to one another than this are one for a slope."""
+_STILL = 1e-12
+"""[rad]; less than this between two samples is no motion."""
+
+
+def motion_samples(
+    trajectory: Trajectory, moves: tuple[ExecutedMove, ...], end_s: float, dt: float
+) -> Samples:
+    """Samples every `dt` [s] from 0 to `end_s` [s], and at starts and ends of moves."""
+    grid = np.arange(0.0, end_s, dt)
+    edges = _edges(moves)
+    times = np.concatenate([grid, np.clip(np.array([0.0, *edges, end_s]), 0.0, end_s)])
+    # Viewers count nanoseconds: instants closer than that would fall on one another.
+    samples = evaluate(trajectory, np.unique(np.round(times, 9)))
+    return _rows(samples, _worth_keeping(samples, edges))
+
+
+def evaluate(trajectory: Trajectory, times: Array) -> Samples:
+    """A trajectory at `times` (k,) [s], in blocks that fit in memory."""
+    blocks = [
+        trajectory.at(times[begin : begin + _BLOCK]) for begin in range(0, len(times), _BLOCK)
+    ]
+    return Samples(
+        times=times,
+        move=np.concatenate([block.move for block in blocks]),
+        joints=np.concatenate([block.joints for block in blocks]),
+        base_from_tcp=Transform(
+            np.concatenate([block.base_from_tcp.rotation for block in blocks]),
+            np.concatenate([block.base_from_tcp.translation for block in blocks]),
+        ),
+        tcp_speed=np.concatenate([block.tcp_speed for block in blocks]),
+        external=np.concatenate([block.external for block in blocks]),
+    )
+
+
+def joint_rates(trajectory: Trajectory, samples: Samples) -> tuple[Array, Array]:
+    """Joint speeds [rad/s] and accelerations [rad/s2] (k, n), over 4 ms around each sample."""
+    before = evaluate(trajectory, np.maximum(samples.times - _STEP_S, 0.0)).joints
+    after = evaluate(trajectory, samples.times + _STEP_S).joints
+    speed = (after - before) / (2.0 * _STEP_S)
+    acceleration = (after - 2.0 * samples.joints + before) / _STEP_S**2
+    return speed, acceleration
+
+
+def rates_between(samples: Samples) -> tuple[Array, Array]:
+    """Joint speeds [rad/s] and accelerations [rad/s2] (k, n) as the samples themselves show them.
+
+    From parabolas through three samples, neighbours that are closer than `_CLOSE_S` left out: good
+    enough to look at, and for nothing. At the ends of the run the arm is at rest.
+    """
+    times, joints = samples.times, samples.joints
+    places = np.arange(len(times))
+    before = np.minimum(np.searchsorted(times, times - _CLOSE_S, side="right") - 1, places - 1)
+    after = np.maximum(np.searchsorted(times, times + _CLOSE_S, side="left"), places + 1)
+    speed, acceleration = np.zeros_like(joints), np.zeros_like(joints)
+    inner = np.flatnonzero((before >= 0) & (after < len(times)))
+    j, k = before[inner], after[inner]
+    h, g = (times[inner] - times[j])[:, None], (times[k] - times[inner])[:, None]
+    left, right = (joints[inner] - joints[j]) / h, (joints[k] - joints[inner]) / g
+    speed[inner] = (left * g + right * h) / (g + h)
+    acceleration[inner] = 2.0 * (right - left) / (g + h)
+    return speed, acceleration
+
+
+def in_corner(samples: Samples, moves: tuple[ExecutedMove, ...]) -> npt.NDArray[np.bool_]:
+    """Which samples (k,) are in the zone at either end of their move."""
+    if not moves:
+        return np.zeros(len(samples.times), dtype=np.bool_)
+    ends = np.array([move.base_from_tcp.translation for move in moves])
+    zones = np.array([move.zone_m if move.corner is CornerKind.FLY_BY else 0.0 for move in moves])
+    points = samples.base_from_tcp.translation
+    index = np.clip(samples.move, 0, len(moves) - 1)
+    before = np.maximum(index - 1, 0)
+    at_end = np.linalg.norm(points - ends[index], axis=1) < zones[index]
+    at_start = np.linalg.norm(points - ends[before], axis=1) < zones[before]
+    inside: npt.NDArray[np.bool_] = at_end | (at_start & (index > 0))
+    return inside
+
+
+def _edges(moves: tuple[ExecutedMove, ...]) -> Array:
+    return np.array([t for move in moves for t in (move.start_s, move.end_s)], dtype=np.float64)
+
+
+def _worth_keeping(samples: Samples, edges: Array) -> npt.NDArray[np.bool_]:
+    """Which samples (k,) differ from one of the two on either side, or begin or end a move.
+
+    Two of a standstill are kept at each end of it, so that slopes there are those of standstill.
+    """
+    still = np.abs(np.diff(samples.joints, axis=0)).max(axis=1, initial=0.0) < _STILL
+    still &= (samples.tcp_speed[1:] == 0.0) & (samples.tcp_speed[:-1] == 0.0)
+    still &= samples.move[1:] == samples.move[:-1]
+    keep = np.ones(len(samples.times), dtype=np.bool_)
+    keep[2:-2] = ~(still[3:] & still[2:-1] & still[1:-2] & still[:-3])
+    keep |= np.isin(samples.times, np.round(edges, 9))
+    return keep
+
+
+def _rows(samples: Samples, rows: npt.NDArray[np.bool_]) -> Samples:
+    return Samples(
+        times=samples.times[rows],
+        move=samples.move[rows],
+        joints=samples.joints[rows],
+        base_from_tcp=samples.base_from_tcp[rows],
+        tcp_speed=samples.tcp_speed[rows],
+        external=samples.external[rows] if len(samples.external) else samples.external,
+    )

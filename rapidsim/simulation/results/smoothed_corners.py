@@ -1,0 +1,88 @@
+"""Corners through which the smoothing takes the arm faster than its axes can turn.
+
+The command keeps the accelerations of the axes. Smoothed along the path it takes some of the speed
+of the straight stretches into the corners, and their bend then asks for more.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.findings.smoothing import CornerTooFast
+from rapidsim.motion.model import MotionModel
+from rapidsim.motion.timing.axis_limits import Limits
+from rapidsim.motion.trajectory.command import Piece
+from rapidsim.motion.trajectory.trajectory import Trajectory
+
+_WORTH_SAYING = 3.0
+"""Times an acceleration."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Corner:
+    """How much of the acceleration of an axis the middle of a corner takes."""
+
+    move: ExecutedMove
+    load: float
+    axis: int
+
+
+def corner_findings(
+    moves: tuple[ExecutedMove, ...], trajectory: Trajectory, limits: Limits, model: MotionModel
+) -> tuple[Diagnostic, ...]:
+    """One note for a run that has such corners, on the worst of them.
+
+    Args:
+        moves: Of one robot.
+        trajectory: Its motion.
+        limits: Of its axes.
+        model: What was assumed of the controller.
+    """
+    if not model.filter_time or model.smoothing == "axes" or model.slows_for_bends:
+        return ()
+    corners = {move.index: move for move in moves if move.corner is CornerKind.FLY_BY}
+    found = [
+        corner
+        for piece in trajectory.pieces
+        for corner in _too_fast(piece, corners, trajectory, limits)
+    ]
+    if not found:
+        return ()
+    worst = max(found, key=lambda corner: corner.load)
+    more = len(found) - 1
+    others = f", and {more} more {'corner' if more == 1 else 'corners'} likewise" if more else ""
+    violation = CornerTooFast(worst.load, worst.axis, others)
+    place = worst.move.place
+    return (Diagnostic(violation, place.span, routine=place.routine),)
+
+
+def _too_fast(
+    piece: Piece, corners: dict[int, ExecutedMove], trajectory: Trajectory, limits: Limits
+) -> Iterator[_Corner]:
+    path = piece.path
+    middles = path.segment_bounds[1:]
+    passed = [
+        (k, corners[segment.index])
+        for k, segment in enumerate(path.segments)
+        if segment.index in corners and piece.from_s < middles[k] < piece.to_s
+    ]
+    if not passed:
+        return
+    s = middles[[k for k, _ in passed]]
+    seen = trajectory.speed_at(np.array([move.end_s for _, move in passed]))
+    commanded = np.interp(s, piece.timing.s, piece.timing.speed)
+    # The command keeps the limits: only where it is so much slower is there anything to find.
+    faster = np.flatnonzero(seen**2 > _WORTH_SAYING * commanded**2)
+    if not len(faster):
+        return
+    at = path.layout.piece_at(s[faster])
+    allowed = limits.max_acceleration * path.acceleration_share[at][:, None]
+    loads = np.abs(path.rates(s[faster], at).second) * seen[faster, None] ** 2 / allowed
+    for number, load in zip(faster.tolist(), loads, strict=True):
+        if load.max() > _WORTH_SAYING:
+            yield _Corner(passed[number][1], float(load.max()), int(load.argmax()) + 1)

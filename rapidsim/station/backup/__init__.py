@@ -1,0 +1,1 @@
+"""What a controller backup says of its station."""

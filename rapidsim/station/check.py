@@ -1,0 +1,104 @@
+"""What `rapidsim check` looks for: the table [check] of a station file, or of pyproject.toml."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import MappingProxyType
+
+from rapidsim.diagnostics import Severity
+from rapidsim.files import input_bytes, require_inside
+from rapidsim.station.toml_reader import Reader, Table, read_toml
+
+PROJECT_FILE = "pyproject.toml"
+
+_KEYS = (
+    *("select", "extend-select", "ignore", "per-file-ignores", "fail-on", "baseline"),
+    "cycle-budget",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class CheckSettings:
+    """Selectors are codes, beginnings of codes, or names of rules."""
+
+    file: Path | None = None
+    """Where the settings stand; None for the defaults."""
+    select: tuple[str, ...] = ()
+    """The rules that are looked for; none means those that are on by default."""
+    extend_select: tuple[str, ...] = ()
+    """Rules besides."""
+    ignore: tuple[str, ...] = ()
+    """Rules that are left out."""
+    per_file_ignores: Mapping[str, tuple[str, ...]] = field(
+        default_factory=lambda: MappingProxyType({})
+    )
+    """Rules that are left out in files whose name or path fits a pattern such as `*Data.mod`."""
+    fail_on: Severity | None = None
+    """The least severity that makes the exit code 1."""
+    baseline: Path | None = None
+    """A file of findings that are known."""
+    cycle_budget_s: float | None = None
+    """Time that one cycle of main may take; `check` tells, `run` fails."""
+
+
+def read_check(reader: Reader, check: Table, path: str = "check") -> CheckSettings:
+    """Read the table; what is wrong is noted."""
+    reader.known(path, check, _KEYS)
+    ignores = reader.table(check, "per-file-ignores", f"{path}.per-file-ignores")
+    baseline = reader.text(check, path, "baseline")
+    return CheckSettings(
+        file=reader.file,
+        select=reader.texts(check, path, "select"),
+        extend_select=reader.texts(check, path, "extend-select"),
+        ignore=reader.texts(check, path, "ignore"),
+        per_file_ignores=MappingProxyType(
+            {
+                pattern: reader.texts(ignores, f"{path}.per-file-ignores", pattern)
+                for pattern in ignores
+            }
+        ),
+        fail_on=_severity(reader, check, path),
+        baseline=None if baseline is None else reader.inside(baseline, f"{path}.baseline"),
+        cycle_budget_s=reader.positive(check, path, "cycle-budget"),
+    )
+
+
+def find_project_settings(paths: Iterable[str]) -> CheckSettings | None:
+    """What [tool.rapidsim.check] says in the nearest pyproject.toml that has such a table.
+
+    Raises:
+        InputError: If that table says something that is unknown or of the wrong kind.
+    """
+    for path in paths:
+        if path == "-" or not (place := Path(path)).exists():
+            continue
+        folder = place.resolve() if place.is_dir() else place.resolve().parent
+        for candidate in (folder, *folder.parents):
+            file = candidate / PROJECT_FILE
+            if not file.is_file() or b"rapidsim" not in input_bytes(file):
+                continue
+            require_inside([file], [candidate])
+            reader = Reader(file)
+            tool = reader.table(read_toml(file), "tool")
+            table = reader.table(tool, "rapidsim", "tool.rapidsim")
+            if "check" not in table:
+                continue
+            check = reader.table(table, "check", "tool.rapidsim.check")
+            settings = read_check(reader, check, "tool.rapidsim.check")
+            reader.finish()
+            return settings
+        return None
+    return None
+
+
+def _severity(reader: Reader, check: Table, path: str) -> Severity | None:
+    text = reader.text(check, path, "fail-on")
+    if text is None:
+        return None
+    names = [severity.value for severity in Severity]
+    if text not in names:
+        reader.wrong(f"{path}.fail-on", f"`{text}` is no severity", f"known: {', '.join(names)}")
+        return None
+    return Severity(text)

@@ -1,0 +1,128 @@
+"""The tables [[external_axis]]: tracks, positioners and other axes beside the arm."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from rapidsim.frames.transform import Transform
+from rapidsim.motion.configurations.targets import MM
+from rapidsim.motion.robot.external_axes import LETTERS, Carried, ExternalAxis
+from rapidsim.station.toml_reader import Reader, Table
+
+_KEYS = (
+    "name",
+    "axis",
+    "kind",
+    "limits",
+    "speed",
+    "acceleration",
+    "start",
+    "carries",
+    "direction",
+    "frame",
+)
+_FRAME_KEYS = ("position", "quaternion")
+
+
+def read_external_axes(
+    reader: Reader, station: Table, acceleration_time: float
+) -> tuple[ExternalAxis, ...]:
+    """Read the tables; what is wrong is noted.
+
+    Args:
+        reader: Of the file.
+        station: The whole file.
+        acceleration_time: An axis without `acceleration` takes this [s] to its speed.
+
+    Returns:
+        The axes in the order of their letters.
+    """
+    axes = [
+        _read_axis(reader, path, table, acceleration_time)
+        for path, table in reader.tables(station, "external_axis")
+    ]
+    found = [axis for axis in axes if axis is not None]
+    _refuse_twice(reader, [axis.letter for axis in found])
+    return tuple(sorted(found, key=lambda axis: axis.letter))
+
+
+def read_frame(reader: Reader, table: Table, path: str) -> Transform:
+    """A frame [mm] as a transform [m]; the identity where nothing is said."""
+    reader.known(path, table, _FRAME_KEYS)
+    position = reader.numbers(table, path, "position", 3) or (0.0, 0.0, 0.0)
+    quaternion = reader.numbers(table, path, "quaternion", 4) or (1.0, 0.0, 0.0, 0.0)
+    length = math.hypot(*quaternion)
+    if abs(length - 1.0) > 1e-2:
+        reader.wrong(f"{path}.quaternion", f"its length is {length:.4g}, not 1")
+        return Transform.identity()
+    return Transform.from_quaternion(quaternion, [x * MM for x in position])
+
+
+def _read_axis(
+    reader: Reader, path: str, table: Table, acceleration_time: float
+) -> ExternalAxis | None:
+    reader.known(path, table, _KEYS)
+    name = reader.text(table, path, "name")
+    letter = reader.text(table, path, "axis")
+    kind = reader.text(table, path, "kind")
+    limits = reader.numbers(table, path, "limits", 2)
+    speed = reader.positive(table, path, "speed")
+    acceleration = reader.positive(table, path, "acceleration")
+    carries = _carries(reader, table, path)
+    direction = reader.numbers(table, path, "direction", 3)
+    if direction is not None and math.hypot(*direction) < 1e-6:
+        reader.wrong(f"{path}.direction", "a direction is not all zero")
+        direction = None
+    world_from_user = read_frame(
+        reader, reader.table(table, "frame", f"{path}.frame"), f"{path}.frame"
+    )
+    for key in ("name", "axis", "kind", "limits", "speed"):
+        if key not in table:
+            reader.wrong(f"{path}.{key}", "is missing")
+    if letter is not None and (len(letter) != 1 or letter not in LETTERS):
+        reader.wrong(f"{path}.axis", f"`{letter}` is none of a, b, c, d, e, f")
+        letter = None
+    if kind is not None and kind not in ("linear", "rotational"):
+        reader.wrong(f"{path}.kind", f"`{kind}` is neither `linear` nor `rotational`")
+        kind = None
+    if limits is not None and limits[0] >= limits[1]:
+        reader.wrong(f"{path}.limits", "the first is below the second")
+        limits = None
+    if name is None or letter is None or kind is None or limits is None or speed is None:
+        return None
+    scale = MM if kind == "linear" else math.radians(1.0)
+    default = (1.0, 0.0, 0.0) if kind == "linear" else (0.0, 0.0, 1.0)
+    x, y, z = direction or default
+    return ExternalAxis(
+        unit=name,
+        letter=letter,
+        linear=kind == "linear",
+        lower=limits[0] * scale,
+        upper=limits[1] * scale,
+        max_speed=speed * scale,
+        max_acceleration=(acceleration or speed / acceleration_time) * scale,
+        start=(reader.number(table, path, "start") or 0.0) * scale,
+        carries=carries,
+        direction=(x, y, z),
+        world_from_user=world_from_user,
+    )
+
+
+def _carries(reader: Reader, table: Table, path: str) -> Carried | None:
+    match reader.text(table, path, "carries"):
+        case "robot":
+            return "robot"
+        case "wobj":
+            return "wobj"
+        case None:
+            return None
+        case other:
+            reader.wrong(f"{path}.carries", f"`{other}` is neither `robot` nor `wobj`")
+            return None
+
+
+def _refuse_twice(reader: Reader, letters: Sequence[str]) -> None:
+    for letter in sorted(set(letters)):
+        if letters.count(letter) > 1:
+            reader.wrong("external_axis", f"axis `{letter}` is declared twice")

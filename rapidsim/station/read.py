@@ -1,0 +1,85 @@
+"""Read the station file `rapidsim.toml`: robot, motion model, tasks, signals and what drives them.
+
+Every key is checked and all mistakes are told at once; what this version does not do yet is a
+mistake that says so, never ignored. A file for `--io` holds the tables of signals alone.
+"""
+
+from __future__ import annotations
+
+from datetime import datetime
+from pathlib import Path
+
+from rapidsim.controller.cell.description import CellIo
+from rapidsim.station.check import read_check
+from rapidsim.station.external_axes import read_external_axes
+from rapidsim.station.motion import read_motion
+from rapidsim.station.robot import read_robots
+from rapidsim.station.signals import read_crosses, read_signals
+from rapidsim.station.sockets import read_sockets
+from rapidsim.station.station import Station
+from rapidsim.station.stimuli import read_stimuli
+from rapidsim.station.tasks import read_tasks
+from rapidsim.station.toml_reader import Reader, Table, read_toml
+
+_IO_KEYS = ("signals", "cross", "stimulus", "socket")
+_KEYS = ("robot", "external_axis", "motion", "task", *_IO_KEYS, "clock", "check")
+
+
+def read_station(file: Path) -> Station:
+    """Read a station file.
+
+    Raises:
+        InputError: If it is missing, not TOML, or says something that is unknown, of the wrong kind
+            or not simulated yet; all such mistakes at once.
+    """
+    table = read_toml(file)
+    reader = Reader(file)
+    reader.known("", table, _KEYS)
+    robots = read_robots(reader, table)
+    model = read_motion(reader, reader.table(table, "motion"))
+    tasks = read_tasks(reader, table, [robot.label for robot in robots] or [None])
+    station = Station(
+        file=file,
+        robots=robots,
+        external_axes=read_external_axes(reader, table, model.acceleration_time),
+        model=model,
+        tasks=tasks,
+        io=_io(reader, table),
+        starts_at=_starts_at(reader, reader.table(table, "clock")),
+        check=read_check(reader, reader.table(table, "check")),
+    )
+    reader.finish()
+    return station
+
+
+def read_io(file: Path) -> CellIo:
+    """Read a file of signals, cross connections and stimuli.
+
+    Raises:
+        InputError: See `read_station`.
+    """
+    table = read_toml(file)
+    reader = Reader(file)
+    reader.known("", table, _IO_KEYS)
+    io = _io(reader, table)
+    reader.finish()
+    return io
+
+
+def _starts_at(reader: Reader, clock: Table) -> datetime | None:
+    """`[clock] start`: what the controller's clock shows at time zero, as TOML writes dates."""
+    reader.known("clock", clock, ("start",))
+    start = clock.get("start")
+    if start is None or isinstance(start, datetime):
+        return None if start is None else start.replace(tzinfo=None)
+    reader.wrong("clock.start", "a date with a time is needed, as in 2025-03-01T06:00:00")
+    return None
+
+
+def _io(reader: Reader, table: Table) -> CellIo:
+    return CellIo(
+        read_signals(reader, reader.table(table, "signals")),
+        read_crosses(reader, table),
+        read_stimuli(reader, table),
+        read_sockets(reader, table),
+    )

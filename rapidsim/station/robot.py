@@ -1,0 +1,54 @@
+"""The table [robot], or several [[robot]]: which arm, where it stands, where its axes start."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from rapidsim.frames.transform import Transform
+from rapidsim.station.external_axes import read_frame
+from rapidsim.station.toml_reader import Reader, Table
+
+_KEYS = ("model", "urdf", "base", "start")
+_KEYS_OF_SEVERAL = ("name", *_KEYS)
+
+
+@dataclass(frozen=True, slots=True)
+class StationRobot:
+    """What a station says of its robot."""
+
+    name: str | None = None
+    """A name of the catalogue or the path of a URDF file; None where the file names no robot."""
+    start_joints_deg: tuple[float, ...] | None = None
+    world_from_base: Transform = field(default_factory=Transform.identity)
+    label: str | None = None
+    """What [[task]] tables call it; None where the file does not say."""
+
+
+def read_robots(reader: Reader, station: Table) -> tuple[StationRobot, ...]:
+    """Read [robot], or each [[robot]]; none if there is neither. What is wrong is noted."""
+    if "robot" not in station:
+        return ()
+    if not isinstance(station.get("robot"), list):
+        return (_read_robot(reader, "robot", reader.table(station, "robot"), _KEYS),)
+    robots = [
+        _read_robot(reader, path, robot, _KEYS_OF_SEVERAL)
+        for path, robot in reader.tables(station, "robot")
+    ]
+    labels = [robot.label.lower() for robot in robots if robot.label]
+    if len(set(labels)) != len(labels):
+        reader.wrong("robot", "two robots have one name")
+    return tuple(robots) or (StationRobot(),)
+
+
+def _read_robot(reader: Reader, path: str, robot: Table, keys: Sequence[str]) -> StationRobot:
+    reader.known(path, robot, keys)
+    if "model" in robot and "urdf" in robot:
+        reader.wrong(path, "give `model` or `urdf`, not both")
+    base = read_frame(reader, reader.table(robot, "base", f"{path}.base"), f"{path}.base")
+    name = reader.text(robot, path, "model")
+    urdf = reader.text(robot, path, "urdf")
+    if urdf is not None:
+        name = str(reader.file.parent / urdf)
+    start = reader.numbers(robot, path, "start", None)
+    return StationRobot(name, start, base, reader.text(robot, path, "name"))

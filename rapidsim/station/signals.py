@@ -1,0 +1,135 @@
+"""The tables [signals] and [[cross]]: the I/O configuration.
+
+[signals]
+diStart = { type = "di", value = 1 }
+goProgram = { type = "go", width = 8 }
+aoFlow = { type = "ao", min = 0, max = 10 }
+[[cross]]
+set = "doLamp"
+from = "doRun and not diFault"
+after = 0.4
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rapidsim.controller.cell.conditions import Condition, ConditionError, read_condition
+from rapidsim.controller.cell.description import (
+    GROUP_WIDTH,
+    CrossConnection,
+    SignalDeclaration,
+    SignalKind,
+)
+from rapidsim.station.toml_reader import Reader, Table, is_number
+
+_KEYS = ("type", "value", "width", "min", "max")
+_CROSS_KEYS = ("set", "from", "after")
+_KINDS = ", ".join(kind.value for kind in SignalKind)
+
+
+def read_signals(reader: Reader, signals: Table) -> tuple[SignalDeclaration, ...]:
+    """Read the table; what is wrong is noted."""
+    declared: dict[str, SignalDeclaration] = {}
+    for name, value in signals.items():
+        path = f"signals.{name}"
+        if not isinstance(value, dict):
+            reader.wrong(path, 'a table is needed, as in { type = "di", value = 0 }')
+            continue
+        signal = _signal(reader, path, name, value)
+        if signal is None:
+            continue
+        if name.lower() in declared:
+            reader.wrong(path, f"`{declared[name.lower()].name}` is declared already")
+        declared[name.lower()] = signal
+    return tuple(declared.values())
+
+
+def read_crosses(reader: Reader, tables: Table) -> tuple[CrossConnection, ...]:
+    """Read the list; what is wrong is noted, a ring of connections too."""
+    crosses = []
+    for path, table in reader.tables(tables, "cross"):
+        reader.known(path, table, _CROSS_KEYS)
+        result = reader.text(table, path, "set")
+        condition = read_when(reader, table, path, "from")
+        if result is None or condition is None:
+            reader.wrong(path, 'both are needed: set = "doLamp", from = "doRun and not diFault"')
+            continue
+        after_s = reader.not_negative(table, path, "after")
+        crosses.append(CrossConnection(result, condition, after_s or 0.0))
+    for number, cross in enumerate(crosses):
+        if follows_itself(cross, crosses):
+            reader.wrong(f"cross {number + 1}", f"`{cross.result}` follows itself")
+    return tuple(crosses)
+
+
+def read_when(reader: Reader, table: Table, path: str, key: str) -> Condition | None:
+    """A condition on signals; None where it is missing or wrong."""
+    text = reader.text(table, path, key)
+    if text is None:
+        return None
+    try:
+        return read_condition(text)
+    except ConditionError as error:
+        reader.wrong(f"{path}.{key}", str(error))
+        return None
+
+
+def _signal(reader: Reader, path: str, name: str, table: Table) -> SignalDeclaration | None:
+    reader.known(path, table, _KEYS)
+    text = reader.text(table, path, "type") or ""
+    if text.lower() not in list(SignalKind):
+        reader.wrong(f"{path}.type", f"`{text}` is no type of signal; there are {_KINDS}")
+        return None
+    kind = SignalKind(text.lower())
+    lowest, highest = _limits(reader, path, kind, table)
+    start = table.get("value", 0.0)
+    value = float(start) if is_number(start) or isinstance(start, bool) else None
+    if value is None:
+        reader.wrong(f"{path}.value", "a number is needed")
+    elif not (lowest is None or value >= lowest) or not (highest is None or value <= highest):
+        reader.wrong(f"{path}.value", f"{value:g} is outside its limits {lowest} .. {highest}")
+    return SignalDeclaration(name, kind, value or 0.0, lowest, highest)
+
+
+def _limits(
+    reader: Reader, path: str, kind: SignalKind, table: Table
+) -> tuple[float | None, float | None]:
+    """The least and greatest value of a signal; analog ones may have none."""
+    allowed: tuple[str, ...] = ()
+    limits: tuple[float | None, float | None] = (0.0, 1.0)
+    if kind in (SignalKind.GI, SignalKind.GO):
+        allowed = ("width",)
+        width = reader.positive(table, path, "width") or float(GROUP_WIDTH)
+        if width != int(width) or width > GROUP_WIDTH:
+            reader.wrong(f"{path}.width", f"a whole number from 1 to {GROUP_WIDTH} is needed")
+            width = float(GROUP_WIDTH)
+        limits = (0.0, 2.0**width - 1.0)
+    elif kind in (SignalKind.AI, SignalKind.AO):
+        allowed = ("min", "max")
+        limits = (reader.number(table, path, "min"), reader.number(table, path, "max"))
+        if limits[0] is not None and limits[1] is not None and limits[0] >= limits[1]:
+            reader.wrong(f"{path}.min", f"{limits[0]:g} is not below max, {limits[1]:g}")
+    for key in ("width", "min", "max"):
+        if key in table and key not in allowed:
+            reader.wrong(f"{path}.{key}", f"a {kind.value} has no such key")
+    return limits
+
+
+def follows_itself(cross: CrossConnection, crosses: Sequence[CrossConnection]) -> bool:
+    """Whether a signal follows itself through some of the connections."""
+    return cross.result.lower() in _sources(cross.result.lower(), crosses)
+
+
+def _sources(signal: str, crosses: Sequence[CrossConnection]) -> set[str]:
+    """Folded names of all signals that a signal follows, directly or not."""
+    found: set[str] = set()
+    open_names = [signal]
+    while open_names:
+        name = open_names.pop()
+        for cross in crosses:
+            if cross.result.lower() == name:
+                new = {one.lower() for one in cross.condition.signals()} - found
+                found |= new
+                open_names += sorted(new)
+    return found

@@ -1,0 +1,100 @@
+r"""The tables [[socket]]: who is at the other end of the program's sockets. A camera that answers:
+
+[[socket]]
+accept = 5000
+repeat = true
+steps = [{ expect = "TRIG", after = 0.2, send = "12.5,3.0,90\r\n" }]
+
+With `connect = 5000` in place of `accept` the peer is a client of the program's server.
+"""
+
+from __future__ import annotations
+
+import re
+
+from rapidsim.controller.cell.socket_scripts import SocketScript, SocketStep
+from rapidsim.station.toml_reader import Reader, Table
+
+_KEYS = ("accept", "connect", "after", "steps", "repeat", "reconnect")
+_STEP_KEYS = ("expect", "after", "send", "close")
+_PORT = re.compile("[0-9]{1,5}")
+_LARGEST_PORT = 65535
+
+
+def read_sockets(reader: Reader, tables: Table) -> tuple[SocketScript, ...]:
+    """Read the list; what is wrong is noted."""
+    scripts = []
+    for path, table in reader.tables(tables, "socket"):
+        reader.known(path, table, _KEYS)
+        if ("accept" in table) == ("connect" in table):
+            reader.wrong(path, "say `accept` for a server, or `connect` for a client; one of them")
+            continue
+        serves = "accept" in table
+        address, port = _place(reader, table, path, "accept" if serves else "connect")
+        if serves:
+            for key in ("after", "reconnect"):
+                if key in table:
+                    reader.wrong(f"{path}.{key}", "it is for peers that `connect`")
+        steps = _steps(reader, path, table)
+        repeats = _switch(reader, table, path, "repeat")
+        if repeats and not any(step.expect or step.after_s for step in steps):
+            reader.wrong(f"{path}.repeat", "a step must `expect` something or wait with `after`")
+        scripts.append(
+            SocketScript(
+                port=port,
+                steps=steps,
+                serves=serves,
+                address=address,
+                after_s=reader.not_negative(table, path, "after") or 0.0,
+                repeats=repeats,
+                reconnects=_switch(reader, table, path, "reconnect"),
+            )
+        )
+    return tuple(scripts)
+
+
+def _place(reader: Reader, table: Table, path: str, key: str) -> tuple[str, int]:
+    """Address and port: `5000`, or `"192.168.125.5:5000"`."""
+    value = table[key]
+    address, _, digits = value.rpartition(":") if isinstance(value, str) else ("", "", str(value))
+    # Five digits and no others: int() takes neither a thousand of them nor superscripts.
+    if not _PORT.fullmatch(digits) or not 1 <= int(digits) <= _LARGEST_PORT:
+        example = 'a port is needed, as in 5000 or "192.168.125.5:5000"'
+        reader.wrong(f"{path}.{key}", f"{example}; ports are 1 to {_LARGEST_PORT}")
+        return "", 0
+    return address, int(digits)
+
+
+def _steps(reader: Reader, path: str, table: Table) -> tuple[SocketStep, ...]:
+    steps = []
+    for place, step in reader.tables(table, "steps"):
+        here = f"{path}.{place}"
+        reader.known(here, step, _STEP_KEYS)
+        if not step:
+            reader.wrong(here, 'say what happens, as in { expect = "GET", send = "12" }')
+        steps.append(
+            SocketStep(
+                expect=_bytes(reader, step, here, "expect"),
+                after_s=reader.not_negative(step, here, "after") or 0.0,
+                send=_bytes(reader, step, here, "send"),
+                close=_switch(reader, step, here, "close"),
+            )
+        )
+    return tuple(steps)
+
+
+def _bytes(reader: Reader, table: Table, path: str, key: str) -> bytes:
+    text = reader.text(table, path, key) or ""
+    try:
+        return text.encode("iso-8859-1")
+    except UnicodeEncodeError:
+        reader.wrong(f"{path}.{key}", "the controller sends ISO 8859-1, which lacks some of this")
+        return b""
+
+
+def _switch(reader: Reader, table: Table, path: str, key: str) -> bool:
+    value = table.get(key, False)
+    if not isinstance(value, bool):
+        reader.wrong(f"{path}.{key}", "true or false is needed")
+        return False
+    return value

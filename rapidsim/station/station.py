@@ -1,0 +1,124 @@
+"""What a station file `rapidsim.toml` says, and where it is looked for.
+
+Most programs that are checked have none, so nothing here needs NumPy; `read.py` does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rapidsim.controller.cell.description import CellIo
+from rapidsim.files import require_inside
+from rapidsim.motion.model import MotionModel
+from rapidsim.station.check import CheckSettings
+from rapidsim.station.tasks import DEFAULT_TASK, StationTask
+
+if TYPE_CHECKING:
+    from rapidsim.frames.transform import Transform
+    from rapidsim.motion.robot.external_axes import ExternalAxis
+    from rapidsim.station.robot import StationRobot
+
+FILE_NAME = "rapidsim.toml"
+
+
+@dataclass(frozen=True, slots=True)
+class Station:
+    """What a station file says; without one, the defaults of everything."""
+
+    file: Path | None = None
+    robots: tuple[StationRobot, ...] = ()
+    """In the order of the file; none without one."""
+    external_axes: tuple[ExternalAxis, ...] = ()
+    """Those of the first robot."""
+    model: MotionModel = field(default_factory=MotionModel)
+    tasks: tuple[StationTask, ...] = ()
+    """In the order of the file; without any there is one, with the first robot."""
+    io: CellIo = field(default_factory=CellIo)
+    starts_at: datetime | None = None
+    """Date and time of day at which a run begins; None where the file does not say."""
+    check: CheckSettings = field(default_factory=CheckSettings)
+    """What `check` looks for."""
+    robot_source: str | None = None
+    """What names the robots, in words; None where that is the file."""
+    unknown_robots: tuple[str, ...] = ()
+    """Types of robots that are named there and not in the catalogue."""
+    remarks: tuple[str, ...] = ()
+    """What is said of the cell and left out."""
+
+    def and_backup(self, backup: Station) -> Station:
+        """This file, and what a backup says where the file says nothing."""
+        whole = replace(
+            self,
+            tasks=self.tasks or backup.tasks,
+            io=backup.io.and_also(self.io),
+            remarks=backup.remarks,
+        )
+        if self.robot is not None or not backup.robots:
+            return whole
+        named = (replace(self.robots[0], name=backup.robot),) if self.robots else backup.robots
+        return replace(
+            whole,
+            robots=named,
+            robot_source=backup.robot_source,
+            unknown_robots=backup.unknown_robots,
+        )
+
+    @property
+    def robot(self) -> str | None:
+        """The first robot, by name or URDF file; None where the file names none."""
+        return self.robots[0].name if self.robots else None
+
+    @property
+    def start_joints_deg(self) -> tuple[float, ...] | None:
+        """Where the axes of the first robot start; None where the file does not say."""
+        return self.robots[0].start_joints_deg if self.robots else None
+
+    @property
+    def world_from_base(self) -> Transform | None:
+        """Where the first robot stands; None where that is the world frame."""
+        return self.robots[0].world_from_base if self.robots else None
+
+    @property
+    def task(self) -> str:
+        """Name of the first task."""
+        return self.tasks[0].name if self.tasks else DEFAULT_TASK
+
+    def robot_number(self, task: str) -> int:
+        """Which of the robots a task moves; the first, where the file does not say."""
+        numbers = {one.name.lower(): one.robot_number for one in self.tasks}
+        return numbers.get(task.lower()) or 0
+
+    @property
+    def modules(self) -> tuple[Path, ...]:
+        """Modules of the first task, in addition to those a command names."""
+        return self.tasks[0].modules if self.tasks else ()
+
+    @property
+    def units(self) -> tuple[str, ...]:
+        """Names of the mechanical units beside the robot."""
+        return tuple(dict.fromkeys(axis.unit for axis in self.external_axes))
+
+
+def find_station(paths: Iterable[str]) -> Path | None:
+    """The station file next to the first path that is a file or folder, or above it.
+
+    Raises:
+        InputError: If it is a link to another folder.
+    """
+    for path in paths:
+        if path != "-" and (place := Path(path)).exists():
+            folder = place.resolve() if place.is_dir() else place.resolve().parent
+            found = next((f for f in (folder, *folder.parents) if _is_here(f)), None)
+            return found and require_inside([found / FILE_NAME], [found])[0]
+    return None
+
+
+def _is_here(folder: Path) -> bool:
+    try:
+        return (folder / FILE_NAME).is_file()
+    except OSError:
+        return False

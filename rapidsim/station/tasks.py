@@ -1,0 +1,114 @@
+"""The tables [[task]]: names of tasks, the modules they have, and the robots they move.
+
+[[task]]
+name = "T_ROB2"
+modules = ["rob2.mod"]
+robot = "right"            # the `name` of a [[robot]]; else the next robot that no task has
+[[task]]
+name = "T_BACK"
+modules = ["background.mod"]
+type = "semistatic"        # or "static"; "normal" unless it is said
+motion = false             # it moves nothing; so it is where no robot is left
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from rapidsim.files import did_you_mean
+from rapidsim.station.task_kind import TaskKind
+from rapidsim.station.toml_reader import Reader, Table
+
+DEFAULT_TASK = "T_ROB1"
+_KEYS = ("name", "modules", "type", "motion", "robot")
+
+
+@dataclass(frozen=True, slots=True)
+class StationTask:
+    """One task."""
+
+    name: str = DEFAULT_TASK
+    modules: tuple[Path, ...] = ()
+    """Modules, program files or folders; the first task has those a command names besides."""
+    kind: TaskKind = TaskKind.NORMAL
+    motion: bool | None = None
+    """None where the file does not say."""
+    robot: str | None = None
+    """Name of its robot; None where the file names none."""
+    robot_number: int | None = None
+    """Which of the station's robots it moves, from 0; None where it moves none."""
+
+
+def read_tasks(
+    reader: Reader, station: Table, robots: Sequence[str | None]
+) -> tuple[StationTask, ...]:
+    """Read the tables; what is wrong is noted.
+
+    Args:
+        reader: The file.
+        station: Its top table.
+        robots: The names of the robots, None where one has no name.
+    """
+    tasks = [_read_task(reader, path, task) for path, task in reader.tables(station, "task")]
+    seen: set[str] = set()
+    for number, task in enumerate(tasks, start=1):
+        if task.name.lower() in seen:
+            reader.wrong(f"task {number}.name", f"there are two tasks {task.name}")
+        seen.add(task.name.lower())
+    return _with_robots(reader, tasks, robots)
+
+
+def _read_task(reader: Reader, path: str, task: Table) -> StationTask:
+    reader.known(path, task, _KEYS)
+    name = reader.text(task, path, "name") or DEFAULT_TASK
+    modules = reader.texts(task, path, "modules")
+    motion = task.get("motion")
+    if motion is not None and not isinstance(motion, bool):
+        reader.wrong(f"{path}.motion", "true or false is needed")
+        motion = None
+    robot = reader.text(task, path, "robot")
+    if robot is not None and motion is False:
+        reader.wrong(f"{path}.robot", "a task with `motion = false` has no robot")
+    files = tuple(reader.file.parent / one for one in modules)
+    return StationTask(name, files, _kind(reader, path, task), motion, robot)
+
+
+def _kind(reader: Reader, path: str, task: Table) -> TaskKind:
+    text = (reader.text(task, path, "type") or TaskKind.NORMAL.value).lower()
+    names = [kind.value for kind in TaskKind]
+    if text not in names:
+        reader.wrong(f"{path}.type", f"`{text}` is no type", f"known: {', '.join(names)}")
+        return TaskKind.NORMAL
+    return TaskKind(text)
+
+
+def _with_robots(
+    reader: Reader, tasks: Sequence[StationTask], robots: Sequence[str | None]
+) -> tuple[StationTask, ...]:
+    """Give tasks the robots they name, then those that are left in order."""
+    taken: dict[int, str] = {}
+    numbers: dict[str, int] = {}
+    names = [name.lower() if name else None for name in robots]
+    for task in tasks:
+        if task.robot is None:
+            continue
+        if task.robot.lower() not in names:
+            known = [name for name in robots if name]
+            help = did_you_mean(task.robot, known) or f"robots: {', '.join(known) or 'none'}"
+            reader.wrong(f"task {task.name}.robot", f"there is no [[robot]] `{task.robot}`", help)
+        elif (number := names.index(task.robot.lower())) in taken:
+            reader.wrong(f"task {task.name}.robot", f"{taken[number]} moves that robot")
+        else:
+            taken[number], numbers[task.name] = task.name, number
+    for task in tasks:
+        waits = task.robot is None and task.motion is not False
+        if not waits or (task.motion is None and task.kind is not TaskKind.NORMAL):
+            continue
+        free = next((number for number in range(len(robots)) if number not in taken), None)
+        if free is not None:
+            taken[free], numbers[task.name] = task.name, free
+        elif task.motion:
+            reader.wrong(f"task {task.name}.motion", "no robot is left for it; add a [[robot]]")
+    return tuple(replace(task, robot_number=numbers.get(task.name)) for task in tasks)
