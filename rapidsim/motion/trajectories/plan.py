@@ -1,0 +1,5 @@
+"""Moved to `rapidsim.motion.waypoints.plan`; this name goes with the next release."""
+
+from rapidsim.motion.waypoints.plan import Plan as Plan
+from rapidsim.motion.waypoints.plan import Refused as Refused
+from rapidsim.motion.waypoints.plan import Way as Way
