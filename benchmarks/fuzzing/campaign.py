@@ -17,6 +17,7 @@ from fuzzing.expressions import SPECIAL
 from fuzzing.laws import LAWS, Law, journal
 from fuzzing.programs import Made, make
 from fuzzing.sending import GRACE, MAX_WALL, Ended, Failure, send
+from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.library.catalogue import ROUTINES
 
 RARELY = 50
@@ -134,7 +135,8 @@ def difference(made: Made, law: Law, tally: Tally, number: int = 0) -> str | Non
             if command:
                 note(*send(*command.split(), *named))
             ended = note(*run(folder, named, "--format", "json"))
-        if ended.code != 0 and not journals:
+        if ended.code == ExitCode.LIMIT or (ended.code != 0 and not journals):
+            # Where the wall cut a run off is no matter of the program.
             return None
         journals.append((ended.code, journal(law.undone(ended.out))))
     tally.laws += 1

@@ -105,5 +105,6 @@ def computed(operator: str, left: float, right: float) -> float | None:
                 return left - right * int(left / right)
             case _:
                 return None
-    except OverflowError:
+    except (OverflowError, ValueError):
+        # Infinite, or what infinite less infinite is.
         return None
