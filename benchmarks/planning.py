@@ -27,7 +27,8 @@ import numpy as np
 from rapidsim.controller.journal.journal import Instant
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import QueuedMove
-from rapidsim.controller.queue.path_planner import MAX_OPEN_MOVES, PathQueue
+from rapidsim.controller.queue.path_planner import MAX_OPEN_MOVES
+from rapidsim.controller.queue.solo_queue import SoloQueue, solo_queue
 from rapidsim.diagnostics import Source, Span
 from rapidsim.files import SourceFile
 from rapidsim.frames.rotation_vectors import rotation_from_vector
@@ -54,7 +55,6 @@ from rapidsim.motion.timing.discretisation import cells_of
 from rapidsim.motion.timing.problem import Problem, problem_of
 from rapidsim.motion.timing.stages import stages_of
 from rapidsim.motion.timing.time_optimal import Division, Drive, drive
-from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.simulate import simulate
 
@@ -163,9 +163,9 @@ def plan_as_a_run(robot: Robot, segments: Sequence[Segment]) -> float:
     return planned(robot, segments).trajectory.command_end
 
 
-def planned(robot: Robot, segments: Sequence[Segment]) -> PathQueue:
+def planned(robot: Robot, segments: Sequence[Segment]) -> SoloQueue:
     """Plan moves as a run does; the last one must stop."""
-    queue = PathQueue(robot, MotionModel(), Trajectory(segments[0].start, 0.08), segments[0].start)
+    queue = solo_queue(robot, MotionModel(), segments[0].start)
     move = Move(
         "MoveL",
         Interpolation.LINE,

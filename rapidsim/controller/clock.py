@@ -21,9 +21,9 @@ from rapidsim.controller.journal.stop_reasons import TimeLimitReached, WaitsFore
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.pointer_time import PointerTime
+from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.path_marks import PathMarks
 from rapidsim.controller.queue.path_planner import LOOK_AHEAD_SLACK_S
-from rapidsim.controller.queue.solo_queue import RobotPath
 from rapidsim.controller.queue.zone_table import WorldZoneTable
 from rapidsim.language.data import TOOL0, WOBJ0, ToolData, WobjData
 from rapidsim.language.error_log import LoggedError
@@ -38,12 +38,12 @@ class TaskTime:
     def __init__(
         self,
         cell: Cell,
-        queue: RobotPath,
+        unit: MechanicalUnit,
         resolver: Resolver,
         journal: Journal,
         place: Place,
     ) -> None:
-        """Start at time zero with the arm where the queue says and the pointer at `place`."""
+        """Start at time zero with the arm where the unit says and the pointer at `place`."""
         self.settings = MotionSettings()
         self.errno = 0.0
         self.intno = 0.0
@@ -53,7 +53,7 @@ class TaskTime:
         self.place = place
         self.left = 0
         self._cell = cell
-        self._queue = queue
+        self._unit = unit
         self._resolver = resolver
         self._journal = journal
         self._time = PointerTime()
@@ -62,8 +62,8 @@ class TaskTime:
         self._in_trap = False
         self._trap_cause: LoggedError | None = None
         self._interrupts = InterruptTable()
-        self._marks = PathMarks(queue)
-        self._zones = WorldZoneTable(queue, resolver.base_from_world.inverse())
+        self._marks = PathMarks(unit)
+        self._zones = WorldZoneTable(unit, resolver.base_from_world.inverse())
         self._active: tuple[ToolData, WobjData] = (TOOL0, WOBJ0)
         self._looks_at_s: float | None = None
         """The time [s] at which it looks aside; None while it does not."""
@@ -122,7 +122,7 @@ class TaskTime:
     def end_time_s(self) -> float:
         """When everything is over [s]: the program pointer and the arm."""
         pointer_s = self._time.known_s if self._time.is_known else 0.0
-        return min(self._cell.max_time_s, max(pointer_s, self._queue.trajectory.duration))
+        return min(self._cell.max_time_s, max(pointer_s, self._unit.queue.trajectory.duration))
 
     def _moment(self) -> Moment:
         """When the statement that runs happens."""
@@ -146,14 +146,14 @@ class TaskTime:
             offset_s = time.offset_s
             self._await_restart()
             # Meanwhile another task of the team may have ended the block.
-            if self._queue.is_open:
-                self._pass_time(self._queue.commit_last_start())
-            while self._queue.is_open and (
-                self._queue.is_halted or self._queue.commit_last_start() > time.known_s
+            if self._unit.queue.is_open:
+                self._pass_time(self._unit.queue.commit_last_start())
+            while self._unit.queue.is_open and (
+                self._unit.queue.is_halted or self._unit.queue.commit_last_start() > time.known_s
             ):
                 # Something on the way has stopped the robot, so it starts the move later.
                 self._await_restart()
-                self._pass_time(self._queue.commit_last_start())
+                self._pass_time(self._unit.queue.commit_last_start())
             self._pass_time(time.known_s + offset_s)
         return time.known_s
 
@@ -261,7 +261,7 @@ class TaskTime:
         Raises:
             WaitsForever: If nothing will start it again.
         """
-        while self._queue.is_halted:
+        while self._unit.queue.is_halted:
             if not self._await_event(math.inf):
                 raise WaitsForever("the robot was stopped by StopMove, and nothing starts it again")
 
@@ -273,20 +273,20 @@ class TaskTime:
         Source: RAPID Overview, "Motion and I/O principles". A controller was measured to go on some
         40 ms earlier; then CRobT after a stop point would miss the point, which nobody expects.
         """
-        while self._queue.is_open:
-            if self._queue.is_halted:
+        while self._unit.queue.is_open:
+            if self._unit.queue.is_halted:
                 self._await_restart()
                 continue
-            reached_s = self._queue.trajectory.seen_s(self._queue.close(corner))
+            reached_s = self._unit.queue.trajectory.seen_s(self._unit.queue.close(corner))
             self._time.follow(Instant())
             self._pass_time(reached_s)
 
     def _come_to_rest(self) -> None:
         """End an open block and wait until the arm stands still."""
-        if self._queue.is_open and not self._queue.is_halted:
+        if self._unit.queue.is_open and not self._unit.queue.is_halted:
             self._observe()
             self._drive_to_stop(CornerKind.STOP_CORNER_PATH_FAILURE)
-        self._pass_time(max(self._observe(), self._queue.trajectory.duration))
+        self._pass_time(max(self._observe(), self._unit.queue.trajectory.duration))
 
     def _look_at_persistents(self) -> None:
         """Serve the interrupts of persistents that the program has changed since."""

@@ -43,17 +43,17 @@ class TaskMotion(TaskTime):
         """
         self._note_line()
         self._count_concurrent(move)
-        queue = self._queue
+        queue = self._unit.queue
         queued = self._resolver.resolve(
             move, self.place, queue.end, self.settings, index=len(queue.moves)
         )
         self._time.settle(self.left)
-        if not self._queue.is_open or self._time.offset_s > LOOK_AHEAD_SLACK_S:
+        if not self._unit.queue.is_open or self._time.offset_s > LOOK_AHEAD_SLACK_S:
             self._observe()
         moment = self._moment()
         now_s = moment.time_s if moment.instant.time is not None else -math.inf
-        last = self._queue.moves[-1] if self._queue.is_open else None
-        self._queue.append(queued, now_s)
+        last = self._unit.queue.moves[-1] if self._unit.queue.is_open else None
+        self._unit.own.append(queued, now_s)
         if last is not None and last.corner is CornerKind.STOP_CORNER_PATH_FAILURE:
             self._interrupts.error_logged(CORNER_PATH_FAILURE, now_s)
         before(queued)
@@ -69,7 +69,7 @@ class TaskMotion(TaskTime):
             self._interrupts.armed
             or self._zones.is_watching
             or self._marks.may_interrupt
-            or self._queue.open_moves > MAX_OPEN_MOVES
+            or self._unit.queue.open_moves > MAX_OPEN_MOVES
         ):
             self._keep_up()
 
@@ -128,29 +128,29 @@ class TaskMotion(TaskTime):
         Raises:
             RapidError: ERR_OUTSIDE_REACH or ERR_ROBLIMIT.
         """
-        joints = self._resolver.reach(target, tool, wobj, self._queue.end, self.place)
+        joints = self._resolver.reach(target, tool, wobj, self._unit.queue.end, self.place)
         return JointTarget(rob_joint(joints), target.extax)
 
     def finish(self) -> None:
         """Let the robot come to rest after the last statement."""
-        if self._queue.is_open and not self._queue.is_halted:
+        if self._unit.queue.is_open and not self._unit.queue.is_halted:
             self._observe()
             self._drive_to_stop()
-        self._pass_time(max(self._observe(), self._queue.trajectory.duration))
+        self._pass_time(max(self._observe(), self._unit.queue.trajectory.duration))
 
     def abandon(self) -> None:
         """Let the robot make the moves it has before the program stopped with an error."""
         limit_s = self._cell.max_time_s
-        if self._queue.is_open and not self._queue.is_halted:
+        if self._unit.queue.is_open and not self._unit.queue.is_halted:
             with suppress(MotionError):
-                if self._queue.preview().duration > limit_s:
-                    self._queue.halt(limit_s)
+                if self._unit.queue.preview().duration > limit_s:
+                    self._unit.queue.halt(limit_s)
                 else:
-                    self._queue.close()
+                    self._unit.queue.close()
 
     def _stand_now(self) -> tuple[Array, Array]:
         """Joints (n,) [rad] and external axes (e,) [m or rad] while the statement runs."""
-        samples = self._queue.samples_at(self._observe())
+        samples = self._unit.queue.samples_at(self._observe())
         return samples.joints[0], samples.external[0]
 
     def _keep_up(self) -> None:
@@ -160,7 +160,7 @@ class TaskMotion(TaskTime):
         programmed speeds, until the next interrupt falls due and the arm could stop after it.
         """
         due_s = self._next_due_s()
-        queue = self._queue
+        queue = self._unit.queue
         early = not self._marks.may_interrupt and not self._zones.is_watching
         early &= not self._cell.is_shared
         early &= due_s is None or queue.nominal_last_start() - queue.braking_s < due_s

@@ -95,7 +95,7 @@ class TaskOthers(TaskMotion):
 
     def stand_at(self, time_s: float) -> tuple[Array, Array]:
         """Joints (n,) [rad] and external axes (e,) [m or rad] at a time [s] that has come."""
-        samples = self._queue.samples_at(time_s)
+        samples = self._unit.queue.samples_at(time_s)
         return samples.joints[0], samples.external[0]
 
     def stop_other_robots(self) -> None:
@@ -110,8 +110,8 @@ class TaskOthers(TaskMotion):
         """Let the robots of all other tasks go on."""
         now_s = self.come_up()
         for other in self._tasks().values():
-            if other is not self and other._queue.is_halted:
-                other._queue.resume(now_s)
+            if other is not self and other._unit.queue.is_halted:
+                other._unit.queue.resume(now_s)
         self.tell()
 
     def run_in_background(self) -> None:
@@ -128,16 +128,16 @@ class TaskOthers(TaskMotion):
         """Stop the robot at a time [s]: another task has failed, or the run is over."""
         if self._cell.watchdog.has_ended_the_run:
             # Stopping would plan what is open, which may be what took too long.
-            self._queue.leave()
+            self._unit.queue.leave()
             return
         with suppress(MotionError):
-            if not self._queue.is_halted:
-                self._queue.halt(time_s)
+            if not self._unit.queue.is_halted:
+                self._unit.queue.halt(time_s)
 
     def pointer_s(self) -> float:
         """Time [s] of the program pointer, or when its robot's path ends if nobody knows."""
         time = self._time
-        return time.known_s if time.is_known else self._queue.trajectory.command_end
+        return time.known_s if time.is_known else self._unit.queue.trajectory.command_end
 
     def tell(self) -> None:
         """Let the other tasks look: what they share has changed."""

@@ -48,9 +48,9 @@ class TaskPathControl(TaskMotion):
         """Stop the robot on its path; returns when it stands."""
         self._note_line()
         now_s = self._observe()
-        if not self._queue.is_halted:
-            rest_s = self._queue.halt(now_s)
-            self._pass_time(max(now_s, self._queue.trajectory.seen_s(rest_s)))
+        if not self._unit.queue.is_halted:
+            rest_s = self._unit.queue.halt(now_s)
+            self._pass_time(max(now_s, self._unit.queue.trajectory.seen_s(rest_s)))
 
     def start_move(self) -> None:
         """Let the robot go on.
@@ -60,18 +60,18 @@ class TaskPathControl(TaskMotion):
         """
         self._note_line()
         now_s = self._observe()
-        away_deg = self._queue.away_deg()
+        away_deg = self._unit.queue.away_deg()
         if away_deg > 0.0:
             raise rapid_error(
                 ERR_PATHDIST,
                 f"the robot stands {away_deg:.3g} deg off where it left its path; move it back "
                 "before RestoPath",
             )
-        self._queue.resume(now_s)
+        self._unit.queue.resume(now_s)
 
     def is_stopped(self) -> bool:
         """Whether StopMove keeps the robot where it is."""
-        return self._queue.is_halted
+        return self._unit.queue.is_halted
 
     def clear_path(self) -> None:
         """Forget the rest of the path of a robot that was stopped.
@@ -81,7 +81,7 @@ class TaskPathControl(TaskMotion):
         """
         self._note_line()
         self._require_standstill("ClearPath")
-        self._queue.clear()
+        self._unit.queue.clear()
         self._marks.clear()
 
     def store_path(self) -> None:
@@ -92,7 +92,7 @@ class TaskPathControl(TaskMotion):
         """
         self._note_line()
         self._require_standstill("StorePath")
-        self._queue.store()
+        self._unit.queue.store()
         self.path_level += 1.0
 
     def restore_path(self) -> None:
@@ -105,14 +105,14 @@ class TaskPathControl(TaskMotion):
         if self.path_level <= 1.0:
             raise rapid_error(ERR_PATH, "RestoPath without StorePath: no path is kept")
         self._come_to_rest()
-        self._queue.restore()
+        self._unit.queue.restore()
         self.path_level -= 1.0
 
     def _require_standstill(self, instruction: str) -> None:
         now_s = self._observe()
-        if self._queue.is_open and not self._queue.is_halted:
+        if self._unit.queue.is_open and not self._unit.queue.is_halted:
             raise rapid_error(ERR_PATH, f"{instruction} while the robot moves; StopMove first")
-        self._pass_time(max(now_s, self._queue.trajectory.duration))
+        self._pass_time(max(now_s, self._unit.queue.trajectory.duration))
 
     def _mark(self, queued: QueuedMove, triggers: tuple[Trigger, ...]) -> None:
         """Put the places of triggers on the path of a move."""
@@ -164,14 +164,14 @@ class TaskPathControl(TaskMotion):
     def _check(self, check: CheckSignal, now_s: float) -> None:
         if check.wanted(self._cell.signals.read(check.signal)):
             return
-        if check.stops and not self._queue.is_halted:
-            self._queue.halt(now_s)
+        if check.stops and not self._unit.queue.is_halted:
+            self._unit.queue.halt(now_s)
         self._interrupts.raise_now(check.interrupt, now_s)
 
     def _ramp(self, cause: Cause, ramp: RampOutput, now_s: float) -> None:
         """Write a ramp step by step: evenly over time, or over the way the robot makes."""
         start = self._cell.signals.read(ramp.signal)
-        preview = self._queue.preview()
+        preview = self._unit.queue.preview()
         here_m = float(preview.place_at(np.array([now_s]))[0])
         length_m = min(ramp.length * _MM, preview.length - here_m)
         by_time = ramp.by_time or length_m <= 0.0

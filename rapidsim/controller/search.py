@@ -61,7 +61,7 @@ class TaskSearch(TaskPathControl):
         stop: SearchStop,
     ) -> RobTarget:
         """Make a move to a stop point and watch a signal, or a persistent, on the way."""
-        arm = self._queue.at_past(self._hit_s(move, found, flank, stop))
+        arm = self._unit.queue.at_past(self._hit_s(move, found, flank, stop))
         return self._resolver.target(
             arm.joints[0], arm.external[0], move.tool, move.wobj, self.place
         )
@@ -74,7 +74,7 @@ class TaskSearch(TaskPathControl):
         stop: SearchStop,
     ) -> JointTarget:
         """As `search`, but tell where all axes were at the first hit."""
-        arm = self._queue.at_past(self._hit_s(move, found, flank, stop))
+        arm = self._unit.queue.at_past(self._hit_s(move, found, flank, stop))
         return JointTarget(rob_joint(arm.joints[0]), self._resolver.ext_joint(arm.external[0]))
 
     def _hit_s(
@@ -89,7 +89,7 @@ class TaskSearch(TaskPathControl):
         watch = _Watch(signal, flank)
         self._observe()
         self._put(replace(move, zone=FINE), lambda queued: None, wait=False)
-        self._come_to(self._queue.commit_last_start())
+        self._come_to(self._unit.queue.commit_last_start())
         self._refuse_at_start(move, found, flank)
         self._cell.listeners.append(watch)
         try:
@@ -120,10 +120,10 @@ class TaskSearch(TaskPathControl):
 
     def _watch(self, watch: _Watch, found: Callable[[], float] | str, stop: SearchStop) -> None:
         """Let the robot move until it stands: at the end, or where a hit stops it."""
-        while self._queue.is_open:
+        while self._unit.queue.is_open:
             self._await_restart()
-            reached_s = self._queue.trajectory.seen_s(self._queue.close())
-            while (now_s := self._observe()) < reached_s and not self._queue.is_open:
+            reached_s = self._unit.queue.trajectory.seen_s(self._unit.queue.close())
+            while (now_s := self._observe()) < reached_s and not self._unit.queue.is_open:
                 if isinstance(found, str):
                     self._await_event(reached_s)
                 else:
@@ -136,10 +136,10 @@ class TaskSearch(TaskPathControl):
 
     def _stop_here(self) -> None:
         """Stop on the path and forget the rest of it."""
-        rest_s = self._queue.halt(self._observe())
-        self._pass_time(max(self._observe(), self._queue.trajectory.seen_s(rest_s)))
-        self._queue.clear()
-        self._queue.resume(self._observe())
+        rest_s = self._unit.queue.halt(self._observe())
+        self._pass_time(max(self._observe(), self._unit.queue.trajectory.seen_s(rest_s)))
+        self._unit.queue.clear()
+        self._unit.queue.resume(self._observe())
 
     def _come_to(self, time_s: float) -> None:
         self._time.follow(Instant())

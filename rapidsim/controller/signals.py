@@ -118,7 +118,7 @@ class TaskSignals(TaskTime):
 
     def _is_vain(self, signals: tuple[str, ...]) -> bool:
         """Whether nothing but other tasks, if there are any, could change signals."""
-        if self._interrupts.armed or self._queue.trajectory.duration > self._observe():
+        if self._interrupts.armed or self._unit.queue.trajectory.duration > self._observe():
             return False
         return not any(map(self._cell.may_change, signals))
 

@@ -16,8 +16,8 @@ from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.controller.other_tasks import TaskOthers
 from rapidsim.controller.path_control import TaskPathControl
 from rapidsim.controller.queue.path_planner import LOOK_AHEAD_SLACK_S
-from rapidsim.controller.queue.team_planner import Offer, Team
-from rapidsim.controller.queue.team_queue import Seat
+from rapidsim.controller.queue.team_planner import Offer, TeamPlanner
+from rapidsim.controller.queue.team_queue import TeamQueue
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.moves import Move
 
@@ -35,7 +35,7 @@ class TaskTeam(TaskOthers, TaskPathControl):
     @property
     def team(self) -> tuple[str, ...]:
         """Names of the tasks that move together, this one among them; empty while it is alone."""
-        return self._queue.team.tasks if isinstance(self._queue, Seat) else ()
+        return self._unit.team.tasks if self._unit.team is not None else ()
 
     def move_together(
         self, name: str, tasks: Sequence[str], *, max_time: float | None = None
@@ -70,23 +70,21 @@ class TaskTeam(TaskOthers, TaskPathControl):
     def leave_team(self) -> None:
         """Let all that move together move alone, without waiting for anybody."""
         self._suspended = ()
-        if isinstance(self._queue, Seat):
+        team = self._unit.team
+        if team is not None:
             self._come_to_rest()
-            team = self._queue.team
             for one in self._tasks().values():
-                if isinstance(one._queue, Seat) and one._queue.team is team:
-                    one._queue = one._queue.own
-                    one._queue.continue_after(team)
+                if one._unit.team is team:
+                    one._unit.part()
 
     def suspend_team(self) -> None:
         """Move alone until `resume_team`; all tasks of the team do so together."""
-        if isinstance(self._queue, Seat):
-            team = self._queue.team
+        team = self._unit.team
+        if team is not None:
             self._note_line()
             self._come_to_rest()
             self._meet("SyncMoveSuspend", "", team.tasks, None)
-            self._queue = self._queue.own
-            self._queue.continue_after(team)
+            self._unit.part()
             self._suspended = team.tasks
 
     def resume_team(self) -> None:
@@ -116,7 +114,8 @@ class TaskTeam(TaskOthers, TaskPathControl):
                 f"{move.instruction}: the task {self.task_name} has no robot; in the station file, "
                 "give it one with `robot` or `motion = true`",
             )
-        if not isinstance(self._queue, Seat):
+        seat = self._unit.seat
+        if seat is None:
             if move.sync_id is not None and self._cell.is_shared:
                 raise rapid_error(
                     ERR_ARGVALERR, f"{move.instruction} \\ID without SyncMoveOn before it"
@@ -128,7 +127,7 @@ class TaskTeam(TaskOthers, TaskPathControl):
                 ERR_ARGVALERR,
                 f"{move.instruction} without \\ID between SyncMoveOn and SyncMoveOff",
             )
-        queued = self._in_step(self._queue, move, move.sync_id)
+        queued = self._in_step(seat, move, move.sync_id)
         before(queued)
         if self._marks.is_pending:
             self._marks.clear()
@@ -139,7 +138,7 @@ class TaskTeam(TaskOthers, TaskPathControl):
         self._active = (move.tool, move.wobj)
         if queued.corner is CornerKind.STOP and wait and not move.concurrent:
             self._drive_to_stop()
-            self._pass_time(max(self._observe(), self._queue.trajectory.duration))
+            self._pass_time(max(self._observe(), self._unit.queue.trajectory.duration))
             return
         self._time.follow(queued.started)
         if self._interrupts.armed or self._zones.is_watching:
@@ -159,7 +158,7 @@ class TaskTeam(TaskOthers, TaskPathControl):
             name = "different ramps of robots that move together"
             self._journal.unsimulated(name, _ONE_RAMP, self.place)
 
-    def _in_step(self, seat: Seat, move: Move, sync_id: float) -> QueuedMove:
+    def _in_step(self, seat: TeamQueue, move: Move, sync_id: float) -> QueuedMove:
         """Say a part of the next move of the team and wait until all have said theirs."""
         self._note_line()
         queued = self._resolver.resolve(move, self.place, seat.end, self.settings)
@@ -177,7 +176,7 @@ class TaskTeam(TaskOthers, TaskPathControl):
         self._cell.turns.look_again(max(now_s, 0.0))
         return queued
 
-    def _await_parts(self, team: Team, offer: Offer, sync_id: float) -> None:
+    def _await_parts(self, team: TeamPlanner, offer: Offer, sync_id: float) -> None:
         """Sleep until the other tasks have said their parts.
 
         Raises:
@@ -201,9 +200,9 @@ class TaskTeam(TaskOthers, TaskPathControl):
             wanted = {name.lower() for name in tasks}
             known = self._tasks().items()
             members = [one for key, one in known if key in wanted and one.has_robot]
-            robots = [one._queue for one in members]
-            meeting.outcome = Team([one.task_name for one in members], robots)
+            robots = [one._unit.own for one in members]
+            meeting.outcome = TeamPlanner([one.task_name for one in members], robots)
         if self.has_robot:
-            assert isinstance(meeting.outcome, Team)
+            assert isinstance(meeting.outcome, TeamPlanner)
             number = meeting.outcome.tasks.index(self.task_name)
-            self._queue = Seat(self._queue, meeting.outcome, number)
+            self._unit.join(meeting.outcome, number)

@@ -41,7 +41,7 @@ class TaskZones(TaskTime):
                 what = f"the robot came to the world zone that line {place.span.line} supervises"
                 moment = Moment(Instant(time_s))
                 self._journal.event(moment, EventKind.LIMIT, self.place, what)
-                self._queue.halt(time_s)
+                self._unit.queue.halt(time_s)
                 self._time.set(time_s)
                 raise ZoneReached(what)
 

@@ -130,11 +130,11 @@ def _simulation(
             *outcome.findings,
         )
     )
-    drivers = [run.queue for run in runs if run.setup.robot is not None]
+    planners = [run.queue.planner for run in runs if run.setup.robot is not None]
     findings += tuple(
         finding
-        for robot, queue in zip(robots, drivers, strict=True)
-        for finding in corner_findings(robot.moves, robot.trajectory, queue.limits, queue.model)
+        for robot, planner in zip(robots, planners, strict=True)
+        for finding in corner_findings(robot.moves, robot.trajectory, planner.limits, planner.model)
     )
     motion_s = _motion_s(moves, time_s)
     ends = [outcome.end for outcome in outcomes]

@@ -22,7 +22,8 @@ from rapidsim.controller.journal.stop_reasons import (
 )
 from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.controller.moves.resolve import Resolver
-from rapidsim.controller.queue.solo_queue import RobotPath
+from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.controller.queue.solo_queue import SoloQueue, solo_queue
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.interpreter.linking.loader import Task, running
@@ -32,7 +33,6 @@ from rapidsim.language.moves import Place
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End
 from rapidsim.simulation.run_findings import (
@@ -92,7 +92,7 @@ class TaskRun:
 
     setup: TaskSetup
     journal: Journal
-    queue: RobotPath
+    queue: SoloQueue
     controller: VirtualController
 
 
@@ -110,11 +110,10 @@ def prepare(
     """
     robot = setup.robot or stand_in
     start = _start_waypoint(robot, setup.start_joints_deg)
-    trajectory = Trajectory(start, options.model.filter_time, options.model.smoothing)
-    queue = RobotPath(robot, options.model, trajectory, start, cell.watchdog.look)
+    queue = solo_queue(robot, options.model, start, cell.watchdog.look)
     resolver = Resolver(robot, journal, setup.place.inverse(), options.model.payload_acceleration)
     place = _entry_place(setup.program, options.entry)
-    controller = VirtualController(cell, queue, resolver, journal, place)
+    controller = VirtualController(cell, MechanicalUnit(queue), resolver, journal, place)
     controller.has_robot = setup.robot is not None
     if not setup.counts:
         controller.run_in_background()

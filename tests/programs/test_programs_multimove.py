@@ -9,7 +9,7 @@ import pytest
 from rapidsim.cli.options.inputs import all_tasks, choose_station
 from rapidsim.controller.motion import TaskMotion
 from rapidsim.controller.moves.queued_move import QueuedMove
-from rapidsim.controller.queue.team_planner import Offer, Team, TeamMove
+from rapidsim.controller.queue.team_planner import Offer, TeamMove, TeamPlanner
 from rapidsim.frames.transform import Array
 from rapidsim.jobs.load_tasks import load_tasks
 from rapidsim.jobs.task_setups import task_setups
@@ -62,7 +62,7 @@ def test_looking_ahead_after_every_move_changes_nothing(
 ) -> None:
     """Planning is tentative, for robots that wait for each other and for those that move as one."""
     plain = ran(program)
-    put, begin = TaskMotion._put, Team.begin
+    put, begin = TaskMotion._put, TeamPlanner.begin
     looked: list[object] = []
 
     def put_and_look(
@@ -70,17 +70,17 @@ def test_looking_ahead_after_every_move_changes_nothing(
     ) -> None:
         def look(queued: QueuedMove) -> None:
             before(queued)
-            looked.append(self._queue.preview())
+            looked.append(self._unit.queue.preview())
 
         put(self, move, look, wait=wait)
 
-    def begin_and_look(self: Team, offer: Offer, now_s: float) -> TeamMove:
+    def begin_and_look(self: TeamPlanner, offer: Offer, now_s: float) -> TeamMove:
         begun = begin(self, offer, now_s)
-        looked.append(self.rest())
+        looked.append(self.preview(0))
         return begun
 
     monkeypatch.setattr(TaskMotion, "_put", put_and_look)
-    monkeypatch.setattr(Team, "begin", begin_and_look)
+    monkeypatch.setattr(TeamPlanner, "begin", begin_and_look)
     other = ran(program)
     assert len(looked) > len(plain.robots[0].moves)
     assert [(e.time_s, e.message) for e in other.events] == [

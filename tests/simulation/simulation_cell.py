@@ -10,7 +10,8 @@ from rapidsim.controller.controller import VirtualController
 from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.controller.moves.resolve import Resolver
-from rapidsim.controller.queue.solo_queue import RobotPath
+from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.controller.queue.solo_queue import solo_queue
 from rapidsim.diagnostics import Source, Span
 from rapidsim.frames.transform import Transform
 from rapidsim.language.data import (
@@ -28,7 +29,6 @@ from rapidsim.language.data import (
 from rapidsim.language.moves import Interpolation, Move, Place
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.robot.robot import load_robot
-from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.simulation.options import RunOptions
 
 Z10 = ZoneData(False, 10.0, 15.0, 15.0, 1.5, 15.0, 1.5)
@@ -51,14 +51,12 @@ class Cell:
         self.robot = load_robot("irb1600")
         self.journal = Journal("T_ROB1")
         start = Waypoint(_START, self.robot.forward(_START))
-        self.trajectory = Trajectory(
-            start, self.options.model.filter_time, self.options.model.smoothing
-        )
-        self.queue = RobotPath(self.robot, self.options.model, self.trajectory, start)
+        self.queue = solo_queue(self.robot, self.options.model, start)
+        self.trajectory = self.queue.trajectory
         resolver = Resolver(self.robot, self.journal, Transform.identity())
         self.controller = VirtualController(
             shared.Cell(self.options.cell, self.journal),
-            self.queue,
+            MechanicalUnit(self.queue),
             resolver,
             self.journal,
             place(),

@@ -84,7 +84,7 @@ def look_ahead_always(monkeypatch: pytest.MonkeyPatch) -> list[QueuedMove]:
             before(queued)
             looked_at.append(queued)
             with suppress(MotionError):
-                self._queue.preview()
+                self._unit.queue.preview()
 
         put(self, move, and_look, wait=wait)
 

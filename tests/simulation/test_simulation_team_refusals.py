@@ -3,9 +3,6 @@
 import pytest
 from simulation_tasks import JOINTS, Ran, ran
 
-from rapidsim.controller.queue.solo_queue import RobotPath
-from rapidsim.controller.queue.team_queue import Seat
-
 DATA = """
 PERS tasks both{2}:=[["T_ROB1"],["T_ROB2"]];
 VAR syncident on;
@@ -110,20 +107,3 @@ def test_a_path_kept_before_is_not_taken_up_within_a_team() -> None:
     it = ran({"T_ROB1": left, "T_ROB2": right}, max_time_s=30.0)
     said = it.only("R101").violation.message
     assert "RestoPath while robots move together is not simulated" in said
-
-
-def test_a_seat_answers_for_itself_whatever_a_path_is_asked() -> None:
-    asked = {name for name in dir(RobotPath) if not name.startswith("_")}
-    own = {name for name in vars(Seat) if not name.startswith("_")}
-    # Of the robot, not of its place in a team; or asked of the team's path and the robot's own.
-    others = {
-        "append",
-        "braking_s",
-        "commit",
-        "continue_after",
-        "executed",
-        "limits",
-        "look",
-        "moves",
-    }
-    assert asked - own <= others

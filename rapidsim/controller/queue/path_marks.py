@@ -12,7 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from rapidsim.controller.moves.queued_move import QueuedMove
-from rapidsim.controller.queue.solo_queue import RobotPath
+from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
 _ROUNDING_M = 1e-9
@@ -38,9 +38,9 @@ class PathMark:
 class PathMarks:
     """The marks of one robot's path that it has not passed."""
 
-    queue: RobotPath
+    unit: MechanicalUnit
     _pending: list[PathMark] = field(default_factory=list)
-    _due: tuple[int, int, tuple[float, ...]] | None = None
+    _due: tuple[tuple[int, int], int, tuple[float, ...]] | None = None
     """Of which version of the path and how many marks these are the times."""
 
     @property
@@ -77,15 +77,15 @@ class PathMarks:
         """When the robot passes each mark [s]; infinite where it does not get there."""
         if not self._pending:
             return ()
-        key = (self.queue.version, len(self._pending))
+        key = (self.unit.version, len(self._pending))
         if self._due is None or self._due[:2] != key:
-            preview = self.queue.preview()
-            key = (self.queue.version, len(self._pending))
+            preview = self.unit.queue.preview()
+            key = (self.unit.version, len(self._pending))
             self._due = (*key, tuple(self._time(mark, preview) for mark in self._pending))
         return self._due[2]
 
     def _time(self, mark: PathMark, preview: Trajectory) -> float:
-        places = self.queue.places_of(mark.move)
+        places = self.unit.queue.places_of(mark.move)
         if places is None:
             return math.inf
         start_m, end_m = places

@@ -1,21 +1,27 @@
-"""The path of one robot, which can be stopped on its way and started again.
-
-Stopping takes back what is fixed beyond the stop: a block stays in the queue when it has its end,
-until the next one begins, so that its rest can be planned again.
-"""
+"""The moves of one robot that moves alone, and the other paths that it keeps meanwhile."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 import numpy as np
 
-from rapidsim.controller.moves.queued_move import QueuedMove
-from rapidsim.controller.queue.path_planner import Commit, PathQueue, Plan
+from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
+from rapidsim.controller.moves.queued_move import MotionError, QueuedMove, executed_move
+from rapidsim.controller.queue import stopping
+from rapidsim.controller.queue.block import Block
+from rapidsim.controller.queue.path_planner import BlockPlanner
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Waypoint
-from rapidsim.motion.timing.braking import stop_at
-from rapidsim.motion.trajectory.command import Piece
+from rapidsim.motion.interruption import Look, undisturbed
+from rapidsim.motion.model import MotionModel
+from rapidsim.motion.path.curve_following import PathFault
+from rapidsim.motion.path.path import Path, build_path
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.timing.axis_limits import limits_of
+from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 
 REGAINED_DEG = 1e-3
 """So near [deg] an arm must stand to where it left a path to take it up."""
@@ -25,119 +31,140 @@ REGAINED_DEG = 1e-3
 class _Stored:
     """A path that StorePath keeps."""
 
-    block: list[QueuedMove]
-    commit: Commit | None
-    closed: bool
-    driven: list[Plan]
-    halted: bool
+    block: Block
     end: Waypoint
     joints: Array
     """Where the arm stood, shape (n,) [rad]."""
 
 
-@dataclass(eq=False)
-class RobotPath(PathQueue):
-    """A path queue with StopMove, StartMove, ClearPath, StorePath and RestoPath."""
+@dataclass(slots=True, eq=False)
+class SoloQueue:
+    """Implements `MotionQueue` for a robot that moves alone."""
 
+    robot: Robot
+    planner: BlockPlanner
+    end: Waypoint
+    """Where the last queued move ends."""
     _stored: list[_Stored] = field(default_factory=list)
     _left_at: Array | None = None
     """Joints at which the path that was taken up again was left."""
 
+    @property
+    def trajectory(self) -> Trajectory:
+        """What is decided of the robot's motion."""
+        return self.planner.trajectory
+
+    @property
+    def moves(self) -> list[QueuedMove]:
+        """All moves that the robot was ever given, alone or with others."""
+        return self.planner.moves
+
+    @property
+    def version(self) -> int:
+        """Changes whenever what the robot will do may change."""
+        return self.planner.version
+
+    @property
+    def is_open(self) -> bool:
+        """Whether a block of moves waits for its end."""
+        return self.planner.is_open
+
+    @property
+    def is_halted(self) -> bool:
+        """Whether a stop keeps the robot where it is."""
+        return self.planner.is_halted
+
+    @property
+    def open_moves(self) -> int:
+        """How many moves of the open block have not been travelled."""
+        return self.planner.open_moves
+
+    @property
+    def braking_s(self) -> float:
+        """More time [s] than the arm needs to stop."""
+        return self.planner.braking_s
+
+    def append(self, queued: QueuedMove, now_s: float) -> None:
+        """Put a move on the path; see `BlockPlanner.append`."""
+        self.planner.append(queued, now_s)
+        self.end = queued.segment.end
+
+    def take(self, queued: QueuedMove) -> None:
+        """Note a move that the robot makes with others, who plan it."""
+        self.moves.append(queued)
+        self.end = queued.segment.end
+
+    def close(self, corner: CornerKind = CornerKind.STOP) -> float:
+        """End the block with a stop; see `BlockPlanner.close`."""
+        return self.planner.close(corner)
+
+    def commit_last_start(self) -> float:
+        """Fix the path up to the start of the last move."""
+        return self.planner.commit_last_start()
+
+    def commit_ahead(self) -> float | None:
+        """Fix what later moves cannot change."""
+        return self.planner.commit_ahead()
+
+    def nominal_last_start(self) -> float:
+        """About when the robot starts the last move [s]."""
+        return self.planner.nominal_last_start()
+
+    def preview(self) -> Trajectory:
+        """What the robot will do if nothing more is said."""
+        return self.planner.preview()
+
+    def places_of(self, queued: QueuedMove) -> tuple[float, float] | None:
+        """Where a move of the current block starts and ends [m] on the preview."""
+        return self.planner.places_of(queued)
+
+    def samples_at(self, now_s: float) -> Samples:
+        """The arm now, one sample, which fixes the path up to now."""
+        self.planner.advance(now_s)
+        return self.at_past(now_s)
+
+    def at_past(self, time_s: float) -> Samples:
+        """The arm at a time [s] that is past, one sample."""
+        return self.trajectory.at(np.array([time_s]))
+
     def halt(self, now_s: float) -> float:
-        """Stop on the path as fast as the axes can, from a time [s] up to which it is fixed or not.
-
-        Returns:
-            Command time [s] at which the robot stands.
-
-        Raises:
-            MotionError: See `append`.
-        """
-        self._advance(now_s)
-        self.version += 1
-        self._halted = True
-        if not self._block or now_s >= self.trajectory.command_end:
-            return now_s
-        assert self._commit is not None
-        while self._driven and self._driven[-1].start_s >= now_s:
-            self._driven.pop()
-        self.trajectory.cut(now_s)
-        self._closed, self._plan = False, None
-        if not self._driven:
-            self._commit = Commit(now_s, 0, 0.0, 0.0)
-            self._take_back(0)
-            return now_s
-        under_way = self._driven[-1]
-        s = under_way.timing.s_at(now_s - under_way.start_s)
-        speed = under_way.timing.speed_at(now_s - under_way.start_s)
-        braking = stop_at(under_way.path, self.limits, s, speed)
-        to_m = float(braking.s[-1])
-        stopping = Plan(under_way.path, braking, under_way.first, s, now_s)
-        if to_m > s:
-            self.trajectory.append(Piece(now_s, under_way.path, braking, s, to_m))
-            self._driven.append(stopping)
-        starts = under_way.path.segment_starts
-        index = under_way.first + int(np.searchsorted(starts, to_m, side="right")) - 1
-        rest_s = now_s + braking.duration
-        self._commit = Commit(rest_s, index, to_m - under_way.start_of(index), 0.0)
-        self._take_back(index + 1)
-        return rest_s
-
-    def leave(self) -> None:
-        """Leave the robot on its way, where its path is fixed up to; nothing is planned any more.
-
-        The move that begins there counts as begun, for it is what the arm is about to make.
-        """
-        if not self.is_open or self._commit is None or not self._driven:
-            return
-        queued = self._block[self._commit.move]
-        if queued.ended_s is None:
-            queued.started.time = queued.ended_s = self._commit.time_s
-            queued.start_place_m = queued.end_place_m = self.trajectory.length
+        """Stop on the path; see `stopping.halt`."""
+        return stopping.halt(self.planner, now_s)
 
     def resume(self, now_s: float) -> None:
         """Let the robot go on from where it was stopped."""
-        self.version += 1
-        self._halted, self._left_at = False, None
-        if self.is_open and self._commit is not None:
-            self._commit = replace(self._commit, time_s=max(now_s, self._commit.time_s))
-            self._plan = None
-            if not self._driven:
-                self._block[0].command_start_s = self._commit.time_s
+        self._left_at = None
+        stopping.resume(self.planner, now_s)
+
+    def leave(self) -> None:
+        """Leave the robot on its way; see `stopping.leave`."""
+        stopping.leave(self.planner)
 
     def clear(self) -> None:
         """Forget what is left of the path of a robot that stands."""
-        self.version += 1
-        if self.is_open:
-            self._closed, self._plan = True, None
-            self._ready_s = self.trajectory.command_end
-            for queued in self._block:
-                if queued.started.time is None:
-                    # The program waits for it no longer.
-                    queued.started.time = self._ready_s
-                queued.end_place_m = min(queued.end_place_m, self.trajectory.length)
+        stopping.clear(self.planner)
         self.end = self.standing()
 
     def store(self) -> None:
         """Keep the path of a robot that stands, and begin another."""
-        self.version += 1
-        kept = (self._block, self._commit, self._closed, self._driven, self._halted, self.end)
-        self._stored.append(_Stored(*kept, self.standing().joints))
-        self._block, self._driven, self._closed, self._halted = [], [], False, False
-        self.end = self.standing()
+        self.planner.version += 1
+        stands = self.standing()
+        self._stored.append(_Stored(self.planner.block, self.end, stands.joints))
+        self.planner.block, self.end = Block(), stands
 
     def restore(self) -> None:
         """Take up the path that was kept last, where it was left."""
-        self.version += 1
+        self.planner.version += 1
         kept = self._stored.pop()
-        self._block, self._commit, self._closed = kept.block, kept.commit, kept.closed
-        self._driven, self._halted, self.end = kept.driven, kept.halted, kept.end
-        self._left_at, self._plan = kept.joints, None
+        self.planner.block, self.end, self._left_at = kept.block, kept.end, kept.joints
+        kept.block.plan = None
 
-    def continue_after(self, other: RobotPath) -> None:
-        """Let the robot go on alone where it moved with others, or the other way round."""
-        self.version += 1
-        self._ready_s = max(self._ready_s, other._ready_s)
-        self._block, self._driven, self._closed, self._commit = [], [], False, None
+    def continue_from(self, ready_s: float) -> None:
+        """Let the robot go on alone where it has moved with others up to a time [s]."""
+        planner = self.planner
+        planner.version += 1
+        planner.ready_s = max(planner.ready_s, ready_s)
+        planner.block = Block(is_halted=planner.is_halted)
 
     def away_deg(self) -> float:
         """How far [deg] the arm stands from where it left the path it is to take up; 0 if there."""
@@ -152,8 +179,51 @@ class RobotPath(PathQueue):
         joints: Array = samples.joints[0]
         return Waypoint(joints, self.robot.forward(joints), samples.external[0])
 
-    def _take_back(self, index: int) -> None:
-        """The moves of the block from one on have not begun after all."""
-        for queued in self._block[index:]:
-            queued.started.time = None
-            queued.ended_s = None
+    def executed(self, task: str) -> tuple[ExecutedMove, ...]:
+        """All moves that were planned, with the times at which the arm is seen to make them."""
+        done = [
+            (index, queued)
+            for index, queued in enumerate(self.moves)
+            if queued.ended_s is not None and queued.started.time is not None
+        ]
+        both = np.array([[queued.start_place_m, queued.end_place_m] for _, queued in done])
+        # Most moves begin where the one before ends.
+        places, row = np.unique(both.reshape(-1), return_inverse=True)
+        seen_s = self.trajectory.time_at_place(places)[row].reshape(-1, 2)
+        return tuple(
+            executed_move(index, task, queued, float(start_s), float(end_s))
+            for (index, queued), (start_s, end_s) in zip(done, seen_s, strict=True)
+        )
+
+
+def solo_queue(
+    robot: Robot, model: MotionModel, start: Waypoint, look: Look = undisturbed
+) -> SoloQueue:
+    """The queue of a robot that stands somewhere at time zero.
+
+    Args:
+        robot: The arm.
+        model: How its controller moves it.
+        start: Where it stands.
+        look: Called while it plans; raises to end that.
+    """
+    trajectory = Trajectory(start, model.filter_time, model.smoothing)
+    build = partial(_path, robot, model, look)
+    planner = BlockPlanner(trajectory, model, limits_of(robot, model), build, look=look)
+    return SoloQueue(robot, planner, start)
+
+
+def _path(
+    robot: Robot,
+    model: MotionModel,
+    look: Look,
+    moves: Sequence[QueuedMove],
+    lost_corner: int | None,
+) -> Path:
+    segments = [queued.segment for queued in moves]
+    if lost_corner is not None:
+        segments[lost_corner] = replace(segments[lost_corner], zone=None)
+    path = build_path(robot, segments, model, look)
+    if isinstance(path, PathFault):
+        raise MotionError(moves[path.segment], path)
+    return path

@@ -2,93 +2,124 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import QueuedMove
-from rapidsim.controller.queue.solo_queue import RobotPath
-from rapidsim.controller.queue.team_planner import Team
+from rapidsim.controller.queue import stopping
+from rapidsim.controller.queue.solo_queue import SoloQueue
+from rapidsim.controller.queue.team_planner import TeamPlanner
 from rapidsim.language.error_numbers import ERR_PATH, rapid_error
 from rapidsim.motion.geometry.segments import Waypoint
-from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 
 
-class Seat(RobotPath):
-    """A robot's place in a team: motion is planned together, samples are its own."""
+@dataclass(frozen=True, slots=True)
+class TeamQueue:
+    """Implements `MotionQueue` in a team: planned together, what is seen is the robot's own."""
 
-    def __init__(self, own: RobotPath, team: Team, number: int) -> None:
-        """Take part.
-
-        Args:
-            own: The path of the robot while it moves alone.
-            team: The joint path.
-            number: Of the robot in the team.
-        """
-        self.own = own
-        self.team = team
-        self.number = number
-        self.robot, self.model = own.robot, own.model
-        self.trajectory, self.moves = own.trajectory, own.moves
+    own: SoloQueue
+    team: TeamPlanner
+    number: int
+    """Of the robot in the team."""
 
     @property
-    def end(self) -> Waypoint:  # type: ignore[override]
+    def trajectory(self) -> Trajectory:
+        """What is decided of the robot's motion."""
+        return self.own.trajectory
+
+    @property
+    def moves(self) -> list[QueuedMove]:
+        """All moves that the robot was ever given, alone or with others."""
+        return self.own.moves
+
+    @property
+    def end(self) -> Waypoint:
         """Where the last queued move of the robot ends."""
         return self.own.end
 
     @property
-    def version(self) -> int:  # type: ignore[override]
+    def version(self) -> int:
         """Changes whenever what the robot will do may change."""
-        return self.team.version
+        return self.team.planner.version
 
     @property
     def is_open(self) -> bool:
         """Whether a block of moves of the team waits for its end."""
-        return self.team.is_open
+        return self.team.planner.is_open
 
     @property
     def is_halted(self) -> bool:
         """Whether a stop keeps the robots where they are."""
-        return self.team.is_halted
+        return self.team.planner.is_halted
 
     @property
     def open_moves(self) -> int:
         """How many moves of the open block have not been travelled."""
-        return self.team.open_moves
+        return self.team.planner.open_moves
+
+    @property
+    def braking_s(self) -> float:
+        """More time [s] than any arm of the team needs to stop."""
+        return self.team.planner.braking_s
 
     def close(self, corner: CornerKind = CornerKind.STOP) -> float:
-        """End the block of the team; see `PathQueue.close`."""
-        return self.team.close(corner)
+        """End the block of the team; see `BlockPlanner.close`."""
+        return self.team.planner.close(corner)
 
     def commit_last_start(self) -> float:
-        """Fix the path up to the start of the last move; see `PathQueue.commit_last_start`."""
-        return self.team.commit_last_start()
+        """Fix the path up to the start of the last move."""
+        return self.team.planner.commit_last_start()
 
     def commit_ahead(self) -> float | None:
-        """Fix what later moves cannot change; see `PathQueue.commit_ahead`."""
-        return self.team.commit_ahead()
+        """Fix what later moves cannot change."""
+        return self.team.planner.commit_ahead()
 
     def nominal_last_start(self) -> float:
-        """About when the last move starts [s]; see `PathQueue.nominal_last_start`."""
-        return self.team.nominal_last_start()
+        """About when the last move starts [s]."""
+        return self.team.planner.nominal_last_start()
+
+    def preview(self) -> Trajectory:
+        """What the robot will do if nothing more is said."""
+        return self.team.preview(self.number)
+
+    def places_of(self, queued: QueuedMove) -> tuple[float, float] | None:
+        """None: triggers on moves of a team are not modelled, and the run says so."""
+        del queued
+        return None
+
+    def samples_at(self, now_s: float) -> Samples:
+        """The robot now, which fixes the path of the team up to now."""
+        self.team.planner.advance(now_s)
+        return self.own.at_past(now_s)
+
+    def at_past(self, time_s: float) -> Samples:
+        """The robot at a time [s] that is past."""
+        return self.own.at_past(time_s)
 
     def halt(self, now_s: float) -> float:
-        """Stop all robots of the team; see `RobotPath.halt`."""
-        return self.team.halt(now_s)
-
-    def leave(self) -> None:
-        """Leave all robots of the team on their way."""
-        self.team.leave()
+        """Stop all robots of the team; see `stopping.halt`."""
+        return stopping.halt(self.team.planner, now_s)
 
     def resume(self, now_s: float) -> None:
         """Let all robots of the team go on."""
-        self.team.resume(now_s)
+        stopping.resume(self.team.planner, now_s)
+
+    def leave(self) -> None:
+        """Leave all robots of the team on their way."""
+        stopping.leave(self.team.planner)
 
     def clear(self) -> None:
         """Forget what is left of the path of the team."""
         self.team.clear()
 
     def store(self) -> None:
-        """Not modelled; see `Team.store`."""
-        self.team.store()
+        """Not modelled: whose path would be kept?
+
+        Raises:
+            RapidError: ERR_PATH.
+        """
+        raise rapid_error(ERR_PATH, _NOT_TOGETHER.format("StorePath"))
 
     def restore(self) -> None:
         """Not modelled: a path that was kept is that of the robot alone.
@@ -96,38 +127,11 @@ class Seat(RobotPath):
         Raises:
             RapidError: ERR_PATH.
         """
-        raise rapid_error(
-            ERR_PATH, "RestoPath while robots move together is not simulated; SyncMoveOff first"
-        )
+        raise rapid_error(ERR_PATH, _NOT_TOGETHER.format("RestoPath"))
 
     def away_deg(self) -> float:
         """A team never takes up a stored path."""
         return 0.0
 
-    def standing(self) -> Waypoint:
-        """Where the robot comes to its end."""
-        return self.own.standing()
 
-    def samples_at(self, now_s: float) -> Samples:
-        """The robot now, which fixes the path of the team up to now."""
-        self.team.advance(now_s)
-        return self.own.at_past(now_s)
-
-    def at_past(self, time_s: float) -> Samples:
-        """The robot at a time [s] that is past."""
-        return self.own.at_past(time_s)
-
-    def preview(self) -> Trajectory:
-        """What the robot will do if nothing more is said."""
-        rest = self.team.rest()
-        if rest is None:
-            return self.trajectory
-        path = rest.path.part(self.number)
-        return self.trajectory.extended(
-            Piece(rest.start_s, path, rest.timing, rest.from_m, path.length)
-        )
-
-    def places_of(self, queued: QueuedMove) -> tuple[float, float] | None:
-        """None: triggers on moves of a team are not modelled, and the run says so."""
-        del queued
-        return None
+_NOT_TOGETHER = "{} while robots move together is not simulated; SyncMoveOff first"

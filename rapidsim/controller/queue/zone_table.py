@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from rapidsim.controller.queue.solo_queue import RobotPath
+from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.path_events import AxisRange, Box, Cylinder, Sphere, ZoneShape
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
@@ -40,11 +40,11 @@ class Zone:
 class WorldZoneTable:
     """The zones that are watched while one robot moves."""
 
-    queue: RobotPath
+    unit: MechanicalUnit
     world_from_base: Transform
     _zones: dict[float, Zone] = field(default_factory=dict)
     _looked_to_s: float = 0.0
-    _next: tuple[int, float | None] | None = None
+    _next: tuple[tuple[int, int], float | None] | None = None
     """For which version of the path what was found."""
 
     def add(self, zone: Zone, now_s: float) -> float:
@@ -88,18 +88,18 @@ class WorldZoneTable:
         """When the arm next enters or leaves a zone [s], as far as its motion is known."""
         if not self.is_watching:
             return None
-        if self._next is None or self._next[0] != self.queue.version:
-            preview = self.queue.preview()
+        if self._next is None or self._next[0] != self.unit.version:
+            preview = self.unit.queue.preview()
             times = [self._crossing(z, preview) for z in self._zones.values() if z.enabled]
             found = min((time_s for time_s in times if time_s is not None), default=None)
-            self._next = (self.queue.version, found)
+            self._next = (self.unit.version, found)
         return self._next[1]
 
     def pass_next(self, now_s: float) -> None:
         """Let the next crossing happen."""
         time_s = self.next_s()
         assert time_s is not None
-        preview = self.queue.preview()
+        preview = self.unit.queue.preview()
         self._looked_to_s, self._next = time_s, None
         for zone in list(self._zones.values()):
             if (
@@ -116,7 +116,7 @@ class WorldZoneTable:
     def _begin(self, zone: Zone, now_s: float) -> None:
         self._next = None
         self._looked_to_s = max(now_s, self._looked_to_s)
-        samples = self.queue.preview().at(np.array([now_s]))
+        samples = self.unit.queue.preview().at(np.array([now_s]))
         zone.inside = bool(self._inside(zone, samples)[0])
         if zone.inside:
             zone.crossed(True, now_s)

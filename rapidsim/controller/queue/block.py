@@ -1,0 +1,64 @@
+"""A block: the moves up to a stop, and how far the robot's motion on them is decided."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from rapidsim.controller.moves.queued_move import QueuedMove
+from rapidsim.motion.path.path import Path
+from rapidsim.motion.timing.time_scaling import Timing
+
+
+@dataclass(frozen=True, slots=True)
+class Commit:
+    """Up to here the path is fixed: a distance past the start of one of the block's moves."""
+
+    time_s: float
+    move: int
+    distance_m: float
+    speed_m_s: float
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """A tentative plan of the open part of the block."""
+
+    path: Path
+    timing: Timing
+    first: int
+    """Index in the block of the path's first segment."""
+    from_m: float
+    """Where on the path the plan starts."""
+    start_s: float
+    """Command time at that place."""
+    lost_corner: int | None = None
+    """Index in the block of a move that ends with a stop instead of the corner it was to have."""
+
+    def time_at(self, s: float) -> float:
+        """Command time [s] at a place of the path."""
+        return self.start_s + self.timing.time_at(s)
+
+    def start_of(self, index: int) -> float:
+        """Where on the path a move of the block starts [m]."""
+        return float(self.path.segment_starts[index - self.first])
+
+
+@dataclass(slots=True, eq=False)
+class Block:
+    """What StorePath keeps of the planning: the moves of one block and what became of them."""
+
+    moves: list[QueuedMove] = field(default_factory=list)
+    commit: Commit = Commit(0.0, 0, 0.0, 0.0)
+    plan: Plan | None = None
+    """Of the part that is not fixed; None where it must be made anew."""
+    driven: list[Plan] = field(default_factory=list)
+    """The plans whose stretches the block has travelled, in order of time."""
+    is_closed: bool = False
+    """It has its end; it stays until the next begins, for it may be stopped on its way."""
+    is_halted: bool = False
+    """StopMove: nothing moves until StartMove."""
+
+    @property
+    def is_open(self) -> bool:
+        """Whether it waits for its end."""
+        return bool(self.moves) and not self.is_closed

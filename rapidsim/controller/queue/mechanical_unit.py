@@ -1,0 +1,50 @@
+"""A robot of a task, and through which queue it moves now."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rapidsim.controller.queue.motion_queue import MotionQueue
+from rapidsim.controller.queue.solo_queue import SoloQueue
+from rapidsim.controller.queue.team_planner import TeamPlanner
+from rapidsim.controller.queue.team_queue import TeamQueue
+
+
+@dataclass(slots=True, eq=False)
+class MechanicalUnit:
+    """The only place where a robot changes from moving alone to moving together, and back.
+
+    Whoever needs the robot's queue asks here each time.
+    """
+
+    own: SoloQueue
+    seat: TeamQueue | None = None
+    """Its place in the team with which it moves; None while it moves alone."""
+    _changes: int = 0
+
+    @property
+    def queue(self) -> MotionQueue:
+        """Through which it moves now."""
+        return self.own if self.seat is None else self.seat
+
+    @property
+    def version(self) -> tuple[int, int]:
+        """Changes whenever what the robot will do may change."""
+        return self._changes, self.queue.version
+
+    @property
+    def team(self) -> TeamPlanner | None:
+        """With which it moves together now."""
+        return None if self.seat is None else self.seat.team
+
+    def join(self, team: TeamPlanner, number: int) -> None:
+        """Move together with others, as a robot of this number in the team."""
+        self._changes += 1
+        self.seat = TeamQueue(self.own, team, number)
+
+    def part(self) -> None:
+        """Move alone from where the team has come to rest."""
+        if self.seat is not None:
+            self.own.continue_from(self.seat.team.planner.ready_s)
+            self._changes += 1
+            self.seat = None

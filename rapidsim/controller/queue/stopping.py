@@ -1,0 +1,106 @@
+"""Stopping on the path, going on, and what is left undone.
+
+Stopping takes back what is fixed beyond the stop: a block stays with its planner when it has its
+end, until the next one begins, so that its rest can be planned again.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from rapidsim.controller.queue.block import Commit, Plan
+from rapidsim.controller.queue.path_planner import BlockPlanner
+from rapidsim.motion.timing.braking import stop_at
+from rapidsim.motion.trajectory.command import Piece
+
+
+def halt(planner: BlockPlanner, now_s: float) -> float:
+    """Stop as fast as the axes can, from a time [s] up to which the path is fixed or not.
+
+    Returns:
+        Command time [s] at which the robot stands.
+
+    Raises:
+        MotionError: See `BlockPlanner.append`.
+    """
+    planner.advance(now_s)
+    planner.version += 1
+    block = planner.block
+    block.is_halted = True
+    if not block.moves or now_s >= planner.trajectory.command_end:
+        return now_s
+    while block.driven and block.driven[-1].start_s >= now_s:
+        block.driven.pop()
+    planner.trajectory.cut(now_s)
+    block.is_closed, block.plan = False, None
+    if not block.driven:
+        block.commit = Commit(now_s, 0, 0.0, 0.0)
+        _take_back(planner, 0)
+        return now_s
+    under_way = block.driven[-1]
+    s = under_way.timing.s_at(now_s - under_way.start_s)
+    speed = under_way.timing.speed_at(now_s - under_way.start_s)
+    braking = stop_at(under_way.path, planner.limits, s, speed)
+    to_m = float(braking.s[-1])
+    if to_m > s:
+        planner.trajectory.append(Piece(now_s, under_way.path, braking, s, to_m))
+        block.driven.append(Plan(under_way.path, braking, under_way.first, s, now_s))
+    starts = under_way.path.segment_starts
+    index = under_way.first + int(np.searchsorted(starts, to_m, side="right")) - 1
+    rest_s = now_s + braking.duration
+    block.commit = Commit(rest_s, index, to_m - under_way.start_of(index), 0.0)
+    _take_back(planner, index + 1)
+    return rest_s
+
+
+def resume(planner: BlockPlanner, now_s: float) -> None:
+    """Go on from where the robot was stopped."""
+    planner.version += 1
+    block = planner.block
+    block.is_halted = False
+    if block.is_open:
+        block.commit = replace(block.commit, time_s=max(now_s, block.commit.time_s))
+        block.plan = None
+        if not block.driven:
+            block.moves[0].command_start_s = block.commit.time_s
+
+
+def clear(planner: BlockPlanner) -> None:
+    """Forget what is left of the path of a robot that stands."""
+    planner.version += 1
+    block, trajectory = planner.block, planner.trajectory
+    if block.is_open:
+        block.is_closed, block.plan = True, None
+        planner.ready_s = trajectory.command_end
+        for queued in block.moves:
+            if queued.started.time is None:
+                # The program waits for it no longer.
+                queued.started.time = planner.ready_s
+            queued.end_place_m = min(queued.end_place_m, trajectory.length)
+    planner.moved(block.moves, None)
+
+
+def leave(planner: BlockPlanner) -> None:
+    """Leave the robot on its way, where its path is fixed up to; nothing is planned any more.
+
+    The move that begins there counts as begun, for it is what the arm is about to make.
+    """
+    block = planner.block
+    if not block.is_open or not block.driven:
+        return
+    queued = block.moves[block.commit.move]
+    if queued.ended_s is None:
+        queued.started.time = queued.ended_s = block.commit.time_s
+        queued.start_place_m = queued.end_place_m = planner.trajectory.length
+        planner.moved([queued], None)
+
+
+def _take_back(planner: BlockPlanner, index: int) -> None:
+    """The moves of the block from one on have not begun after all."""
+    taken = planner.block.moves[index:]
+    for queued in taken:
+        queued.started.time = None
+        queued.ended_s = None
+    planner.moved(taken, None)
