@@ -27,6 +27,7 @@ from rapidsim.interpreter.runtime.arrays import assign_array, copy_array, dimens
 from rapidsim.interpreter.runtime.error_recovery import ERRORS, as_rapid_error, raised
 from rapidsim.interpreter.runtime.references import Component, Element
 from rapidsim.interpreter.runtime.values import literal
+from rapidsim.language.controller import one_for_all
 from rapidsim.language.initial import initial_value
 from rapidsim.language.reference import Box
 from rapidsim.language.single import single
@@ -385,7 +386,8 @@ class Interpreter:
             for parameter, value in zip(signature.parameters, given, strict=False)
         ]
         if signature.takes_controller:
-            parts.insert(0, lambda frame: self.controller)
+            asked = signature.asked_of(one_for_all(self.controller))
+            parts.insert(0, lambda frame: asked)
         return lambda frame: function(*[part(frame) for part in parts])
 
     def copy(self, node: tree.Expression) -> Closure:

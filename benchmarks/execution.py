@@ -13,7 +13,6 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import cast
 
 import plain_loops
 from closures import Interpreter
@@ -22,7 +21,7 @@ from rapidsim.analysis.passes.checker import check
 from rapidsim.analysis.program import DataSymbol, Program, Scope
 from rapidsim.diagnostics import Source
 from rapidsim.interpreter.linking.loader import Task, load
-from rapidsim.language.controller import Controller
+from rapidsim.language.controller import one_for_all
 from rapidsim.syntax.parser import parse
 
 HERE = Path(__file__).parent
@@ -59,7 +58,7 @@ def main() -> None:
     """Measure and print."""
     rounds = int(sys.argv[1]) if len(sys.argv) > 1 else 7
     program = _program()
-    task = load(program, cast(Controller, Ticking()))
+    task = load(program, one_for_all(Ticking()))
     closures = Interpreter(program, Ticking())
     task.run("prepare")
     closures.run("prepare")

@@ -3,15 +3,18 @@
 The interpreter and the library speak to these protocols; `controller` implements them; tests use a
 small recording fake. Everything here is in RAPID's units and knows no robot and no NumPy.
 
-One object implements them all for one task, so generated code and library share its clock.
+A routine of the library asks for the concern it needs by the annotation of its first parameter, or
+for the whole `Controller` where it needs several.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from datetime import datetime
 from enum import Enum
-from typing import Protocol
+from types import MappingProxyType
+from typing import Any, Protocol
 
 from rapidsim.diagnostics import Source
 from rapidsim.language.data import JointTarget, RobTarget, ToolData, WobjData
@@ -27,12 +30,26 @@ from rapidsim.language.path_events import Trigger
 from rapidsim.language.reference import Reference
 from rapidsim.language.sockets import Connection, Listener
 from rapidsim.language.symbols import Symbols
-from rapidsim.language.tasks import Tasks
+from rapidsim.language.tasks import TaskService
 from rapidsim.language.texts import Texts
 
 
 class ClockService(Protocol):
-    """Virtual time of a task."""
+    """Virtual time of a task, and what generated code touches to let it pass."""
+
+    left: int
+    """Ticks of the current slice that are left; a loop takes one each turn and calls `service` when
+    it falls below zero."""
+    place: Place
+    """The statement that runs, set before each call that reports."""
+
+    def service(self) -> None:
+        """Do what is due (traps, other tasks, limits) and grant the next slice.
+
+        Raises:
+            Stopped: When a limit of the run is reached.
+        """
+        ...
 
     def now(self) -> float:
         """Virtual time [s] of the statement that runs."""
@@ -44,12 +61,6 @@ class ClockService(Protocol):
 
     def wait(self, seconds: float, *, in_position: bool = False) -> None:
         """Let virtual time pass; with `in_position`, first let the robot come to rest."""
-        ...
-
-    def wait_until(
-        self, condition: Callable[[], bool], *, max_time: float | None = None, poll_s: float = 0.1
-    ) -> bool:
-        """Let virtual time pass until a condition holds; False if `max_time` [s] ran out first."""
         ...
 
 
@@ -270,6 +281,11 @@ class Sockets(Protocol):
 class Interrupts(Protocol):
     """Interrupt numbers, what they are connected to, and what raises them."""
 
+    intno: float
+    """RAPID's INTNO."""
+    call_procedure: Callable[[str], None]
+    """Calls a procedure of the program by its name, like a trap; the interpreter sets it."""
+
     @property
     def in_trap(self) -> bool:
         """Whether a trap runs."""
@@ -328,7 +344,7 @@ class Interrupts(Protocol):
 
 
 class Signals(Protocol):
-    """Inputs and outputs by name; names compare without case."""
+    """Inputs and outputs by name, without case, and waiting for what depends on them."""
 
     def read_signal(self, name: str) -> float:
         """The value of a signal now."""
@@ -347,9 +363,18 @@ class Signals(Protocol):
         """
         ...
 
+    def wait_until(
+        self, condition: Callable[[], bool], *, max_time: float | None = None, poll_s: float = 0.1
+    ) -> bool:
+        """Let virtual time pass until a condition holds; False if `max_time` [s] ran out first."""
+        ...
+
 
 class ErrorNumbers(Protocol):
-    """Error numbers that a program books for itself."""
+    """ERRNO, and the error numbers that a program books for itself."""
+
+    errno: float
+    """RAPID's ERRNO."""
 
     def book_error_number(self) -> float:
         """The next number that is free, from `error_numbers.FIRST_BOOKED` up."""
@@ -364,44 +389,51 @@ class Honesty(Protocol):
         ...
 
 
-class Controller(
-    ClockService,
-    Motion,
-    PathControl,
-    WorldZones,
-    Operator,
-    Files,
-    Texts,
-    Sockets,
-    Interrupts,
-    Signals,
-    ErrorNumbers,
-    Tasks,
-    Honesty,
-    Protocol,
-):
-    """All of it, for one task, and what generated code needs at run time."""
+@dataclass(slots=True, eq=False)
+class Controller:
+    """One task's controller: who answers for each concern."""
 
-    left: int
-    """Ticks of the current slice that are left; a loop takes one each turn and calls `service` when
-    it falls below zero."""
-    place: Place
-    """The statement that runs, set before each call that reports."""
-    errno: float
-    """RAPID's ERRNO."""
-    intno: float
-    """RAPID's INTNO."""
-    symbols: Symbols
+    clock: ClockService
+    motion: Motion
+    path_control: PathControl
+    world_zones: WorldZones
+    operator: Operator
+    files: Files
+    texts: Texts
+    sockets: Sockets
+    interrupts: Interrupts
+    signals: Signals
+    error_numbers: ErrorNumbers
+    tasks: TaskService
+    honesty: Honesty
+    symbols: Symbols = field(init=False)
     """The data of the program by name; the interpreter sets it."""
-    modules: Modules
+    modules: Modules = field(init=False)
     """The program memory of the task; the interpreter sets it."""
-    call_procedure: Callable[[str], None]
-    """Calls a procedure of the program by its name; the interpreter sets it."""
 
-    def service(self) -> None:
-        """Do what is due (traps, other tasks, limits) and grant the next slice.
 
-        Raises:
-            Stopped: When a limit of the run is reached.
-        """
-        ...
+CONCERNS: Mapping[type, str] = MappingProxyType(
+    {
+        ClockService: "clock",
+        Motion: "motion",
+        PathControl: "path_control",
+        WorldZones: "world_zones",
+        Operator: "operator",
+        Files: "files",
+        Texts: "texts",
+        Sockets: "sockets",
+        Interrupts: "interrupts",
+        Signals: "signals",
+        ErrorNumbers: "error_numbers",
+        TaskService: "tasks",
+        Honesty: "honesty",
+    }
+)
+"""Under which name a `Controller` has the concern of each protocol."""
+
+
+def one_for_all(one: Any) -> Controller:
+    """A controller whose concerns are all one object: where nothing runs, and in tests."""
+    whole = Controller(**dict.fromkeys(CONCERNS.values(), one))
+    whole.symbols = whole.modules = one
+    return whole

@@ -8,7 +8,7 @@ from typing import Protocol
 from rapidsim.language.data import JointTarget, RobTarget, ToolData, WobjData
 
 
-class Tasks(Protocol):
+class TaskService(Protocol):
     """The other tasks of the cell, and moving together with their robots."""
 
     @property

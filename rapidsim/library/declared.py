@@ -21,7 +21,7 @@ from rapidsim.language.initial import initial_value
 from rapidsim.language.types import Type
 from rapidsim.library.predefined import TYPES
 from rapidsim.library.substitutes import SUBSTITUTES
-from rapidsim.library.table import LibraryRoutine, Parameter, Signature
+from rapidsim.library.table import WHOLE, LibraryRoutine, Parameter, Signature
 from rapidsim.library.text import value_text
 
 BUILT_IN = "built in"
@@ -67,7 +67,7 @@ class DeclaredRoutine(LibraryRoutine):
         return Signature(
             tuple(_read_parameters(self.parameters)),
             None if self.result is None else TYPES[self.result],
-            takes_controller=self.simulated is False,
+            "" if self.simulated else WHOLE,
         )
 
 
@@ -84,7 +84,7 @@ def _row(line: str) -> LibraryRoutine:
     treated_as = instead or ("skipped" if result is None else _returned(TYPES[result]))
 
     def body(controller: Controller, *arguments: object, **options: object) -> object:
-        controller.not_simulated(name, treated_as)
+        controller.honesty.not_simulated(name, treated_as)
         if (substitute := SUBSTITUTES.get(treated_as)) is not None:
             given = _by_name(row.signature, arguments) | options
             substitute(controller, given)

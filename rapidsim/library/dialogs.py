@@ -22,7 +22,7 @@ from rapidsim.language.annotations import (
     Switch,
     Var,
 )
-from rapidsim.language.controller import Controller
+from rapidsim.language.controller import Controller, Honesty, Operator
 from rapidsim.language.data import ListItem
 from rapidsim.language.error_numbers import ERR_UI_INITVALUE, ERR_UI_MAXMIN, rapid_error
 from rapidsim.library.honesty import ignored
@@ -82,13 +82,13 @@ def ui_msg_box(
 ) -> None:
     """Show a message with buttons."""
     del wrap, image
-    _report(controller, "UIMsgBox", options)
+    _report(controller.honesty, "UIMsgBox", options)
     lines = (header, msg_line1, msg_line2, msg_line3, msg_line4, msg_line5)
     prompt = " / ".join(line for line in lines if line)
     if buttons == NO_BUTTONS:
-        controller.show(prompt)
+        controller.operator.show(prompt)
         return
-    pressed = _pressed(controller, prompt, buttons, None)
+    pressed = _pressed(controller.operator, prompt, buttons, None)
     if result is not None:
         result.value = pressed
 
@@ -104,11 +104,11 @@ def ui_message_box(
 ) -> BtnRes:
     """Show a message with buttons; the button, or its number in the program's own list."""
     del image, default_btn
-    _report(controller, "UIMessageBox", asked)
+    _report(controller.honesty, "UIMessageBox", asked)
     if buttons == NO_BUTTONS:
-        controller.show(_prompt(asked))
+        controller.operator.show(_prompt(asked))
         return 0.0
-    return _pressed(controller, _prompt(asked), buttons, btn_array)
+    return _pressed(controller.operator, _prompt(asked), buttons, btn_array)
 
 
 def ui_num_entry(
@@ -121,7 +121,7 @@ def ui_num_entry(
     **asked: Unpack[Asked],
 ) -> Num:
     """Ask for a number within limits."""
-    _report(controller, "UINumEntry", asked)
+    _report(controller.honesty, "UINumEntry", asked)
     return _number(controller, "UINumEntry", asked, init_value, min_value, max_value, as_integer)
 
 
@@ -135,7 +135,7 @@ def ui_dnum_entry(
     **asked: Unpack[Asked],
 ) -> Dnum:
     """Ask for a number within limits, in double precision."""
-    _report(controller, "UIDnumEntry", asked)
+    _report(controller.honesty, "UIDnumEntry", asked)
     return _number(controller, "UIDnumEntry", asked, init_value, min_value, max_value, as_integer)
 
 
@@ -143,8 +143,8 @@ def ui_alpha_entry(
     controller: Controller, *, init_string: String | None = None, **asked: Unpack[Asked]
 ) -> String:
     """Ask for a text."""
-    _report(controller, "UIAlphaEntry", asked)
-    return controller.ask_text(_prompt(asked), init_string or "")
+    _report(controller.honesty, "UIAlphaEntry", asked)
+    return controller.operator.ask_text(_prompt(asked), init_string or "")
 
 
 def ui_list_view(
@@ -160,15 +160,15 @@ def ui_list_view(
 ) -> Num:
     """Ask for one line of a list; its number. The first button ends the choice."""
     del default_index
-    _report(controller, "UIListView", options)
-    chosen = controller.ask_choice(header or "", [item.text for item in list_items])
+    _report(controller.honesty, "UIListView", options)
+    chosen = controller.operator.ask_choice(header or "", [item.text for item in list_items])
     if result is not None:
         result.value = 1.0 if btn_array or buttons is None else _buttons(buttons)[0][1]
     return float(chosen + 1)
 
 
 def _pressed(
-    controller: Controller, prompt: str, buttons: float | None, own: list[str] | None
+    controller: Operator, prompt: str, buttons: float | None, own: list[str] | None
 ) -> float:
     if own is not None:
         return float(controller.ask_choice(prompt, own) + 1)
@@ -196,11 +196,11 @@ def _number(
         raise rapid_error(ERR_UI_MAXMIN, f"{name}: the least value {low:g} is above {high:g}")
     if initial is not None and not low <= initial <= high:
         raise rapid_error(ERR_UI_INITVALUE, f"{name}: {initial:g} is not within {low:g}..{high:g}")
-    answer = controller.ask_number(_prompt(asked))
+    answer = controller.operator.ask_number(_prompt(asked))
     taken = min(max(float(round(answer)) if whole else answer, low), high)
     if taken != answer:
         # The operator could not have pressed OK with such a number.
-        controller.not_simulated(f"{name} with the answer {answer:g}", f"{taken:g}")
+        controller.honesty.not_simulated(f"{name} with the answer {answer:g}", f"{taken:g}")
     return taken
 
 
@@ -209,7 +209,7 @@ def _prompt(asked: Asked) -> str:
     return " / ".join(line for line in lines if line)
 
 
-def _report(controller: Controller, name: str, options: Options) -> None:
+def _report(controller: Honesty, name: str, options: Options) -> None:
     no_breaks(controller, name, options)
     ignored(controller, name, {r"\UIActiveSignal": options.get("ui_active_signal")})
 

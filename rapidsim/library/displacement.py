@@ -13,7 +13,7 @@ from dataclasses import replace
 
 from rapidsim.frames.vectors import minus
 from rapidsim.language.annotations import Pers, Switch
-from rapidsim.language.controller import Controller, Motion
+from rapidsim.language.controller import Motion
 from rapidsim.language.data import (
     IDENTITY_POSE,
     UNUSED_AXIS,
@@ -68,7 +68,7 @@ def without_axis_offsets(axes: ExtJoint, offsets: ExtJoint | None) -> ExtJoint:
 
 
 def p_disp_on(
-    controller: Controller,
+    controller: Motion,
     prog_point: RobTarget,
     tool: Pers[ToolData],
     *,
@@ -88,37 +88,35 @@ def p_disp_on(
     controller.settings = replace(controller.settings, displacement=frame)
 
 
-def p_disp_set(controller: Controller, disp_frame: Pose) -> None:
+def p_disp_set(controller: Motion, disp_frame: Pose) -> None:
     """Displace the program by a frame."""
     controller.settings = replace(controller.settings, displacement=rounded(disp_frame))
 
 
-def p_disp_off(controller: Controller) -> None:
+def p_disp_off(controller: Motion) -> None:
     """End the program displacement."""
     controller.settings = replace(controller.settings, displacement=None)
 
 
-def e_offs_on(
-    controller: Controller, prog_point: RobTarget, *, exe_p: RobTarget | None = None
-) -> None:
+def e_offs_on(controller: Motion, prog_point: RobTarget, *, exe_p: RobTarget | None = None) -> None:
     r"""Offset the external axes by the way from one target to where they are, or to \ExeP."""
     axes = controller.current_joints().extax if exe_p is None else exe_p.extax
     offsets = without_axis_offsets(axes, prog_point.extax)
     controller.settings = replace(controller.settings, axis_offsets=offsets)
 
 
-def e_offs_set(controller: Controller, e_ax_offs: ExtJoint) -> None:
+def e_offs_set(controller: Motion, e_ax_offs: ExtJoint) -> None:
     """Offset the external axes."""
     controller.settings = replace(controller.settings, axis_offsets=e_ax_offs)
 
 
-def e_offs_off(controller: Controller) -> None:
+def e_offs_off(controller: Motion) -> None:
     """End the offsets of external axes."""
     controller.settings = replace(controller.settings, axis_offsets=None)
 
 
 def o_rob_t(
-    controller: Controller,
+    controller: Motion,
     org_point: RobTarget,
     *,
     in_p_disp: Switch = False,

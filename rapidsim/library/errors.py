@@ -38,9 +38,11 @@ def err_write(
 ) -> None:
     """Show a message and keep it in the event log."""
     lines = [line for line in (reason, rl2, rl3, rl4) if line]
-    controller.show(f"{_kind(w, i)} {header}: {' / '.join(lines)}")
+    controller.operator.show(f"{_kind(w, i)} {header}: {' / '.join(lines)}")
     number = 2.0 if w else 3.0 if i else 1.0
-    controller.log_error(LoggedError(USER_DOMAIN, number, _type(w, i), header, tuple(lines)))
+    controller.interrupts.log_error(
+        LoggedError(USER_DOMAIN, number, _type(w, i), header, tuple(lines))
+    )
 
 
 def err_log(
@@ -57,9 +59,9 @@ def err_log(
 ) -> None:
     """Show a message of the program's own text file by its number, with what fills its blanks."""
     arguments = [a for a in (argument1, argument2, argument3, argument4, argument5) if a]
-    controller.show(f"{_kind(w, i)} {number_text(error_id)}: {' / '.join(arguments)}")
+    controller.operator.show(f"{_kind(w, i)} {number_text(error_id)}: {' / '.join(arguments)}")
     entry = LoggedError(PROCESS_DOMAIN, error_id, _type(w, i), texts=tuple(arguments))
-    controller.log_error(entry)
+    controller.interrupts.log_error(entry)
 
 
 def _kind(warning: bool, information: bool) -> str:

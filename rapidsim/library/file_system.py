@@ -123,8 +123,8 @@ def fs_size(
 ) -> Num:
     r"""The size of the disk, or the free space on it, in bytes, kB or MB."""
     del total
-    controller.not_simulated("FSSize", _DISK_NOTE)
-    used = controller.bytes_in(name) if free else 0
+    controller.honesty.not_simulated("FSSize", _DISK_NOTE)
+    used = controller.files.bytes_in(name) if free else 0
     unit = 1024.0 if kbyte else 1024.0**2 if mbyte else 1.0
     return float(int((DISK_BYTES - used) / unit))
 

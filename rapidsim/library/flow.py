@@ -22,8 +22,8 @@ def stop(
 ) -> None:
     """Stop the program when the robot stands; nobody starts it again, so the run ends."""
     del no_regain
-    ignored(controller, "Stop", {r"\AllMoveTasks": all_move_tasks})
-    controller.wait(0.0, in_position=True)
+    ignored(controller.honesty, "Stop", {r"\AllMoveTasks": all_move_tasks})
+    controller.clock.wait(0.0, in_position=True)
     raise Stopped("Stop")
 
 

@@ -123,7 +123,7 @@ def i_signal_ai(
     if condition not in _RANGES:
         raise rapid_error(ERR_ARGVALERR, f"{condition:g} is no condition of type aiotrigg")
     in_range = _RANGES[condition]
-    last = controller.read_signal(connected(signal))
+    last = controller.signals.read_signal(connected(signal))
 
     def matches(value: float) -> bool:
         nonlocal last
@@ -136,7 +136,7 @@ def i_signal_ai(
         return True
 
     once = single or single_safe
-    controller.order_signal(interrupt.value, connected(signal), matches, single=once)
+    controller.interrupts.order_signal(interrupt.value, connected(signal), matches, single=once)
 
 
 def i_signal_ao(

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from rapidsim.diagnostics import Source
 from rapidsim.language.annotations import Bool, LoadSessionVar, String, Switch, TaskId, Var
-from rapidsim.language.controller import Controller, FileMode
+from rapidsim.language.controller import Controller, FileMode, Files
 from rapidsim.language.error_numbers import (
     ERR_IOERROR,
     ERR_LOADNO_INUSE,
@@ -43,11 +43,11 @@ def load(
     """Take a module from a file into the program, with its initial values."""
     del dynamic
     path = joined_path(file_path, file)
-    controller.modules.load(_read(controller, path), path, check_references=check_ref)
+    controller.modules.load(_read(controller.files, path), path, check_references=check_ref)
 
 
 def start_load(
-    controller: Controller,
+    controller: Files,
     file_path: String,
     load_no: Var[LoadSessionVar],
     *,
@@ -98,11 +98,11 @@ def un_load(
     path = joined_path(file_path, file)
     modules = controller.modules.loaded_from(path)
     if err_if_changed and any(module.text != module.loaded_text for module in modules):
-        controller.not_simulated(
+        controller.honesty.not_simulated(
             r"UnLoad \ErrIfChanged", "values of persistents are no change of a module"
         )
     if save and len(modules) == 1:
-        _write(controller, modules[0], path)
+        _write(controller.files, modules[0], path)
     elif save and modules:
         raise rapid_error(
             ERR_UNLOAD, f"{path} holds {len(modules)} modules; saving them is not simulated"
@@ -135,10 +135,10 @@ def save(
     file: String | None = None,
 ) -> None:
     """Write a module into a file, with the values that its persistents have now."""
-    if task_name is not None and not controller.has_task(task_name):
+    if task_name is not None and not controller.tasks.has_task(task_name):
         raise rapid_error(ERR_TASKNAME, f"there is no task {task_name} in this run")
     if task_ref is not None or task_name is not None:
-        controller.not_simulated(r"Save \TaskRef, \TaskName", "skipped")
+        controller.honesty.not_simulated(r"Save \TaskRef, \TaskName", "skipped")
         return
     module = controller.modules.saved(module_name)
     path = module.loaded_from if file_path is None else joined_path(file_path, file)
@@ -147,7 +147,7 @@ def save(
             ERR_PATH,
             rf"module {module.name} was not loaded with Load; give \FilePath to say where it goes",
         )
-    _write(controller, module, path)
+    _write(controller.files, module, path)
 
 
 def _session(session: LoadSession | None) -> LoadSession:
@@ -156,11 +156,11 @@ def _session(session: LoadSession | None) -> LoadSession:
     return session
 
 
-def _read(controller: Controller, path: str) -> Source:
+def _read(controller: Files, path: str) -> Source:
     return controller.read_module(path, LARGEST_FILE)
 
 
-def _write(controller: Controller, module: SavedModule, path: str) -> None:
+def _write(controller: Files, module: SavedModule, path: str) -> None:
     """Write a module's text."""
     try:
         file = controller.open_file(path, FileMode.WRITE)

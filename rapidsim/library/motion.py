@@ -17,7 +17,7 @@ from types import MappingProxyType
 from typing import TypedDict, Unpack
 
 from rapidsim.language.annotations import IdentNo, Num, Pers, Switch
-from rapidsim.language.controller import Controller
+from rapidsim.language.controller import Controller, Honesty
 from rapidsim.language.data import (
     WOBJ0,
     JointTarget,
@@ -83,22 +83,22 @@ def asked(
         r"\ID": options.get("id_"),
         r"\TLoad": options.get("tload"),
     }
-    ignored(controller, name, left_out)
+    ignored(controller.honesty, name, left_out)
     cir_point, wobj, inpos = options.get("cir_point"), options.get("wobj"), options.get("inpos")
-    no_object = WOBJ0 if tool is not None else controller.active_wobj()
+    no_object = WOBJ0 if tool is not None else controller.motion.active_wobj()
     return Move(
         name,
         interpolation,
-        to if isinstance(to, JointTarget) else in_object(controller, to),
+        to if isinstance(to, JointTarget) else in_object(controller.motion, to),
         _speed(speed, options.get("v")),
         _zone(zone, options.get("z"), inpos),
-        controller.active_tool() if tool is None else tool.value,
+        controller.motion.active_tool() if tool is None else tool.value,
         no_object if wobj is None else wobj.value,
-        circle_point=None if cir_point is None else in_object(controller, cir_point),
+        circle_point=None if cir_point is None else in_object(controller.motion, cir_point),
         duration_s=options.get("t"),
         concurrent=options.get("conc", False),
         sync_id=sync_id,
-        stop=_stop(controller, inpos),
+        stop=_stop(controller.honesty, inpos),
     )
 
 
@@ -114,7 +114,7 @@ def move(name: str, interpolation: Interpolation) -> Callable[..., None]:
         **options: Unpack[MoveOptions],
     ) -> None:
         sync_id = options.pop("id_", None)
-        controller.move(
+        controller.motion.move(
             asked(controller, name, interpolation, to_point, speed, zone, tool, options, sync_id)
         )
 
@@ -130,10 +130,12 @@ def move_abs_j(
     **options: Unpack[MoveOptions],
 ) -> None:
     """Move all axes together to axis positions; program displacement has no effect."""
-    offsets = None if options.get("no_eoffs") else controller.settings.axis_offsets
+    offsets = None if options.get("no_eoffs") else controller.motion.settings.axis_offsets
     to = JointTarget(to_joint_pos.robax, with_axis_offsets(to_joint_pos.extax, offsets))
     how, sync_id = Interpolation.AXES, options.pop("id_", None)
-    controller.move(asked(controller, "MoveAbsJ", how, to, speed, zone, tool, options, sync_id))
+    controller.motion.move(
+        asked(controller, "MoveAbsJ", how, to, speed, zone, tool, options, sync_id)
+    )
 
 
 def move_ext_j(
@@ -144,13 +146,15 @@ def move_ext_j(
     **options: Unpack[MoveOptions],
 ) -> None:
     """Move the external axes only; the robot stays where it is on them."""
-    offsets = controller.settings.axis_offsets if options.get("use_eoffs") else None
+    offsets = controller.motion.settings.axis_offsets if options.get("use_eoffs") else None
     to = JointTarget(to_joint_pos.robax, with_axis_offsets(to_joint_pos.extax, offsets))
     how, sync_id = Interpolation.EXTERNAL_AXES, options.pop("id_", None)
-    controller.move(asked(controller, "MoveExtJ", how, to, speed, zone, None, options, sync_id))
+    controller.motion.move(
+        asked(controller, "MoveExtJ", how, to, speed, zone, None, options, sync_id)
+    )
 
 
-def _stop(controller: Controller, inpos: StopPointData | None) -> StopTime | None:
+def _stop(controller: Honesty, inpos: StopPointData | None) -> StopTime | None:
     r"""What \Inpos asks for beside the stop itself."""
     if inpos is None:
         return None

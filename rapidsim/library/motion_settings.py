@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rapidsim.language.annotations import Bool, MecUnit, Num, Pers, Switch, Var
-from rapidsim.language.controller import Controller, Motion
+from rapidsim.language.controller import ClockService, Controller, Honesty, Motion
 from rapidsim.language.data import LoadData
 from rapidsim.language.error_numbers import ERR_ACC_TOO_LOW, ERR_ARGVALERR, rapid_error
 from rapidsim.language.moves import LEAST_RAMP_PERCENT, CirclePathMode, SingularArea
@@ -102,11 +102,11 @@ def path_acc_lim(
     speeding_up = _limit("AccMax", acc_max) if acc_lim else None
     braking = _limit("DecelMax", decel_max) if decel_lim else None
     if speeding_up != braking:
-        controller.not_simulated(
+        controller.honesty.not_simulated(
             "PathAccLim with two different limits", "the smaller one counts for both"
         )
-    controller.settings = replace(
-        controller.settings, tcp_acceleration_m_s2=speeding_up, tcp_deceleration_m_s2=braking
+    controller.motion.settings = replace(
+        controller.motion.settings, tcp_acceleration_m_s2=speeding_up, tcp_deceleration_m_s2=braking
     )
 
 
@@ -128,32 +128,32 @@ def _limit(name: str, limit: float | None) -> float:
 
 def act_unit(controller: Controller, mech_unit: Var[MecUnit]) -> None:
     """Switch a mechanical unit on, so that targets move its axes."""
-    name = _unit_name(controller)
-    active = controller.settings.inactive_units - {name}
-    controller.settings = replace(controller.settings, inactive_units=active)
+    name = _unit_name(controller.clock)
+    active = controller.motion.settings.inactive_units - {name}
+    controller.motion.settings = replace(controller.motion.settings, inactive_units=active)
     del mech_unit
 
 
 def deact_unit(controller: Controller, mech_unit: Var[MecUnit]) -> None:
     """Switch a mechanical unit off: its axes stay where they are."""
-    name = _unit_name(controller)
-    inactive = controller.settings.inactive_units | {name}
-    controller.settings = replace(controller.settings, inactive_units=inactive)
+    name = _unit_name(controller.clock)
+    inactive = controller.motion.settings.inactive_units | {name}
+    controller.motion.settings = replace(controller.motion.settings, inactive_units=inactive)
     del mech_unit
 
 
 def is_mech_unit_active(controller: Controller, mech_unit: Var[MecUnit]) -> Bool:
     """Whether a mechanical unit is on."""
     del mech_unit
-    return _unit_name(controller) not in controller.settings.inactive_units
+    return _unit_name(controller.clock) not in controller.motion.settings.inactive_units
 
 
-def _unit_name(controller: Controller) -> str:
+def _unit_name(controller: ClockService) -> str:
     """The unit an instruction names, in small letters; units have no value, only a name."""
     return controller.place.arguments.get("mechunit", "").lower()
 
 
-def grip_load(controller: Controller, load: Pers[LoadData]) -> None:
+def grip_load(controller: Motion, load: Pers[LoadData]) -> None:
     """Tell the controller the load in the gripper.
 
     It slows accelerations as far as the motion model says; by default loads change nothing.
@@ -161,7 +161,7 @@ def grip_load(controller: Controller, load: Pers[LoadData]) -> None:
     controller.settings = replace(controller.settings, grip_load_kg=load.value.mass)
 
 
-def max_rob_speed(controller: Controller) -> Num:
+def max_rob_speed(controller: Honesty) -> Num:
     """The highest TCP speed [mm/s]."""
     controller.not_simulated("MaxRobSpeed", "the speed of vmax")
     return MAX_TCP_SPEED_MM_S

@@ -70,8 +70,8 @@ def tp_read_num(
     **breaks: Unpack[Breaks],
 ) -> None:
     """Ask for a number."""
-    no_breaks(controller, "TPReadNum", breaks)
-    tp_answer.value = controller.ask_number(tp_text)
+    no_breaks(controller.honesty, "TPReadNum", breaks)
+    tp_answer.value = controller.operator.ask_number(tp_text)
 
 
 def tp_read_dnum(
@@ -81,8 +81,8 @@ def tp_read_dnum(
     **breaks: Unpack[Breaks],
 ) -> None:
     """Ask for a number in double precision."""
-    no_breaks(controller, "TPReadDnum", breaks)
-    tp_answer.value = controller.ask_number(tp_text)
+    no_breaks(controller.honesty, "TPReadDnum", breaks)
+    tp_answer.value = controller.operator.ask_number(tp_text)
 
 
 def tp_read_fk(
@@ -97,9 +97,9 @@ def tp_read_fk(
     **breaks: Unpack[Breaks],
 ) -> None:
     """Ask for one of five keys; the answer is its number."""
-    no_breaks(controller, "TPReadFK", breaks)
+    no_breaks(controller.honesty, "TPReadFK", breaks)
     keys = (tpfk1, tpfk2, tpfk3, tpfk4, tpfk5)
-    tp_answer.value = float(controller.ask_choice(tp_text, keys) + 1)
+    tp_answer.value = float(controller.operator.ask_choice(tp_text, keys) + 1)
 
 
 def option_text(

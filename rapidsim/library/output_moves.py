@@ -50,7 +50,7 @@ def _digital(name: str, way: Interpolation) -> Callable[..., None]:
     ) -> None:
         at_end = Trigger(SetOutput(connected(signal), 0.0 if value == 0.0 else 1.0))
         move = asked(controller, name, way, to_point, speed, zone, tool, options)
-        controller.move(move, (at_end,))
+        controller.motion.move(move, (at_end,))
 
     return body
 
@@ -68,7 +68,7 @@ def _analog(name: str, way: Interpolation) -> Callable[..., None]:
     ) -> None:
         at_end = Trigger(SetOutput(connected(signal), value))
         move = asked(controller, name, way, to_point, speed, zone, tool, options)
-        controller.move(move, (at_end,))
+        controller.motion.move(move, (at_end,))
 
     return body
 
@@ -90,7 +90,7 @@ def _group(name: str, way: Interpolation) -> Callable[..., None]:
             raise rapid_error(ERR_ARGVALERR, r"one of \Value and \DValue is needed")
         at_end = Trigger(SetOutput(connected(signal), value))
         move = asked(controller, name, way, to_point, speed, zone, tool, options)
-        controller.move(move, (at_end,))
+        controller.motion.move(move, (at_end,))
 
     return body
 
@@ -106,7 +106,7 @@ def _call(name: str, way: Interpolation) -> Callable[..., None]:
         **options: Unpack[MoveOptions],
     ) -> None:
         move = asked(controller, name, way, to_point, speed, zone, tool, options)
-        controller.move(move, (Trigger(CallProcedure(proc_name)),))
+        controller.motion.move(move, (Trigger(CallProcedure(proc_name)),))
 
     return body
 

@@ -21,6 +21,7 @@ from rapidsim.language.data import (
     WobjData,
 )
 from rapidsim.language.errors import RapidError
+from rapidsim.language.tasks import TaskService
 from rapidsim.library.displacement import in_object, in_program, without_axis_offsets
 from rapidsim.library.honesty import ignored
 from rapidsim.library.table import routine, table
@@ -35,12 +36,12 @@ def c_rob_t(
     wobj: Pers[WobjData] | None = None,
 ) -> RobTarget:
     """Where the TCP is; without arguments, that of the tool and work object of the last move."""
-    _own_task_only(controller, "CRobT", task_ref)
+    _own_task_only(controller.honesty, "CRobT", task_ref)
     of_tool = None if tool is None else tool.value
     of_wobj = None if wobj is None else wobj.value
-    if _is_other(controller, task_name):
-        return controller.target_of(task_name or "", of_tool, of_wobj)
-    return in_program(controller, controller.current_target(of_tool, of_wobj))
+    if _is_other(controller.tasks, task_name):
+        return controller.tasks.target_of(task_name or "", of_tool, of_wobj)
+    return in_program(controller.motion, controller.motion.current_target(of_tool, of_wobj))
 
 
 def c_joint_t(
@@ -50,11 +51,11 @@ def c_joint_t(
     task_name: String | None = None,
 ) -> JointTarget:
     """Where the axes are."""
-    _own_task_only(controller, "CJointT", task_ref)
-    if _is_other(controller, task_name):
-        return controller.joints_of(task_name or "")
-    joints = controller.current_joints()
-    offsets = controller.settings.axis_offsets
+    _own_task_only(controller.honesty, "CJointT", task_ref)
+    if _is_other(controller.tasks, task_name):
+        return controller.tasks.joints_of(task_name or "")
+    joints = controller.motion.current_joints()
+    offsets = controller.motion.settings.axis_offsets
     return joints._replace(extax=without_axis_offsets(joints.extax, offsets))
 
 
@@ -78,8 +79,8 @@ def c_tool(
     task_name: String | None = None,
 ) -> ToolData:
     """The tool of the last move."""
-    _own_task_only(controller, "CTool", task_ref, task_name)
-    return controller.active_tool()
+    _own_task_only(controller.honesty, "CTool", task_ref, task_name)
+    return controller.motion.active_tool()
 
 
 def c_wobj(
@@ -89,8 +90,8 @@ def c_wobj(
     task_name: String | None = None,
 ) -> WobjData:
     """The work object of the last move."""
-    _own_task_only(controller, "CWObj", task_ref, task_name)
-    return controller.active_wobj()
+    _own_task_only(controller.honesty, "CWObj", task_ref, task_name)
+    return controller.motion.active_wobj()
 
 
 def calc_rob_t(
@@ -118,10 +119,12 @@ def calc_joint_t(
 
     With \ErrorNumber a target that cannot be reached gives the number there and all axes at 0.
     """
-    ignored(controller, "CalcJointT", {r"\UseCurWObjPos": use_cur_wobj_pos})
+    ignored(controller.honesty, "CalcJointT", {r"\UseCurWObjPos": use_cur_wobj_pos})
     of_wobj = WOBJ0 if wobj is None else wobj.value
     try:
-        joints = controller.joints_at(in_object(controller, rob_target), tool.value, of_wobj)
+        joints = controller.motion.joints_at(
+            in_object(controller.motion, rob_target), tool.value, of_wobj
+        )
     except RapidError as error:
         if error_number is None:
             raise
@@ -129,7 +132,7 @@ def calc_joint_t(
         return JointTarget(RobJoint(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), NO_EXTERNAL_AXES)
     if error_number is not None:
         error_number.value = 0.0
-    offsets = controller.settings.axis_offsets
+    offsets = controller.motion.settings.axis_offsets
     return joints._replace(extax=without_axis_offsets(joints.extax, offsets))
 
 
@@ -139,7 +142,7 @@ def c_speed_override(*, c_task: Switch = False) -> Num:
     return 100.0
 
 
-def _is_other(controller: Controller, task_name: str | None) -> bool:
+def _is_other(controller: TaskService, task_name: str | None) -> bool:
     return task_name is not None and task_name.lower() != controller.task_name.lower()
 
 

@@ -14,7 +14,7 @@ from collections.abc import Callable
 from typing import Unpack
 
 from rapidsim.language.annotations import Bool, InOut, Pers, SignalDi, Switch
-from rapidsim.language.controller import Controller
+from rapidsim.language.controller import Controller, Honesty
 from rapidsim.language.data import FINE, JointTarget, RobTarget, Signal, SpeedData, ToolData
 from rapidsim.language.moves import Flank, Interpolation, SearchStop
 from rapidsim.language.reference import Reference
@@ -48,9 +48,9 @@ def _search(name: str, way: Interpolation) -> Callable[..., None]:
         **options: Unpack[SearchOptions],
     ) -> None:
         move = asked(controller, name, way, to_point, speed, FINE, tool, options)
-        stop = _stop(controller, name, options)
-        found = controller.search(move, _watched(signal), _flank(options), stop)
-        search_point.value = in_program(controller, found)
+        stop = _stop(controller.honesty, name, options)
+        found = controller.path_control.search(move, _watched(signal), _flank(options), stop)
+        search_point.value = in_program(controller.motion, found)
 
     return body
 
@@ -65,11 +65,11 @@ def search_ext_j(
 ) -> None:
     """Move the external axes only and keep where all axes were when a signal changed."""
     name, way = "SearchExtJ", Interpolation.EXTERNAL_AXES
-    offsets = controller.settings.axis_offsets if options.get("use_eoffs") else None
+    offsets = controller.motion.settings.axis_offsets if options.get("use_eoffs") else None
     to = JointTarget(to_joint_pos.robax, with_axis_offsets(to_joint_pos.extax, offsets))
     move = asked(controller, name, way, to, speed, FINE, None, options)
-    stop = _stop(controller, name, options)
-    found = controller.search_joints(move, _watched(signal), _flank(options), stop)
+    stop = _stop(controller.honesty, name, options)
+    found = controller.path_control.search_joints(move, _watched(signal), _flank(options), stop)
     search_joint_pos.value = JointTarget(found.robax, without_axis_offsets(found.extax, offsets))
 
 
@@ -90,7 +90,7 @@ def _flank(options: SearchOptions) -> Flank:
     return Flank.FALLING if options.get("low_level") else Flank.RISING
 
 
-def _stop(controller: Controller, name: str, options: SearchOptions) -> SearchStop:
+def _stop(controller: Honesty, name: str, options: SearchOptions) -> SearchStop:
     if options.get("stop"):
         controller.not_simulated(rf"{name} \Stop", r"stops on the path, as \PStop")
     if options.get("stop") or options.get("p_stop") or options.get("s_stop"):

@@ -26,7 +26,7 @@ from rapidsim.language.annotations import (
     Switch,
     Var,
 )
-from rapidsim.language.controller import Controller
+from rapidsim.language.controller import Controller, Signals
 from rapidsim.language.data import Signal
 from rapidsim.language.error_numbers import ERR_WAIT_MAXTIME, rapid_error
 from rapidsim.language.reference import Reference
@@ -45,8 +45,8 @@ def wait_di(
     **window: Unpack[Window],
 ) -> None:
     """Wait until a digital input has a value."""
-    no_window(controller, "WaitDI", window)
-    _wait_digital(controller, "WaitDI", signal, value, max_time, time_flag)
+    no_window(controller.honesty, "WaitDI", window)
+    _wait_digital(controller.signals, "WaitDI", signal, value, max_time, time_flag)
 
 
 def wait_do(
@@ -59,8 +59,8 @@ def wait_do(
     **window: Unpack[Window],
 ) -> None:
     """Wait until a digital output has a value."""
-    no_window(controller, "WaitDO", window)
-    _wait_digital(controller, "WaitDO", signal, value, max_time, time_flag)
+    no_window(controller.honesty, "WaitDO", window)
+    _wait_digital(controller.signals, "WaitDO", signal, value, max_time, time_flag)
 
 
 def wait_ai(
@@ -75,9 +75,9 @@ def wait_ai(
     **window: Unpack[Window],
 ) -> None:
     """Wait until an analog input equals a value, is below it, or above it."""
-    no_window(controller, "WaitAI", window)
+    no_window(controller.honesty, "WaitAI", window)
     condition = _relation(value, lt=lt, gt=gt)
-    _wait_value(controller, "WaitAI", signal, condition, max_time, value_at_timeout)
+    _wait_value(controller.signals, "WaitAI", signal, condition, max_time, value_at_timeout)
 
 
 def wait_ao(
@@ -92,9 +92,9 @@ def wait_ao(
     **window: Unpack[Window],
 ) -> None:
     """Wait until an analog output equals a value, is below it, or above it."""
-    no_window(controller, "WaitAO", window)
+    no_window(controller.honesty, "WaitAO", window)
     condition = _relation(value, lt=lt, gt=gt)
-    _wait_value(controller, "WaitAO", signal, condition, max_time, value_at_timeout)
+    _wait_value(controller.signals, "WaitAO", signal, condition, max_time, value_at_timeout)
 
 
 def wait_gi(
@@ -111,10 +111,10 @@ def wait_gi(
     **window: Unpack[Window],
 ) -> None:
     """Wait until a group of inputs stands in a relation to a value."""
-    no_window(controller, "WaitGI", window)
+    no_window(controller.honesty, "WaitGI", window)
     condition = _relation(value, lt=lt, gt=gt, noteq=noteq)
     at_timeout = dvalue_at_timeout if value_at_timeout is None else value_at_timeout
-    _wait_value(controller, "WaitGI", signal, condition, max_time, at_timeout)
+    _wait_value(controller.signals, "WaitGI", signal, condition, max_time, at_timeout)
 
 
 def wait_go(
@@ -131,10 +131,10 @@ def wait_go(
     **window: Unpack[Window],
 ) -> None:
     """Wait until a group of outputs stands in a relation to a value."""
-    no_window(controller, "WaitGO", window)
+    no_window(controller.honesty, "WaitGO", window)
     condition = _relation(value, lt=lt, gt=gt, noteq=noteq)
     at_timeout = dvalue_at_timeout if value_at_timeout is None else value_at_timeout
-    _wait_value(controller, "WaitGO", signal, condition, max_time, at_timeout)
+    _wait_value(controller.signals, "WaitGO", signal, condition, max_time, at_timeout)
 
 
 def _relation(value: float, *, lt: bool, gt: bool, noteq: bool = False) -> Callable[[float], bool]:
@@ -148,7 +148,7 @@ def _relation(value: float, *, lt: bool, gt: bool, noteq: bool = False) -> Calla
 
 
 def _wait_digital(
-    controller: Controller,
+    controller: Signals,
     name: str,
     signal: Reference[Signal],
     value: float,
@@ -161,7 +161,7 @@ def _wait_digital(
 
 
 def _wait_value(
-    controller: Controller,
+    controller: Signals,
     name: str,
     signal: Reference[Signal],
     condition: Callable[[float], bool],

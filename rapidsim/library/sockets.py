@@ -56,7 +56,7 @@ _LARGEST_PORT = 65535
 _Device = Reference[SocketState | None]
 
 
-def socket_create(controller: Controller, socket: Var[SocketDev], *, udp: Switch = False) -> None:
+def socket_create(controller: Honesty, socket: Var[SocketDev], *, udp: Switch = False) -> None:
     r"""Make a socket. One of datagrams (\UDP) is made, but nothing is sent with it."""
     if socket.value is not None:
         raise rapid_error(ERR_SOCK_IS_CONN, "the socket is there already; SocketClose it first")
@@ -233,11 +233,11 @@ def socket_receive_from(
     """Wait for a datagram: none comes, and the time runs out."""
     del remote_address, remote_port, str_, raw_data, data, no_rec_bytes
     _created(socket)
-    controller.not_simulated("SocketReceiveFrom", _NO_DATAGRAM)
+    controller.honesty.not_simulated("SocketReceiveFrom", _NO_DATAGRAM)
     limit = _limit(time)
     if limit is None:
-        controller.wait_until(lambda: False)
-    controller.wait(limit or 0.0)
+        controller.signals.wait_until(lambda: False)
+    controller.clock.wait(limit or 0.0)
     raise _too_late("no datagram came", time)
 
 

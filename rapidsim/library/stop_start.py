@@ -20,17 +20,17 @@ def stop_move(
     controller: Controller, *, quick: Switch = False, all_motion_tasks: Switch = False
 ) -> None:
     """Stop the robot on its path; the program goes on when it stands."""
-    ignored(controller, "StopMove", {r"\Quick": quick})
+    ignored(controller.honesty, "StopMove", {r"\Quick": quick})
     if all_motion_tasks:
-        controller.stop_other_robots()
-    controller.stop_move()
+        controller.tasks.stop_other_robots()
+    controller.path_control.stop_move()
 
 
 def start_move(controller: Controller, *, all_motion_tasks: Switch = False) -> None:
     """Let the robot go on."""
     if all_motion_tasks:
-        controller.start_other_robots()
-    controller.start_move()
+        controller.tasks.start_other_robots()
+    controller.path_control.start_move()
 
 
 def start_move_retry(controller: PathControl) -> None:
@@ -41,9 +41,9 @@ def start_move_retry(controller: PathControl) -> None:
 def stop_move_reset(controller: Controller, *, all_motion_tasks: Switch = False) -> None:
     """Take a StopMove back: the robot goes on."""
     if all_motion_tasks:
-        controller.start_other_robots()
-    if controller.is_stopped():
-        controller.start_move()
+        controller.tasks.start_other_robots()
+    if controller.path_control.is_stopped():
+        controller.path_control.start_move()
 
 
 def clear_path(controller: PathControl) -> None:
@@ -53,8 +53,8 @@ def clear_path(controller: PathControl) -> None:
 
 def store_path(controller: Controller, *, keep_sync: Switch = False) -> None:
     """Keep the rest of the path and begin another."""
-    ignored(controller, "StorePath", {r"\KeepSync": keep_sync})
-    controller.store_path()
+    ignored(controller.honesty, "StorePath", {r"\KeepSync": keep_sync})
+    controller.path_control.store_path()
 
 
 def resto_path(controller: PathControl) -> None:

@@ -38,7 +38,7 @@ def get_data_val(
     of: ArgumentType = NUM,
 ) -> None:
     """Read data whose name is a string."""
-    _own_task_only(controller, "GetDataVal", task_ref, task_name)
+    _own_task_only(controller.honesty, "GetDataVal", task_ref, task_name)
     read = controller.symbols.read(object_, of, _where(block))
     if isinstance(value, list):
         assert isinstance(read, list)
@@ -58,7 +58,7 @@ def set_data_val(
     of: ArgumentType = NUM,
 ) -> None:
     """Write data whose name is a string."""
-    _own_task_only(controller, "SetDataVal", task_ref, task_name)
+    _own_task_only(controller.honesty, "SetDataVal", task_ref, task_name)
     controller.symbols.write(object_, of, _where(block), _given(value))
 
 
@@ -98,7 +98,7 @@ def set_data_search(
     del type_mod, in_task
     kinds = {"PERS": pers_sym, "VAR": var_sym, "CONST": const_sym}
     if in_rout is not None:
-        controller.not_simulated(r"SetDataSearch \InRout", "data of routines are not found")
+        controller.honesty.not_simulated(r"SetDataSearch \InRout", "data of routines are not found")
     search = Search(
         type_,
         object_,

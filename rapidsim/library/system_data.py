@@ -67,12 +67,12 @@ def get_sys_data(
 ) -> None:
     r"""Copy the active tool or the active work object; their names are not kept."""
     options = {r"\TaskRef": task_ref, r"\TaskName": task_name, r"\ObjectName": object_name}
-    ignored(controller, "GetSysData", options)
+    ignored(controller.honesty, "GetSysData", options)
     match of.name:
         case "tooldata":
-            dest_object.value = controller.active_tool()
+            dest_object.value = controller.motion.active_tool()
         case "wobjdata":
-            dest_object.value = controller.active_wobj()
+            dest_object.value = controller.motion.active_wobj()
         case name:
             raise rapid_error(
                 ERR_ARGVALERR, f"there is no active {name}; tooldata and wobjdata are possible"

@@ -19,6 +19,7 @@ from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
 
 from rapidsim.language import types
 from rapidsim.language.annotations import Marker, Mode, Only
+from rapidsim.language.controller import CONCERNS, Controller
 from rapidsim.language.records import record_of
 from rapidsim.language.reference import Reference
 from rapidsim.language.types import Type
@@ -32,10 +33,8 @@ _SPELLINGS = {
     "io_device": "IODevice",
 }
 """RAPID names that are not their Python name with capitals."""
-_PROTOCOLS = tuple(
-    f"rapidsim.language.{module}" for module in ("controller", "path_control", "tasks")
-)
-"""Where the protocols stand that a routine may ask for as its first parameter."""
+WHOLE = "controller"
+"""Stands for all concerns of the controller."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,12 +69,22 @@ class Signature:
 
     parameters: tuple[Parameter, ...]
     result: Type | None
-    takes_controller: bool
-    """The Python function wants the controller first."""
+    concern: str = ""
+    """What the Python function wants first: a concern of the controller by its name, `controller`
+    for all of it; empty for nothing."""
     type_of: Parameter | None = None
     """The Python function wants the type of this parameter's argument, as keyword `type_keyword`.
     """
     type_keyword: str = ""
+
+    @property
+    def takes_controller(self) -> bool:
+        """Whether the Python function wants the controller, or a concern of it, first."""
+        return bool(self.concern)
+
+    def asked_of(self, controller: Controller) -> object:
+        """What of a task's controller the Python function wants first."""
+        return controller if self.concern == WHOLE else getattr(controller, self.concern)
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,11 +138,11 @@ def table(*rows: LibraryRoutine) -> Mapping[str, LibraryRoutine]:
 def _read_signature(body: Callable[..., Any], order: str) -> Signature:
     hints = get_type_hints(body, include_extras=True)
     python_parameters = list(inspect.signature(body).parameters.values())
-    takes_controller = bool(python_parameters) and _is_protocol(hints[python_parameters[0].name])
+    concern = _concern(hints[python_parameters[0].name]) if python_parameters else ""
     read: dict[str, Parameter] = {}
     grouped: set[str] = set()
     type_keyword = ""
-    for python in python_parameters[takes_controller:]:
+    for python in python_parameters[bool(concern) :]:
         hint = hints[python.name]
         if get_origin(hint) is Annotated and Marker.ARGUMENT_TYPE in get_args(hint)[1:]:
             type_keyword = python.name
@@ -153,7 +162,7 @@ def _read_signature(body: Callable[..., Any], order: str) -> Signature:
     return Signature(
         parameters,
         None if result is NoneType else _read_type(result)[0],
-        takes_controller,
+        concern,
         next((p for p in parameters if _is_open(p)), None) if type_keyword else None,
         type_keyword,
     )
@@ -246,8 +255,11 @@ def _array_of(hint: object) -> types.ArrayOf:
     return types.ArrayOf(element, (None,) * dimensions)
 
 
-def _is_protocol(hint: object) -> bool:
-    return getattr(hint, "__module__", "") in _PROTOCOLS
+def _concern(hint: object) -> str:
+    """What of the controller an annotation asks for; empty where it is no protocol of it."""
+    if hint is Controller:
+        return WHOLE
+    return CONCERNS.get(hint, "") if isinstance(hint, type) else ""
 
 
 def _is_open(parameter: Parameter) -> bool:

@@ -13,7 +13,7 @@ from typing import Annotated
 
 from rapidsim.language import types
 from rapidsim.language.annotations import Bool, Mode, Num, String, Switch, TaskId, Var
-from rapidsim.language.controller import Controller
+from rapidsim.language.controller import ClockService, Controller
 from rapidsim.language.data import Tasks
 from rapidsim.language.error_numbers import (
     ERR_ARGVALERR,
@@ -23,6 +23,7 @@ from rapidsim.language.error_numbers import (
     ERR_WAITSYNCTASK,
     rapid_error,
 )
+from rapidsim.language.tasks import TaskService
 from rapidsim.library.honesty import ignored
 from rapidsim.library.table import routine, table
 
@@ -40,11 +41,13 @@ def wait_sync_task(
 ) -> None:
     """Wait until all tasks of a list are at the same synchronization point."""
     tasks = _in_the_run(controller, "WaitSyncTask", task_list)
-    name = _name_of(controller)
+    name = _name_of(controller.clock)
     if len(tasks) < 2:
-        controller.wait(0.0, in_position=in_pos)
+        controller.clock.wait(0.0, in_position=in_pos)
         return
-    if not controller.meet("WaitSyncTask", name, tasks, max_time=time_out, in_position=in_pos):
+    if not controller.tasks.meet(
+        "WaitSyncTask", name, tasks, max_time=time_out, in_position=in_pos
+    ):
         _out_of_time(ERR_WAITSYNCTASK, "WaitSyncTask", name, time_out)
 
 
@@ -57,8 +60,8 @@ def sync_move_on(
 ) -> None:
     """Wait for all tasks of a list at a stop point; from there their robots move together."""
     tasks = _in_the_run(controller, "SyncMoveOn", task_list)
-    name = _name_of(controller)
-    if len(tasks) > 1 and not controller.move_together(name, tasks, max_time=time_out):
+    name = _name_of(controller.clock)
+    if len(tasks) > 1 and not controller.tasks.move_together(name, tasks, max_time=time_out):
         _out_of_time(ERR_SYNCMOVEON, "SyncMoveOn", name, time_out)
 
 
@@ -66,32 +69,32 @@ def sync_move_off(
     controller: Controller, sync_id: Var[SyncIdent], *, time_out: Num | None = None
 ) -> None:
     """Wait for the tasks that move together at a stop point; from there each moves alone."""
-    name = _name_of(controller)
-    if controller.team and not controller.move_apart(name, max_time=time_out):
+    name = _name_of(controller.clock)
+    if controller.tasks.team and not controller.tasks.move_apart(name, max_time=time_out):
         _out_of_time(ERR_SYNCMOVEOFF, "SyncMoveOff", name, time_out)
 
 
-def sync_move_undo(controller: Controller) -> None:
+def sync_move_undo(controller: TaskService) -> None:
     """Move alone again without waiting for the others."""
     controller.leave_team()
 
 
-def sync_move_suspend(controller: Controller) -> None:
+def sync_move_suspend(controller: TaskService) -> None:
     """Move alone for a while, on another path level."""
     controller.suspend_team()
 
 
-def sync_move_resume(controller: Controller) -> None:
+def sync_move_resume(controller: TaskService) -> None:
     """Move together again after SyncMoveSuspend."""
     controller.resume_team()
 
 
-def is_sync_move_on(controller: Controller) -> Bool:
+def is_sync_move_on(controller: TaskService) -> Bool:
     """Whether the robot of the task moves together with others."""
     return bool(controller.team)
 
 
-def tasks_in_sync(controller: Controller, task_list: Annotated[list[Tasks], Mode.INOUT]) -> Num:
+def tasks_in_sync(controller: TaskService, task_list: Annotated[list[Tasks], Mode.INOUT]) -> Num:
     """How many tasks move together; their names go into the list."""
     team = controller.team
     for index in range(len(task_list)):
@@ -100,7 +103,7 @@ def tasks_in_sync(controller: Controller, task_list: Annotated[list[Tasks], Mode
 
 
 def get_task_name(
-    controller: Controller,
+    controller: TaskService,
     *,
     task_no: Var[Num] | None = None,
     mec_task_no: Var[Num] | None = None,
@@ -113,17 +116,17 @@ def get_task_name(
     return controller.task_name
 
 
-def task_run_rob(controller: Controller) -> Bool:
+def task_run_rob(controller: TaskService) -> Bool:
     """Whether the task controls a robot."""
     return controller.robot_number > 0
 
 
-def task_run_mec(controller: Controller) -> Bool:
+def task_run_mec(controller: TaskService) -> Bool:
     """Whether the task controls any mechanical unit; such units here belong to robots."""
     return controller.robot_number > 0
 
 
-def motion_planner_no(controller: Controller) -> Num:
+def motion_planner_no(controller: TaskService) -> Num:
     """The number of the motion planner of the task's robot, 0 without a robot."""
     return float(controller.robot_number)
 
@@ -140,9 +143,9 @@ def task_is_executing(controller: Controller, task_ref: TaskId | String) -> Bool
 
 def _is_in_the_run(controller: Controller, function: str, task: object) -> bool:
     if not isinstance(task, str):
-        ignored(controller, function, {"TaskRef": task})
+        ignored(controller.honesty, function, {"TaskRef": task})
         return True
-    if not controller.has_task(task):
+    if not controller.tasks.has_task(task):
         raise rapid_error(ERR_TASKNAME, f"there is no task {task} in this run")
     return True
 
@@ -150,10 +153,10 @@ def _is_in_the_run(controller: Controller, function: str, task: object) -> bool:
 def _in_the_run(controller: Controller, instruction: str, tasks: list[Tasks]) -> list[str]:
     """The names of a list, without those that are not in the run."""
     names = [task.taskname for task in tasks if task.taskname]
-    present = [name for name in names if controller.has_task(name)]
-    missing = [name for name in names if not controller.has_task(name)]
+    present = [name for name in names if controller.tasks.has_task(name)]
+    missing = [name for name in names if not controller.tasks.has_task(name)]
     if missing:
-        controller.not_simulated(
+        controller.honesty.not_simulated(
             instruction, f"without {', '.join(missing)}, which this run does not have"
         )
     if len({name.lower() for name in present}) != len(present):
@@ -161,7 +164,7 @@ def _in_the_run(controller: Controller, instruction: str, tasks: list[Tasks]) ->
     return present
 
 
-def _name_of(controller: Controller) -> str:
+def _name_of(controller: ClockService) -> str:
     """What the synchronization point is called where the instruction stands."""
     return controller.place.arguments["syncid"]
 

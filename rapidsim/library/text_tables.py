@@ -25,6 +25,7 @@ from rapidsim.language.annotations import Bool, Num, String
 from rapidsim.language.controller import Controller, FileMode
 from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_FILEACC, ERR_TXTNOEXIST, rapid_error
 from rapidsim.language.errors import RapidError
+from rapidsim.language.texts import Texts
 from rapidsim.library.table import routine, table
 from rapidsim.library.text import MAX_STRING
 
@@ -38,28 +39,28 @@ _INDEX = re.compile(r"(\d+):\s*(?:#.*)?")
 
 def text_tab_install(controller: Controller, file: String) -> None:
     """Read a file of texts and keep its tables."""
-    opened = controller.open_file(file, FileMode.READ)
+    opened = controller.files.open_file(file, FileMode.READ)
     data = opened.read(LARGEST_FILE + 1)
     opened.close()
     if len(data) > LARGEST_FILE:
         raise rapid_error(ERR_FILEACC, f"{file} has more than {LARGEST_FILE:g} bytes")
     tables = _read_tables(file, decode(data)[0])
     for name in tables:
-        if controller.text_table(name) is not None:
+        if controller.texts.text_table(name) is not None:
             raise rapid_error(
                 ERR_ARGVALERR,
                 f"{file}: there is a text table {name} already; ask TextTabFreeToUse first",
             )
     for name, texts in tables.items():
-        controller.install_texts(name, texts)
+        controller.texts.install_texts(name, texts)
 
 
-def text_tab_free_to_use(controller: Controller, table_name: String) -> Bool:
+def text_tab_free_to_use(controller: Texts, table_name: String) -> Bool:
     """Whether no text table of that name is installed."""
     return controller.text_table(table_name) is None
 
 
-def text_tab_get(controller: Controller, table_name: String) -> Num:
+def text_tab_get(controller: Texts, table_name: String) -> Num:
     """The number of a text table."""
     number = controller.text_table(table_name)
     if number is None:
@@ -67,7 +68,7 @@ def text_tab_get(controller: Controller, table_name: String) -> Num:
     return float(number)
 
 
-def text_get(controller: Controller, table: Num, index: Num) -> String:
+def text_get(controller: Texts, table: Num, index: Num) -> String:
     """A text of a table."""
     text = controller.table_text(table, index)
     if text is None:

@@ -23,8 +23,7 @@ from rapidsim.language.annotations import (
     Switch,
     Var,
 )
-from rapidsim.language.controller import ClockService as ClockProtocol
-from rapidsim.language.controller import Controller, Honesty
+from rapidsim.language.controller import ClockService, Controller, Honesty, Signals
 from rapidsim.language.data import ClockState
 from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_WAIT_MAXTIME, rapid_error
 from rapidsim.language.reference import Reference
@@ -62,7 +61,7 @@ def no_window(controller: Honesty, name: str, window: Window) -> None:
     ignored(controller, name, shown)
 
 
-def wait_time(controller: ClockProtocol, time: Num, *, in_pos: Switch = False) -> None:
+def wait_time(controller: ClockService, time: Num, *, in_pos: Switch = False) -> None:
     r"""Wait so many seconds; with \InPos, first until the robot stands."""
     if time < 0.0:
         raise rapid_error(ERR_ARGVALERR, f"a wait of {time:g} s lies in the past")
@@ -80,11 +79,11 @@ def wait_until(
     **window: Unpack[Window],
 ) -> None:
     """Wait until a condition holds, looking again and again."""
-    no_window(controller, "WaitUntil", window)
+    no_window(controller.honesty, "WaitUntil", window)
     if in_pos:
-        controller.wait(0.0, in_position=True)
+        controller.clock.wait(0.0, in_position=True)
     poll_s = DEFAULT_POLL_S if poll_rate is None else max(poll_rate, LEAST_POLL_S)
-    in_time = controller.wait_until(cond, max_time=max_time, poll_s=poll_s)
+    in_time = controller.signals.wait_until(cond, max_time=max_time, poll_s=poll_s)
     report_timeout(in_time, time_flag, "WaitUntil", max_time)
 
 
@@ -103,7 +102,7 @@ def report_timeout(
 
 
 def wait_rob(
-    controller: ClockProtocol, *, in_pos: Switch = False, zero_speed: Switch = False
+    controller: ClockService, *, in_pos: Switch = False, zero_speed: Switch = False
 ) -> None:
     """Wait until the robot stands at its stop point, or just stands."""
     if not (in_pos or zero_speed):
@@ -111,7 +110,7 @@ def wait_rob(
     controller.wait(0.0, in_position=True)
 
 
-def wait_test_and_set(controller: ClockProtocol, object_: Pers[Bool]) -> None:
+def wait_test_and_set(controller: Signals, object_: Pers[Bool]) -> None:
     """Wait until a flag is FALSE and set it."""
     controller.wait_until(lambda: not object_.value)
     object_.value = True
@@ -122,19 +121,19 @@ def clk_reset(clock: Var[Clock]) -> None:
     clock.value = ClockState()
 
 
-def clk_start(controller: ClockProtocol, clock: Var[Clock]) -> None:
+def clk_start(controller: ClockService, clock: Var[Clock]) -> None:
     """Let a clock run; one that runs already runs on."""
     state = clock.value
     if state.started_s is None:
         clock.value = ClockState(state.counted_s, controller.now())
 
 
-def clk_stop(controller: ClockProtocol, clock: Var[Clock]) -> None:
+def clk_stop(controller: ClockService, clock: Var[Clock]) -> None:
     """Let a clock stand."""
     clock.value = ClockState(_clock_time(controller, clock.value))
 
 
-def clk_read(controller: ClockProtocol, clock: Var[Clock], *, high_res: Switch = False) -> Num:
+def clk_read(controller: ClockService, clock: Var[Clock], *, high_res: Switch = False) -> Num:
     """What a clock shows [s]."""
     resolution = FINE_CLOCK_RESOLUTION_S if high_res else CLOCK_RESOLUTION_S
     # Just above the last step, so that 0.3 s computed as 0.29999... still shows 0.3.
@@ -142,18 +141,18 @@ def clk_read(controller: ClockProtocol, clock: Var[Clock], *, high_res: Switch =
     return steps * resolution
 
 
-def c_date(controller: ClockProtocol) -> String:
+def c_date(controller: ClockService) -> String:
     """The date, as `2000-01-01`."""
     return f"{controller.date_and_time():%Y-%m-%d}"
 
 
-def c_time(controller: ClockProtocol) -> String:
+def c_time(controller: ClockService) -> String:
     """The time of day, as `06:30:00`."""
     return f"{controller.date_and_time():%H:%M:%S}"
 
 
 def get_time(
-    controller: ClockProtocol,
+    controller: ClockService,
     *,
     w_day: Switch = False,
     hour: Switch = False,
@@ -169,7 +168,7 @@ def get_time(
     )
 
 
-def _clock_time(controller: ClockProtocol, state: ClockState) -> float:
+def _clock_time(controller: ClockService, state: ClockState) -> float:
     if state.started_s is None:
         return state.counted_s
     return state.counted_s + controller.now() - state.started_s

@@ -45,7 +45,7 @@ def _trigg(name: str, way: Interpolation) -> Callable[..., None]:
     ) -> None:
         triggers = _triggers(name, trigg_1, options)
         move = asked(controller, name, way, to_point, speed, zone, tool, options)
-        controller.move(move, triggers)
+        controller.motion.move(move, triggers)
 
     return body
 

@@ -54,7 +54,7 @@ def _trigg_ios(name: str, way: Interpolation) -> Callable[..., None]:
         ]
         triggers = tuple(_triggers(name, rows))
         move = asked(controller, name, way, to_point, speed, zone, tool, options)
-        controller.move(move, triggers)
+        controller.motion.move(move, triggers)
 
     return body
 

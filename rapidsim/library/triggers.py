@@ -30,7 +30,7 @@ from rapidsim.language.annotations import (
     TriggMode,
     Var,
 )
-from rapidsim.language.controller import Controller
+from rapidsim.language.controller import Honesty
 from rapidsim.language.data import Signal
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.path_events import (
@@ -55,7 +55,7 @@ class Inhibition(TypedDict, total=False):
 
 
 def trigg_io(
-    controller: Controller,
+    controller: Honesty,
     trigg_data: Var[TriggData],
     distance: Num,
     set_value: Num | Dnum,
@@ -79,7 +79,7 @@ def trigg_io(
 
 
 def trigg_equip(
-    controller: Controller,
+    controller: Honesty,
     trigg_data: Var[TriggData],
     distance: Num,
     equip_lag: Num,
@@ -102,7 +102,7 @@ def trigg_equip(
 
 
 def trigg_int(
-    controller: Controller,
+    controller: Honesty,
     trigg_data: Var[TriggData],
     distance: Num,
     interrupt: Var[IntNum],
@@ -121,7 +121,7 @@ def trigg_int(
 
 
 def trigg_check_io(
-    controller: Controller,
+    controller: Honesty,
     trigg_data: Var[TriggData],
     distance: Num,
     signal: Var[AnySignal],
@@ -150,7 +150,7 @@ def trigg_check_io(
 
 
 def trigg_ramp_ao(
-    controller: Controller,
+    controller: Honesty,
     trigg_data: Var[TriggData],
     distance: Num,
     equip_lag: Num,
@@ -172,7 +172,7 @@ def trigg_ramp_ao(
 
 
 def trigg_speed(
-    controller: Controller,
+    controller: Honesty,
     trigg_data: Var[TriggData],
     distance: Num,
     scale_lag: Num,

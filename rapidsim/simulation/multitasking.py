@@ -12,6 +12,7 @@ from rapidsim.controller.controller import VirtualController
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
 from rapidsim.interpreter.linking.loader import FatalError, Task, load
 from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents, shared_persistents
+from rapidsim.language.controller import one_for_all
 from rapidsim.language.moves import Place
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End
@@ -89,7 +90,7 @@ class _Board:
 def _loaded(run: TaskRun, shared: SharedPersistents) -> Callable[[], Task]:
     """Load a task now; an error in its initial values is raised when the task begins."""
     try:
-        task = load(run.setup.program, run.controller, shared)
+        task = load(run.setup.program, one_for_all(run.controller), shared)
     except FatalError as error:
         failure = error
     else:

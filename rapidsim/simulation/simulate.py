@@ -14,6 +14,7 @@ from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.controller.moves.motion_findings import hasty_move_findings
 from rapidsim.files import InputError
 from rapidsim.interpreter.linking.loader import Task, load
+from rapidsim.language.controller import one_for_all
 from rapidsim.motion.robot.robot import Robot, RobotError
 from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.simulation.multitasking import run_together
@@ -88,7 +89,7 @@ def run_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> FinishedRun:
     try:
         if len(runs) == 1:
             only = runs[0]
-            loading = partial(load, only.setup.program, only.controller)
+            loading = partial(load, only.setup.program, one_for_all(only.controller))
             outcomes = [run_to_end(only, loading, options)]
         else:
             outcomes = run_together(runs, cell, options)

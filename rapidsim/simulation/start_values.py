@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NoReturn, cast
+from typing import NoReturn
 
 from rapidsim.analysis.program import DataSymbol, Program
 from rapidsim.files import InputError
 from rapidsim.interpreter.linking.loader import FatalError, load
-from rapidsim.language.controller import Controller
+from rapidsim.language.controller import one_for_all
 from rapidsim.language.errors import Stopped
 
 
@@ -22,7 +22,7 @@ def start_values(program: Program) -> Callable[[DataSymbol], object]:
         InputError: If an initial value cannot be computed without a robot that stands somewhere.
     """
     try:
-        task = load(program, cast(Controller, _NotRunning()))
+        task = load(program, one_for_all(_NotRunning()))
     except FatalError as fatal:
         raise InputError(f"an initial value cannot be computed: {fatal.error.message}") from fatal
     except Stopped as stopped:

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import cast
 
 from rapidsim.analysis.passes.checker import check
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Severity, Source, Span
 from rapidsim.interpreter.linking.loader import FatalError, Task, load
-from rapidsim.language.controller import Controller
+from rapidsim.language.controller import one_for_all
 from rapidsim.language.errors import Stopped
 from rapidsim.language.moves import MotionSettings, Move, Place
 from rapidsim.syntax.parser import parse
@@ -127,13 +126,13 @@ def checked(text: str, *more: str) -> Program:
 
 def loaded(text: str, *more: str) -> tuple[Task, RecordingController]:
     controller = RecordingController()
-    return load(checked(text, *more), cast(Controller, controller)), controller
+    return load(checked(text, *more), one_for_all(controller)), controller
 
 
 def run(text: str, *more: str, controller: RecordingController | None = None) -> Ran:
     """Run main of a program."""
     controller = controller or RecordingController()
-    task = load(checked(text, *more), cast(Controller, controller))
+    task = load(checked(text, *more), one_for_all(controller))
     fatal: FatalError | None = None
     stopped: Stopped | None = None
     try:

@@ -9,7 +9,7 @@ import traceback
 from collections import Counter
 from pathlib import Path
 from types import FrameType
-from typing import Any, cast
+from typing import Any
 
 import pytest
 from interpreter_cell import RecordingController, checked, main, module, run
@@ -17,7 +17,7 @@ from interpreter_cell import RecordingController, checked, main, module, run
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.linking.loader import FatalError, load
 from rapidsim.interpreter.linking.translation import show_python
-from rapidsim.language.controller import Controller
+from rapidsim.language.controller import one_for_all
 
 GOLDEN = Path(__file__).parent / "golden"
 
@@ -106,7 +106,7 @@ ENDMODULE
 def test_each_statement_is_one_line_event() -> None:
     """Protected or not, on one line or several: once each time it is executed."""
     controller = RecordingController()
-    task = load(checked(LINES), cast(Controller, controller))
+    task = load(checked(LINES), one_for_all(controller))
     counted: Counter[int] = Counter()
 
     def trace(frame: FrameType, event: str, argument: Any) -> Any:
@@ -134,7 +134,7 @@ def test_each_statement_is_one_line_event() -> None:
 def test_tracebacks_show_rapid_lines() -> None:
     text = module('PROC main()\n  VAR num d;\n  TPWrite "ä" + ValToStr(1 / d);\nENDPROC')
     with pytest.raises(FatalError) as caught:
-        load(checked(text), cast(Controller, RecordingController())).run()
+        load(checked(text), one_for_all(RecordingController())).run()
     shown = "".join(traceback.format_exception(caught.value))
     assert 'File "cell.mod", line 5, in main' in shown
     assert 'TPWrite "ä" + ValToStr(1 / d);' in shown

@@ -8,7 +8,7 @@ from datetime import datetime, timedelta
 from typing import Any
 
 from rapidsim.diagnostics import Source, Span
-from rapidsim.language.controller import FileMode
+from rapidsim.language.controller import Controller, FileMode
 from rapidsim.language.data import (
     NO_EXTERNAL_AXES,
     TOOL0,
@@ -79,7 +79,7 @@ class MemoryFile:
 
 @dataclass
 class RecordingController:
-    """Implements `language.controller.Controller` with nothing behind it."""
+    """Implements all protocols of `language.controller` with nothing behind it."""
 
     time_s: float = 0.0
     left: int = 0
@@ -109,8 +109,19 @@ class RecordingController:
     def call(self, name: str, *arguments: Any, **options: Any) -> Any:
         """Call a routine, with this controller if it wants one."""
         row = ROUTINES[name.lower()]
-        first = (self,) if row.signature.takes_controller else ()
+        first = (row.signature.asked_of(self.whole()),) if row.signature.takes_controller else ()
         return row.body(*first, *arguments, **options)
+
+    def whole(self) -> Controller:
+        """All concerns in one; mypy holds it against the protocol of each."""
+        whole = Controller(
+            *(self, self, self, self, self, self),
+            *(self, self, self, self, self, self, self),
+        )
+        for name in ("symbols", "modules"):
+            if hasattr(self, name):
+                setattr(whole, name, getattr(self, name))
+        return whole
 
     def now(self) -> float:
         return self.time_s

@@ -25,7 +25,7 @@ def test_program_writes_what_its_comments_say(path: Path) -> None:
     controller = RecordingController()
     # Every program here ends with ExitCycle, which no ERROR clause may catch.
     with pytest.raises(CycleEnded):
-        load(checked.program, controller).run()
+        load(checked.program, controller.whole()).run()
     written = [line.removeprefix("show ") for line in controller.log if line.startswith("show ")]
     assert written == re.findall(r"! -> (.*)", text)
     assert not controller.unsimulated

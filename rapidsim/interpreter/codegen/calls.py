@@ -240,8 +240,8 @@ class Calls:
         values, options, calls = self._library_arguments(signature, given, at)
         if not signature.takes_controller:
             return Code(at.call(function, values, options), may_raise=True, calls=calls)
-        place = at.name(self._place(call, given))
-        node = at.call("_call_at", [place, function, *values], options)
+        place, asked = at.name(self._place(call, given)), at.name(f"_{signature.concern}")
+        node = at.call("_call_at", [place, function, asked, *values], options)
         return Code(node, may_raise=True, calls=True)
 
     def _instruction(self, routine: LibraryRoutine, call: tree.Call, at: At) -> list[ast.stmt]:
@@ -251,13 +251,13 @@ class Calls:
         values, options, calls = self._library_arguments(signature, given, at)
         if not signature.takes_controller:
             return [at.do(at.call(function, values, options))]
-        place = at.name(self._place(call, given))
+        place, asked = at.name(self._place(call, given)), at.name(f"_{signature.concern}")
         if calls:
             # A call among the arguments reports places of its own; ours comes after.
-            return [at.do(at.call("_call_at", [place, function, *values], options))]
+            return [at.do(at.call("_call_at", [place, function, asked, *values], options))]
         return [
-            at.assign(at.store_attribute("_task", "place"), place),
-            at.do(at.call(function, [at.name("_task"), *values], options)),
+            at.assign(at.store_attribute("_clock", "place"), place),
+            at.do(at.call(function, [asked, *values], options)),
         ]
 
     def _library_arguments(

@@ -10,6 +10,7 @@ from __future__ import annotations
 import ast
 from dataclasses import dataclass
 from enum import Enum
+from types import MappingProxyType
 
 from rapidsim.analysis.program import (
     CounterSymbol,
@@ -28,6 +29,9 @@ from rapidsim.interpreter.runtime.values import element_type, is_signal
 from rapidsim.language.annotations import Mode
 from rapidsim.language.types import NUM, SIGNAL_DI, ArrayOf, Record, Type, resolved
 from rapidsim.syntax import tree
+
+_KEPT_BY = MappingProxyType({"errno": "_error_numbers", "intno": "_interrupts"})
+"""The concerns of the controller that keep predefined data."""
 
 
 class Home(Enum):
@@ -235,11 +239,9 @@ class Paths:
         match symbol:
             case DataSymbol(storage=Storage.CONST, type=of):
                 return Whole(Home.PLAIN, self._expressions.constant_data(symbol, at), of)
-            case DataSymbol(type=of) if symbol.node is None and symbol.name.lower() in (
-                "errno",
-                "intno",
-            ):
-                node = at.attribute("_task", symbol.name.lower())
+            case DataSymbol(type=of) if symbol.node is None and symbol.name.lower() in _KEPT_BY:
+                key = symbol.name.lower()
+                node = at.attribute(_KEPT_BY[key], key)
                 return Whole(Home.CONTROLLER, node, of)
             case DataSymbol(type=of):
                 in_reference = name is None or symbol in self._names.in_cell
@@ -284,7 +286,7 @@ class Paths:
                 return at.attribute(whole.node, "value")
             case Home.SIGNAL:
                 name = at.attribute(at.attribute(whole.node, "value"), "name")
-                return at.call(at.attribute("_task", "read_signal"), [name])
+                return at.call(at.attribute("_signals", "read_signal"), [name])
             case _:
                 return whole.node
 

@@ -21,10 +21,10 @@ MOST_CALLS = 1000
 
 def tick(at: At) -> list[ast.stmt]:
     """Let a little virtual time pass, and see to what is due."""
-    left = at.attribute("_task", "left")
+    left = at.attribute("_clock", "left")
     due = at.compare(left, (ast.Lt(), at.constant(0)))
-    serve = at.do(at.call(at.attribute("_task", "service")))
-    return [at.decrement(at.store_attribute("_task", "left")), at.when(due, [serve])]
+    serve = at.do(at.call(at.attribute("_clock", "service")))
+    return [at.decrement(at.store_attribute("_clock", "left")), at.when(due, [serve])]
 
 
 @dataclass(frozen=True, slots=True)

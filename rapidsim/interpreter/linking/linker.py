@@ -50,7 +50,7 @@ class LinkedProgram:
         self.program = program
         self.memory = Memory(program) if shared is None else Memory(program, shared.home)
         self._shared = shared
-        self.recovery = Recovery(controller)
+        self.recovery = Recovery(controller.error_numbers)
         self.late = LateBinding(controller)
         self._constants = Constants(program)
         self._functions: dict[tree.Routine, FunctionType] = {}

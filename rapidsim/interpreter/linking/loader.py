@@ -140,9 +140,9 @@ def load(program: Program, controller: Controller, shared: SharedPersistents | N
     def call_procedure(name: str) -> None:
         # It runs like a trap, so its errors do not reach the statement that it interrupts.
         late = linked.late
-        linked.recovery.trap(lambda: late.call(main_module, controller.place, name, (), ()))()
+        linked.recovery.trap(lambda: late.call(main_module, controller.clock.place, name, (), ()))()
 
-    controller.call_procedure = call_procedure
+    controller.interrupts.call_procedure = call_procedure
     controller.modules = TaskModules(linked)
     controller.symbols = TaskSymbols(linked)
     return Task(linked)

@@ -17,7 +17,7 @@ from rapidsim.interpreter.runtime import arithmetic, arrays, error_recovery, ref
 from rapidsim.interpreter.runtime.error_recovery import Recovery
 from rapidsim.interpreter.runtime.late_binding import LateArgument, LateBinding, numbered_name
 from rapidsim.interpreter.runtime.memory import is_persistent
-from rapidsim.language.controller import Controller
+from rapidsim.language.controller import CONCERNS, Controller
 from rapidsim.language.error_numbers import ERR_ALRDYCNT, ERR_ARGDUPCND, ERR_EXECPHR, rapid_error
 from rapidsim.language.errors import RapidError, Stopped
 from rapidsim.language.moves import Place
@@ -90,14 +90,17 @@ def task_functions(
     controller: Controller, recovery_of_task: Recovery, late: LateBinding, module: str
 ) -> dict[str, object]:
     """What code of one module, given by its folded name, needs to reach its task's controller."""
+    clock, interrupts = controller.clock, controller.interrupts
 
-    def call_at(place: Place, body: Callable[..., Any], *values: object, **options: object) -> Any:
-        controller.place = place
-        return body(controller, *values, **options)
+    def call_at(
+        place: Place, body: Callable[..., Any], asked: object, *values: object, **options: object
+    ) -> Any:
+        clock.place = place
+        return body(asked, *values, **options)
 
     def stand_in(place: Place, name: str, instead: str, value: object) -> object:
-        controller.place = place
-        controller.not_simulated(name, instead)
+        clock.place = place
+        controller.honesty.not_simulated(name, instead)
         return value
 
     def skip(place: Place, name: str) -> None:
@@ -139,12 +142,12 @@ def task_functions(
         return name or parameter
 
     def connect(number: float, trap: Callable[[], object], name: str) -> float:
-        if controller.is_connected(number):
+        if interrupts.is_connected(number):
             raise rapid_error(
                 ERR_ALRDYCNT,
                 "the interrupt is connected to a trap routine already; IDelete it first",
             )
-        return controller.connect(recovery_of_task.trap(trap), name)
+        return interrupts.connect(recovery_of_task.trap(trap), name)
 
     def connect_late(number: float, name: str) -> float:
         found = late.trap(module, name)
@@ -162,5 +165,6 @@ def task_functions(
         "_recover": recovery_of_task.recover,
         "_skip": skip,
         "_stand_in": stand_in,
-        "_task": controller,
+        "_controller": controller,
+        **{f"_{concern}": getattr(controller, concern) for concern in CONCERNS.values()},
     }

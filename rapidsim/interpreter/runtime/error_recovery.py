@@ -16,7 +16,7 @@ from functools import partial
 from types import CodeType, FrameType, TracebackType
 from typing import Final
 
-from rapidsim.language.controller import Controller
+from rapidsim.language.controller import ErrorNumbers
 from rapidsim.language.error_numbers import (
     ERR_DIVZERO,
     ERR_EXCRTYMAX,
@@ -81,7 +81,7 @@ class Unrecoverable(BaseException):
 class Recovery:
     """Error handling of one task."""
 
-    controller: Controller
+    numbers: ErrorNumbers
     long_jumps: dict[CodeType, Callable[[], tuple[float, ...]]] = field(default_factory=dict)
     """For each routine whose ERROR clause lists numbers: a function that gives them now."""
 
@@ -99,7 +99,7 @@ class Recovery:
         rapid = as_rapid_error(error)
         if isinstance(rapid, LongJump) and rapid.target is not sys._getframe(1):
             raise rapid
-        self.controller.errno = rapid.errno
+        self.numbers.errno = rapid.errno
         try:
             retry = handler(rapid)
         except Propagated as propagated:
@@ -144,16 +144,16 @@ class Recovery:
 
     def trap(self, routine: Callable[[], object]) -> Callable[[], None]:
         """A trap routine as the controller calls it: ERRNO as before, errors final."""
-        return partial(_run_trap, self.controller, routine)
+        return partial(_run_trap, self.numbers, routine)
 
 
-def _run_trap(controller: Controller, routine: Callable[[], object]) -> None:
-    errno = controller.errno
+def _run_trap(numbers: ErrorNumbers, routine: Callable[[], object]) -> None:
+    errno = numbers.errno
     try:
         routine()
     except ERRORS as error:
         raise Unrecoverable(as_rapid_error(error)) from error
-    controller.errno = errno
+    numbers.errno = errno
 
 
 def raised(number: float) -> RapidError:

@@ -166,7 +166,9 @@ class LateBinding:
     ) -> None:
         signature = routine.signature
         given = _bound(name, signature.parameters, shapes, values)
-        positional: list[object] = [self.controller] if signature.takes_controller else []
+        positional: list[object] = []
+        if signature.takes_controller:
+            positional.append(signature.asked_of(self.controller))
         options: dict[str, Any] = {}
         for parameter in signature.parameters:
             if parameter.name.lower() not in given:
@@ -187,7 +189,7 @@ class LateBinding:
             one = given.get(signature.type_of.name.lower())
             options[signature.type_keyword] = one[0].type if one else None
         if signature.takes_controller:
-            self.controller.place = place
+            self.controller.clock.place = place
         routine.body(*positional, **options)
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from rapidsim.interpreter.codegen.calls import match_arguments
 from rapidsim.interpreter.codegen.data_access import bare, by_reference
-from rapidsim.language.controller import Controller
+from rapidsim.language.controller import one_for_all
 from rapidsim.language.errors import RapidError, Stopped
 from rapidsim.language.reference import Box
 from rapidsim.language.types import ArrayOf, resolved
@@ -48,8 +48,9 @@ def perform(
     if isinstance(values, Unknown):
         return values.reason
     cells: list[tuple[Box[Known], Known, tree.DataPath]] = []
-    controller: Controller = recorder
-    required: list[object] = [controller] if signature.takes_controller else []
+    required: list[object] = []
+    if signature.takes_controller:
+        required.append(signature.asked_of(one_for_all(recorder)))
     options: dict[str, object] = {}
     for parameter in signature.parameters:
         key = parameter.name.lower()
