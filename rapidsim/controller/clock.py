@@ -2,78 +2,95 @@
 
 The program pointer's time is an instant plus an offset. After a fly-by move the instant is "the
 robot starts that move", which nobody knows until the path is planned; the program runs on and what
-it does is dated later. Whoever must know the time or the position calls `_observe`.
+it does is dated later. Whoever must know the time or the position calls `observe`.
 
 RAPID statements take no virtual time except waits, motion, and a small fixed cost a loop turn. All
-time passes in `_pass_time`, which asks the cell's `turns` how far it may go.
+time passes in `pass_time`, which asks the cell's `turns` how far it may go: whoever holds virtual
+time to something else, such as the wall, takes their place there.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from datetime import datetime, timedelta
+from typing import Protocol
 
 from rapidsim.controller.cell.cell import Cause, Cell
-from rapidsim.controller.interrupt_table import Due, InterruptTable
+from rapidsim.controller.interrupt_table import InterruptTable
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.journal.journal import Instant, Journal, Moment
 from rapidsim.controller.journal.stop_reasons import TimeLimitReached, WaitsForever
 from rapidsim.controller.moves.executed_move import CornerKind
-from rapidsim.controller.moves.resolve import Resolver
-from rapidsim.controller.pointer_time import PointerTime
+from rapidsim.controller.pointer_time import BACKGROUND_TICK_S, PointerTime
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
-from rapidsim.controller.queue.path_marks import PathMarks
 from rapidsim.controller.queue.path_planner import LOOK_AHEAD_SLACK_S
-from rapidsim.controller.queue.zone_table import WorldZoneTable
-from rapidsim.language.data import TOOL0, WOBJ0, ToolData, WobjData
-from rapidsim.language.error_log import LoggedError
-from rapidsim.language.modules import Modules
-from rapidsim.language.moves import MotionSettings, Place
-from rapidsim.language.symbols import Symbols
+from rapidsim.language.moves import Place
 
 
-class TaskTime:
-    """The state of one task's controller, and its time."""
+class Happening(Protocol):
+    """Something that falls due while a task lets time pass."""
+
+    @property
+    def on_path(self) -> bool:
+        """Whether asking for the next plans the path of the robot."""
+        ...
+
+    def next_s(self) -> float | None:
+        """When the next falls due [s]; None if none does."""
+        ...
+
+    def pass_next(self, passed_s: float, until_s: float) -> float:
+        """Let the next happen.
+
+        Args:
+            passed_s: Nothing happens before this time [s] any more.
+            until_s: It is due by then.
+
+        Returns:
+            When it has ended [s]: a trap takes time.
+        """
+        ...
+
+    def look_from(self, time_s: float) -> None:
+        """Take note that time has passed up to here [s]."""
+        ...
+
+
+class TaskClock:
+    """Implements `language.controller.ClockService`: the only place where a task's time passes."""
 
     def __init__(
         self,
         cell: Cell,
         unit: MechanicalUnit,
-        resolver: Resolver,
         journal: Journal,
+        table: InterruptTable,
         place: Place,
     ) -> None:
         """Start at time zero with the arm where the unit says and the pointer at `place`."""
-        self.settings = MotionSettings()
-        self.errno = 0.0
-        self.intno = 0.0
-        self.call_procedure: Callable[[str], None] = _no_procedure
-        self.symbols: Symbols
-        self.modules: Modules
         self.place = place
         self.left = 0
+        self.happenings: tuple[Happening, ...] = ()
+        """In the order in which they happen at one time; set once, when all are there."""
+        self.times_told = 0
+        """How often the program has asked for the time."""
         self._cell = cell
         self._unit = unit
-        self._resolver = resolver
         self._journal = journal
+        self._table = table
         self._time = PointerTime()
         self._passed_s = 0.0
         """Up to here everything has happened; nothing happens before it any more."""
-        self._in_trap = False
-        self._trap_cause: LoggedError | None = None
-        self._interrupts = InterruptTable()
-        self._marks = PathMarks(unit)
-        self._zones = WorldZoneTable(unit, resolver.base_from_world.inverse())
-        self._active: tuple[ToolData, WobjData] = (TOOL0, WOBJ0)
         self._looks_at_s: float | None = None
         """The time [s] at which it looks aside; None while it does not."""
-        cell.listeners.append(self._interrupts)
+        cell.listeners.append(table)
         cell.watchdog.watch(self)
 
     @property
-    def in_trap(self) -> bool:
-        """Whether a trap runs."""
-        return self._in_trap
+    def is_known(self) -> bool:
+        """Whether the path that decides the pointer's time has been planned."""
+        return self._time.is_known
 
     def come_up(self) -> float:
         """The time [s] of the statement that runs, with every other task come up to it.
@@ -83,7 +100,7 @@ class TaskTime:
         if self._looks_at_s is not None:
             # The others have come up already, and the program's own time may not be known yet.
             return self._looks_at_s
-        now_s = self._observe()
+        now_s = self.observe()
         if self._cell.is_shared:
             while self._cell.turns.until(self, now_s) < now_s:
                 pass
@@ -91,16 +108,21 @@ class TaskTime:
 
     def now(self) -> float:
         """Virtual time [s] of the statement that runs."""
-        self._note_line()
-        return self._observe()
+        self.note_line()
+        self.times_told += 1
+        return self.observe()
+
+    def date_and_time(self) -> datetime:
+        """What the controller's clock shows."""
+        return self._cell.starts_at + timedelta(seconds=math.floor(self.now()))
 
     def wait(self, seconds: float, *, in_position: bool = False) -> None:
         """Let virtual time pass; with `in_position`, first let the robot come to rest."""
-        self._note_line()
+        self.note_line()
         if in_position:
-            self._come_to_rest()
-        now_s = self._observe()
-        self._pass_time(now_s + max(0.0, seconds))
+            self.come_to_rest()
+        now_s = self.observe()
+        self.pass_time(now_s + max(0.0, seconds))
 
     def service(self) -> None:
         """Do what is due and grant the next slice.
@@ -109,55 +131,92 @@ class TaskTime:
             TimeLimitReached: When a time limit is reached.
         """
         self._cell.watchdog.look()
-        if self._interrupts.watches:
+        if self._table.watches:
             self._look_at_persistents()
         time = self._time
         time.settle(self.left)
         if not time.is_known and time.offset_s > LOOK_AHEAD_SLACK_S:
-            self._observe()
+            self.observe()
         if time.is_known:
-            self._pass_time(time.known_s)
-        self._grant()
+            self.pass_time(time.known_s)
+        self.grant()
 
     def end_time_s(self) -> float:
         """When everything is over [s]: the program pointer and the arm."""
         pointer_s = self._time.known_s if self._time.is_known else 0.0
         return min(self._cell.max_time_s, max(pointer_s, self._unit.queue.trajectory.duration))
 
-    def _moment(self) -> Moment:
+    def pointer_s(self) -> float:
+        """Time [s] of the program pointer, or when its robot's path ends if nobody knows."""
+        known = self._time.is_known
+        return self._time.known_s if known else self._unit.queue.trajectory.command_end
+
+    def thinks_long(self) -> bool:
+        """Whether the program has thought so long that it makes a difference to the path."""
+        self._time.settle(self.left)
+        return self._time.offset_s > LOOK_AHEAD_SLACK_S
+
+    def follow(self, instant: Instant) -> None:
+        """Be at an instant, known or not."""
+        self._time.follow(instant)
+
+    def set(self, time_s: float) -> None:
+        """Be at a known time [s], whatever falls due before it."""
+        self._time.set(time_s)
+
+    def go_to(self, time_s: float) -> None:
+        """Let time [s] come, whatever instant the program was at; see `pass_time`."""
+        self._time.follow(Instant())
+        self.pass_time(time_s)
+
+    def tell(self) -> None:
+        """Let the other tasks look: what they share has changed."""
+        self._cell.tell(self.moment())
+
+    def run_in_background(self) -> None:
+        """Take longer for loops than tasks that are started and stopped."""
+        self._time.tick_s = BACKGROUND_TICK_S
+
+    def begin_again(self) -> None:
+        """Go back to main; a task of the background that does nothing takes a little time."""
+        self.left -= 1
+        if self.left < 0:
+            self.service()
+
+    def moment(self) -> Moment:
         """When the statement that runs happens."""
         self._time.settle(self.left)
         return self._time.moment()
 
-    def _grant(self) -> None:
+    def grant(self) -> None:
         """Give the program ticks until something is due."""
         self._cell.watchdog.look()
-        due_s = self._next_due_s()
+        due_s = self.next_due_s()
         until_s = min(self._cell.max_time_s, math.inf if due_s is None else due_s)
         if self._cell.is_shared:
             until_s = min(until_s, self._cell.turns.next_s(self))
         self.left = self._time.grant(until_s, LOOK_AHEAD_SLACK_S)
 
-    def _observe(self) -> float:
+    def observe(self) -> float:
         """The time [s] of the statement that runs, planned if nobody has had to know it yet."""
         time = self._time
         time.settle(self.left)
         if not time.is_known:
             offset_s = time.offset_s
-            self._await_restart()
+            self.await_restart()
             # Meanwhile another task of the team may have ended the block.
             if self._unit.queue.is_open:
-                self._pass_time(self._unit.queue.commit_last_start())
+                self.pass_time(self._unit.queue.commit_last_start())
             while self._unit.queue.is_open and (
                 self._unit.queue.is_halted or self._unit.queue.commit_last_start() > time.known_s
             ):
                 # Something on the way has stopped the robot, so it starts the move later.
-                self._await_restart()
-                self._pass_time(self._unit.queue.commit_last_start())
-            self._pass_time(time.known_s + offset_s)
+                self.await_restart()
+                self.pass_time(self._unit.queue.commit_last_start())
+            self.pass_time(time.known_s + offset_s)
         return time.known_s
 
-    def _pass_time(self, until_s: float) -> None:
+    def pass_time(self, until_s: float) -> None:
         """Go to a later time, serving the interrupts that fall due on the way.
 
         Raises:
@@ -165,88 +224,74 @@ class TaskTime:
         """
         limit_s = self._cell.max_time_s
         reached_s = min(until_s, limit_s)
-        served_s = self._serve_due(reached_s)
+        served_s = self.serve_due(reached_s)
         now_s = self._time.known_s if self._time.is_known else 0.0
         self._time.set(max(reached_s, served_s, now_s))
         self._passed_s = max(self._passed_s, self._time.known_s)
-        self._zones.look_from(self._passed_s)
+        for one in self.happenings:
+            one.look_from(self._passed_s)
         if until_s > limit_s:
             raise TimeLimitReached(f"the time limit of {limit_s:g} s was reached")
-        self._grant()
+        self.grant()
 
-    def _await_event(self, deadline_s: float) -> bool:
+    def await_event(self, deadline_s: float) -> bool:
         """Let time pass until something happens that a program may notice, or a deadline [s].
 
         Returns:
             False if there is no deadline and nothing will ever happen.
         """
-        next_s = self._next_due_s()
+        next_s = self.next_due_s()
         until_s = deadline_s if next_s is None else min(next_s, deadline_s)
         until_s = self._cell.turns.until(self, until_s)
         if math.isinf(until_s):
             return False
-        self._pass_time(until_s)
+        self.pass_time(until_s)
         return True
 
-    def _next_due_s(self) -> float | None:
+    def next_due_s(self) -> float | None:
         """When the next thing happens by itself [s]: a signal change, an interrupt, on the path.
 
         While the program runs ahead of the robot, nobody asks for what happens on the path: that
         would plan it.
         """
-        times = (
-            self._cell.next_change_s(),
-            None if self._in_trap else self._interrupts.next_due_s(),
-            self._marks.next_s() if self._time.is_known else None,
-            self._zones.next_s() if self._time.is_known else None,
-        )
+        known = self._time.is_known
+        times = [one.next_s() for one in self.happenings if known or not one.on_path]
         return min((time_s for time_s in times if time_s is not None), default=None)
 
-    def _serve_due(self, until_s: float) -> float:
-        """Let everything due by a time happen; returns when the last trap ended [s].
-
-        No trap interrupts a trap: what falls due meanwhile is served afterwards.
-        """
+    def serve_due(self, until_s: float) -> float:
+        """Let everything due by a time happen; returns when the last of it ended [s]."""
         ended_s = 0.0
         while True:
-            change_s = self._cell.next_change_s()
-            trap_s = None if self._in_trap else self._interrupts.next_due_s()
-            mark_s, zone_s = self._marks.next_s(), self._zones.next_s()
-            times = [one for one in (change_s, trap_s, mark_s, zone_s) if one is not None]
-            next_s = min(times, default=math.inf)
+            times = [one.next_s() for one in self.happenings]
+            next_s = min((time_s for time_s in times if time_s is not None), default=math.inf)
             turn_s = min(next_s, until_s)
             happenings = self._cell.happenings
             reached_s = self._cell.turns.until(self, turn_s)
             if reached_s < turn_s or self._cell.happenings != happenings:
                 self._look_aside(reached_s)
                 continue
-            if next_s > until_s:
+            if next_s > until_s or math.isinf(next_s):
                 return ended_s
-            if change_s is not None and change_s <= next_s:
-                self._cell.make_next_change()
-            elif mark_s is not None and mark_s <= next_s:
-                self._marks.pass_next(self._passed_s)
-            elif zone_s is not None and zone_s <= next_s:
-                self._zones.pass_next(self._passed_s)
-            elif (due := self._interrupts.take_due(until_s)) is not None:
-                ended_s = self._serve(due)
+            due = self.happenings[times.index(next_s)]
+            ended_s = max(ended_s, due.pass_next(self._passed_s, until_s))
 
-    def _serve(self, due: Due) -> float:
-        """Run a trap, then go on where the program was; returns when the trap ended [s]."""
-        start_s = max(due.time_s, self._passed_s)
+    def interlude(self, due_s: float, run: Callable[[], None]) -> float:
+        """Let something run in between, then go on where the program was.
+
+        Args:
+            due_s: It begins at this time [s], or as soon after as it can.
+            run: Takes its time.
+
+        Returns:
+            When it has ended [s].
+        """
+        start_s = max(due_s, self._passed_s)
         instant, offset_s, place = self._time.instant, self._time.offset_s, self.place
         if instant.time is not None:
             start_s = max(start_s, instant.time + offset_s)
         self._time.set(start_s)
-        what = "trap" if due.is_trap else "procedure"
-        self._event(EventKind.INTERRUPT, f"{what} {due.trap_name}", **{what: due.trap_name})
-        self._in_trap, self.intno, self._trap_cause = True, due.number, due.cause
-        self._grant()
-        try:
-            due.trap()
-        finally:
-            self._in_trap, self._trap_cause = False, None
-        ended_s = self._observe()
+        run()
+        ended_s = self.observe()
         self._passed_s = max(self._passed_s, ended_s)
         self.place = place
         if instant.time is None:
@@ -255,17 +300,17 @@ class TaskTime:
             self._time.set(max(ended_s, instant.time + offset_s))
         return ended_s
 
-    def _await_restart(self) -> None:
+    def await_restart(self) -> None:
         """While StopMove keeps the robot where it is, a program that needs it to move waits.
 
         Raises:
             WaitsForever: If nothing will start it again.
         """
         while self._unit.queue.is_halted:
-            if not self._await_event(math.inf):
+            if not self.await_event(math.inf):
                 raise WaitsForever("the robot was stopped by StopMove, and nothing starts it again")
 
-    def _drive_to_stop(self, corner: CornerKind = CornerKind.STOP) -> None:
+    def drive_to_stop(self, corner: CornerKind = CornerKind.STOP) -> None:
         """End the block of moves and wait until the arm stands still at its end.
 
         What happens on the way may stop the robot and start it again, so the end may move.
@@ -275,47 +320,44 @@ class TaskTime:
         """
         while self._unit.queue.is_open:
             if self._unit.queue.is_halted:
-                self._await_restart()
+                self.await_restart()
                 continue
             reached_s = self._unit.queue.trajectory.seen_s(self._unit.queue.close(corner))
-            self._time.follow(Instant())
-            self._pass_time(reached_s)
+            self.go_to(reached_s)
 
-    def _come_to_rest(self) -> None:
+    def come_to_rest(self) -> None:
         """End an open block and wait until the arm stands still."""
         if self._unit.queue.is_open and not self._unit.queue.is_halted:
-            self._observe()
-            self._drive_to_stop(CornerKind.STOP_CORNER_PATH_FAILURE)
-        self._pass_time(max(self._observe(), self._unit.queue.trajectory.duration))
+            self.observe()
+            self.drive_to_stop(CornerKind.STOP_CORNER_PATH_FAILURE)
+        self.pass_time(max(self.observe(), self._unit.queue.trajectory.duration))
 
     def _look_at_persistents(self) -> None:
         """Serve the interrupts of persistents that the program has changed since."""
-        now_s = self._observe()
-        self._interrupts.look(now_s)
-        self._pass_time(now_s)
+        now_s = self.observe()
+        self._table.look(now_s)
+        self.pass_time(now_s)
 
     def _look_aside(self, now_s: float) -> None:
         """Notice which persistents another task has changed, without serving the interrupts."""
         self._looks_at_s = now_s
         try:
-            self._interrupts.look(now_s)
+            self._table.look(now_s)
         finally:
             self._looks_at_s = None
 
-    def _cause(self) -> Cause:
+    def cause(self) -> Cause:
         """The statement that runs, for what it changes."""
         return Cause(self._journal, self.place)
 
-    def _note_line(self) -> None:
+    def note_line(self) -> None:
+        """Note that the program is at the statement that runs."""
         self._cell.watchdog.look()
-        if self._interrupts.watches:
+        if self._table.watches:
             self._look_at_persistents()
-        self._journal.line(self._moment(), self.place)
+        self._journal.line(self.moment(), self.place)
 
-    def _event(self, kind: EventKind, message: str, **details: object) -> None:
-        self._note_line()
-        self._journal.event(self._moment(), kind, self.place, message, **details)
-
-
-def _no_procedure(name: str) -> None:
-    raise AssertionError(f"{name} is called before the program is loaded")
+    def event(self, kind: EventKind, message: str, **details: object) -> None:
+        """Note an event of the statement that runs."""
+        self.note_line()
+        self._journal.event(self.moment(), kind, self.place, message, **details)

@@ -1,20 +1,94 @@
-"""The virtual controller of one task: all that `language.controller.Controller` asks for.
+"""The virtual controller of one task: its clock, and a concern for all that a program may ask.
 
-Each concern has its file in `task/`; what tasks share is the `Cell`.
+Each concern has its file here and is given what it uses; what tasks share is the `Cell`.
 """
 
 from __future__ import annotations
 
-from rapidsim.controller.interrupts import TaskInterrupts
-from rapidsim.controller.operator import TaskOperator
+from dataclasses import dataclass
+
+from rapidsim.controller.cell.cell import Cell
+from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.files import TaskFiles, TaskTexts
+from rapidsim.controller.interrupt_table import InterruptTable
+from rapidsim.controller.interrupts import TaskErrorNumbers, TaskInterrupts
+from rapidsim.controller.journal.journal import Journal
+from rapidsim.controller.motion import TaskMotion
+from rapidsim.controller.motion_state import MotionState
+from rapidsim.controller.moves.resolve import Resolver
+from rapidsim.controller.operator import TaskHonesty, TaskOperator
+from rapidsim.controller.other_tasks import TaskOthers
+from rapidsim.controller.path_control import TaskPathControl
+from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.controller.queue.path_marks import PathMarks
+from rapidsim.controller.queue.zone_table import WorldZoneTable
 from rapidsim.controller.search import TaskSearch
 from rapidsim.controller.signals import TaskSignals
 from rapidsim.controller.sockets import TaskSockets
+from rapidsim.controller.solo_moves import SoloMoves
 from rapidsim.controller.synchronisation import TaskTeam
+from rapidsim.controller.triggers import Triggers
 from rapidsim.controller.zones import TaskZones
+from rapidsim.language.controller import Controller
+from rapidsim.language.moves import Place
 
 
-class VirtualController(
-    TaskTeam, TaskSearch, TaskZones, TaskSignals, TaskInterrupts, TaskSockets, TaskOperator
-):
-    """Implements `language.controller.Controller` for one task with one robot."""
+@dataclass(frozen=True, slots=True)
+class VirtualController:
+    """What a run asks of the controller of one task; the program of the task asks `concerns`."""
+
+    clock: TaskClock
+    motion: TaskMotion
+    others: TaskOthers
+    concerns: Controller
+
+
+def virtual_controller(
+    cell: Cell,
+    unit: MechanicalUnit,
+    resolver: Resolver,
+    journal: Journal,
+    place: Place,
+    *,
+    has_robot: bool = True,
+) -> VirtualController:
+    """The controller of a task at time zero.
+
+    Args:
+        cell: What the task shares with others.
+        unit: The robot; one that never moves, for a task that has none.
+        resolver: Makes segments of moves.
+        journal: Where the task reports.
+        place: Where the program pointer stands.
+        has_robot: Whether the task moves the robot.
+    """
+    state, table = MotionState(), InterruptTable()
+    marks, watched = PathMarks(unit), WorldZoneTable(unit, resolver.base_from_world.inverse())
+    clock = TaskClock(cell, unit, journal, table, place)
+    interrupts = TaskInterrupts(clock, table)
+    clock.happenings = (cell, marks, watched, interrupts)
+    solo = SoloMoves(clock, unit, cell, resolver, table, marks, watched, journal, state)
+    others = TaskOthers(clock, unit, cell, resolver, state, journal.task, has_robot)
+    team = TaskTeam(
+        clock, unit, cell, resolver, table, marks, watched, journal, state, solo, others
+    )
+    triggers = Triggers(clock, unit, cell, marks, interrupts)
+    motion = TaskMotion(clock, unit, cell, resolver, state, triggers, team.put)
+    concerns = Controller(
+        clock=clock,
+        motion=motion,
+        path_control=TaskPathControl(clock, unit, marks),
+        searches=TaskSearch(clock, unit, cell, resolver, team.put),
+        world_zones=TaskZones(clock, unit, cell, journal, watched),
+        operator=TaskOperator(clock, cell, journal),
+        files=TaskFiles(clock, cell),
+        texts=TaskTexts(clock, cell),
+        sockets=TaskSockets(clock, cell, journal),
+        interrupts=interrupts,
+        signals=TaskSignals(clock, unit, cell, table, marks, watched),
+        error_numbers=TaskErrorNumbers(),
+        tasks=others,
+        sync_moves=team,
+        honesty=TaskHonesty(clock, journal),
+    )
+    return VirtualController(clock, motion, others, concerns)

@@ -1,32 +1,63 @@
-"""The interrupts of one task: ordering them, switching them, error numbers."""
+"""The interrupts of one task: ordering them, switching them, running their traps."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
+from typing import ClassVar
 
-from rapidsim.controller.clock import TaskTime
+from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.interrupt_table import Due, InterruptTable
+from rapidsim.controller.journal.events import EventKind
 from rapidsim.language.error_log import LoggedError
 from rapidsim.language.error_numbers import FIRST_BOOKED
 from rapidsim.language.reference import Reference
 
 
-class TaskInterrupts(TaskTime):
-    """Implements `language.controller.Interrupts` and `ErrorNumbers`."""
+def _no_procedure(name: str) -> None:
+    raise AssertionError(f"{name} is called before the program is loaded")
 
-    _booked_errors = 0
+
+@dataclass(eq=False)
+class TaskInterrupts:
+    """Implements `language.controller.Interrupts`; those that are due are a `clock.Happening`."""
+
+    on_path: ClassVar = False
+    clock: TaskClock
+    table: InterruptTable
+    intno: float = 0.0
+    in_trap: bool = False
+    """Whether a trap runs."""
+    _cause: LoggedError | None = None
+
+    def __post_init__(self) -> None:
+        """Nobody can be called until the interpreter says how."""
+        self.call_procedure: Callable[[str], None] = _no_procedure
+
+    def next_s(self) -> float | None:
+        """When the next is due [s]; no trap interrupts a trap."""
+        return None if self.in_trap else self.table.next_due_s()
+
+    def pass_next(self, passed_s: float, until_s: float) -> float:
+        """Run the trap of the next; see `clock.Happening`."""
+        due = self.table.take_due(until_s)
+        return passed_s if due is None else self.clock.interlude(due.time_s, lambda: self._run(due))
+
+    def look_from(self, time_s: float) -> None:
+        """Interrupts wait until they are served."""
 
     def connect(self, trap: Callable[[], None], trap_name: str) -> float:
         """Book an interrupt number for a trap routine."""
-        return self._interrupts.connect(trap, trap_name)
+        return self.table.connect(trap, trap_name)
 
     def is_connected(self, interrupt: float) -> bool:
         """Whether an interrupt number belongs to a trap routine, ordered or not."""
-        return self._interrupts.is_connected(interrupt)
+        return self.table.is_connected(interrupt)
 
     def order_timer(self, interrupt: float, seconds: float, *, single: bool) -> None:
         """Raise an interrupt once, or every so many seconds."""
-        self._interrupts.order_timer(interrupt, self._observe(), seconds, single=single)
-        self._grant()
+        self.table.order_timer(interrupt, self.clock.observe(), seconds, single=single)
+        self.clock.grant()
 
     def order_signal(
         self,
@@ -37,47 +68,66 @@ class TaskInterrupts(TaskTime):
         single: bool,
     ) -> None:
         """Raise an interrupt once, or each time a signal changes to a value that matches."""
-        self._observe()
-        self._interrupts.order_signal(interrupt, signal, matches, single=single)
+        self.clock.observe()
+        self.table.order_signal(interrupt, signal, matches, single=single)
 
     def order_persistent(self, interrupt: float, data: Reference[object], *, single: bool) -> None:
         """Raise an interrupt once, or each time a persistent has changed."""
-        self._observe()
-        self._interrupts.order_persistent(interrupt, data, single=single)
+        self.clock.observe()
+        self.table.order_persistent(interrupt, data, single=single)
 
     def order_logged(self, interrupt: float, wanted: Callable[[LoggedError], bool]) -> None:
         """Raise an interrupt each time an entry that is wanted comes into the event log."""
-        self._observe()
-        self._interrupts.order_logged(interrupt, wanted)
+        self.clock.observe()
+        self.table.order_logged(interrupt, wanted)
 
     def log_error(self, entry: LoggedError) -> None:
         """Put an entry into the event log."""
-        if self._interrupts.hears_errors:
-            now_s = self._observe()
-            self._interrupts.error_logged(entry, now_s)
-            self._pass_time(now_s)
+        if self.table.hears_errors:
+            now_s = self.clock.observe()
+            self.table.error_logged(entry, now_s)
+            self.clock.pass_time(now_s)
 
     def trap_cause(self) -> LoggedError | None:
         """What made the trap run that runs; None if that is not an entry of the event log."""
-        return self._trap_cause
+        return self._cause
 
     def delete_interrupt(self, interrupt: float) -> None:
         """Forget an interrupt and its order."""
-        self._observe()
-        self._interrupts.delete(interrupt)
+        self.clock.observe()
+        self.table.delete(interrupt)
 
     def sleep_interrupt(self, interrupt: float, *, asleep: bool) -> None:
         """Switch one interrupt off or on."""
-        self._observe()
-        self._interrupts.sleep(interrupt, asleep=asleep)
+        self.clock.observe()
+        self.table.sleep(interrupt, asleep=asleep)
 
     def hold_interrupts(self, *, hold: bool) -> None:
         """Queue all interrupts, or serve them again."""
-        now_s = self._observe()
-        self._interrupts.held = hold
-        self._pass_time(now_s)
+        now_s = self.clock.observe()
+        self.table.held = hold
+        self.clock.pass_time(now_s)
+
+    def _run(self, due: Due) -> None:
+        what = "trap" if due.is_trap else "procedure"
+        name = due.trap_name
+        self.clock.event(EventKind.INTERRUPT, f"{what} {name}", **{what: name})
+        self.in_trap, self.intno, self._cause = True, due.number, due.cause
+        self.clock.grant()
+        try:
+            due.trap()
+        finally:
+            self.in_trap, self._cause = False, None
+
+
+@dataclass(slots=True, eq=False)
+class TaskErrorNumbers:
+    """Implements `language.controller.ErrorNumbers`."""
+
+    errno: float = 0.0
+    _booked: int = 0
 
     def book_error_number(self) -> float:
         """The next error number that is free."""
-        self._booked_errors += 1
-        return FIRST_BOOKED + self._booked_errors - 1.0
+        self._booked += 1
+        return FIRST_BOOKED + self._booked - 1.0

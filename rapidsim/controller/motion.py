@@ -1,126 +1,76 @@
-"""The motion of one task: its robot's path queue, and where the robot is."""
+"""The motion of one task: moving its robot, and where it is."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
 from contextlib import suppress
+from dataclasses import dataclass
 
-from rapidsim.controller.clock import TaskTime
-from rapidsim.controller.journal.journal import Instant
-from rapidsim.controller.moves.executed_move import CornerKind
-from rapidsim.controller.moves.queued_move import MotionError, QueuedMove
-from rapidsim.controller.queue.path_planner import LOOK_AHEAD_SLACK_S, MAX_OPEN_MOVES
-from rapidsim.findings.ramps import RampWaits
+from rapidsim.controller.cell.cell import Cell
+from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.motion_state import MotionState
+from rapidsim.controller.moves.queued_move import MotionError
+from rapidsim.controller.moves.resolve import Resolver
+from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.controller.solo_moves import Put
+from rapidsim.controller.triggers import Triggers
 from rapidsim.frames.transform import Array
 from rapidsim.language.data import JointTarget, RobTarget, ToolData, WobjData
-from rapidsim.language.error_log import CORNER_PATH_FAILURE
-from rapidsim.language.error_numbers import ERR_CONC_MAX, rapid_error
-from rapidsim.language.moves import Move
+from rapidsim.language.moves import MotionSettings, Move
+from rapidsim.language.path_events import Trigger
 from rapidsim.motion.configurations.targets import rob_joint
 
-MAX_CONCURRENT_MOVES = 5
-r"""So many moves with \Conc may follow each other."""
 
-
-class TaskMotion(TaskTime):
+@dataclass(slots=True, eq=False)
+class TaskMotion:
     """Implements `language.controller.Motion`."""
 
-    _concurrent = 0
-    r"""Moves with \Conc since the last without."""
+    clock: TaskClock
+    unit: MechanicalUnit
+    cell: Cell
+    resolver: Resolver
+    state: MotionState
+    triggers: Triggers
+    put: Put
 
-    def _put(self, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True) -> None:
-        """Put a move on the path; returns when the program would go on.
+    @property
+    def settings(self) -> MotionSettings:
+        """What holds for the moves to come."""
+        return self.state.settings
 
-        Args:
-            move: Where to.
-            before: Called with the move before the program waits for it.
-            wait: Wait for the stop, where there is one.
+    @settings.setter
+    def settings(self, settings: MotionSettings) -> None:
+        self.state.settings = settings
 
-        Raises:
-            RapidError: When the end of the move cannot be reached.
-            MotionError: When a move on the path cannot be made.
-        """
-        self._note_line()
-        self._count_concurrent(move)
-        queue = self._unit.queue
-        queued = self._resolver.resolve(
-            move, self.place, queue.end, self.settings, index=len(queue.moves)
-        )
-        self._time.settle(self.left)
-        if not self._unit.queue.is_open or self._time.offset_s > LOOK_AHEAD_SLACK_S:
-            self._observe()
-        moment = self._moment()
-        now_s = moment.time_s if moment.instant.time is not None else -math.inf
-        last = self._unit.queue.moves[-1] if self._unit.queue.is_open else None
-        self._unit.own.append(queued, now_s)
-        if last is not None and last.corner is CornerKind.STOP_CORNER_PATH_FAILURE:
-            self._interrupts.error_logged(CORNER_PATH_FAILURE, now_s)
-        before(queued)
-        self._note_ramp(queued)
-        self._active = (move.tool, move.wobj)
-        if queued.corner is CornerKind.STOP and wait and not move.concurrent:
-            self._drive_to_stop()
-            if move.stop and move.stop.program_waits:
-                self._pass_time(self._observe() + move.stop.seconds)
-            return
-        self._time.follow(queued.started)
-        if (
-            self._interrupts.armed
-            or self._zones.is_watching
-            or self._marks.may_interrupt
-            or self._unit.queue.open_moves > MAX_OPEN_MOVES
-        ):
-            self._keep_up()
-
-    def _note_ramp(self, queued: QueuedMove) -> None:
-        """Tell once of a ramp that is higher than that of the moves before, and has to wait."""
-        wanted, kept = self.settings.ramp_percent, queued.segment.ramp
-        if kept < wanted / 100.0:
-            self._journal.finding(RampWaits(wanted, 100.0 * kept), self.place, once=RampWaits)
-
-    def _count_concurrent(self, move: Move) -> None:
-        r"""Refuse more moves with \Conc in succession than a controller takes.
-
-        Raises:
-            RapidError: ERR_CONC_MAX.
-        """
-        self._concurrent = self._concurrent + 1 if move.concurrent else 0
-        if self._concurrent > MAX_CONCURRENT_MOVES:
-            self._concurrent = 0
-            raise rapid_error(
-                ERR_CONC_MAX,
-                rf"more than {MAX_CONCURRENT_MOVES} moves with \Conc in succession",
-            )
+    def move(self, move: Move, triggers: tuple[Trigger, ...] = ()) -> None:
+        """Put a move on the path, with what happens on the way."""
+        self.put(move, lambda queued: self.triggers.mark(queued, triggers))
 
     def current_joints(self) -> JointTarget:
         """Where the axes are now."""
-        self._note_line()
+        self.clock.note_line()
         joints, external = self._stand_now()
-        return JointTarget(rob_joint(joints), self._resolver.ext_joint(external))
+        return JointTarget(rob_joint(joints), self.resolver.ext_joint(external))
 
     def current_target(self, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
         """Where the TCP is now; None takes the tool or work object of the last move."""
-        self._note_line()
-        active_tool, active_wobj = self._active
+        self.clock.note_line()
         joints, external = self._stand_now()
-        tool, wobj = tool or active_tool, wobj or active_wobj
-        return self._resolver.target(joints, external, tool, wobj, self.place)
+        tool, wobj = tool or self.state.tool, wobj or self.state.wobj
+        return self.resolver.target(joints, external, tool, wobj, self.clock.place)
 
     def active_tool(self) -> ToolData:
         """The tool of the last move, tool0 before the first."""
-        return self._active[0]
+        return self.state.tool
 
     def active_wobj(self) -> WobjData:
         """The work object of the last move, wobj0 before the first."""
-        return self._active[1]
+        return self.state.wobj
 
     def target_at(self, joints: JointTarget, tool: ToolData, wobj: WobjData) -> RobTarget:
         """Where the TCP would be with the axes at given positions."""
-        external = self._resolver.external(joints.extax)
-        return self._resolver.target(
-            self._resolver.joints(joints), external, tool, wobj, self.place
-        )
+        external = self.resolver.external(joints.extax)
+        given = self.resolver.joints(joints)
+        return self.resolver.target(given, external, tool, wobj, self.clock.place)
 
     def joints_at(self, target: RobTarget, tool: ToolData, wobj: WobjData) -> JointTarget:
         """Axis positions that reach a target in its configuration.
@@ -128,48 +78,30 @@ class TaskMotion(TaskTime):
         Raises:
             RapidError: ERR_OUTSIDE_REACH or ERR_ROBLIMIT.
         """
-        joints = self._resolver.reach(target, tool, wobj, self._unit.queue.end, self.place)
+        end = self.unit.queue.end
+        joints = self.resolver.reach(target, tool, wobj, end, self.clock.place)
         return JointTarget(rob_joint(joints), target.extax)
 
     def finish(self) -> None:
         """Let the robot come to rest after the last statement."""
-        if self._unit.queue.is_open and not self._unit.queue.is_halted:
-            self._observe()
-            self._drive_to_stop()
-        self._pass_time(max(self._observe(), self._unit.queue.trajectory.duration))
+        queue = self.unit.queue
+        if queue.is_open and not queue.is_halted:
+            self.clock.observe()
+            self.clock.drive_to_stop()
+        self.clock.pass_time(max(self.clock.observe(), self.unit.queue.trajectory.duration))
 
     def abandon(self) -> None:
         """Let the robot make the moves it has before the program stopped with an error."""
-        limit_s = self._cell.max_time_s
-        if self._unit.queue.is_open and not self._unit.queue.is_halted:
+        limit_s, queue = self.cell.max_time_s, self.unit.queue
+        if queue.is_open and not queue.is_halted:
             with suppress(MotionError):
-                if self._unit.queue.preview().duration > limit_s:
-                    self._unit.queue.halt(limit_s)
+                if queue.preview().duration > limit_s:
+                    queue.halt(limit_s)
                 else:
-                    self._unit.queue.close()
+                    queue.close()
 
     def _stand_now(self) -> tuple[Array, Array]:
         """Joints (n,) [rad] and external axes (e,) [m or rad] while the statement runs."""
-        samples = self._unit.queue.samples_at(self._observe())
+        now_s = self.clock.observe()
+        samples = self.unit.queue.samples_at(now_s)
         return samples.joints[0], samples.external[0]
-
-    def _keep_up(self) -> None:
-        """Let interrupts happen on time although the program runs ahead of the robot.
-
-        Planning after each move would be slow. Nothing is planned until the moves last, at their
-        programmed speeds, until the next interrupt falls due and the arm could stop after it.
-        """
-        due_s = self._next_due_s()
-        queue = self._unit.queue
-        early = not self._marks.may_interrupt and not self._zones.is_watching
-        early &= not self._cell.is_shared
-        early &= due_s is None or queue.nominal_last_start() - queue.braking_s < due_s
-        if early and queue.open_moves <= MAX_OPEN_MOVES:
-            return
-        fixed_s = queue.commit_ahead()
-        if fixed_s is None:
-            return
-        self._serve_due(min(fixed_s, self._cell.max_time_s))
-        if fixed_s > self._cell.max_time_s:
-            self._time.follow(Instant())
-            self._pass_time(fixed_s)

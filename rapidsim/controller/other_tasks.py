@@ -10,45 +10,50 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from types import MappingProxyType
+from dataclasses import dataclass, field
 
+from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.cell.rendezvous import Meeting
+from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.stop_reasons import WaitsForever
-from rapidsim.controller.motion import TaskMotion
+from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.queued_move import MotionError
-from rapidsim.controller.pointer_time import BACKGROUND_TICK_S
+from rapidsim.controller.moves.resolve import Resolver
+from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.frames.transform import Array
 from rapidsim.language.data import JointTarget, RobTarget, ToolData, WobjData
 from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_TASKNAME, rapid_error
 from rapidsim.motion.configurations.targets import rob_joint
 
 
-class TaskOthers(TaskMotion):
-    """Implements `language.controller.Tasks`, but for moving together."""
+@dataclass(slots=True, eq=False)
+class TaskOthers:
+    """Implements `language.tasks.TaskService`."""
 
-    has_robot = True
-    neighbours: Mapping[str, TaskOthers] = MappingProxyType({})
-    """The controllers of all tasks of the cell, its own too, by folded name."""
-
-    @property
-    def task_name(self) -> str:
-        """Name of the task."""
-        return self._journal.task
+    clock: TaskClock
+    unit: MechanicalUnit
+    cell: Cell
+    resolver: Resolver
+    state: MotionState
+    task_name: str
+    has_robot: bool = True
+    neighbours: Mapping[str, TaskOthers] = field(default_factory=dict)
+    """Those of all tasks of the cell, its own too, by folded name."""
 
     @property
     def task_number(self) -> int:
         """Place of the task in the station, from 1."""
-        return 1 + list(self._tasks()).index(self.task_name.lower())
+        return 1 + list(self.all_tasks()).index(self.task_name.lower())
 
     @property
     def robot_number(self) -> int:
         """Place of the task's robot among those of the station, from 1; 0 without a robot."""
-        robots = [key for key, one in self._tasks().items() if one.has_robot]
+        robots = [key for key, one in self.all_tasks().items() if one.has_robot]
         return 1 + robots.index(self.task_name.lower()) if self.has_robot else 0
 
     def has_task(self, name: str) -> bool:
         """Whether a task of this name is in the run."""
-        return name.lower() in self._tasks()
+        return name.lower() in self.all_tasks()
 
     def meet(
         self,
@@ -65,11 +70,11 @@ class TaskOthers(TaskMotion):
             RapidError: ERR_ARGVALERR, if the task is not among them or others wait for others.
             Stopped: When one of them can never come.
         """
-        self._note_line()
-        self._require_listed(instruction, name, tasks)
+        self.clock.note_line()
+        self.require_listed(instruction, name, tasks)
         if in_position:
-            self._come_to_rest()
-        return self._meet(instruction, name, tasks, max_time) is not None
+            self.clock.come_to_rest()
+        return self.come_together(instruction, name, tasks, max_time) is not None
 
     def joints_of(self, task: str) -> JointTarget:
         """Where the axes of a task's robot are now.
@@ -78,8 +83,8 @@ class TaskOthers(TaskMotion):
             RapidError: ERR_TASKNAME, if there is no such task or it has no robot.
         """
         other = self._robot_of(task)
-        joints, external = other.stand_at(self.come_up())
-        return JointTarget(rob_joint(joints), other._resolver.ext_joint(external))
+        joints, external = other.stand_at(self.clock.come_up())
+        return JointTarget(rob_joint(joints), other.resolver.ext_joint(external))
 
     def target_of(self, task: str, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
         """Where the TCP of a task's robot is now; None takes what its last move used.
@@ -88,92 +93,78 @@ class TaskOthers(TaskMotion):
             RapidError: See `joints_of`.
         """
         other = self._robot_of(task)
-        joints, external = other.stand_at(self.come_up())
-        active_tool, active_wobj = other._active
-        tool, wobj = tool or active_tool, wobj or active_wobj
-        return other._resolver.target(joints, external, tool, wobj, self.place)
+        joints, external = other.stand_at(self.clock.come_up())
+        tool, wobj = tool or other.state.tool, wobj or other.state.wobj
+        return other.resolver.target(joints, external, tool, wobj, self.clock.place)
 
     def stand_at(self, time_s: float) -> tuple[Array, Array]:
         """Joints (n,) [rad] and external axes (e,) [m or rad] at a time [s] that has come."""
-        samples = self._unit.queue.samples_at(time_s)
+        samples = self.unit.queue.samples_at(time_s)
         return samples.joints[0], samples.external[0]
 
     def stop_other_robots(self) -> None:
         """Stop the robots of all other tasks on their paths."""
-        now_s = self.come_up()
-        for other in self._tasks().values():
+        now_s = self.clock.come_up()
+        for other in self.all_tasks().values():
             if other is not self and other.has_robot:
                 other.stop_robot(now_s)
-        self.tell()
+        self.clock.tell()
 
     def start_other_robots(self) -> None:
         """Let the robots of all other tasks go on."""
-        now_s = self.come_up()
-        for other in self._tasks().values():
-            if other is not self and other._unit.queue.is_halted:
-                other._unit.queue.resume(now_s)
-        self.tell()
-
-    def run_in_background(self) -> None:
-        """Take longer for loops than tasks that are started and stopped."""
-        self._time.tick_s = BACKGROUND_TICK_S
-
-    def begin_again(self) -> None:
-        """Go back to main; a task of the background that does nothing takes a little time."""
-        self.left -= 1
-        if self.left < 0:
-            self.service()
+        now_s = self.clock.come_up()
+        for other in self.all_tasks().values():
+            if other is not self and other.unit.queue.is_halted:
+                other.unit.queue.resume(now_s)
+        self.clock.tell()
 
     def stop_robot(self, time_s: float) -> None:
         """Stop the robot at a time [s]: another task has failed, or the run is over."""
-        if self._cell.watchdog.has_ended_the_run:
+        if self.cell.watchdog.has_ended_the_run:
             # Stopping would plan what is open, which may be what took too long.
-            self._unit.queue.leave()
+            self.unit.queue.leave()
             return
         with suppress(MotionError):
-            if not self._unit.queue.is_halted:
-                self._unit.queue.halt(time_s)
+            if not self.unit.queue.is_halted:
+                self.unit.queue.halt(time_s)
 
-    def pointer_s(self) -> float:
-        """Time [s] of the program pointer, or when its robot's path ends if nobody knows."""
-        time = self._time
-        return time.known_s if time.is_known else self._unit.queue.trajectory.command_end
-
-    def tell(self) -> None:
-        """Let the other tasks look: what they share has changed."""
-        self._cell.tell(self._moment())
-
-    def _meet(
+    def come_together(
         self, instruction: str, name: str, tasks: Sequence[str], max_time: float | None
     ) -> Meeting | None:
         """Come to a synchronization point; None if `max_time` [s] ran out first."""
-        now_s = self.come_up()
+        now_s = self.clock.come_up()
         deadline_s = math.inf if max_time is None else now_s + max_time
-        meeting = self._cell.meetings.arrive(instruction, name, self.task_name, tasks)
-        self.tell()
+        meeting = self.cell.meetings.arrive(instruction, name, self.task_name, tasks)
+        self.clock.tell()
         while not meeting.is_complete:
-            if self._observe() >= deadline_s:
-                self._cell.meetings.leave(instruction, meeting, self.task_name)
+            if self.clock.observe() >= deadline_s:
+                self.cell.meetings.leave(instruction, meeting, self.task_name)
                 return None
-            if not self._await_event(deadline_s):
+            if not self.clock.await_event(deadline_s):
                 missing = ", ".join(one for one in tasks if one.lower() not in meeting.arrived)
                 raise WaitsForever(f"{instruction} {name} waits for {missing}, which never comes")
         # Those who waited go on in their order, not the one who came last before them.
-        self.come_up()
+        self.clock.come_up()
         return meeting
 
-    def _require_listed(self, instruction: str, name: str, tasks: Sequence[str]) -> None:
+    def require_listed(self, instruction: str, name: str, tasks: Sequence[str]) -> None:
+        """Refuse to meet others without being one of those who meet.
+
+        Raises:
+            RapidError: ERR_ARGVALERR.
+        """
         if self.task_name.lower() not in (one.lower() for one in tasks):
             raise rapid_error(
                 ERR_ARGVALERR,
                 f"{instruction} {name}: {self.task_name} is not in its own list of tasks",
             )
 
-    def _tasks(self) -> Mapping[str, TaskOthers]:
+    def all_tasks(self) -> Mapping[str, TaskOthers]:
+        """Those of all tasks of the cell, its own too, by folded name."""
         return self.neighbours or {self.task_name.lower(): self}
 
     def _robot_of(self, task: str) -> TaskOthers:
-        other = self._tasks().get(task.lower())
+        other = self.all_tasks().get(task.lower())
         if other is None:
             raise rapid_error(ERR_TASKNAME, f"there is no task {task} in this run")
         if not other.has_robot:

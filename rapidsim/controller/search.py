@@ -11,8 +11,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
-from rapidsim.controller.journal.journal import Instant
-from rapidsim.controller.path_control import TaskPathControl
+from rapidsim.controller.cell.cell import Cell
+from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.moves.resolve import Resolver
+from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.controller.solo_moves import Put
 from rapidsim.language.data import FINE, JointTarget, RobTarget
 from rapidsim.language.error_numbers import (
     ERR_PERSSUPSEARCH,
@@ -50,8 +53,15 @@ class _Watch:
             self.hits.append(now_s)
 
 
-class TaskSearch(TaskPathControl):
-    """Implements the searching of `language.controller.PathControl`."""
+@dataclass(frozen=True, slots=True)
+class TaskSearch:
+    """Implements `language.path_control.Searches`."""
+
+    clock: TaskClock
+    unit: MechanicalUnit
+    cell: Cell
+    resolver: Resolver
+    put: Put
 
     def search(
         self,
@@ -61,9 +71,9 @@ class TaskSearch(TaskPathControl):
         stop: SearchStop,
     ) -> RobTarget:
         """Make a move to a stop point and watch a signal, or a persistent, on the way."""
-        arm = self._unit.queue.at_past(self._hit_s(move, found, flank, stop))
-        return self._resolver.target(
-            arm.joints[0], arm.external[0], move.tool, move.wobj, self.place
+        arm = self.unit.queue.at_past(self._hit_s(move, found, flank, stop))
+        return self.resolver.target(
+            arm.joints[0], arm.external[0], move.tool, move.wobj, self.clock.place
         )
 
     def search_joints(
@@ -74,8 +84,8 @@ class TaskSearch(TaskPathControl):
         stop: SearchStop,
     ) -> JointTarget:
         """As `search`, but tell where all axes were at the first hit."""
-        arm = self._unit.queue.at_past(self._hit_s(move, found, flank, stop))
-        return JointTarget(rob_joint(arm.joints[0]), self._resolver.ext_joint(arm.external[0]))
+        arm = self.unit.queue.at_past(self._hit_s(move, found, flank, stop))
+        return JointTarget(rob_joint(arm.joints[0]), self.resolver.ext_joint(arm.external[0]))
 
     def _hit_s(
         self,
@@ -87,15 +97,15 @@ class TaskSearch(TaskPathControl):
         """Make the move and tell when [s] the first hit was."""
         signal = found.lower() if isinstance(found, str) else ""
         watch = _Watch(signal, flank)
-        self._observe()
-        self._put(replace(move, zone=FINE), lambda queued: None, wait=False)
-        self._come_to(self._unit.queue.commit_last_start())
+        self.clock.observe()
+        self.put(replace(move, zone=FINE), lambda queued: None, wait=False)
+        self.clock.go_to(self.unit.queue.commit_last_start())
         self._refuse_at_start(move, found, flank)
-        self._cell.listeners.append(watch)
+        self.cell.listeners.append(watch)
         try:
             self._watch(watch, found, stop)
         finally:
-            self._cell.listeners.remove(watch)
+            self.cell.listeners.remove(watch)
         if stop is SearchStop.GO_ON_ONCE and len(watch.hits) > 1:
             raise rapid_error(
                 ERR_WHLSEARCH, f"{move.instruction} found {len(watch.hits)} hits, and one is wanted"
@@ -107,7 +117,7 @@ class TaskSearch(TaskPathControl):
     def _refuse_at_start(self, move: Move, found: Callable[[], float] | str, flank: Flank) -> None:
         if flank not in _AT_START:
             return
-        value = self._cell.signals.read(found) if isinstance(found, str) else found()
+        value = self.cell.signals.read(found) if isinstance(found, str) else found()
         if (value != 0.0) is not _AT_START[flank]:
             return
         what, number = "the persistent", ERR_PERSSUPSEARCH
@@ -120,27 +130,23 @@ class TaskSearch(TaskPathControl):
 
     def _watch(self, watch: _Watch, found: Callable[[], float] | str, stop: SearchStop) -> None:
         """Let the robot move until it stands: at the end, or where a hit stops it."""
-        while self._unit.queue.is_open:
-            self._await_restart()
-            reached_s = self._unit.queue.trajectory.seen_s(self._unit.queue.close())
-            while (now_s := self._observe()) < reached_s and not self._unit.queue.is_open:
+        while self.unit.queue.is_open:
+            self.clock.await_restart()
+            reached_s = self.unit.queue.trajectory.seen_s(self.unit.queue.close())
+            while (now_s := self.clock.observe()) < reached_s and not self.unit.queue.is_open:
                 if isinstance(found, str):
-                    self._await_event(reached_s)
+                    self.clock.await_event(reached_s)
                 else:
                     old = found()
-                    self._await_event(min(reached_s, now_s + LOOK_S))
-                    watch.signal_changed("", old, found(), self._observe())
+                    self.clock.await_event(min(reached_s, now_s + LOOK_S))
+                    watch.signal_changed("", old, found(), self.clock.observe())
                 if watch.hits and stop is SearchStop.STOP:
                     self._stop_here()
                     return
 
     def _stop_here(self) -> None:
         """Stop on the path and forget the rest of it."""
-        rest_s = self._unit.queue.halt(self._observe())
-        self._pass_time(max(self._observe(), self._unit.queue.trajectory.seen_s(rest_s)))
-        self._unit.queue.clear()
-        self._unit.queue.resume(self._observe())
-
-    def _come_to(self, time_s: float) -> None:
-        self._time.follow(Instant())
-        self._pass_time(time_s)
+        rest_s = self.unit.queue.halt(self.clock.observe())
+        self.clock.pass_time(max(self.clock.observe(), self.unit.queue.trajectory.seen_s(rest_s)))
+        self.unit.queue.clear()
+        self.unit.queue.resume(self.clock.observe())

@@ -4,38 +4,46 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from types import MappingProxyType
+from dataclasses import dataclass, field
 
-from rapidsim.controller.clock import TaskTime
+from rapidsim.controller.cell.cell import Cell
+from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.interrupt_table import InterruptTable
 from rapidsim.controller.journal.journal import Moment
 from rapidsim.controller.journal.stop_reasons import WaitsForever
+from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.controller.queue.path_marks import PathMarks
+from rapidsim.controller.queue.zone_table import WorldZoneTable
 
 _IDLE_LOOKS = 1000
 """So often a condition is looked at that nothing can change before the run gives up: it may count
 its looks itself."""
 
 
-class TaskSignals(TaskTime):
-    """Implements `language.controller.Signals`, and waiting for conditions."""
+@dataclass(slots=True, eq=False)
+class TaskSignals:
+    """Implements `language.controller.Signals`."""
+
+    clock: TaskClock
+    unit: MechanicalUnit
+    cell: Cell
+    table: InterruptTable
+    marks: PathMarks
+    zones: WorldZoneTable
 
     _looked_at: dict[str, None] | None = None
     """The signals that a condition has read, while one is evaluated."""
-    _seen: Mapping[str, None] = MappingProxyType({})
+    _seen: Mapping[str, None] = field(default_factory=dict)
     """The signals that the last condition has read."""
     _saw_time: bool = False
-    """Whether the last condition has read the time."""
-
-    def now(self) -> float:
-        """Virtual time [s] of the statement that runs."""
-        self._saw_time = True
-        return super().now()
+    """Whether it has read the time."""
 
     def read_signal(self, name: str) -> float:
         """The value of a signal now."""
-        self.come_up()
+        self.clock.come_up()
         if self._looked_at is not None:
             self._looked_at[name] = None
-        return self._cell.signals.read(name)
+        return self.cell.signals.read(name)
 
     def write_signal(self, name: str, value: float, *, delay_s: float = 0.0) -> None:
         """Set an output at the time of the program pointer, or later by a delay.
@@ -43,23 +51,23 @@ class TaskSignals(TaskTime):
         Raises:
             RapidError: If the station declares it as an input, or with narrower limits.
         """
-        self._note_line()
-        self._cell.signals.require_output(name, value)
-        if self._cell.is_shared:
-            self.come_up()
+        self.clock.note_line()
+        self.cell.signals.require_output(name, value)
+        if self.cell.is_shared:
+            self.clock.come_up()
         if delay_s > 0.0:
-            moment = self._moment()
+            moment = self.clock.moment()
             later = Moment(moment.instant, moment.offset_s + delay_s)
-            self._cell.schedule(self._cause(), later, {name: value})
-            if self._time.is_known:
+            self.cell.schedule(self.clock.cause(), later, {name: value})
+            if self.clock.is_known:
                 # A loop that polls the signal must not run past the change.
-                self._grant()
+                self.clock.grant()
             return
-        heard = self._marks.is_pending or self._zones.is_watching or self._cell.hears(name)
-        now_s = self._observe() if heard else 0.0
-        self._cell.set_signal(self._cause(), self._moment(), name, value)
+        heard = self.marks.is_pending or self.zones.is_watching or self.cell.hears(name)
+        now_s = self.clock.observe() if heard else 0.0
+        self.cell.set_signal(self.clock.cause(), self.clock.moment(), name, value)
         if heard:
-            self._pass_time(now_s)
+            self.clock.pass_time(now_s)
 
     def wait_for_signal(
         self, name: str, condition: Callable[[float], bool], *, max_time: float | None = None
@@ -69,16 +77,16 @@ class TaskSignals(TaskTime):
         Raises:
             Stopped: When nothing that is known to happen can ever satisfy it.
         """
-        self._note_line()
-        now_s = self.come_up()
+        self.clock.note_line()
+        now_s = self.clock.come_up()
         deadline_s = math.inf if max_time is None else now_s + max_time
-        while not condition(self._cell.signals.read(name)):
-            if self._observe() >= deadline_s:
+        while not condition(self.cell.signals.read(name)):
+            if self.clock.observe() >= deadline_s:
                 return False
-            alone = not self._cell.is_shared
+            alone = not self.cell.is_shared
             if alone and math.isinf(deadline_s) and self._is_vain((name,)):
                 raise WaitsForever(f"`{name}` is waited for and nothing ever changes it")
-            if not self._await_event(deadline_s):
+            if not self.clock.await_event(deadline_s):
                 raise WaitsForever(f"`{name}` is waited for and nothing ever changes it")
         return True
 
@@ -90,37 +98,38 @@ class TaskSignals(TaskTime):
         Raises:
             Stopped: When it looks only at what nothing ever changes.
         """
-        self._note_line()
-        now_s = self._observe()
+        self.clock.note_line()
+        now_s = self.clock.observe()
         deadline_s = math.inf if max_time is None else now_s + max_time
         idle = 0
-        happenings = self._cell.happenings
+        happenings = self.cell.happenings
         while not self._holds(condition):
             if now_s >= deadline_s:
                 return False
             looked_at = tuple(self._seen)
             vain = not self._saw_time and self._is_vain(looked_at)
-            idle = idle + 1 if vain and happenings == self._cell.happenings else 0
-            happenings = self._cell.happenings
-            if idle > _IDLE_LOOKS and math.isinf(deadline_s) and self._cell.turns.rest(self):
+            idle = idle + 1 if vain and happenings == self.cell.happenings else 0
+            happenings = self.cell.happenings
+            if idle > _IDLE_LOOKS and math.isinf(deadline_s) and self.cell.turns.rest(self.clock):
                 raise WaitsForever(_vain(looked_at))
-            self._pass_time(min(now_s + poll_s, deadline_s))
-            now_s = self._observe()
+            self.clock.pass_time(min(now_s + poll_s, deadline_s))
+            now_s = self.clock.observe()
         return True
 
     def _holds(self, condition: Callable[[], bool]) -> bool:
         """Evaluate a condition and note what it looks at."""
-        self._looked_at, self._saw_time = {}, False
+        self._looked_at, told = {}, self.clock.times_told
         try:
             return condition()
         finally:
             self._seen, self._looked_at = self._looked_at, None
+            self._saw_time = self.clock.times_told > told
 
     def _is_vain(self, signals: tuple[str, ...]) -> bool:
         """Whether nothing but other tasks, if there are any, could change signals."""
-        if self._interrupts.armed or self._unit.queue.trajectory.duration > self._observe():
+        if self.table.armed or self.unit.queue.trajectory.duration > self.clock.observe():
             return False
-        return not any(map(self._cell.may_change, signals))
+        return not any(map(self.cell.may_change, signals))
 
 
 def _vain(signals: tuple[str, ...]) -> str:

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import dataclass
 
+from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.cell.network import NetworkConnection, NetworkPort
 from rapidsim.controller.cell.streams import Port, StreamEnd
-from rapidsim.controller.clock import TaskTime
+from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.events import EventKind
+from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.journal.stop_reasons import WaitsForever
 from rapidsim.findings.sockets import NobodyAnswers, NobodyConnects
 from rapidsim.language.error_numbers import ERR_SOCK_CLOSED, rapid_error
@@ -18,8 +21,13 @@ _SHOWN = 40
 """Characters of what is sent and received that an event shows."""
 
 
-class TaskSockets(TaskTime):
+@dataclass(frozen=True, slots=True)
+class TaskSockets:
     """Implements `language.controller.Sockets`."""
+
+    clock: TaskClock
+    cell: Cell
+    journal: Journal
 
     def open_port(self, address: str, port: int) -> Listener:
         """Let clients connect to a port: over the network where the run may use it.
@@ -27,15 +35,15 @@ class TaskSockets(TaskTime):
         Raises:
             RapidError: ERR_SOCK_ADDR_INUSE.
         """
-        now_s = self.come_up()
-        network, sockets = self._cell.network, self._cell.sockets
+        now_s = self.clock.come_up()
+        network, sockets = self.cell.network, self.cell.sockets
         opened: Listener
         if network is not None and not sockets.is_scripted(port, serves=False):
             opened = network.listen(address, port)
         else:
             opened = sockets.listen(port, now_s)
-        self._event(EventKind.SOCKET, f"listens on port {port}", port=port)
-        self._cell.tell(self._moment())
+        self.clock.event(EventKind.SOCKET, f"listens on port {port}", port=port)
+        self.clock.tell()
         return opened
 
     def accept_client(self, listener: Listener, *, max_time: float | None) -> Connection | None:
@@ -58,11 +66,11 @@ class TaskSockets(TaskTime):
             )
             if self._waited(lambda: bool(waiting), deadline_s, nobody):
                 found = waiting.pop(0)
-            elif not self._cell.sockets.is_scripted(listener.port, serves=False):
+            elif not self.cell.sockets.is_scripted(listener.port, serves=False):
                 told = NobodyConnects(listener.port)
-                self._journal.finding(told, self.place, once=told)
+                self.journal.finding(told, self.clock.place, once=told)
         if found is not None:
-            self._event(EventKind.SOCKET, f"accepted {found.peer}", peer=found.peer)
+            self.clock.event(EventKind.SOCKET, f"accepted {found.peer}", peer=found.peer)
         return found
 
     def connect_socket(
@@ -75,7 +83,7 @@ class TaskSockets(TaskTime):
             WaitsForever: If the wait has no end and nothing that is known to happen ends it.
         """
         deadline_s = self._deadline(max_time)
-        network, sockets = self._cell.network, self._cell.sockets
+        network, sockets = self.cell.network, self.cell.sockets
         found: Connection | None = None
         if network is not None and not sockets.is_scripted(port, serves=True):
             found = network.connect(address, port, self._patience(deadline_s))
@@ -84,18 +92,18 @@ class TaskSockets(TaskTime):
             ends: list[StreamEnd] = []
 
             def is_answered() -> bool:
-                end = sockets.connect(address, port, self._observe())
+                end = sockets.connect(address, port, self.clock.observe())
                 ends.extend([end] if end is not None else [])
                 return end is not None
 
             nobody = f"`SocketConnect` waits for {address}:{port}, and nobody listens there"
             if self._waited(is_answered, deadline_s, nobody):
                 found = ends[0]
-                self._cell.tell(self._moment())
+                self.clock.tell()
             elif network is None:
-                self._journal.finding(NobodyAnswers(f"{address}:{port}"), self.place)
+                self.journal.finding(NobodyAnswers(f"{address}:{port}"), self.clock.place)
         if found is not None:
-            self._event(EventKind.SOCKET, f"connected to {found.peer}", peer=found.peer)
+            self.clock.event(EventKind.SOCKET, f"connected to {found.peer}", peer=found.peer)
         return found
 
     def send_bytes(self, connection: Connection, data: bytes) -> None:
@@ -104,10 +112,10 @@ class TaskSockets(TaskTime):
         Raises:
             RapidError: ERR_SOCK_CLOSED if the other end has closed.
         """
-        now_s = self.come_up()
+        now_s = self.clock.come_up()
         if connection.has_ended:
             raise rapid_error(ERR_SOCK_CLOSED, f"{connection.peer} has closed the connection")
-        self._event(
+        self.clock.event(
             EventKind.SOCKET,
             f"sent {_shown(data)} to {connection.peer}",
             peer=connection.peer,
@@ -119,7 +127,7 @@ class TaskSockets(TaskTime):
         else:
             assert isinstance(connection, StreamEnd)
             connection.send(data, now_s)
-            self._cell.tell(self._moment())
+            self.clock.tell()
 
     def await_bytes(self, connection: Connection, count: int, *, max_time: float | None) -> bool:
         """Wait until so many bytes are there or no more will come; False if time ran out first.
@@ -140,7 +148,7 @@ class TaskSockets(TaskTime):
             nothing = f"`SocketReceive` waits for {connection.peer}, which sends nothing more"
             there = self._waited(is_there, deadline_s, nothing)
         if there and connection.received and max_time != 0.0:
-            self._event(
+            self.clock.event(
                 EventKind.SOCKET,
                 f"{_shown(bytes(connection.received))} came from {connection.peer}",
                 peer=connection.peer,
@@ -150,43 +158,43 @@ class TaskSockets(TaskTime):
 
     def close_socket(self, listener: Listener | None, connection: Connection | None) -> None:
         """Close what a socket was tied to."""
-        now_s = self.come_up()
+        now_s = self.clock.come_up()
         if isinstance(listener, Port):
-            self._cell.sockets.close_port(listener)
+            self.cell.sockets.close_port(listener)
         elif isinstance(listener, NetworkPort):
             listener.close()
         if isinstance(connection, StreamEnd):
             connection.close(now_s)
         elif isinstance(connection, NetworkConnection):
             connection.close()
-        self._cell.tell(self._moment())
+        self.clock.tell()
 
     def _deadline(self, max_time: float | None) -> float:
-        self._note_line()
-        now_s = self.come_up()
+        self.clock.note_line()
+        now_s = self.clock.come_up()
         return math.inf if max_time is None else now_s + max_time
 
     def _waited(self, condition: Callable[[], bool], deadline_s: float, in_vain: str) -> bool:
         """Let time pass until a condition holds; False if the deadline [s] came first."""
         while not condition():
-            if self._observe() >= deadline_s:
+            if self.clock.observe() >= deadline_s:
                 return False
-            if not self._await_event(deadline_s):
+            if not self.clock.await_event(deadline_s):
                 raise WaitsForever(in_vain)
         return True
 
     def _patience(self, deadline_s: float) -> float | None:
         """How long the network may take [s]; None for ever."""
-        left_s = min(deadline_s, self._cell.max_time_s) - self._observe()
-        left_s = min(left_s, self._cell.watchdog.left_s)
+        left_s = min(deadline_s, self.cell.max_time_s) - self.clock.observe()
+        left_s = min(left_s, self.cell.watchdog.left_s)
         return None if math.isinf(left_s) else max(0.0, left_s)
 
     def _after_network(self, in_time: bool, deadline_s: float) -> None:
         """A wait in vain has taken its time; an answer took none."""
-        self._journal.unsimulated("the network", "answers take no simulated time", self.place)
-        self._cell.watchdog.look()
+        self.journal.unsimulated("the network", "answers take no simulated time", self.clock.place)
+        self.cell.watchdog.look()
         if not in_time:
-            self._pass_time(max(deadline_s, self._observe()))
+            self.clock.pass_time(max(deadline_s, self.clock.observe()))
 
 
 def _shown(data: bytes) -> str:

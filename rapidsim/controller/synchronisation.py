@@ -8,16 +8,25 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
+from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.cell.rendezvous import Meeting
+from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.interrupt_table import InterruptTable
+from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.journal.stop_reasons import WaitsForever
+from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import QueuedMove
+from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.other_tasks import TaskOthers
-from rapidsim.controller.path_control import TaskPathControl
-from rapidsim.controller.queue.path_planner import LOOK_AHEAD_SLACK_S
+from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.controller.queue.path_marks import PathMarks
 from rapidsim.controller.queue.team_planner import Offer, TeamPlanner
 from rapidsim.controller.queue.team_queue import TeamQueue
+from rapidsim.controller.queue.zone_table import WorldZoneTable
+from rapidsim.controller.solo_moves import SoloMoves
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.moves import Move
 
@@ -26,16 +35,28 @@ _ONE_RAMP = "the lowest ramp since the last stop point counts for all"
 _NO_TRIGGERS = "moved without them: robots that move together have no triggers yet"
 
 
-class TaskTeam(TaskOthers, TaskPathControl):
-    """Implements the moving together of `language.controller.Tasks`."""
+@dataclass(slots=True, eq=False)
+class TaskTeam:
+    """Implements `language.tasks.SyncMoves`, and puts the moves of a task on its robot's path."""
 
+    clock: TaskClock
+    unit: MechanicalUnit
+    cell: Cell
+    resolver: Resolver
+    table: InterruptTable
+    marks: PathMarks
+    zones: WorldZoneTable
+    journal: Journal
+    state: MotionState
+    solo: SoloMoves
+    others: TaskOthers
     _suspended: tuple[str, ...] = ()
     """The team that the task is to move with again."""
 
     @property
     def team(self) -> tuple[str, ...]:
         """Names of the tasks that move together, this one among them; empty while it is alone."""
-        return self._unit.team.tasks if self._unit.team is not None else ()
+        return self.unit.team.tasks if self.unit.team is not None else ()
 
     def move_together(
         self, name: str, tasks: Sequence[str], *, max_time: float | None = None
@@ -47,12 +68,12 @@ class TaskTeam(TaskOthers, TaskPathControl):
         """
         if self.team:
             raise rapid_error(
-                ERR_ARGVALERR, f"SyncMoveOn {name}: {self.task_name} moves together already"
+                ERR_ARGVALERR, f"SyncMoveOn {name}: {self.others.task_name} moves together already"
             )
-        self._require_listed("SyncMoveOn", name, tasks)
-        self._note_line()
-        self._come_to_rest()
-        meeting = self._meet("SyncMoveOn", name, tasks, max_time)
+        self.others.require_listed("SyncMoveOn", name, tasks)
+        self.clock.note_line()
+        self.clock.come_to_rest()
+        meeting = self.others.come_together("SyncMoveOn", name, tasks, max_time)
         if meeting is None:
             return False
         self._join(meeting, tasks)
@@ -60,9 +81,9 @@ class TaskTeam(TaskOthers, TaskPathControl):
 
     def move_apart(self, name: str, *, max_time: float | None = None) -> bool:
         """Wait for the tasks that move together at a stop point; from there each moves alone."""
-        self._note_line()
-        self._come_to_rest()
-        if self._meet("SyncMoveOff", name, self.team, max_time) is None:
+        self.clock.note_line()
+        self.clock.come_to_rest()
+        if self.others.come_together("SyncMoveOff", name, self.team, max_time) is None:
             return False
         self.leave_team()
         return True
@@ -70,57 +91,52 @@ class TaskTeam(TaskOthers, TaskPathControl):
     def leave_team(self) -> None:
         """Let all that move together move alone, without waiting for anybody."""
         self._suspended = ()
-        team = self._unit.team
+        team = self.unit.team
         if team is not None:
-            self._come_to_rest()
-            for one in self._tasks().values():
-                if one._unit.team is team:
-                    one._unit.part()
+            self.clock.come_to_rest()
+            for one in self.others.all_tasks().values():
+                if one.unit.team is team:
+                    one.unit.part()
 
     def suspend_team(self) -> None:
         """Move alone until `resume_team`; all tasks of the team do so together."""
-        team = self._unit.team
+        team = self.unit.team
         if team is not None:
-            self._note_line()
-            self._come_to_rest()
-            self._meet("SyncMoveSuspend", "", team.tasks, None)
-            self._unit.part()
+            self.clock.note_line()
+            self.clock.come_to_rest()
+            self.others.come_together("SyncMoveSuspend", "", team.tasks, None)
+            self.unit.part()
             self._suspended = team.tasks
 
     def resume_team(self) -> None:
         """Move together again."""
         if self._suspended:
             tasks, self._suspended = self._suspended, ()
-            self._note_line()
-            self._come_to_rest()
-            meeting = self._meet("SyncMoveResume", "", tasks, None)
+            self.clock.note_line()
+            self.clock.come_to_rest()
+            meeting = self.others.come_together("SyncMoveResume", "", tasks, None)
             assert meeting is not None
             self._join(meeting, tasks)
 
-    def start_move(self) -> None:
-        """Let the robot go on, and with it those that move together with it."""
-        super().start_move()
-        self.tell()
-
-    def _put(self, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True) -> None:
+    def put(self, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True) -> None:
         r"""Put a move on the path, in a team together with those of the others.
 
         Raises:
             RapidError: ERR_ARGVALERR, if the task has no robot or the numbers \ID do not agree.
         """
-        if not self.has_robot:
+        if not self.others.has_robot:
             raise rapid_error(
                 ERR_ARGVALERR,
-                f"{move.instruction}: the task {self.task_name} has no robot; in the station file, "
-                "give it one with `robot` or `motion = true`",
+                f"{move.instruction}: the task {self.others.task_name} has no robot; in the "
+                "station file, give it one with `robot` or `motion = true`",
             )
-        seat = self._unit.seat
+        seat = self.unit.seat
         if seat is None:
-            if move.sync_id is not None and self._cell.is_shared:
+            if move.sync_id is not None and self.cell.is_shared:
                 raise rapid_error(
                     ERR_ARGVALERR, f"{move.instruction} \\ID without SyncMoveOn before it"
                 )
-            super()._put(move, before, wait=wait)
+            self.solo.put(move, before, wait=wait)
             return
         if move.sync_id is None:
             raise rapid_error(
@@ -129,51 +145,50 @@ class TaskTeam(TaskOthers, TaskPathControl):
             )
         queued = self._in_step(seat, move, move.sync_id)
         before(queued)
-        if self._marks.is_pending:
-            self._marks.clear()
-            self._journal.unsimulated(
-                f"{move.instruction} \\ID with triggers", _NO_TRIGGERS, self.place
+        if self.marks.is_pending:
+            self.marks.clear()
+            self.journal.unsimulated(
+                f"{move.instruction} \\ID with triggers", _NO_TRIGGERS, self.clock.place
             )
         self._say_what_a_team_ignores(move, queued)
-        self._active = (move.tool, move.wobj)
+        self.state.use(move)
         if queued.corner is CornerKind.STOP and wait and not move.concurrent:
-            self._drive_to_stop()
-            self._pass_time(max(self._observe(), self._unit.queue.trajectory.duration))
+            self.clock.drive_to_stop()
+            self.clock.pass_time(max(self.clock.observe(), self.unit.queue.trajectory.duration))
             return
-        self._time.follow(queued.started)
-        if self._interrupts.armed or self._zones.is_watching:
-            self._keep_up()
+        self.clock.follow(queued.started)
+        if self.table.armed or self.zones.is_watching:
+            self.solo.keep_up()
 
     def _say_what_a_team_ignores(self, move: Move, queued: QueuedMove) -> None:
         segment = queued.segment
         limits = (segment.tcp_acceleration, segment.tcp_deceleration, segment.world_acceleration)
         if math.isfinite(min(limits)):
             name = f"PathAccLim or WorldAccLim with {move.instruction} \\ID"
-            self._journal.unsimulated(name, _NO_OTHER_LIMITS, self.place)
+            self.journal.unsimulated(name, _NO_OTHER_LIMITS, self.clock.place)
         if any(math.isfinite(speed) for speed in segment.external_speeds):
             name = f"the programmed speed of external axes with {move.instruction} \\ID"
-            self._journal.unsimulated(name, _NO_OTHER_LIMITS, self.place)
+            self.journal.unsimulated(name, _NO_OTHER_LIMITS, self.clock.place)
 
-        if segment.ramp < self.settings.ramp_percent / 100.0:
+        if segment.ramp < self.state.settings.ramp_percent / 100.0:
             name = "different ramps of robots that move together"
-            self._journal.unsimulated(name, _ONE_RAMP, self.place)
+            self.journal.unsimulated(name, _ONE_RAMP, self.clock.place)
 
     def _in_step(self, seat: TeamQueue, move: Move, sync_id: float) -> QueuedMove:
         """Say a part of the next move of the team and wait until all have said theirs."""
-        self._note_line()
-        queued = self._resolver.resolve(move, self.place, seat.end, self.settings)
-        self._time.settle(self.left)
-        if not seat.is_open or self._time.offset_s > LOOK_AHEAD_SLACK_S or self._interrupts.armed:
-            self.come_up()
+        self.clock.note_line()
+        queued = self.resolver.resolve(move, self.clock.place, seat.end, self.state.settings)
+        if self.clock.thinks_long() or not seat.is_open or self.table.armed:
+            self.clock.come_up()
         offer = seat.team.say(seat.number, queued, sync_id)
         if len(offer.parts) < len(seat.team.robots):
             self._await_parts(seat.team, offer, sync_id)
             return queued
-        moment = self._moment()
+        moment = self.clock.moment()
         now_s = moment.time_s if moment.instant.time is not None else -math.inf
         seat.team.begin(offer, now_s)
-        self._cell.happenings += 1
-        self._cell.turns.look_again(max(now_s, 0.0))
+        self.cell.happenings += 1
+        self.cell.turns.look_again(max(now_s, 0.0))
         return queued
 
     def _await_parts(self, team: TeamPlanner, offer: Offer, sync_id: float) -> None:
@@ -183,11 +198,11 @@ class TaskTeam(TaskOthers, TaskPathControl):
             WaitsForever: If one of them never will.
         """
         while not offer.is_complete:
-            if self._time.is_known:
-                woken = self._await_event(math.inf)
+            if self.clock.is_known:
+                woken = self.clock.await_event(math.inf)
             else:
                 # Nobody needs the time: the robots are still on the way that all know.
-                woken = not math.isinf(self._cell.turns.until(self, math.inf))
+                woken = not math.isinf(self.cell.turns.until(self.clock, math.inf))
             if not woken:
                 missing = (t for n, t in enumerate(team.tasks) if n not in offer.parts)
                 raise WaitsForever(
@@ -198,11 +213,11 @@ class TaskTeam(TaskOthers, TaskPathControl):
         """Take the place in the team that some tasks form; the first to come here makes it."""
         if meeting.outcome is None:
             wanted = {name.lower() for name in tasks}
-            known = self._tasks().items()
+            known = self.others.all_tasks().items()
             members = [one for key, one in known if key in wanted and one.has_robot]
-            robots = [one._unit.own for one in members]
+            robots = [one.unit.own for one in members]
             meeting.outcome = TeamPlanner([one.task_name for one in members], robots)
-        if self.has_robot:
+        if self.others.has_robot:
             assert isinstance(meeting.outcome, TeamPlanner)
-            number = meeting.outcome.tasks.index(self.task_name)
-            self._unit.join(meeting.outcome, number)
+            number = meeting.outcome.tasks.index(self.others.task_name)
+            self.unit.join(meeting.outcome, number)

@@ -25,12 +25,12 @@ from rapidsim.language.moves import (
     Move,
     Place,
 )
-from rapidsim.language.path_control import PathControl, WorldZones
+from rapidsim.language.path_control import PathControl, Searches, WorldZones
 from rapidsim.language.path_events import Trigger
 from rapidsim.language.reference import Reference
 from rapidsim.language.sockets import Connection, Listener
 from rapidsim.language.symbols import Symbols
-from rapidsim.language.tasks import TaskService
+from rapidsim.language.tasks import SyncMoves, TaskService
 from rapidsim.language.texts import Texts
 
 
@@ -396,6 +396,7 @@ class Controller:
     clock: ClockService
     motion: Motion
     path_control: PathControl
+    searches: Searches
     world_zones: WorldZones
     operator: Operator
     files: Files
@@ -405,6 +406,7 @@ class Controller:
     signals: Signals
     error_numbers: ErrorNumbers
     tasks: TaskService
+    sync_moves: SyncMoves
     honesty: Honesty
     symbols: Symbols = field(init=False)
     """The data of the program by name; the interpreter sets it."""
@@ -417,6 +419,7 @@ CONCERNS: Mapping[type, str] = MappingProxyType(
         ClockService: "clock",
         Motion: "motion",
         PathControl: "path_control",
+        Searches: "searches",
         WorldZones: "world_zones",
         Operator: "operator",
         Files: "files",
@@ -426,6 +429,7 @@ CONCERNS: Mapping[type, str] = MappingProxyType(
         Signals: "signals",
         ErrorNumbers: "error_numbers",
         TaskService: "tasks",
+        SyncMoves: "sync_moves",
         Honesty: "honesty",
     }
 )

@@ -13,8 +13,10 @@ from rapidsim.language.path_events import ZoneShape
 class PathControl(Protocol):
     """Stopping the robot on its path, and other paths meanwhile."""
 
-    path_level: float
-    """How many paths are stored, counted from 1: the value of PathLevel."""
+    @property
+    def path_level(self) -> float:
+        """How many paths are stored, counted from 1: the value of PathLevel."""
+        ...
 
     def stop_move(self) -> None:
         """Stop the robot on its path; returns when it stands."""
@@ -43,6 +45,10 @@ class PathControl(Protocol):
     def restore_path(self) -> None:
         """Take up the path that was kept; the robot goes on with it after `start_move`."""
         ...
+
+
+class Searches(Protocol):
+    """Moves on which a signal or a persistent is watched."""
 
     def search(
         self,

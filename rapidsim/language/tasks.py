@@ -9,7 +9,7 @@ from rapidsim.language.data import JointTarget, RobTarget, ToolData, WobjData
 
 
 class TaskService(Protocol):
-    """The other tasks of the cell, and moving together with their robots."""
+    """The other tasks of the cell."""
 
     @property
     def task_name(self) -> str:
@@ -24,11 +24,6 @@ class TaskService(Protocol):
     @property
     def robot_number(self) -> int:
         """Place of the task's robot among those of the station, from 1; 0 without a robot."""
-        ...
-
-    @property
-    def team(self) -> tuple[str, ...]:
-        """Names of the tasks that move together, this one among them; empty while it is alone."""
         ...
 
     def has_task(self, name: str) -> bool:
@@ -58,28 +53,6 @@ class TaskService(Protocol):
         """
         ...
 
-    def move_together(
-        self, name: str, tasks: Sequence[str], *, max_time: float | None = None
-    ) -> bool:
-        """Wait for some tasks at a stop point; from there their robots move together."""
-        ...
-
-    def move_apart(self, name: str, *, max_time: float | None = None) -> bool:
-        """Wait for the tasks that move together at a stop point; from there each moves alone."""
-        ...
-
-    def leave_team(self) -> None:
-        """Let all that move together move alone, without waiting for anybody."""
-        ...
-
-    def suspend_team(self) -> None:
-        """Move alone until `resume_team`."""
-        ...
-
-    def resume_team(self) -> None:
-        """Move together again."""
-        ...
-
     def joints_of(self, task: str) -> JointTarget:
         """Where the axes of another task's robot are now.
 
@@ -102,4 +75,35 @@ class TaskService(Protocol):
 
     def start_other_robots(self) -> None:
         """Let the robots of all other tasks go on."""
+        ...
+
+
+class SyncMoves(Protocol):
+    """Moving together with the robots of other tasks."""
+
+    @property
+    def team(self) -> tuple[str, ...]:
+        """Names of the tasks that move together, this one among them; empty while it is alone."""
+        ...
+
+    def move_together(
+        self, name: str, tasks: Sequence[str], *, max_time: float | None = None
+    ) -> bool:
+        """Wait for some tasks at a stop point; from there their robots move together."""
+        ...
+
+    def move_apart(self, name: str, *, max_time: float | None = None) -> bool:
+        """Wait for the tasks that move together at a stop point; from there each moves alone."""
+        ...
+
+    def leave_team(self) -> None:
+        """Let all that move together move alone, without waiting for anybody."""
+        ...
+
+    def suspend_team(self) -> None:
+        """Move alone until `resume_team`."""
+        ...
+
+    def resume_team(self) -> None:
+        """Move together again."""
         ...

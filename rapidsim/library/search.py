@@ -49,7 +49,7 @@ def _search(name: str, way: Interpolation) -> Callable[..., None]:
     ) -> None:
         move = asked(controller, name, way, to_point, speed, FINE, tool, options)
         stop = _stop(controller.honesty, name, options)
-        found = controller.path_control.search(move, _watched(signal), _flank(options), stop)
+        found = controller.searches.search(move, _watched(signal), _flank(options), stop)
         search_point.value = in_program(controller.motion, found)
 
     return body
@@ -69,7 +69,7 @@ def search_ext_j(
     to = JointTarget(to_joint_pos.robax, with_axis_offsets(to_joint_pos.extax, offsets))
     move = asked(controller, name, way, to, speed, FINE, None, options)
     stop = _stop(controller.honesty, name, options)
-    found = controller.path_control.search_joints(move, _watched(signal), _flank(options), stop)
+    found = controller.searches.search_joints(move, _watched(signal), _flank(options), stop)
     search_joint_pos.value = JointTarget(found.robax, without_axis_offsets(found.extax, offsets))
 
 

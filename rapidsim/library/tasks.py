@@ -23,7 +23,7 @@ from rapidsim.language.error_numbers import (
     ERR_WAITSYNCTASK,
     rapid_error,
 )
-from rapidsim.language.tasks import TaskService
+from rapidsim.language.tasks import SyncMoves, TaskService
 from rapidsim.library.honesty import ignored
 from rapidsim.library.table import routine, table
 
@@ -61,7 +61,7 @@ def sync_move_on(
     """Wait for all tasks of a list at a stop point; from there their robots move together."""
     tasks = _in_the_run(controller, "SyncMoveOn", task_list)
     name = _name_of(controller.clock)
-    if len(tasks) > 1 and not controller.tasks.move_together(name, tasks, max_time=time_out):
+    if len(tasks) > 1 and not controller.sync_moves.move_together(name, tasks, max_time=time_out):
         _out_of_time(ERR_SYNCMOVEON, "SyncMoveOn", name, time_out)
 
 
@@ -70,31 +70,31 @@ def sync_move_off(
 ) -> None:
     """Wait for the tasks that move together at a stop point; from there each moves alone."""
     name = _name_of(controller.clock)
-    if controller.tasks.team and not controller.tasks.move_apart(name, max_time=time_out):
+    if controller.sync_moves.team and not controller.sync_moves.move_apart(name, max_time=time_out):
         _out_of_time(ERR_SYNCMOVEOFF, "SyncMoveOff", name, time_out)
 
 
-def sync_move_undo(controller: TaskService) -> None:
+def sync_move_undo(controller: SyncMoves) -> None:
     """Move alone again without waiting for the others."""
     controller.leave_team()
 
 
-def sync_move_suspend(controller: TaskService) -> None:
+def sync_move_suspend(controller: SyncMoves) -> None:
     """Move alone for a while, on another path level."""
     controller.suspend_team()
 
 
-def sync_move_resume(controller: TaskService) -> None:
+def sync_move_resume(controller: SyncMoves) -> None:
     """Move together again after SyncMoveSuspend."""
     controller.resume_team()
 
 
-def is_sync_move_on(controller: TaskService) -> Bool:
+def is_sync_move_on(controller: SyncMoves) -> Bool:
     """Whether the robot of the task moves together with others."""
     return bool(controller.team)
 
 
-def tasks_in_sync(controller: TaskService, task_list: Annotated[list[Tasks], Mode.INOUT]) -> Num:
+def tasks_in_sync(controller: SyncMoves, task_list: Annotated[list[Tasks], Mode.INOUT]) -> Num:
     """How many tasks move together; their names go into the list."""
     team = controller.team
     for index in range(len(task_list)):

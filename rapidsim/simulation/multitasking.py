@@ -8,11 +8,10 @@ from dataclasses import dataclass
 from functools import partial
 
 from rapidsim.controller.cell.cell import Cell
-from rapidsim.controller.controller import VirtualController
+from rapidsim.controller.clock import TaskClock
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
 from rapidsim.interpreter.linking.loader import FatalError, Task, load
 from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents, shared_persistents
-from rapidsim.language.controller import one_for_all
 from rapidsim.language.moves import Place
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End
@@ -39,22 +38,22 @@ def run_together(runs: Sequence[TaskRun], cell: Cell, options: RunOptions) -> li
     # Every task has its data before the first one runs: they may be shared.
     loaded = [_loaded(run, shared) for run in runs]
     outcomes: dict[str, Outcome] = {}
-    neighbours = {run.setup.name.lower(): run.controller for run in runs}
+    neighbours = {run.setup.name.lower(): run.controller.others for run in runs}
     for run in runs:
-        run.controller.neighbours = neighbours
+        run.controller.others.neighbours = neighbours
 
     def execute(run: TaskRun, task: Callable[[], Task]) -> None:
         outcome = run_to_end(run, task, options, partial(_resting, run, runs, scheduler))
         outcomes[run.setup.name] = outcome
         if outcome.end in (End.ERROR, End.TIME_LIMIT):
             scheduler.stop()
-            stopped_s = run.controller.pointer_s()
+            stopped_s = run.controller.clock.pointer_s()
             for other in runs:
                 if other is not run:
-                    other.controller.stop_robot(stopped_s)
+                    other.controller.others.stop_robot(stopped_s)
 
     for run, task in zip(runs, loaded, strict=True):
-        scheduler.add(run.controller, partial(execute, run, task), counts=run.setup.counts)
+        scheduler.add(run.controller.clock, partial(execute, run, task), counts=run.setup.counts)
     with recursion_limit(RUNNING_DEPTH):
         scheduler.run()
     return [
@@ -78,19 +77,19 @@ class _Board:
 
     def look(self) -> None:
         task = self.scheduler.current
-        if isinstance(task, VirtualController):
+        if isinstance(task, TaskClock):
             task.come_up()
 
     def tell(self) -> None:
         task = self.scheduler.current
-        if isinstance(task, VirtualController):
+        if isinstance(task, TaskClock):
             task.tell()
 
 
 def _loaded(run: TaskRun, shared: SharedPersistents) -> Callable[[], Task]:
     """Load a task now; an error in its initial values is raised when the task begins."""
     try:
-        task = load(run.setup.program, one_for_all(run.controller), shared)
+        task = load(run.setup.program, run.controller.concerns, shared)
     except FatalError as error:
         failure = error
     else:
@@ -106,5 +105,9 @@ def _resting(
     run: TaskRun, runs: Sequence[TaskRun], scheduler: Scheduler
 ) -> list[tuple[str, Place]]:
     """The other tasks that wait for something that only a task can do, and where they wait."""
-    resting = scheduler.resting(run.controller)
-    return [(one.setup.name, one.controller.place) for one in runs if one.controller in resting]
+    resting = scheduler.resting(run.controller.clock)
+    return [
+        (one.setup.name, one.controller.clock.place)
+        for one in runs
+        if one.controller.clock in resting
+    ]

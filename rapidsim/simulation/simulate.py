@@ -14,7 +14,6 @@ from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.controller.moves.motion_findings import hasty_move_findings
 from rapidsim.files import InputError
 from rapidsim.interpreter.linking.loader import Task, load
-from rapidsim.language.controller import one_for_all
 from rapidsim.motion.robot.robot import Robot, RobotError
 from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.simulation.multitasking import run_together
@@ -89,11 +88,11 @@ def run_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> FinishedRun:
     try:
         if len(runs) == 1:
             only = runs[0]
-            loading = partial(load, only.setup.program, one_for_all(only.controller))
+            loading = partial(load, only.setup.program, only.controller.concerns)
             outcomes = [run_to_end(only, loading, options)]
         else:
             outcomes = run_together(runs, cell, options)
-        time_s = max(run.controller.end_time_s() for run in runs if run.setup.counts)
+        time_s = max(run.controller.clock.end_time_s() for run in runs if run.setup.counts)
     finally:
         cell.close()
         cell.watchdog.rest()

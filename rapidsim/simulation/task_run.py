@@ -10,7 +10,7 @@ import numpy as np
 
 from rapidsim.analysis.program import Program
 from rapidsim.controller.cell.cell import Cell
-from rapidsim.controller.controller import VirtualController
+from rapidsim.controller.controller import VirtualController, virtual_controller
 from rapidsim.controller.journal.failed_moves import FailedMove, failed_on_the_way
 from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.journal.stop_reasons import (
@@ -113,10 +113,10 @@ def prepare(
     queue = solo_queue(robot, options.model, start, cell.watchdog.look)
     resolver = Resolver(robot, journal, setup.place.inverse(), options.model.payload_acceleration)
     place = _entry_place(setup.program, options.entry)
-    controller = VirtualController(cell, MechanicalUnit(queue), resolver, journal, place)
-    controller.has_robot = setup.robot is not None
+    unit, has_robot = MechanicalUnit(queue), setup.robot is not None
+    controller = virtual_controller(cell, unit, resolver, journal, place, has_robot=has_robot)
     if not setup.counts:
-        controller.run_in_background()
+        controller.clock.run_in_background()
     return TaskRun(setup, journal, queue, controller)
 
 
@@ -146,8 +146,8 @@ def run_to_end(
             while not _came_to_rest(controller):
                 pass
     except FatalError as fatal:
-        controller.abandon()
-        end, findings = End.ERROR, (fatal_finding(fatal, controller.place),)
+        controller.motion.abandon()
+        end, findings = End.ERROR, (fatal_finding(fatal, controller.clock.place),)
     except MotionError as error:
         finding = motion_finding(error)
         end, findings = End.ERROR, (finding,)
@@ -157,21 +157,21 @@ def run_to_end(
         )
     except TimeLimitReached as stop:
         # What the robot would do after the run is not part of it, but for its coming to rest.
-        controller.stop_robot(controller.pointer_s())
-        end, findings = End.TIME_LIMIT, (time_limit_finding(stop, controller.place),)
+        controller.others.stop_robot(controller.clock.pointer_s())
+        end, findings = End.TIME_LIMIT, (time_limit_finding(stop, controller.clock.place),)
     except WaitsForever as stop:
-        found = endless_wait_finding(stop, (run.setup.name, controller.place), others())
+        found = endless_wait_finding(stop, (run.setup.name, controller.clock.place), others())
         end, findings = End.ERROR, (found,)
     except TrapStorm as stop:
-        end, findings = End.ERROR, (trap_storm_finding(stop, controller.place),)
+        end, findings = End.ERROR, (trap_storm_finding(stop, controller.clock.place),)
     except ZoneReached as stop:
-        end, findings = End.ERROR, (zone_finding(stop, controller.place),)
+        end, findings = End.ERROR, (zone_finding(stop, controller.clock.place),)
     except MoveImpossible as stop:
-        controller.abandon()
-        end, findings = End.ERROR, (impossible_move_finding(stop, controller.place),)
+        controller.motion.abandon()
+        end, findings = End.ERROR, (impossible_move_finding(stop, controller.clock.place),)
     except Stopped as stop:
-        controller.abandon()
-        end, findings = End.STOPPED, (stopped_finding(stop, controller.place),)
+        controller.motion.abandon()
+        end, findings = End.STOPPED, (stopped_finding(stop, controller.clock.place),)
     return Outcome(end, findings, failed, task)
 
 
@@ -181,7 +181,7 @@ def _run_cycles(task: Task, run: TaskRun, options: RunOptions) -> End:
         while True:
             with suppress(CycleEnded):
                 task.run(options.entry)
-            run.controller.begin_again()
+            run.controller.clock.begin_again()
     for _ in range(options.max_cycles):
         with suppress(CycleEnded):
             task.run(options.entry)
@@ -191,7 +191,7 @@ def _run_cycles(task: Task, run: TaskRun, options: RunOptions) -> End:
 def _came_to_rest(controller: VirtualController) -> bool:
     """Let the robot come to rest; not yet, where ExitCycle in a trap ends a cycle that is over."""
     with suppress(CycleEnded):
-        controller.finish()
+        controller.motion.finish()
         return True
     return False
 

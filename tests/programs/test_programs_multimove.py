@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from rapidsim.cli.options.inputs import all_tasks, choose_station
-from rapidsim.controller.motion import TaskMotion
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.controller.queue.team_planner import Offer, TeamMove, TeamPlanner
+from rapidsim.controller.synchronisation import TaskTeam
 from rapidsim.frames.transform import Array
 from rapidsim.jobs.load_tasks import load_tasks
 from rapidsim.jobs.task_setups import task_setups
@@ -62,15 +62,15 @@ def test_looking_ahead_after_every_move_changes_nothing(
 ) -> None:
     """Planning is tentative, for robots that wait for each other and for those that move as one."""
     plain = ran(program)
-    put, begin = TaskMotion._put, TeamPlanner.begin
+    put, begin = TaskTeam.put, TeamPlanner.begin
     looked: list[object] = []
 
     def put_and_look(
-        self: TaskMotion, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True
+        self: TaskTeam, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True
     ) -> None:
         def look(queued: QueuedMove) -> None:
             before(queued)
-            looked.append(self._unit.queue.preview())
+            looked.append(self.unit.queue.preview())
 
         put(self, move, look, wait=wait)
 
@@ -79,7 +79,7 @@ def test_looking_ahead_after_every_move_changes_nothing(
         looked.append(self.preview(0))
         return begun
 
-    monkeypatch.setattr(TaskMotion, "_put", put_and_look)
+    monkeypatch.setattr(TaskTeam, "put", put_and_look)
     monkeypatch.setattr(TeamPlanner, "begin", begin_and_look)
     other = ran(program)
     assert len(looked) > len(plain.robots[0].moves)

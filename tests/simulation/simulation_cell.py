@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from rapidsim.controller.cell import cell as shared
-from rapidsim.controller.controller import VirtualController
+from rapidsim.controller.controller import virtual_controller
 from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.controller.moves.resolve import Resolver
@@ -54,7 +54,7 @@ class Cell:
         self.queue = solo_queue(self.robot, self.options.model, start)
         self.trajectory = self.queue.trajectory
         resolver = Resolver(self.robot, self.journal, Transform.identity())
-        self.controller = VirtualController(
+        self.controller = virtual_controller(
             shared.Cell(self.options.cell, self.journal),
             MechanicalUnit(self.queue),
             resolver,
@@ -75,8 +75,8 @@ class Cell:
     ) -> None:
         """Send the TCP somewhere [mm], pointing down."""
         target = RobTarget(Pos(x, y, z), DOWN, ConfData(0, 0, 0, 0), NO_EXTERNAL_AXES)
-        self.controller.place = place(name)
-        self.controller.move(
+        self.controller.clock.place = place(name)
+        self.controller.motion.move(
             Move(
                 "MoveL" if kind is Interpolation.LINE else "MoveJ",
                 kind,

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from simulation_program import arm
 
-from rapidsim.controller import motion
+from rapidsim.controller import solo_moves
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.controller.motion import TaskMotion
 from rapidsim.files import read_tasks
@@ -83,7 +83,7 @@ def test_moves_planned_one_at_a_time_give_the_same(
     lazy, again = ran_once(file), ran(file)
     assert [event.time_s for event in lazy.events] == [event.time_s for event in again.events]
     assert np.array_equal(lazy.trajectory.joints, again.trajectory.joints)
-    monkeypatch.setattr(motion, "MAX_OPEN_MOVES", 0)
+    monkeypatch.setattr(solo_moves, "MAX_OPEN_MOVES", 0)
     eager = ran(file)
     assert [event.message for event in lazy.events] == [event.message for event in eager.events]
     times = np.array([[event.time_s for event in run.events] for run in (lazy, eager)])
@@ -100,7 +100,7 @@ def test_where_the_program_sees_the_robot_is_where_it_is(
 
     def current_target(self: TaskMotion, *frames: object) -> RobTarget:
         target = ask(self, *frames)  # type: ignore[arg-type]
-        seen.append((self.now(), target))
+        seen.append((self.clock.now(), target))
         return target
 
     monkeypatch.setattr(TaskMotion, "current_target", current_target)

@@ -33,8 +33,8 @@ def target(x: float, y: float, z: float, rot: Orient = DOWN) -> RobTarget:
 
 
 def circle(cell: Cell, via: RobTarget, to: RobTarget, zone: ZoneData) -> None:
-    cell.controller.place = place("c")
-    cell.controller.move(
+    cell.controller.clock.place = place("c")
+    cell.controller.motion.move(
         Move("MoveC", Interpolation.CIRCLE, to, V200, zone, TOOL0, WOBJ0, circle_point=via)
     )
 
@@ -44,7 +44,7 @@ def test_two_half_circles_with_one_orientation_keep_it_all_the_way() -> None:
     cell.move(1000.0, 0.0, 600.0, zone=FINE, kind=Interpolation.JOINT)
     circle(cell, target(900.0, 100.0, 600.0), target(800.0, 0.0, 600.0), Z10)
     circle(cell, target(900.0, -100.0, 600.0), target(1000.0, 0.0, 600.0), FINE)
-    cell.controller.finish()
+    cell.controller.motion.finish()
     first = cell.moves()[1]
     times = np.linspace(first.start_s, cell.trajectory.duration, 400)
     tcp = cell.trajectory.at(times).base_from_tcp
@@ -88,7 +88,7 @@ def test_axes_past_their_limits_say_which_and_by_how_much() -> None:
     to = JointTarget(RobJoint(0.0, 0.0, 0.0, 0.0, 30.0, 420.0), NO_EXTERNAL_AXES)
     move = Move("MoveAbsJ", Interpolation.AXES, to, V200, FINE, TOOL0, WOBJ0)
     with pytest.raises(RapidError, match=r"axis 6 at 420\.0 deg, 20\.0 deg past") as caught:
-        cell.controller.move(move)
+        cell.controller.motion.move(move)
     assert caught.value.errno == ERR_ROBLIMIT
 
 
@@ -103,11 +103,11 @@ def test_orientations_that_are_none_are_refused_and_sloppy_ones_reported() -> No
         TOOL0,
         WOBJ0,
     )
-    cell.controller.move(sloppy)
+    cell.controller.motion.move(sloppy)
     assert [d.violation.code for d in cell.journal.diagnostics()] == ["M501"]
     unset = replace(sloppy, to=target(800.0, 0.0, 600.0, Orient(0.0, 0.0, 0.0, 0.0)))
     with pytest.raises(RapidError, match="length 0"):
-        cell.controller.move(unset)
+        cell.controller.motion.move(unset)
 
 
 def test_a_tool_that_nothing_moves_is_refused_in_words() -> None:
@@ -115,10 +115,10 @@ def test_a_tool_that_nothing_moves_is_refused_in_words() -> None:
     fixed = ToolData(False, TOOL0.tframe, TOOL0.tload)
     move = Move("MoveJ", Interpolation.JOINT, target(800.0, 0.0, 600.0), V200, FINE, fixed, WOBJ0)
     with pytest.raises(RapidError, match="neither of them in the robot's hand"):
-        cell.controller.move(move)
+        cell.controller.motion.move(move)
     in_hand = replace(move, tool=TOOL0, wobj=WOBJ0._replace(robhold=True))
     with pytest.raises(RapidError, match="both in the robot's hand"):
-        cell.controller.move(in_hand)
+        cell.controller.motion.move(in_hand)
 
 
 def test_a_pure_turn_takes_the_time_of_its_reorientation_speed() -> None:
@@ -126,7 +126,7 @@ def test_a_pure_turn_takes_the_time_of_its_reorientation_speed() -> None:
     cell.approach()
     turned = Orient(0.0, 0.5**0.5, 0.5**0.5, 0.0)
     speed = SpeedData(200.0, 45.0, 5000.0, 1000.0)
-    cell.controller.move(
+    cell.controller.motion.move(
         Move(
             "MoveL",
             Interpolation.LINE,
@@ -137,7 +137,7 @@ def test_a_pure_turn_takes_the_time_of_its_reorientation_speed() -> None:
             WOBJ0,
         )
     )
-    cell.controller.finish()
+    cell.controller.motion.finish()
     turn = cell.moves()[1]
     assert turn.length_m == pytest.approx(0.0, abs=1e-9)
     assert turn.end_s - turn.start_s == pytest.approx(2.0, abs=0.25)

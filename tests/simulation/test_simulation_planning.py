@@ -14,9 +14,9 @@ from simulation_program import arm, ran
 from test_simulation_cells import CELLS
 from test_simulation_cells import ran as ran_cell
 
-from rapidsim.controller.motion import TaskMotion
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove
+from rapidsim.controller.synchronisation import TaskTeam
 from rapidsim.files import read_tasks
 from rapidsim.jobs.checked_program import load
 from rapidsim.language.moves import Move
@@ -74,21 +74,21 @@ def findings_of(run: Simulation) -> list[tuple[str, str, int]]:
 
 def look_ahead_always(monkeypatch: pytest.MonkeyPatch) -> list[QueuedMove]:
     """Let every task preview its motion after each move from now on; the moves so far."""
-    put = TaskMotion._put
+    put = TaskTeam.put
     looked_at: list[QueuedMove] = []
 
     def looking(
-        self: TaskMotion, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True
+        self: TaskTeam, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True
     ) -> None:
         def and_look(queued: QueuedMove) -> None:
             before(queued)
             looked_at.append(queued)
             with suppress(MotionError):
-                self._unit.queue.preview()
+                self.unit.queue.preview()
 
         put(self, move, and_look, wait=wait)
 
-    monkeypatch.setattr(TaskMotion, "_put", looking)
+    monkeypatch.setattr(TaskTeam, "put", looking)
     return looked_at
 
 

@@ -110,7 +110,12 @@ class _Coming:
 
 
 class Cell:
-    """The signals, the world around the robot, and who waits for what."""
+    """The signals, the world around the robot, and who waits for what.
+
+    Changes that are to come are a `clock.Happening` of every task.
+    """
+
+    on_path = False
 
     def __init__(self, inputs: CellInputs, journal: Journal) -> None:
         """Set the cell up at time zero; what happens by itself is noted beside `journal`."""
@@ -210,18 +215,23 @@ class Cell:
         if self.is_shared:
             self.turns.look_again(moment.time_s)
 
-    def next_change_s(self) -> float | None:
+    def next_s(self) -> float | None:
         """Time [s] of the next change whose time is known; None if there is none."""
         times = [one.moment.time_s for one in self._coming if one.moment.instant.time is not None]
         return min(times, default=None)
 
-    def make_next_change(self) -> None:
-        """Let the earliest change happen whose time is known."""
+    def pass_next(self, passed_s: float, until_s: float) -> float:
+        """Let the earliest change happen whose time is known; see `clock.Happening`."""
+        del passed_s, until_s
         known = [one for one in self._coming if one.moment.instant.time is not None]
         coming = min(known, key=lambda one: one.moment.time_s)
         self._coming.remove(coming)
         self.happenings += 1
         coming.act(coming.moment)
+        return coming.moment.time_s
+
+    def look_from(self, time_s: float) -> None:
+        """Changes keep their times."""
 
     def may_change(self, name: str) -> bool:
         """Whether a signal may change without any program doing it, at once or after others."""

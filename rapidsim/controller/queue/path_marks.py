@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import ClassVar
 
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
@@ -36,8 +37,9 @@ class PathMark:
 
 @dataclass(slots=True)
 class PathMarks:
-    """The marks of one robot's path that it has not passed."""
+    """The marks of one robot's path that it has not passed: a `clock.Happening`."""
 
+    on_path: ClassVar = True
     unit: MechanicalUnit
     _pending: list[PathMark] = field(default_factory=list)
     _due: tuple[tuple[int, int], int, tuple[float, ...]] | None = None
@@ -66,12 +68,17 @@ class PathMarks:
         earliest_s = min(self._times(), default=math.inf)
         return None if math.isinf(earliest_s) else earliest_s
 
-    def pass_next(self, now_s: float) -> None:
-        """Let happen what the next mark stands for, not before a time [s]."""
+    def pass_next(self, passed_s: float, until_s: float) -> float:
+        """Let happen what the next mark stands for; see `clock.Happening`."""
+        del until_s
         times = self._times()
         index = min(range(len(times)), key=times.__getitem__)
         mark = self._pending.pop(index)
-        mark.act(max(times[index], now_s))
+        mark.act(max(times[index], passed_s))
+        return times[index]
+
+    def look_from(self, time_s: float) -> None:
+        """Marks wait until they are passed."""
 
     def _times(self) -> tuple[float, ...]:
         """When the robot passes each mark [s]; infinite where it does not get there."""

@@ -84,6 +84,11 @@ class SoloQueue:
         """More time [s] than the arm needs to stop."""
         return self.planner.braking_s
 
+    @property
+    def stored(self) -> int:
+        """How many paths are kept."""
+        return len(self._stored)
+
     def append(self, queued: QueuedMove, now_s: float) -> None:
         """Put a move on the path; see `BlockPlanner.append`."""
         self.planner.append(queued, now_s)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import ClassVar
 
 import numpy as np
 
@@ -38,8 +39,9 @@ class Zone:
 
 @dataclass(slots=True)
 class WorldZoneTable:
-    """The zones that are watched while one robot moves."""
+    """The zones that are watched while one robot moves: a `clock.Happening`."""
 
+    on_path: ClassVar = True
     unit: MechanicalUnit
     world_from_base: Transform
     _zones: dict[float, Zone] = field(default_factory=dict)
@@ -95,8 +97,9 @@ class WorldZoneTable:
             self._next = (self.unit.version, found)
         return self._next[1]
 
-    def pass_next(self, now_s: float) -> None:
-        """Let the next crossing happen."""
+    def pass_next(self, passed_s: float, until_s: float) -> float:
+        """Let the next crossing happen; see `clock.Happening`."""
+        del until_s
         time_s = self.next_s()
         assert time_s is not None
         preview = self.unit.queue.preview()
@@ -107,11 +110,12 @@ class WorldZoneTable:
                 and self._inside(zone, preview.at(np.array([time_s])))[0] != zone.inside
             ):
                 zone.inside = not zone.inside
-                zone.crossed(zone.inside, max(time_s, now_s))
+                zone.crossed(zone.inside, max(time_s, passed_s))
+        return time_s
 
-    def look_from(self, now_s: float) -> None:
+    def look_from(self, time_s: float) -> None:
         """Nothing before a time [s] matters any more."""
-        self._looked_to_s = max(now_s, self._looked_to_s)
+        self._looked_to_s = max(time_s, self._looked_to_s)
 
     def _begin(self, zone: Zone, now_s: float) -> None:
         self._next = None

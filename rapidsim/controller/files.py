@@ -1,0 +1,111 @@
+"""One task's way to the home folder and to the tables of texts, which all tasks share."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from rapidsim.controller.cell.cell import Cell
+from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.journal.events import EventKind
+from rapidsim.diagnostics import Source
+from rapidsim.files import decode
+from rapidsim.language.controller import FileMode, OpenFile
+
+
+@dataclass(frozen=True, slots=True)
+class TaskFiles:
+    """Implements `language.controller.Files`."""
+
+    clock: TaskClock
+    cell: Cell
+
+    def open_file(self, path: str, mode: FileMode) -> OpenFile:
+        """Open a file of the home folder.
+
+        Raises:
+            RapidError: See `HomeFolder.open_file`.
+        """
+        file = self.cell.home.open_file(path, mode)
+        self.clock.event(
+            EventKind.FILE, f"opened {path} to {mode.value}", path=path, mode=mode.value
+        )
+        return file
+
+    def read_module(self, path: str, most: int) -> Source:
+        """The text of a program file of the home folder.
+
+        Raises:
+            RapidError: See `HomeFolder.read`.
+        """
+        place, data = self.cell.home.read(path, most)
+        self.clock.event(EventKind.FILE, f"opened {path} to load", path=path, mode="load")
+        return Source(str(place), decode(data)[0])
+
+    def copy_file(self, old: str, new: str) -> None:
+        """Copy a file of the home folder."""
+        self.cell.home.copy(old, new)
+        self.clock.event(EventKind.FILE, f"copied {old} to {new}", path=new)
+
+    def rename_file(self, old: str, new: str) -> None:
+        """Give a file of the home folder another name."""
+        self.cell.home.rename(old, new)
+        self.clock.event(EventKind.FILE, f"renamed {old} to {new}", path=new)
+
+    def remove_file(self, path: str) -> None:
+        """Delete a file of the home folder."""
+        self.cell.home.remove(path)
+        self.clock.event(EventKind.FILE, f"removed {path}", path=path)
+
+    def make_folder(self, path: str) -> None:
+        """Make a folder in the home folder."""
+        self.cell.home.make_folder(path)
+        self.clock.event(EventKind.FILE, f"made the folder {path}", path=path)
+
+    def remove_folder(self, path: str) -> None:
+        """Delete an empty folder in the home folder."""
+        self.cell.home.remove_folder(path)
+        self.clock.event(EventKind.FILE, f"removed the folder {path}", path=path)
+
+    def names_in(self, path: str) -> tuple[str, ...]:
+        """The names in a folder."""
+        return self.cell.home.names_in(path)
+
+    def is_folder(self, path: str) -> bool:
+        """Whether a folder is there."""
+        return self.cell.home.is_folder(path)
+
+    def file_size(self, path: str) -> int | None:
+        """Size of a file [bytes]; None if there is none."""
+        return self.cell.home.size(path)
+
+    def bytes_in(self, path: str) -> int:
+        """Bytes of all files below a folder."""
+        return self.cell.home.bytes_in(path)
+
+
+@dataclass(frozen=True, slots=True)
+class TaskTexts:
+    """Implements `language.texts.Texts`."""
+
+    clock: TaskClock
+    cell: Cell
+
+    def install_texts(self, name: str, texts: Mapping[int, str]) -> None:
+        """Keep a table of texts."""
+        self._see_others()
+        self.cell.texts.install(name, texts)
+
+    def text_table(self, name: str) -> int | None:
+        """The number of a table of texts; None if there is none of that name."""
+        self._see_others()
+        return self.cell.texts.number(name)
+
+    def table_text(self, table: float, index: float) -> str | None:
+        """A text of a table; None if there is none of those numbers."""
+        return self.cell.texts.text(table, index)
+
+    def _see_others(self) -> None:
+        """Let what other tasks have installed by now be there."""
+        if self.cell.is_shared:
+            self.clock.come_up()

@@ -1,0 +1,138 @@
+"""Putting the moves of a task on its robot's own path."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Protocol
+
+from rapidsim.controller.cell.cell import Cell
+from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.interrupt_table import InterruptTable
+from rapidsim.controller.journal.journal import Journal
+from rapidsim.controller.motion_state import MotionState
+from rapidsim.controller.moves.executed_move import CornerKind
+from rapidsim.controller.moves.queued_move import QueuedMove
+from rapidsim.controller.moves.resolve import Resolver
+from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.controller.queue.path_marks import PathMarks
+from rapidsim.controller.queue.path_planner import MAX_OPEN_MOVES
+from rapidsim.controller.queue.zone_table import WorldZoneTable
+from rapidsim.findings.ramps import RampWaits
+from rapidsim.language.error_log import CORNER_PATH_FAILURE
+from rapidsim.language.error_numbers import ERR_CONC_MAX, rapid_error
+from rapidsim.language.moves import Move
+
+MAX_CONCURRENT_MOVES = 5
+r"""So many moves with \Conc may follow each other."""
+
+
+class Put(Protocol):
+    """Puts a move on the path; returns when the program would go on."""
+
+    def __call__(
+        self, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True
+    ) -> None:
+        """Put a move on the path.
+
+        Args:
+            move: Where to.
+            before: Called with the move before the program waits for it.
+            wait: Wait for the stop, where there is one.
+
+        Raises:
+            RapidError: When the end of the move cannot be reached.
+            MotionError: When a move on the path cannot be made.
+        """
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class SoloMoves:
+    """Puts moves on the path of a robot that moves alone."""
+
+    clock: TaskClock
+    unit: MechanicalUnit
+    cell: Cell
+    resolver: Resolver
+    table: InterruptTable
+    marks: PathMarks
+    zones: WorldZoneTable
+    journal: Journal
+    state: MotionState
+
+    def put(self, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True) -> None:
+        """Put a move on the path; see `Put`."""
+        self.clock.note_line()
+        self._count_concurrent(move)
+        queue = self.unit.own
+        queued = self.resolver.resolve(
+            move, self.clock.place, queue.end, self.state.settings, index=len(queue.moves)
+        )
+        if self.clock.thinks_long() or not queue.is_open:
+            self.clock.observe()
+        moment = self.clock.moment()
+        now_s = moment.time_s if moment.instant.time is not None else -math.inf
+        last = queue.moves[-1] if queue.is_open else None
+        queue.append(queued, now_s)
+        if last is not None and last.corner is CornerKind.STOP_CORNER_PATH_FAILURE:
+            self.table.error_logged(CORNER_PATH_FAILURE, now_s)
+        before(queued)
+        self._note_ramp(queued)
+        self.state.use(move)
+        if queued.corner is CornerKind.STOP and wait and not move.concurrent:
+            self.clock.drive_to_stop()
+            if move.stop and move.stop.program_waits:
+                self.clock.pass_time(self.clock.observe() + move.stop.seconds)
+            return
+        self.clock.follow(queued.started)
+        if (
+            self.table.armed
+            or self.zones.is_watching
+            or self.marks.may_interrupt
+            or queue.open_moves > MAX_OPEN_MOVES
+        ):
+            self.keep_up()
+
+    def keep_up(self) -> None:
+        """Let interrupts happen on time although the program runs ahead of the robot.
+
+        Planning after each move would be slow. Nothing is planned until the moves last, at their
+        programmed speeds, until the next interrupt falls due and the arm could stop after it.
+        """
+        due_s = self.clock.next_due_s()
+        queue = self.unit.queue
+        early = not self.marks.may_interrupt and not self.zones.is_watching
+        early &= not self.cell.is_shared
+        early &= due_s is None or queue.nominal_last_start() - queue.braking_s < due_s
+        if early and queue.open_moves <= MAX_OPEN_MOVES:
+            return
+        fixed_s = queue.commit_ahead()
+        if fixed_s is None:
+            return
+        self.clock.serve_due(min(fixed_s, self.cell.max_time_s))
+        if fixed_s > self.cell.max_time_s:
+            self.clock.go_to(fixed_s)
+
+    def _note_ramp(self, queued: QueuedMove) -> None:
+        """Tell once of a ramp that is higher than that of the moves before, and has to wait."""
+        wanted, kept = self.state.settings.ramp_percent, queued.segment.ramp
+        if kept < wanted / 100.0:
+            found = RampWaits(wanted, 100.0 * kept)
+            self.journal.finding(found, self.clock.place, once=RampWaits)
+
+    def _count_concurrent(self, move: Move) -> None:
+        r"""Refuse more moves with \Conc in succession than a controller takes.
+
+        Raises:
+            RapidError: ERR_CONC_MAX.
+        """
+        state = self.state
+        state.concurrent = state.concurrent + 1 if move.concurrent else 0
+        if state.concurrent > MAX_CONCURRENT_MOVES:
+            state.concurrent = 0
+            raise rapid_error(
+                ERR_CONC_MAX,
+                rf"more than {MAX_CONCURRENT_MOVES} moves with \Conc in succession",
+            )
