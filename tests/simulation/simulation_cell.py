@@ -54,8 +54,9 @@ class Cell:
         self.queue = solo_queue(self.robot, self.options.model, start)
         self.trajectory = self.queue.trajectory
         resolver = Resolver(self.robot, self.journal, Transform.identity())
+        self.shared = shared.Cell(self.options.cell, self.journal)
         self.controller = virtual_controller(
-            shared.Cell(self.options.cell, self.journal),
+            self.shared,
             MechanicalUnit(self.queue),
             resolver,
             self.journal,
