@@ -23,6 +23,7 @@ from time import process_time
 from typing import Any
 
 import numpy as np
+from plain_segments import plain_segment
 
 from rapidsim.controller.journal.journal import Instant
 from rapidsim.controller.moves.executed_move import CornerKind
@@ -115,7 +116,7 @@ def print_moves(robot: Robot, count: int, speed_m_s: float) -> list[Segment]:
     points_and_joints = [Waypoint(followed.joints[i], poses[i]) for i in number]
     speed = Speed(speed_m_s, np.radians(500.0))
     return [
-        Segment(
+        plain_segment(
             index=i,
             geometry=Geometry.LINE,
             start=points_and_joints[i],
@@ -144,7 +145,7 @@ def pick_moves(robot: Robot, count: int, moves_a_block: int) -> list[Segment]:
     ends = [Waypoint(followed.joints[i], poses[i]) for i in range(count + 1)]
     zone, speed = Zone(0.01, 0.015, np.radians(1.0)), Speed(0.5, np.radians(500.0))
     return [
-        Segment(
+        plain_segment(
             index=i,
             geometry=Geometry.JOINT if i % 2 else Geometry.LINE,
             start=ends[i],
@@ -298,7 +299,7 @@ def _random_block(robot: Robot, random: np.random.Generator) -> list[Segment]:
     zone = Zone(0.01, 0.01, np.radians(1.0))
     speed = Speed(7.0, 1e3)
     return [
-        Segment(i, Geometry.LINE, a, b, TOOL.inverse(), 0, speed, zone if i < 19 else None)
+        plain_segment(i, Geometry.LINE, a, b, TOOL.inverse(), 0, speed, zone if i < 19 else None)
         for i, (a, b) in enumerate(pairwise(ends))
     ]
 

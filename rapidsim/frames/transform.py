@@ -74,6 +74,14 @@ class Transform:
         return Transform(np.eye(3), np.zeros(3))
 
     @staticmethod
+    def stacked(transforms: Sequence[Transform]) -> Transform:
+        """A batch of single transforms."""
+        return Transform(
+            np.array([one.rotation for one in transforms]).reshape(-1, 3, 3),
+            np.array([one.translation for one in transforms]).reshape(-1, 3),
+        )
+
+    @staticmethod
     def from_quaternion(
         quaternion: Sequence[float] | Array, translation: Sequence[float] | Array
     ) -> Transform:

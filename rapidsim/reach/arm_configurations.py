@@ -12,13 +12,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rapidsim.frames.transform import Array, Transform
+from rapidsim.frames.transform import Array
 from rapidsim.language.data import RobTarget
 from rapidsim.language.moves import Interpolation
 from rapidsim.motion.configurations.confdata import configurations, select, told_apart
 from rapidsim.motion.configurations.reachability import limit_excess, turns_within_limits
 from rapidsim.motion.geometry.curves import circle_fault
 from rapidsim.motion.kinematics.arm import Mask
+from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.wrist_circle import led_by_pair
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.dataflow.circle_modes import led_by_wrist, may_be_led_by_wrist
@@ -92,7 +93,7 @@ def stances_of(
     posed: PosedMoves,
     ends: Ends,
     robot: Robot,
-    base_from_world: Transform,
+    model: MotionModel,
     arrivals: Mapping[int, Array],
     lost: AbstractSet[int] = frozenset(),
 ) -> Stances:
@@ -102,7 +103,7 @@ def stances_of(
         posed: The moves.
         ends: What the arm can do about their ends.
         robot: The arm.
-        base_from_world: Where the world is.
+        model: How it moves.
         arrivals: Joints (n,) [rad] of rows that are known to arrive in another way than stored.
         lost: Rows whose way fails; where they end without a stored configuration is not known.
     """
@@ -115,7 +116,7 @@ def stances_of(
         if row in arrivals:
             joints[row], sure[row] = arrivals[row], True
         elif may_be_led_by_wrist(known, robot):
-            arrival = _end_of_led(posed, ends, robot, base_from_world, row, joints, sure)
+            arrival = _end_of_led(posed, ends, robot, model, row, joints, sure)
             if arrival is not None:
                 joints[row], sure[row] = arrival, True
         elif posed.to_axes[row] or (ends.stored_works[row] and is_monitored(known, robot)):
@@ -165,7 +166,7 @@ def _end_of_led(
     posed: PosedMoves,
     ends: Ends,
     robot: Robot,
-    base_from_world: Transform,
+    model: MotionModel,
     row: int,
     joints: Array,
     sure: Mask,
@@ -176,7 +177,7 @@ def _end_of_led(
     starts = before is not None and sure[before] and ends.looked_at[row]
     if not starts or not led_by_wrist(known, robot):
         return None
-    (segment,) = segments_of(posed, joints, robot, base_from_world, [row])
+    (segment,) = segments_of(posed, joints, robot, model, [row])
     if circle_fault(segment) is not None:
         return None
     led = led_by_pair(robot.kinematics, segment)

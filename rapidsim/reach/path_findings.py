@@ -19,7 +19,7 @@ from rapidsim.findings.reachability import (
     ZeroLengthMove,
     ZoneTooLarge,
 )
-from rapidsim.frames.transform import Array, Transform
+from rapidsim.frames.transform import Array
 from rapidsim.language.moves import Interpolation, SingularArea
 from rapidsim.motion.configurations.confdata import confdata_of, told_apart
 from rapidsim.motion.geometry.curves import circle_fault
@@ -67,6 +67,13 @@ class Ways:
     strays: Mapping[int, Array]
     """Joints (n,) [rad] of rows that do not arrive in their stored configuration."""
 
+    def driven(self, row: int) -> Segment:
+        """The segment of a way as a run drives it: it ends as the way arrives, where it does."""
+        segment, way = self.segments[row], self.surveyed[row]
+        if way.arrival is None:
+            return segment
+        return replace(segment, end=replace(segment.end, joints=way.arrival))
+
 
 @dataclass(frozen=True, eq=False)
 class WayFinder:
@@ -77,7 +84,6 @@ class WayFinder:
     ends: Ends
     robot: Robot
     model: MotionModel
-    base_from_world: Transform
     known_joints: Mapping[int, Array]
     """Joints (n,) [rad] of rows that a run has told."""
     _max_speed: Array | None = field(init=False)
@@ -114,7 +120,7 @@ class WayFinder:
     def _surveyed(self, strays: Mapping[int, Array], lost: frozenset[int]) -> Ways:
         robot = self.robot
         arrivals = {**self.known_joints, **strays}
-        stances = stances_of(self.posed, self.ends, robot, self.base_from_world, arrivals, lost)
+        stances = stances_of(self.posed, self.ends, robot, self.model, arrivals, lost)
         if not told_apart(robot.kinematics):
             return Ways(stances, {}, {}, {}, strays)
         rows = [
@@ -128,7 +134,7 @@ class WayFinder:
             and known.settings.singular_area is SingularArea.OFF
             and not {"singular_area", "circle_path"} & known.uncertain
         ]
-        segments = segments_of(self.posed, stances.joints, robot, self.base_from_world, rows)
+        segments = segments_of(self.posed, stances.joints, robot, self.model, rows)
         faults = {
             row: fault
             for row, segment in zip(rows, segments, strict=True)
@@ -205,7 +211,7 @@ class WayFinder:
 
     def _fault(self, row: int, ways: Ways, following: Mapping[int, list[int]]) -> Violation | None:
         """Where and why a way fails, as planning says it; None if corners keep the arm off it."""
-        segment = self._with_arrival(row, ways)
+        segment = ways.driven(row)
         fault = build_path(self.robot, [replace(segment, zone=None)], self.model)
         if not isinstance(fault, PathFault):
             return None
@@ -221,10 +227,10 @@ class WayFinder:
         before = self.posed.moves[row].previous
         around = [segment]
         if before is not None and before in ways.segments and ways.segments[before].zone:
-            around.insert(0, self._with_arrival(before, ways))
+            around.insert(0, ways.driven(before))
         after = [one for one in following.get(row, ()) if one in ways.segments]
         if segment.zone is not None and len(after) == 1:
-            around.append(self._with_arrival(after[0], ways))
+            around.append(ways.driven(after[0]))
         if len(around) == 1:
             return True
         linked = [around[0]]
@@ -233,13 +239,6 @@ class WayFinder:
                 replace(one, start=Waypoint(linked[-1].end.joints, one.start.base_from_tcp))
             )
         return isinstance(build_path(self.robot, linked, self.model), PathFault)
-
-    def _with_arrival(self, row: int, ways: Ways) -> Segment:
-        """The segment of a way that ends as the way arrives, where it does."""
-        segment, way = ways.segments[row], ways.surveyed[row]
-        if way.arrival is None:
-            return segment
-        return replace(segment, end=Waypoint(way.arrival, segment.end.base_from_tcp))
 
     def _changed(self, row: int, arrival: Array) -> Diagnostic:
         known = self.posed.moves[row]

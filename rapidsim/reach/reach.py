@@ -59,17 +59,19 @@ def check_reach(
     told: RunMoves | None = None
     joints: dict[int, Array] = {}
     base_from_world = options.world_from_base.inverse()
-    left_out = posed(known, robot, base_from_world, options.external_axes).left_out
+    placed = posed(known, robot, base_from_world, options.external_axes)
+    left_out = placed.left_out
     can_run = run and FRAME_WITHOUT_ORIENTATION not in left_out.values()
     if can_run and (walked.unknown or left_out or budget is not None):
         longest_s = max(LONGEST_RUN_S, 2.0 * (budget or 0.0))
         told = run_for_moves(program, robot, options, walked, len(known), longest_s)
         joints = {len(known) + at: one.joints for at, one in enumerate(told.executed)}
-        known += told.moves
-    placed = posed(known, robot, base_from_world, options.external_axes)
+        if told.moves:
+            known += told.moves
+            placed = posed(known, robot, base_from_world, options.external_axes)
     ends = ends_of(placed, robot)
     cures = Cures(program, placed, ends, robot, base_from_world)
-    finder = WayFinder(program, placed, ends, robot, options.model, base_from_world, joints)
+    finder = WayFinder(program, placed, ends, robot, options.model, joints)
     ways = finder.survey()
     found = [
         *unreachable_findings(program, placed, ends, robot, cures),

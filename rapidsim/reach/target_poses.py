@@ -34,6 +34,8 @@ class PosedMoves:
     """Shape (k, n) [rad]: the joints that MoveAbsJ names; 0 for moves to poses."""
     to_axes: Mask
     """Whether a move goes to joints rather than to a pose."""
+    placed: Sequence[targets.Placement]
+    """Where tool and work object of each are; as without either where nothing moves the tool."""
     left_out: Mapping[int, str]
     """Why rows are not looked at: a set-up that is not plain, an orientation that is none."""
 
@@ -92,8 +94,8 @@ def posed(
         else one
         for one in placements
     ]
-    base_from_object = _stacked([one.curve_from_object for one in plain])[frame]
-    tcp_from_flange = _stacked([one.tcp_from_flange for one in plain])[frame]
+    base_from_object = Transform.stacked([one.curve_from_object for one in plain])[frame]
+    tcp_from_flange = Transform.stacked([one.tcp_from_flange for one in plain])[frame]
     base_from_tcp = base_from_object @ Transform.from_quaternion(quaternion, position * targets.MM)
     base_from_flange = base_from_tcp @ tcp_from_flange
     if to_axes.any():
@@ -104,8 +106,9 @@ def posed(
         base_from_flange.translation[rows] = flange.translation
         base_from_tcp.rotation[rows] = tcp.rotation
         base_from_tcp.translation[rows] = tcp.translation
+    placed = [plain[at] for at in frame.tolist()]
     return PosedMoves(
-        moves, base_from_tcp, tcp_from_flange, base_from_flange, axes, to_axes, left_out
+        moves, base_from_tcp, tcp_from_flange, base_from_flange, axes, to_axes, placed, left_out
     )
 
 
@@ -123,10 +126,3 @@ def _placement(
 
 def _is_no_orientation(rotation: Orient) -> bool:
     return abs(norm(rotation) - 1.0) > targets.REFUSED_NORM_ERROR
-
-
-def _stacked(transforms: Sequence[Transform]) -> Transform:
-    return Transform(
-        np.array([one.rotation for one in transforms]).reshape(-1, 3, 3),
-        np.array([one.translation for one in transforms]).reshape(-1, 3),
-    )

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
 
 import numpy as np
 from hypothesis import strategies as st
+from plain_segments import plain_segment
 
 from rapidsim.frames.rotation_vectors import rotation_from_vector, vector_from_rotation
 from rapidsim.frames.transform import Array, Transform
@@ -124,7 +124,7 @@ class Programmer:
         via: Transform | None,
         options: dict[str, object],
     ) -> None:
-        segment = Segment(
+        segment = plain_segment(
             index=len(self.segments),
             geometry=geometry,
             start=Waypoint(self.joints, self.pose),
@@ -134,8 +134,9 @@ class Programmer:
             speed=speed or self.speed,
             zone=z,
             via=via,
+            **options,
         )
-        self.segments.append(replace(segment, **options))  # type: ignore[arg-type]
+        self.segments.append(segment)
         self.joints = end.joints
 
 

@@ -19,12 +19,13 @@ from motion_programs import (
     programs,
     zone,
 )
+from plain_segments import plain_segment
 
 from rapidsim.frames.rotation_vectors import rotation_from_vector
 from rapidsim.frames.transform import Transform
 from rapidsim.motion import compiled
 from rapidsim.motion.geometry import blend_shape
-from rapidsim.motion.geometry.segments import Geometry, Segment, Waypoint
+from rapidsim.motion.geometry.segments import Geometry, Waypoint
 from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path import curve_following, line_derivatives, line_formulas, line_loops
@@ -275,7 +276,9 @@ def test_arms_with_rods_and_other_signs_and_all_branches(name: str, branch: int)
         joints=tuple(replace(joint, lower=-9.0, upper=9.0) for joint in robot.joints),
     )
     segments = [
-        Segment(i, Geometry.LINE, points[i], points[i + 1], Transform.identity(), branch, V500, z)
+        plain_segment(
+            i, Geometry.LINE, points[i], points[i + 1], Transform.identity(), branch, V500, z
+        )
         for i, z in enumerate((zone(5), None))
     ]
     path = build_path(nowhere, segments, MODEL)

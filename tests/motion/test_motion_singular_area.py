@@ -6,6 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from motion_programs import HOME, MODEL, ROBOT, TOOL, Programmer, path_of, path_or_fault, zone
+from plain_segments import plain_segment
 
 from rapidsim.frames.rotation_vectors import rotation_from_vector, vector_from_rotation
 from rapidsim.frames.transform import Array, Transform
@@ -29,7 +30,7 @@ def across(*ends: Array, wrist: bool = True) -> list[Segment]:
     for index, (start, end) in enumerate(pairwise(ends)):
         begin, finish = (Waypoint(q, ROBOT.forward(q) @ TOOL) for q in (start, end))
         segments.append(
-            Segment(
+            plain_segment(
                 index=index,
                 geometry=Geometry.LINE,
                 start=begin,

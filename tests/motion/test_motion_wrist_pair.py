@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from laws import examples
 from motion_programs import LIMITS, MODEL, zone
+from plain_segments import plain_segment
 
 from rapidsim.frames.rotation_vectors import rotation_from_vector
 from rapidsim.frames.transform import Array, Transform
@@ -55,7 +56,7 @@ def half(
     """Half a circle on the tool's x axis, in a plane that leans [rad] about the tool's y axis."""
     start = robot.forward(joints) @ tool
     x, y, _ = (start.rotation @ rotation_from_vector(np.array([0.0, lean, 0.0]))).T
-    segment = Segment(
+    segment = plain_segment(
         0,
         Geometry.ARC,
         Waypoint(joints, start),

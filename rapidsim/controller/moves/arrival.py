@@ -52,7 +52,7 @@ from rapidsim.motion.geometry.segments import Geometry, Segment, Waypoint
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.path.path import build_path
-from rapidsim.motion.path.wrist_circle import findings_on_pair, led_by_pair
+from rapidsim.motion.path.wrist_circle import end_of_circle, findings_on_pair, led_by_pair
 from rapidsim.motion.robot.robot import Robot
 
 CURVE_SAMPLES = 33
@@ -93,7 +93,8 @@ class Arrivals:
             else:
                 arrival = self._chosen(asked, stored, segment)
             self._tell_configuration(asked, stored, segment, arrival)
-            if asked.settings.singular_area is SingularArea.LOCK_AXIS_4 and _has_axis_4(segment):
+            area = asked.request.settings.singular_area
+            if area is SingularArea.LOCK_AXIS_4 and _has_axis_4(segment):
                 arrival = self._locked(asked, arrival, segment)
         except MoveRefusedError as refused:
             if segment.carrier is None:
@@ -104,7 +105,7 @@ class Arrivals:
             return segment, arrival
         pose, external = segment.end.base_from_tcp, segment.end.external
         if segment.wrist_in_joints:
-            pose = asked.placed.standing_at(self.robot.kinematics, arrival.joints, external)
+            pose = asked.request.placed.standing_at(self.robot.kinematics, arrival.joints, external)
         arrived = replace(segment, end=Waypoint(arrival.joints, pose, external))
         if segment.wrist_in_joints:
             self._tell_turn_on_the_way(asked, arrived)
@@ -181,7 +182,7 @@ class Arrivals:
     def _is_monitored(self, asked: AskedMove, segment: Segment) -> bool:
         """Whether ConfJ or ConfL is on for a move of an arm whose solutions confdata names."""
         in_joints = segment.geometry is Geometry.JOINT
-        monitored = asked.settings.conf_j if in_joints else asked.settings.conf_l
+        monitored = asked.request.settings.conf_j if in_joints else asked.request.settings.conf_l
         return monitored and told_apart(self.robot.kinematics)
 
     def _working(self, asked: AskedMove, segment: Segment) -> tuple[Configuration, ...]:
@@ -190,8 +191,8 @@ class Arrivals:
 
     def _base_from_flange(self, asked: AskedMove, segment: Segment) -> Transform:
         """Where the flange must be at the end of a segment."""
-        end = segment.end
-        return asked.placed.base_from_flange(self.robot.kinematics, end.base_from_tcp, end.external)
+        end, placed = segment.end, asked.request.placed
+        return placed.base_from_flange(self.robot.kinematics, end.base_from_tcp, end.external)
 
     def _end_of_curve(self, segment: Segment) -> Configuration | None:
         """Where a line or arc arrives: on the branch it starts on, with the turns made on the way.
@@ -225,9 +226,8 @@ class Arrivals:
         """
         kinematics, end = self.robot.kinematics, segment.end
         led = led_by_pair(kinematics, segment)
-        aim = end.base_from_tcp.translation
         taken = segment.start.joints if led is None else led.arrival
-        arrived = replace(segment, end=Waypoint(taken, end.base_from_tcp, end.external, aim))
+        arrived = replace(segment, end=end_of_circle(replace(end, joints=taken)))
         # Such a failure is of this arc alone; with the corners of its neighbours it would be told
         # only after they have been looked at, and they start from where it ends.
         fault = build_path(self.robot, [replace(arrived, zone=None)], MotionModel())
@@ -249,7 +249,7 @@ class Arrivals:
             why = r"with axis 4 locked (SingArea \LockAxis4) the TCP does not get there"
             violation = UnreachableTarget(asked.name, self.robot.title, why)
             raise MoveRefusedError(ERR_OUTSIDE_REACH, violation)
-        taken = asked.placed.standing_at(kinematics, joints, segment.end.external)
+        taken = asked.request.placed.standing_at(kinematics, joints, segment.end.external)
         turn = vector_from_rotation(taken.rotation @ pose.rotation.T)
         self._tell_turn(asked, r"\LockAxis4", float(np.linalg.norm(turn)), "at")
         return self.configuration(joints)
@@ -265,7 +265,7 @@ class Arrivals:
         taken = arms.curve_from_tcp(joints[exists], _ROWS[exists]).rotation
         turn = vector_from_rotation(taken @ np.swapaxes(motion.rotation[exists], -1, -2))
         angle = float(np.linalg.norm(turn, axis=-1).max(initial=0.0))
-        locked = asked.settings.singular_area is SingularArea.LOCK_AXIS_4
+        locked = asked.request.settings.singular_area is SingularArea.LOCK_AXIS_4
         self._tell_turn(asked, r"\LockAxis4" if locked else r"\Wrist", angle, "on the way to")
 
     def _tell_turn(self, asked: AskedMove, switch: str, angle: float, where: str) -> None:

@@ -11,10 +11,20 @@ from rapidsim.language.moves import (
     Interpolation,
     MotionSettings,
     Move,
+    SingularArea,
 )
 from rapidsim.motion.configurations.targets import MM
-from rapidsim.motion.geometry.segments import CircleMode, Geometry, Speed, Zone
+from rapidsim.motion.geometry.segments import (
+    WRIST_PAIRS,
+    Carrier,
+    CircleMode,
+    Geometry,
+    Speed,
+    Zone,
+)
+from rapidsim.motion.geometry.wrist_pair import wrist_meets
 from rapidsim.motion.robot.external_axes import ExternalAxis
+from rapidsim.motion.robot.robot import Robot
 
 GEOMETRY = {
     Interpolation.JOINT: Geometry.JOINT,
@@ -80,10 +90,40 @@ def stop_ramp_of(settings: MotionSettings) -> float:
     return max(both, LEAST_RAMP_PERCENT) / 100.0
 
 
-def circle_mode_of(move: Move, settings: MotionSettings) -> CircleMode:
+def asked_circle_mode(move: Move, settings: MotionSettings) -> CircleMode:
     """How the tool turns on an arc, as CirPathMode asks; of other moves it says nothing."""
     on_arc = move.interpolation is Interpolation.CIRCLE
     return CIRCLE_MODES[settings.circle_path] if on_arc else CircleMode.PATH_FRAME
+
+
+def why_no_wrist_circle(move: Move, carrier: Carrier | None, robot: Robot) -> str | None:
+    """Why no two wrist axes can lead a tool along arcs; None if they can."""
+    if not wrist_meets(robot.kinematics, robot.start):
+        return "this arm has no six axes of which 4, 5 and 6 meet in one point"
+    if not move.tool.robhold:
+        return "the tool is stationary"
+    return None if carrier is None else "external axes move robot or work object"
+
+
+def circle_mode_of(
+    move: Move, settings: MotionSettings, carrier: Carrier | None, robot: Robot
+) -> CircleMode:
+    """How the tool turns on an arc: as asked, or as by default where no two axes can lead it."""
+    mode = asked_circle_mode(move, settings)
+    if mode not in WRIST_PAIRS or why_no_wrist_circle(move, carrier, robot) is None:
+        return mode
+    return CircleMode.PATH_FRAME
+
+
+def wrist_asked_in_joints(move: Move, settings: MotionSettings) -> bool:
+    """Whether SingArea asks that the wrist turns in joints on the way."""
+    asked = settings.singular_area is not SingularArea.OFF
+    return asked and GEOMETRY[move.interpolation] is not Geometry.JOINT
+
+
+def can_turn_wrist_in_joints(move: Move, robot: Robot) -> bool:
+    """Whether the wrist of an arm can turn in joints while the rest leads the tool."""
+    return move.tool.robhold and len(robot.joints) <= 6
 
 
 def external_speeds_of(

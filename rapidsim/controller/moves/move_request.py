@@ -21,24 +21,31 @@ class MoveRefusedError(RapidError):
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class AskedMove:
-    """A move and all that it depends on but the robot."""
+class MoveRequest:
+    """A move and all that its segment depends on, but the robot and where it starts."""
 
     move: Move
     settings: MotionSettings
-    place: Place
     placed: Placement
     """Where its tool and its work object are."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AskedMove:
+    """A request and where it stands in the program, for what is to be said of it."""
+
+    request: MoveRequest
+    place: Place
 
     @property
     def name(self) -> str:
         """What it goes to, as findings name it."""
-        return target_name(self.place, self.move)
+        return target_name(self.place, self.request.move)
 
     @property
     def written(self) -> str:
         """What it goes to, as the program writes it: what is said of a target is said once."""
-        return _target_text(self.place, self.move)
+        return _target_text(self.place, self.request.move)
 
 
 def target_name(place: Place, move: Move) -> str:

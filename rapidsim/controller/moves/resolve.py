@@ -12,17 +12,19 @@ from rapidsim.controller.moves.arrival import Arrivals
 from rapidsim.controller.moves.configuration_choice import stored_or_nearest
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.move_data import (
-    GEOMETRY,
-    acceleration_share_of,
-    circle_mode_of,
-    external_speeds_of,
-    speed_of,
-    stop_ramp_of,
-    unbounded,
-    zone_of,
+    asked_circle_mode,
+    can_turn_wrist_in_joints,
+    why_no_wrist_circle,
+    wrist_asked_in_joints,
 )
-from rapidsim.controller.moves.move_request import AskedMove, MoveRefusedError, target_name
+from rapidsim.controller.moves.move_request import (
+    AskedMove,
+    MoveRefusedError,
+    MoveRequest,
+    target_name,
+)
 from rapidsim.controller.moves.queued_move import QueuedMove
+from rapidsim.controller.moves.segments import segments
 from rapidsim.controller.moves.target_checks import (
     check_orientation,
     external_end,
@@ -34,19 +36,10 @@ from rapidsim.findings.reach_and_motion_data import NothingMovesTool
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import ConfData, ExtJoint, JointTarget, RobTarget, ToolData, WobjData
 from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH
-from rapidsim.language.moves import (
-    CirclePathMode,
-    Interpolation,
-    MotionSettings,
-    Move,
-    Place,
-    SingularArea,
-)
+from rapidsim.language.moves import CirclePathMode, Interpolation, MotionSettings, Move, Place
 from rapidsim.motion.configurations import targets
 from rapidsim.motion.configurations.short_lines import end_of_short_line
-from rapidsim.motion.geometry.segments import WRIST_PAIRS, CircleMode, Geometry, Segment, Waypoint
-from rapidsim.motion.geometry.wrist_pair import wrist_meets
-from rapidsim.motion.path.wrist_circle import start_on_circle
+from rapidsim.motion.geometry.segments import WRIST_PAIRS, Waypoint
 from rapidsim.motion.robot.robot import Robot
 
 _TARGET = "the target"
@@ -89,19 +82,27 @@ class Resolver:
         Raises:
             RapidError: When the end cannot be reached, or the set-up is not simulated.
         """
-        to, kinematics = move.to, self.robot.kinematics
-        asked = AskedMove(move, settings, place, self._placement_of(move, place))
+        to = move.to
+        request = MoveRequest(move, settings, self._placement_of(move, place))
+        asked, placed = AskedMove(request, place), request.placed
         external = external_end(asked, to.extax, start.external, self.robot, self.journal)
-        branch = int(kinematics.branch_of(start.joints))
-        end, is_short = self._end(asked, start, branch, external)
-        segment = self._segment(asked, start, end, branch, index)
+        end, is_short = self._end(asked, start, external)
+        self._tell_what_is_not_simulated(asked)
+        (segment,) = segments(
+            (request,),
+            (start,),
+            (end,),
+            self.robot,
+            payload_acceleration=self.payload_acceleration,
+            first=index,
+        )
         if isinstance(to, RobTarget):
             segment, arrival = self._arrivals.of(asked, to.robconf, segment, is_short=is_short)
         else:
             arrival = self._arrivals.configuration(segment.end.joints)
         base_from_tcp, tcp_from_flange = segment.end.base_from_tcp, segment.tcp_from_flange
         if segment.carrier is not None:
-            base_from_tcp = asked.placed.base_from_tcp(kinematics, arrival.joints, external)
+            base_from_tcp = placed.base_from_tcp(self.robot.kinematics, arrival.joints, external)
             tcp_from_flange = base_from_tcp.inverse() @ self.robot.forward(arrival.joints)
         return QueuedMove(
             move,
@@ -162,84 +163,37 @@ class Resolver:
     def _arrivals(self) -> Arrivals:
         return Arrivals(self.robot, self.journal)
 
-    def _segment(
-        self, asked: AskedMove, start: Waypoint, end: Waypoint, branch: int, index: int
-    ) -> Segment:
-        """The segment of a move."""
-        move, settings, placed = asked.move, asked.settings, asked.placed
-        axes = self.robot.external
-        begin = placed.standing_at(self.robot.kinematics, start.joints, start.external)
-        mode = self._circle_mode(asked)
-        if mode in WRIST_PAIRS:
-            begin = start_on_circle(begin, start.aim)
-        return Segment(
-            index=index,
-            geometry=GEOMETRY[move.interpolation],
-            start=Waypoint(start.joints, begin, start.external),
-            end=end,
-            tcp_from_flange=placed.tcp_from_flange,
-            branch=branch,
-            speed=speed_of(move, settings),
-            zone=zone_of(move),
-            via=self._circle_point(asked),
-            duration=move.duration_s,
-            acceleration_share=acceleration_share_of(
-                move, settings, self.robot.payload_kg, self.payload_acceleration
-            ),
-            ramp=settings.ramp_percent / 100.0,
-            stop_ramp=stop_ramp_of(settings),
-            carrier=placed.carrier,
-            wrist_in_joints=mode not in WRIST_PAIRS and self._wrist_in_joints(asked),
-            circle_mode=mode,
-            tcp_acceleration=unbounded(settings.tcp_acceleration_m_s2),
-            tcp_deceleration=unbounded(settings.tcp_deceleration_m_s2),
-            world_acceleration=unbounded(settings.world_acceleration_m_s2),
-            external_linear=tuple(axis.linear for axis in axes),
-            external_speeds=external_speeds_of(move, settings, axes),
-        )
-
-    def _end(
-        self, asked: AskedMove, start: Waypoint, branch: int, external: Array
-    ) -> tuple[Waypoint, bool]:
+    def _end(self, asked: AskedMove, start: Waypoint, external: Array) -> tuple[Waypoint, bool]:
         """Where a move ends, and whether its joints there are known.
 
         To a pose they are known at the end of a short line only; else they are those of its start.
         """
-        to, placed = asked.move.to, asked.placed
-        if isinstance(to, RobTarget):
-            pose = self._pose(asked, asked.name, to)
-            joints = self._end_of_short_line(asked, start, branch, pose)
+        move, placed = asked.request.move, asked.request.placed
+        if isinstance(move.to, RobTarget):
+            check_orientation(asked, asked.name, move.to.rot, self.journal)
+            if move.circle_point is not None:
+                name = named_target(asked.place.arguments.get("cirpoint", "CirPoint"))
+                check_orientation(asked, name, move.circle_point.rot, self.journal)
+            pose = placed.curve_from_tcp(move.to)
+            joints = self._end_of_short_line(asked.request, start, pose)
             if joints is None:
                 return Waypoint(start.joints, pose, external), False
             return Waypoint(joints, pose, external), True
-        of_arm = asked.move.interpolation is Interpolation.AXES
-        joints = self.joints(to) if of_arm else start.joints
+        of_arm = move.interpolation is Interpolation.AXES
+        joints = self.joints(move.to) if of_arm else start.joints
         require_limits(asked, joints, external, self.robot, self.journal)
         pose = placed.standing_at(self.robot.kinematics, joints, external)
         return Waypoint(joints, pose, external), True
 
     def _end_of_short_line(
-        self, asked: AskedMove, start: Waypoint, branch: int, pose: Transform
+        self, request: MoveRequest, start: Waypoint, pose: Transform
     ) -> Array | None:
         """Joints (n,) [rad] at the end of a line that turns no joint far; None for other moves."""
-        placed, settings = asked.placed, asked.settings
-        is_line = asked.move.interpolation is Interpolation.LINE
-        if not is_line or placed.carrier or settings.singular_area is not SingularArea.OFF:
+        placed, is_line = request.placed, request.move.interpolation is Interpolation.LINE
+        if not is_line or placed.carrier or wrist_asked_in_joints(request.move, request.settings):
             return None
+        branch = int(self.robot.kinematics.branch_of(start.joints))
         return end_of_short_line(self.robot, start.joints, pose, placed.tcp_from_flange, branch)
-
-    def _circle_point(self, asked: AskedMove) -> Transform | None:
-        """Where the circle point of a move puts the TCP; None without one."""
-        target = asked.move.circle_point
-        if target is None:
-            return None
-        name = named_target(asked.place.arguments.get("cirpoint", "CirPoint"))
-        return self._pose(asked, name, target)
-
-    def _pose(self, asked: AskedMove, name: str, target: RobTarget) -> Transform:
-        """Where a target puts the TCP on its curve, after a check of its orientation."""
-        check_orientation(asked, name, target.rot, self.journal)
-        return asked.placed.curve_from_tcp(target)
 
     def _placement_of(self, move: Move, place: Place) -> targets.Placement:
         """Where tool and work object of a move are."""
@@ -286,31 +240,16 @@ class Resolver:
             )
         return placed
 
-    def _wrist_in_joints(self, asked: AskedMove) -> bool:
-        move = asked.move
-        if asked.settings.singular_area is SingularArea.OFF:
-            return False
-        if GEOMETRY[move.interpolation] is Geometry.JOINT:
-            return False
-        possible = move.tool.robhold and len(self.robot.joints) <= 6
-        if not possible:
+    def _tell_what_is_not_simulated(self, asked: AskedMove) -> None:
+        """Tell what SingArea and CirPathMode ask of a move and do not get."""
+        move, settings = asked.request.move, asked.request.settings
+        if asked_circle_mode(move, settings) in WRIST_PAIRS:
+            why = why_no_wrist_circle(move, asked.request.placed.carrier, self.robot)
+            if why is None:
+                return
+            name = f"CirPathMode {settings.circle_path.value} where {why}"
+            instead = f"the tool turns as with CirPathMode {CirclePathMode.PATH_FRAME.value}"
+            self.journal.unsimulated(name, instead, asked.place)
+        if wrist_asked_in_joints(move, settings) and not can_turn_wrist_in_joints(move, self.robot):
             with_what = "a seven-axis arm" if move.tool.robhold else "a stationary tool"
             self.journal.unsimulated(f"SingArea with {with_what}", r"SingArea \Off", asked.place)
-        return possible
-
-    def _circle_mode(self, asked: AskedMove) -> CircleMode:
-        mode = circle_mode_of(asked.move, asked.settings)
-        if mode not in WRIST_PAIRS:
-            return mode
-        why = "external axes move robot or work object" if asked.placed.carrier else None
-        if not asked.move.tool.robhold:
-            why = "the tool is stationary"
-        if not wrist_meets(self.robot.kinematics, self.robot.start):
-            why = "this arm has no six axes of which 4, 5 and 6 meet in one point"
-        if why is None:
-            return mode
-        name = f"CirPathMode {asked.settings.circle_path.value} where {why}"
-        default = CirclePathMode.PATH_FRAME.value
-        instead = f"the tool turns as with CirPathMode {default}"
-        self.journal.unsimulated(name, instead, asked.place)
-        return CircleMode.PATH_FRAME

@@ -66,7 +66,7 @@ def external_end(
     if not axes and extax == NO_EXTERNAL_AXES:
         return near
     values, missing = external_values(extax, axes, near)
-    inactive = asked.settings.inactive_units
+    inactive = asked.request.settings.inactive_units
     for axis in missing:
         if axis.unit.lower() not in inactive:
             raise MoveImpossible(ExternalAxisMissing(asked.name, axis.component, axis.unit))
@@ -95,7 +95,7 @@ def require_limits(
     over = excess_text(robot, np.concatenate([joints, external]))
     if over:
         violation = JointOutOfRange(asked.name, robot.title, over)
-        base_from_tcp = asked.placed.base_from_tcp(robot.kinematics, joints, external)
+        base_from_tcp = asked.request.placed.base_from_tcp(robot.kinematics, joints, external)
         journal.failed_move(refused_axes(asked.place, violation, base_from_tcp))
         raise MoveRefusedError(ERR_ROBLIMIT, violation)
 

@@ -39,7 +39,7 @@ from rapidsim.language.data import (
 from rapidsim.language.single import single
 from rapidsim.motion.configurations import scalar_inverse
 from rapidsim.motion.geometry.joint_mapping import Arms
-from rapidsim.motion.geometry.segments import Carrier
+from rapidsim.motion.geometry.segments import Carrier, Waypoint
 from rapidsim.motion.kinematics.arm import Kinematics
 from rapidsim.motion.robot.external_axes import ExternalAxis, screws_of
 
@@ -149,6 +149,21 @@ def placement(
     carried = Carrier(object_screws=object_screws, base_screws=base_screws)
     carrier_or_none = carried if object_screws or base_screws else None
     return Placement(base_from_object, tcp_from_flange(tool), carrier_or_none)
+
+
+def standing_at(
+    placements: Sequence[Placement], kinematics: Kinematics, standing: Sequence[Waypoint]
+) -> Sequence[Transform]:
+    """curve_from_tcp of each row's tool and work object where the arm stands."""
+    if len(placements) == 1:
+        return [placements[0].standing_at(kinematics, standing[0].joints, standing[0].external)]
+    tcp_from_flange = Transform.stacked([one.tcp_from_flange for one in placements])
+    joints, external = ([getattr(at, part) for at in standing] for part in ("joints", "external"))
+    carriers = tuple(one.carrier for one in placements)
+    rows = np.arange(len(placements))
+    arms = Arms(kinematics, rows, tcp_from_flange, carriers)
+    found = arms.curve_from_tcp(np.concatenate([joints, external], axis=1), rows)
+    return [found[row] for row in range(len(placements))]
 
 
 def world_from_base_at(

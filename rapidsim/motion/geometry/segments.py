@@ -127,34 +127,34 @@ class Segment:
     speed: Speed
     zone: Zone | None
     """None where the arm stops at the end."""
-    via: Transform | None = None
+    via: Transform | None
     """base_from_tcp of the circle point of an arc."""
-    duration: float | None = None
+    duration: float | None
     """Time [s] of the whole segment, which replaces the speed."""
-    joint_corner: bool = False
+    joint_corner: bool
     """The corner at the end must run in joint space: tool or work object change there."""
-    acceleration_share: float = 1.0
+    acceleration_share: float
     """AccSet: the share of the axis accelerations that is used."""
-    ramp: float = 1.0
+    ramp: float
     """AccSet: how quickly accelerations rise, as a share of what they can; never higher than that
     of the move before, if the arm does not stop in between."""
-    stop_ramp: float = 1.0
+    stop_ramp: float
     """AccSet \\FinePointRamp: the same on the way to a stop point at the end."""
-    carrier: Carrier | None = None
+    carrier: Carrier | None
     """None where the robot stands still and holds the tool, and the work object stands still."""
-    wrist_in_joints: bool = False
+    wrist_in_joints: bool
     """SingArea \\Wrist: on a line or arc the wrist axes turn evenly instead of the tool."""
-    circle_mode: CircleMode = CircleMode.PATH_FRAME
+    circle_mode: CircleMode
     """How the tool turns along an arc."""
-    tcp_acceleration: float = math.inf
+    tcp_acceleration: float
     """PathAccLim: the TCP's largest acceleration along its path [m/s2]."""
-    tcp_deceleration: float = math.inf
+    tcp_deceleration: float
     """PathAccLim: the TCP's largest deceleration along its path [m/s2]."""
-    world_acceleration: float = math.inf
+    world_acceleration: float
     """WorldAccLim: the TCP's largest acceleration in any direction [m/s2]."""
-    external_linear: tuple[bool, ...] = ()
+    external_linear: tuple[bool, ...]
     """Whether each external axis is linear."""
-    external_speeds: tuple[float, ...] = ()
+    external_speeds: tuple[float, ...]
     """Speed of each external axis [m/s or rad/s]: what is programmed, or what it can."""
 
     @property

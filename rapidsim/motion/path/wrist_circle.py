@@ -7,7 +7,7 @@ not where the TCP stands, are assumptions: the manual leaves both open.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.curves import curves_of
 from rapidsim.motion.geometry.joint_mapping import Arms, Index, arms_of
-from rapidsim.motion.geometry.segments import Segment
+from rapidsim.motion.geometry.segments import Segment, Waypoint
 from rapidsim.motion.geometry.wrist_pair import FLATTEST, Aim
 from rapidsim.motion.kinematics.arm import Kinematics, Mask
 
@@ -72,6 +72,11 @@ def start_on_circle(base_from_tcp: Transform, aim: Array | None) -> Transform:
     if np.hypot(x, y) > _ON_THE_AXIS:
         return base_from_tcp
     return Transform(base_from_tcp.rotation, aim)
+
+
+def end_of_circle(end: Waypoint) -> Waypoint:
+    """The end of an arc led by two wrist axes: where it is programmed, the tool aims."""
+    return replace(end, aim=end.base_from_tcp.translation)
 
 
 def led_by_pair(kinematics: Kinematics, segment: Segment) -> Led | None:

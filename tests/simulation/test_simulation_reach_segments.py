@@ -1,0 +1,126 @@
+"""What checking by value judges is, field by field, what a run drives."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import fields, is_dataclass
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from simulation_program import arm
+from test_simulation_reach_programs import PROGRAMS, read
+
+from rapidsim.analysis.program import Program
+from rapidsim.controller.moves.queued_move import QueuedMove
+from rapidsim.controller.moves.resolve import Resolver
+from rapidsim.files import InputError
+from rapidsim.frames.transform import Transform
+from rapidsim.interpreter.limits import NotExecutableError
+from rapidsim.language.moves import Move
+from rapidsim.motion.geometry.segments import Segment
+from rapidsim.motion.model import MotionModel
+from rapidsim.reach.arm_configurations import ends_of
+from rapidsim.reach.dataflow.interpretation import walk_program
+from rapidsim.reach.move_segments import segments_of
+from rapidsim.reach.path_findings import WayFinder
+from rapidsim.reach.target_poses import posed
+from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.simulate import simulate
+
+
+def differences(a: object, b: object, name: str = "") -> Iterator[str]:
+    """The fields in which two values differ by more than rounding."""
+    if is_dataclass(a) and type(a) is type(b):
+        for field in fields(a):
+            if (type(a), field.name) != (Segment, "index"):
+                inner = getattr(a, field.name), getattr(b, field.name)
+                yield from differences(*inner, f"{name}.{field.name}")
+    elif isinstance(a, np.ndarray) and isinstance(b, np.ndarray):
+        if a.shape != b.shape or np.abs(a - b).max(initial=0.0) > 1e-9:
+            yield f"{name}: {a} {b}"
+    elif isinstance(a, float) and isinstance(b, float):
+        if a != b and abs(a - b) > 1e-9:
+            yield f"{name}: {a} {b}"
+    elif a != b:
+        yield f"{name}: {a} {b}"
+
+
+Key = tuple[int, Move, int, Move]
+"""Where two moves in a row stand in the text, and what they are."""
+
+
+def judged(program: Program) -> dict[Key, list[Segment]]:
+    """The segments that a check makes of moves whose start and end it knows."""
+    walked, robot, model = walk_program(program), arm(), MotionModel()
+    placed = posed(walked.known, robot, Transform.identity())
+    ways = WayFinder(program, placed, ends_of(placed, robot), robot, model, {}).survey()
+    sure = ways.stances.sure
+    others = [
+        row
+        for row, known in enumerate(walked.known)
+        if row not in ways.segments
+        and row not in placed.left_out
+        and known.previous is not None
+        and sure[[row, known.previous]].all()
+    ]
+    made = dict(
+        zip(others, segments_of(placed, ways.stances.joints, robot, model, others), strict=True)
+    )
+    made |= {row: ways.driven(row) for row, way in ways.surveyed.items() if not way.broken}
+    found: dict[Key, list[Segment]] = {}
+    for row, segment in made.items():
+        known = walked.known[row]
+        if known.previous is not None and not known.uncertain:
+            before = walked.known[known.previous]
+            key = (known.call.start, known.move, before.call.start, before.move)
+            found.setdefault(key, []).append(segment)
+    return found
+
+
+def driven(program: Program, monkeypatch: pytest.MonkeyPatch) -> dict[Key, list[Segment]]:
+    """The segments that a run makes."""
+    made: list[tuple[QueuedMove, Segment]] = []
+    resolve = Resolver.resolve
+
+    def recorded(*arguments: Any, **named: Any) -> QueuedMove:
+        queued = resolve(*arguments, **named)
+        made.append((queued, queued.segment))
+        return queued
+
+    with monkeypatch.context() as patch, suppress(InputError, NotExecutableError):
+        patch.setattr(Resolver, "resolve", recorded)
+        simulate(program, arm(), options=RunOptions(max_time_s=60.0))
+    found: dict[Key, list[Segment]] = {}
+    for (before, _), (queued, segment) in pairwise(made):
+        key = (queued.place.span.start, queued.move, before.place.span.start, before.move)
+        found.setdefault(key, []).append(segment)
+    return found
+
+
+def compared(program: Program, monkeypatch: pytest.MonkeyPatch) -> int:
+    """How many segments of a check were found among those of the run that made the same moves."""
+    reach = judged(program)
+    run = driven(program, monkeypatch) if reach else {}
+    both = [(one, run[key]) for key, made in reach.items() if key in run for one in made]
+    for one, others in both:
+        differing = [list(differences(one, other)) for other in others]
+        assert not all(differing), differing[0]
+    return len(both)
+
+
+def test_programs_of_the_repository(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert sum(count(path, monkeypatch) for path in PROGRAMS) > 50
+
+
+def test_programs_of_the_rules(rule_programs: list[Path], monkeypatch: pytest.MonkeyPatch) -> None:
+    assert sum(count(path, monkeypatch) for path in rule_programs) > 50
+
+
+def count(path: Path, monkeypatch: pytest.MonkeyPatch) -> int:
+    """The segments of a module that were compared; none where it is not to be run."""
+    loaded = read(path)
+    return 0 if loaded is None or loaded.program is None else compared(loaded.program, monkeypatch)
