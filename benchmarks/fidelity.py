@@ -142,7 +142,7 @@ def _joint_speed(one: _Compared) -> Array:
     """How fast (k,) [rad/s] axes 3 to 6 of ours turn at the places of the log."""
     step = 2e-3
     times = one.ours.time_at(one.place) + one.ours.start_s
-    before, after = (one.run.trajectory.at(times + s).joints for s in (-step, step))
+    before, after = (one.run.only.trajectory.at(times + s).joints for s in (-step, step))
     speed: Array = np.linalg.norm((after - before)[:, ELBOW_AND_WRIST], axis=1) / (2.0 * step)
     return speed
 
@@ -184,7 +184,7 @@ def _compare(trace: Mapping[str, Any], model: MotionModel) -> _Compared:
     rows = np.array(trace["samples"])
     first, last = trace.get("valid_window_s") or (-math.inf, math.inf)
     rows = rows[(rows[:, 0] >= first) & (rows[:, 0] <= last)]
-    ours = Progress.of(run.trajectory, moves[0].start_s)
+    ours = Progress.of(run.only.trajectory, moves[0].start_s)
     times = rows[:, 0] * CLOCK
     place, distance = ours.nearest(np.radians(rows[:, 1:]), ELBOW_AND_WRIST)
     moving = ours.speed_at(place) > STILL_M_S
@@ -227,8 +227,8 @@ def _cut(one: _Compared) -> Array:
     The log is straight between its rows. Both are on the motor side.
     """
     tcp_from_flange = one.run.moves[-1].tcp_from_flange
-    logged = (one.run.robot.forward(one.log) @ tcp_from_flange.inverse()).translation
-    ours = _motor_side(one.run, np.arange(one.ours.start_s, one.run.trajectory.duration, 1e-3))
+    logged = (one.run.only.robot.forward(one.log) @ tcp_from_flange.inverse()).translation
+    ours = _motor_side(one.run, np.arange(one.ours.start_s, one.run.only.trajectory.duration, 1e-3))
     nearest = [_distance(point, logged) - _distance(point, ours) for point in one.points]
     return np.array(nearest)
 
@@ -268,11 +268,11 @@ def _ramp(one: _Compared, offset_s: float) -> float:
 def _motor_side(run: Simulation, times: Array) -> Array:
     """Where the TCP (k, 3) [m] would be if the links were where the motors say."""
     step = 2e-3
-    before, now, after = (run.trajectory.at(times + s).joints for s in (-step, 0.0, step))
+    before, now, after = (run.only.trajectory.at(times + s).joints for s in (-step, 0.0, step))
     acceleration = (after - 2.0 * now + before) / step**2
     joints = now.copy()
     joints[:, :2] += acceleration[:, :3] @ ELASTIC_S2.T
-    base_from_tcp = run.robot.forward(joints) @ run.moves[-1].tcp_from_flange.inverse()
+    base_from_tcp = run.only.robot.forward(joints) @ run.moves[-1].tcp_from_flange.inverse()
     translation: Array = base_from_tcp.translation
     return translation
 

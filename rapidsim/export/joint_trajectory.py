@@ -1,6 +1,7 @@
 """The motion of a run as a ROS joint trajectory: the message `JointTrajectory` as JSON.
 
-Names are those of the joints in the robot's description; external axes are in the other traces.
+Names are those of the joints in the robot's description, with the task before them where several
+robots move; external axes are in the other traces.
 Positions are rad, speeds rad/s, accelerations rad/s2, times seconds and nanoseconds from the start,
 as `trajectory_msgs/JointTrajectory` has them.
 """
@@ -10,8 +11,11 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import numpy as np
+
 from rapidsim.export.table import BLOCK, sample_times
 from rapidsim.frames.transform import Array
+from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.output_files import whole_file
 from rapidsim.simulation.results.sampling import evaluate, joint_rates
 from rapidsim.simulation.results.simulation import Simulation
@@ -35,8 +39,14 @@ def write_joint_trajectory(simulation: Simulation, path: Path, dt: float) -> Pat
         InputError: For a `dt` that makes no sense, or a path that cannot be written.
     """
     times = sample_times(simulation, dt)
-    names = [joint.name for joint in simulation.robot.joints]
-    head = {"header": {"frame_id": "base"}, "joint_names": names}
+    robots = simulation.robots
+    several = len(robots) > 1
+    names = [
+        f"{one.task}_{joint.name}" if several else joint.name
+        for one in robots
+        for joint in one.robot.joints
+    ]
+    head = {"header": {"frame_id": "world" if several else "base"}, "joint_names": names}
     with (
         whole_file(path) as temporary,
         temporary.open("w", encoding="utf-8", newline="") as file,
@@ -44,14 +54,21 @@ def write_joint_trajectory(simulation: Simulation, path: Path, dt: float) -> Pat
         file.write(json.dumps(head)[:-1] + ', "points": [')
         separator = "\n"
         for begin in range(0, len(times), BLOCK):
-            samples = evaluate(simulation.trajectory, times[begin : begin + BLOCK])
-            speed, acceleration = joint_rates(simulation.trajectory, samples)
-            for row, time_s in enumerate(samples.times.tolist()):
-                rates = (samples.joints[row], speed[row], acceleration[row])
+            instants = times[begin : begin + BLOCK]
+            columns = zip(*(_columns(one.trajectory, instants) for one in robots), strict=True)
+            joints, speed, acceleration = (np.concatenate(all_of, axis=1) for all_of in columns)
+            for row, time_s in enumerate(instants.tolist()):
+                rates = (joints[row], speed[row], acceleration[row])
                 file.write(separator + json.dumps(_point(time_s, *rates)))
                 separator = ",\n"
         file.write("\n]}\n")
     return path
+
+
+def _columns(trajectory: Trajectory, times: Array) -> tuple[Array, Array, Array]:
+    """Joints (k, n) [rad], their speeds and accelerations at some instants (k,) [s]."""
+    samples = evaluate(trajectory, times)
+    return samples.joints, *joint_rates(trajectory, samples)
 
 
 def _point(time_s: float, joints: Array, speed: Array, acceleration: Array) -> dict[str, object]:

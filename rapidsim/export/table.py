@@ -48,15 +48,11 @@ def blocks(simulation: Simulation, dt: float) -> Iterator[Block]:
     Raises:
         InputError: When `dt` is not positive or gives too many rows.
     """
-    times = sample_times(simulation, dt)
-    if not simulation.other_robots:
-        return (
-            block(simulation.trajectory.at(times[begin : begin + BLOCK]), simulation.robot.external)
-            for begin in range(0, len(times), BLOCK)
-        )
+    times, widths = sample_times(simulation, dt), table_widths(simulation)
+    several = len(simulation.robots) > 1
     return (
-        _block_of(robot, offset, times[begin : begin + BLOCK], table_widths(simulation))
-        for robot, offset in zip(simulation.robots, simulation.move_offsets, strict=True)
+        _block_of(one, offset, times[begin : begin + BLOCK], widths, several=several)
+        for one, offset in zip(simulation.robots, simulation.move_offsets, strict=True)
         for begin in range(0, len(times), BLOCK)
     )
 
@@ -69,10 +65,12 @@ def table_widths(simulation: Simulation) -> tuple[int, int]:
     )
 
 
-def _block_of(robot: RobotRun, offset: int, times: Array, widths: tuple[int, int]) -> Block:
-    """Rows of one of several robots, in the columns of the widest."""
-    own = block(robot.trajectory.at(times), robot.robot.external)
-    joints, external = len(robot.robot.joints), len(robot.robot.external)
+def _block_of(
+    one: RobotRun, offset: int, times: Array, widths: tuple[int, int], *, several: bool
+) -> Block:
+    """Rows of one robot, in the columns of the widest."""
+    own = block(one.trajectory.at(times), one.robot.external)
+    joints, external = len(one.robot.joints), len(one.robot.external)
     first_axis, rest = 1 + joints, 1 + joints + external
     numbers = (
         *own.numbers[:first_axis],
@@ -81,7 +79,8 @@ def _block_of(robot: RobotRun, offset: int, times: Array, widths: tuple[int, int
         *(None,) * (widths[1] - external),
         *own.numbers[rest:],
     )
-    return Block([offset + move for move in own.move], numbers, robot.task)
+    moves = [offset + move for move in own.move]
+    return Block(moves, numbers, one.task if several else None)
 
 
 def sample_times(simulation: Simulation, dt: float) -> Array:
@@ -90,8 +89,7 @@ def sample_times(simulation: Simulation, dt: float) -> Array:
     Raises:
         InputError: When `dt` is not positive or gives too many rows.
     """
-    ends = [robot.trajectory.duration for robot in simulation.robots]
-    end_s = max(simulation.time_s, *ends)
+    end_s = simulation.motion_end_s
     if not dt > 0.0:
         raise InputError(f"the time between trace rows must be greater than 0, not {dt:g} s")
     if end_s / dt > MOST_ROWS:

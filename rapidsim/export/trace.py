@@ -44,7 +44,7 @@ def write_trace(simulation: Simulation, path: str | Path, dt: float = DEFAULT_DT
     if Path(path).name.lower().endswith(JOINT_TRAJECTORY):
         return write_joint_trajectory(simulation, Path(path), dt)
     names = columns(*table_widths(simulation))
-    if simulation.other_robots:
+    if len(simulation.robots) > 1:
         names = (*names, "task")
     return _write(Path(path), names, blocks(simulation, dt))
 

@@ -117,7 +117,7 @@ def run_for_moves(
     )
     failed = {
         calls[key][0]
-        for one in run.failed_moves
+        for one in run.only.failed_moves
         if (key := (one.place.span.file, one.place.span.start)) in calls
     }
     return RunMoves(

@@ -114,7 +114,7 @@ def sample(simulation: Simulation, dt: float | None) -> tuple[SampledRun, ...]:
         InputError: When `dt` is not positive or gives too many samples.
     """
     robots = simulation.robots
-    end_s = max(simulation.time_s, *(robot.trajectory.duration for robot in robots))
+    end_s = simulation.motion_end_s
     if dt is not None and not dt > 0.0:
         raise InputError(f"the time between samples must be greater than 0, not {dt:g} s")
     if dt is not None and end_s / dt > MOST_SAMPLES_ASKED:

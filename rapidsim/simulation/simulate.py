@@ -19,7 +19,14 @@ from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.simulation.multitasking import run_together
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.persistents import changed_persistents
-from rapidsim.simulation.results.simulation import End, RobotRun, Simulation, WrittenFile
+from rapidsim.simulation.results.simulation import (
+    End,
+    RobotRun,
+    Simulation,
+    TaskEnd,
+    WrittenFile,
+    numbered_moves,
+)
 from rapidsim.simulation.results.smoothed_corners import corner_findings
 from rapidsim.simulation.run_findings import backward_findings, not_simulated_findings
 from rapidsim.simulation.task_run import Outcome, TaskRun, TaskSetup, prepare, run_to_end
@@ -112,13 +119,12 @@ def _simulation(
     options: RunOptions,
 ) -> Simulation:
     """Collect what the tasks leave behind."""
-    robots = [
+    robots = tuple(
         _robot_run(run, outcome)
         for run, outcome in zip(runs, outcomes, strict=True)
         if run.setup.robot is not None
-    ]
-    first, *others = robots
-    moves = tuple(move for robot in robots for move in robot.moves)
+    )
+    moves = numbered_moves(robots)
     findings = tuple(
         finding
         for run, outcome in zip(runs, outcomes, strict=True)
@@ -140,18 +146,17 @@ def _simulation(
     ends = [outcome.end for outcome in outcomes]
     return Simulation(
         program=options.program_files,
-        robot=first.robot,
-        world_from_base=first.world_from_base,
         model=options.model,
         end=next(end for end in _WORST_FIRST if end in ends),
         time_s=time_s,
         motion_s=motion_s,
         wait_s=max(0.0, time_s - motion_s),
-        path_m=first.path_m,
-        moves=first.moves,
+        robots=robots,
+        tasks=tuple(
+            TaskEnd(run.setup.name, run.setup.kind, outcome.end)
+            for run, outcome in zip(runs, outcomes, strict=True)
+        ),
         events=_sorted_events(runs[0].journal, moves),
-        lines=first.lines,
-        trajectory=first.trajectory,
         diagnostics=findings,
         unsimulated=_not_simulated(runs),
         home_files=tuple(WrittenFile(path, size) for path, size in cell.home.written()),
@@ -162,10 +167,7 @@ def _simulation(
             if outcome.task is not None
             for one in changed_persistents(outcome.task)
         ),
-        failed_moves=first.failed_moves,
         signal_starts={signal.name: signal.value for signal in options.io.signals},
-        task=first.task,
-        other_robots=tuple(others),
     )
 
 

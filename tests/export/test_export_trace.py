@@ -11,18 +11,20 @@ from pathlib import Path
 import numpy as np
 import pyarrow.parquet as pq
 import pytest
+from changed_run import with_robot
 
 from rapidsim.controller.journal.events import Event, EventKind
 from rapidsim.diagnostics import Source, Span
 from rapidsim.export.events import write_events
 from rapidsim.export.trace import WRITERS, write_trace
 from rapidsim.files import InputError
-from rapidsim.frames.transform import Array
+from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.moves import Place
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.robot import Robot, load_robot
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
-from rapidsim.simulation.results.simulation import End, Simulation
+from rapidsim.simulation.results.simulation import End, RobotRun, Simulation, TaskEnd
+from rapidsim.station.task_kind import TaskKind
 
 COLUMNS = [
     *("time_s", "move", "j1", "j2", "j3", "j4", "j5", "j6"),
@@ -54,22 +56,29 @@ def run(end_s: float = 1.0) -> Simulation:
     place = Place(Span(source, 14, 41), "main")
     return Simulation(
         program=("Turn.mod",),
-        robot=robot,
         model=MotionModel(),
         end=End.ENDED,
         time_s=end_s,
         motion_s=end_s,
         wait_s=0.0,
-        path_m=0.25 * end_s,
-        moves=(),
+        robots=(
+            RobotRun(
+                task="T_ROB1",
+                robot=robot,
+                world_from_base=Transform.identity(),
+                moves=(),
+                lines=(),
+                trajectory=Turning(robot, end_s),
+                path_m=0.25 * end_s,
+            ),
+        ),
+        tasks=(TaskEnd("T_ROB1", TaskKind.NORMAL, End.ENDED),),
         events=(
             Event(0.1, "T_ROB1", EventKind.TEXT, place, "Größe: 3 µm"),
             Event(
                 0.2, "T_ROB1", EventKind.SIGNAL, None, "do1 = 1", {"signal": "do1", "value": 1.0}
             ),
         ),
-        lines=(),
-        trajectory=Turning(robot, end_s),
         diagnostics=(),
         unsimulated=(),
         home_files=(),
@@ -98,7 +107,7 @@ def test_a_trace_gives_back_every_bit(suffix: str, tmp_path: Path) -> None:
     rows = read(write_trace(simulation, tmp_path / f"turn{suffix}", 0.3))
     assert [list(row) for row in rows] == [COLUMNS] * len(rows)
     times = np.array([0.0, 0.3, 0.6, 3 * 0.3, 1.0])
-    samples = simulation.trajectory.at(times)
+    samples = simulation.only.trajectory.at(times)
     expected = np.column_stack(
         [
             times,
@@ -156,7 +165,7 @@ def test_an_interrupted_trace_keeps_the_older_one(suffix: str, tmp_path: Path) -
     path = tmp_path / f"turn{suffix}"
     path.write_text("older")
     simulation = run()
-    broken = replace(simulation, trajectory=Interrupted(simulation.robot, 1.0))
+    broken = with_robot(simulation, trajectory=Interrupted(simulation.only.robot, 1.0))
     with pytest.raises(KeyboardInterrupt):
         write_trace(broken, path)
     assert [file.name for file in tmp_path.iterdir()] == [path.name]

@@ -136,7 +136,7 @@ def test_what_was_done_before_is_told(tmp_path: Path) -> None:
     it = cut_off(forever("      here:=CRobT();", first=SLOW_FLY_BY), tmp_path)
     assert it.moves
     assert it.time_s > it.moves[0].end_s
-    assert it.trajectory.duration > 0.0
+    assert it.only.trajectory.duration > 0.0
 
 
 def test_a_run_that_ends_in_time_is_the_same(tmp_path: Path) -> None:

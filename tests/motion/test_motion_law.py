@@ -64,7 +64,7 @@ def trajectory_of(file: FilePath) -> Trajectory | None:
     if loaded.program is None or "main" not in loaded.program.routines:
         return None
     options = RunOptions(max_time_s=60.0, answers=lambda prompt: None)
-    trajectory = simulate(loaded.program, ROBOT, options=options).trajectory
+    trajectory = simulate(loaded.program, ROBOT, options=options).only.trajectory
     return trajectory if trajectory.pieces else None
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from changed_run import with_robot
 from matplotlib.patches import Rectangle
 from PIL import Image
 
@@ -66,7 +67,7 @@ def test_the_path_has_what_failed_in_it(simulation: Simulation) -> None:
 def test_joints_stand_between_their_limits(simulation: Simulation) -> None:
     with dressed(LIGHT):
         figure = joints_picture(drawn(simulation, simulation.robots[0]), LIGHT)
-    robot = simulation.robot
+    robot = simulation.only.robot
     for k, axes in enumerate(figure.axes):
         low, high = axes.get_ylim()
         assert low < np.degrees(robot.lower[k]) < np.degrees(robot.upper[k]) < high
@@ -108,11 +109,12 @@ def test_other_robots_have_pictures_of_their_own(
     simulation: Simulation, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(write, "PICTURES", {"path": path_picture})
-    other = replace(simulation.robots[0], task="T_ROB2")
-    written = write_plots(replace(simulation, other_robots=(other,)), tmp_path / "plots")
+    other = replace(simulation.only, task="T_ROB2")
+    both = replace(simulation, robots=(simulation.only, other))
+    written = write_plots(both, tmp_path / "plots")
     assert {"path.png", "T_ROB2-path.png"} <= {path.name for path in written}
 
 
 def test_a_run_without_moves_says_so(simulation: Simulation, tmp_path: Path) -> None:
     with pytest.raises(InputError, match="nothing moved"):
-        write_plots(replace(simulation, moves=()), tmp_path / "plots")
+        write_plots(with_robot(simulation, moves=()), tmp_path / "plots")

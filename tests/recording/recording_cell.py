@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
+from changed_run import with_robot
 
 from rapidsim.controller.journal.events import Event, EventKind, ExecutedLine
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
@@ -36,7 +37,8 @@ from rapidsim.motion.configurations import targets
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.robot import Robot, load_robot
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
-from rapidsim.simulation.results.simulation import End, RobotRun, Simulation
+from rapidsim.simulation.results.simulation import End, RobotRun, Simulation, TaskEnd
+from rapidsim.station.task_kind import TaskKind
 
 TEXT = r"""MODULE Frame
   ! Traces a rectangle with a pen and switches a pump.
@@ -166,17 +168,24 @@ def cell(robot: Robot | None = None, *, rounds: int = 2) -> Simulation:
     end_s = now + 1.0
     return Simulation(
         program=("cell/Frame.mod",),
-        robot=robot,
         model=MotionModel(),
         end=End.ENDED,
         time_s=end_s,
         motion_s=sum(move.end_s - move.start_s for move in moves),
         wait_s=1.5,
-        path_m=sum(move.length_m for move in moves),
-        moves=moves,
+        robots=(
+            RobotRun(
+                task="T_ROB1",
+                robot=robot,
+                world_from_base=Transform.identity(),
+                moves=moves,
+                lines=_lines(moves),
+                trajectory=EasyTrajectory(robot, legs, end_s),
+                path_m=sum(move.length_m for move in moves),
+            ),
+        ),
+        tasks=(TaskEnd("T_ROB1", TaskKind.NORMAL, End.ENDED),),
         events=_events(moves, end_s),
-        lines=_lines(moves),
-        trajectory=EasyTrajectory(robot, legs, end_s),
         diagnostics=(
             Diagnostic(RoutineNotSimulated("MoveL \\Corr", "ignored"), moves[1].place.span),
         ),
@@ -260,26 +269,22 @@ def _lines(moves: Sequence[ExecutedMove]) -> tuple[ExecutedLine, ...]:
 
 def without_description(simulation: Simulation) -> Simulation:
     """The same run of a robot that nobody drew."""
-    return replace(simulation, robot=replace(simulation.robot, urdf=None))
+    return with_robot(simulation, robot=replace(simulation.only.robot, urdf=None))
 
 
 def with_description(simulation: Simulation, urdf: Path) -> Simulation:
     """The same run of a robot drawn by another file."""
-    return replace(simulation, robot=replace(simulation.robot, urdf=urdf))
+    return with_robot(simulation, robot=replace(simulation.only.robot, urdf=urdf))
 
 
 def two_robots(apart_m: float = 1.6) -> Simulation:
     """The same run by two robots that stand face to face."""
-    first, second = cell(rounds=1), cell(rounds=1)
-    moves = tuple(replace(move, task="T_ROB2") for move in second.moves)
+    run = cell(rounds=1)
     half_turn = np.diag([-1.0, -1.0, 1.0])
-    other = RobotRun(
+    other = replace(
+        run.only,
         task="T_ROB2",
-        robot=second.robot,
         world_from_base=Transform(half_turn, np.array([apart_m, 0.3, 0.0])),
-        moves=moves,
-        lines=second.lines,
-        trajectory=second.trajectory,
-        path_m=second.path_m,
+        moves=tuple(replace(move, task="T_ROB2") for move in run.moves),
     )
-    return replace(first, other_robots=(other,))
+    return replace(run, robots=(run.only, other))

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from changed_run import with_robot
 from recording_cell import cell
 from rerun.chunk import RrdReader
 
@@ -43,7 +43,7 @@ def failed_run() -> Simulation:
     moves = SIMULATION.moves
     far, way = moves[1], moves[2]
     start, end = far.base_from_tcp.translation, way.base_from_tcp.translation
-    return replace(
+    return with_robot(
         SIMULATION,
         failed_moves=(
             FailedMove(

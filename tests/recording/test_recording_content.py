@@ -11,13 +11,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from changed_run import with_robot
 from recording_cell import TEXT, cell, two_robots
 from recording_read import SIMULATION, failed_run, rows, texts
 from rerun.chunk import RrdReader
 
 from rapidsim.recording.layout.write import record
 
-UNLISTED = ("/robot/fixed", "/robot/base", f"/robot/{SIMULATION.robot.name}")
+UNLISTED = ("/robot/fixed", "/robot/base", f"/robot/{SIMULATION.only.robot.name}")
 """Fixed frames of the description, and the root of its shapes."""
 
 
@@ -179,7 +180,7 @@ def test_two_robots_have_entities_and_frames_of_their_own(tmp_path: Path) -> Non
 
 
 def test_a_run_without_moves_is_recorded(tmp_path: Path) -> None:
-    idle = replace(SIMULATION, moves=(), lines=(), events=(), diagnostics=())
+    idle = replace(with_robot(SIMULATION, moves=(), lines=()), events=(), diagnostics=())
     path = record(idle, tmp_path / "idle.rrd")
     entities = RrdReader(path).store().schema().entity_paths()
     assert "/joints/angle" in entities

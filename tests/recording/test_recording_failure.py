@@ -20,6 +20,7 @@ from pathlib import Path
 limit = int(sys.argv[2])
 if limit:
     resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+sys.path.append("..")
 from recording_cell import cell
 from rapidsim.files import InputError
 from rapidsim.recording.layout.write import record

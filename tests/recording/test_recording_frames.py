@@ -82,7 +82,7 @@ def test_a_track_carries_the_base(run: Simulation, recording: Path) -> None:
     assert np.allclose(foot[0], [0.0, 0.0, 0.5])
     moving = rows(recording, "/base", "Transform3D:translation")
     times = np.array([time for time, _ in moving]) * 1e-9
-    expected = run.trajectory.at(times).external[:, 0]
+    expected = run.only.trajectory.at(times).external[:, 0]
     assert np.allclose([place[0][1] for _, place in moving], expected, atol=1e-6)
     assert expected.max() == pytest.approx(0.6)
 
@@ -93,7 +93,7 @@ def test_on_a_track_the_path_is_where_the_tcp_is_in_the_world(
     ((_, strips),) = rows(recording, "/path/travelled/MoveL", "LineStrips3D:strips")
     ends = np.array([strips[0][0], strips[-1][-1]]) + RAISED.translation
     move = run.moves[1]
-    found = run.trajectory.at(np.array([move.start_s, move.end_s]))
+    found = run.only.trajectory.at(np.array([move.start_s, move.end_s]))
     world_from_base = world_from_base_at((TRACK,), RAISED, found.external)
     assert np.allclose(ends, (world_from_base @ found.base_from_tcp).translation, atol=1e-5)
     assert np.allclose(ends[1], [0.9, 0.6, 0.8], atol=1e-5)

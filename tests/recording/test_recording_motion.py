@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from changed_run import with_robot
 from recording_cell import PEN
 from recording_read import SIMULATION, rows, texts
 
@@ -40,8 +41,8 @@ def test_link_frames_chain_up_to_forward_kinematics(recording: Path) -> None:
     for edge in chain[1:]:
         found = found @ edge
     found = found @ link_from_flange
-    joints = SIMULATION.trajectory.at(times).joints
-    expected = SIMULATION.robot.kinematics.forward(joints)
+    joints = SIMULATION.only.trajectory.at(times).joints
+    expected = SIMULATION.only.robot.kinematics.forward(joints)
     assert np.abs(found.translation - expected.translation).max() < 1e-6
     assert np.abs(found.rotation - expected.rotation).max() < 1e-6
 
@@ -60,7 +61,7 @@ def test_joint_angles_keep_full_precision(recording: Path) -> None:
     ]
     times = np.array([time for time, _ in logged])
     angles = np.array([values for _, values in logged])
-    assert np.array_equal(angles, np.degrees(SIMULATION.trajectory.at(times).joints))
+    assert np.array_equal(angles, np.degrees(SIMULATION.only.trajectory.at(times).joints))
 
 
 def test_starts_and_ends_of_moves_are_samples(recording: Path) -> None:
@@ -83,7 +84,7 @@ def test_a_tool_that_changes_is_followed(tmp_path: Path) -> None:
         replace(move, move=replace(move.move, tool=longer)) if move.index >= 5 else move
         for move in SIMULATION.moves
     )
-    path = record(replace(SIMULATION, moves=moves), tmp_path / "tools.rrd")
+    path = record(with_robot(SIMULATION, moves=moves), tmp_path / "tools.rrd")
     edges = [(time, row) for time, row in rows(path, "/robot/tcp") if time is not None]
     assert [time for time, _ in edges] == [0.0, round(moves[5].start_s, 9)]
     assert np.allclose(edges[1][1]["Transform3D:translation"][0], [0.0, 0.0, 0.3])
@@ -100,7 +101,7 @@ def test_a_work_object_may_be_an_expression_or_named_like_a_frame(tmp_path: Path
         )
         for move in SIMULATION.moves
     )
-    path = record(replace(SIMULATION, moves=moves), tmp_path / "names.rrd")
+    path = record(with_robot(SIMULATION, moves=moves), tmp_path / "names.rrd")
     frames = {
         row["Transform3D:child_frame"][0]
         for _, row in rows(path, "/work_objects/**")
@@ -118,12 +119,12 @@ def test_the_path_is_there_in_the_colours_of_speed(recording: Path) -> None:
     # All of the way, and nothing but the way.
     length = sum(np.linalg.norm(np.diff(strip, axis=0), axis=1).sum() for strip in strips)
     times = np.array([time for time, _ in rows(recording, "/joints/angle") if time is not None])
-    way = SIMULATION.trajectory.at(times).base_from_tcp.translation
+    way = SIMULATION.only.trajectory.at(times).base_from_tcp.translation
     assert length == pytest.approx(np.linalg.norm(np.diff(way, axis=0), axis=1).sum(), rel=1e-4)
 
 
 def test_joint_speeds_and_accelerations_are_those_of_the_angles(recording: Path) -> None:
-    limits = limits_of(SIMULATION.robot, SIMULATION.model)
+    limits = limits_of(SIMULATION.only.robot, SIMULATION.model)
     curves = {
         entity: (
             np.array([time for time, _ in rows(recording, entity) if time is not None]),
@@ -157,7 +158,7 @@ def test_an_arm_that_stands_still_adds_no_rows(tmp_path: Path, recording: Path) 
 
 def test_a_rod_turns_its_link_back_by_axis_2(tmp_path: Path) -> None:
     """The link that the description hangs link 3 on keeps the direction of link 1."""
-    file = record(replace(SIMULATION, robot=load_robot("irb2400")), tmp_path / "rod.rrd")
+    file = record(with_robot(SIMULATION, robot=load_robot("irb2400")), tmp_path / "rod.rrd")
     level = [row for _, row in rows(file, "/robot/joints/joint_3_rod")]
     upper = [row for _, row in rows(file, "/robot/joints/joint_2")]
     assert len(level) == len(upper) > 2

@@ -42,8 +42,8 @@ def test_the_viewer_shows_it_without_complaint(
     path = record(simulation, tmp_path / "frame.rrd")
     shots = screenshot.shoot(path, TIMES_S, width=800, wait_s=1.0)
     sampled = [round(np.floor(time / 0.012) * 0.012, 9) for time in TIMES_S]
-    samples = simulation.trajectory.at(np.array(sampled))
-    robot = simulation.robot
+    samples = simulation.only.trajectory.at(np.array(sampled))
+    robot = simulation.only.robot
     base_from_flange = robot.kinematics.forward(samples.joints)
     base_from_link = robot.kinematics.link_frames(samples.joints)
     for k, shot in enumerate(shots):

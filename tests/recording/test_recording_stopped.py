@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from changed_run import with_robot
 from recording_read import SIMULATION, failed_run, rows, texts
 
 from rapidsim.diagnostics import Diagnostic
@@ -32,14 +33,14 @@ def test_what_the_arm_cannot_do_is_red_where_it_is_and_says_why(tmp_path: Path) 
     run = failed_run()
     path = record(run, tmp_path / "failed.rrd")
     ((_, targets),) = rows(path, "/failed/targets")
-    expected = [failed.base_from_tcp.translation for failed in run.failed_moves]
+    expected = [failed.base_from_tcp.translation for failed in run.only.failed_moves]
     assert np.allclose(targets["Points3D:positions"], expected, atol=1e-6)
     assert targets["Points3D:colors"] == [0xFF4040FF]
     ((_, ways),) = rows(path, "/failed/ways")
     assert len(ways["LineStrips3D:strips"]) == 1
     ((_, crosses),) = rows(path, "/failed/places")
     middle = np.mean(np.concatenate(crosses["LineStrips3D:strips"]), axis=0)
-    assert np.allclose(middle, run.failed_moves[1].fails_at, atol=1e-6)
+    assert np.allclose(middle, run.only.failed_moves[1].fails_at, atol=1e-6)
     ((_, reasons),) = rows(path, "/failed/reasons")
     words = [" ".join(text.split()) for text in reasons["Points3D:labels"]]
     assert words[0].startswith("K601 line 11: p1 cannot be reached by ABB IRB 1600")
@@ -61,7 +62,7 @@ class Interrupting(Trajectory):
 
 
 def interrupted(simulation: Simulation) -> Simulation:
-    return replace(simulation, trajectory=Interrupting())
+    return with_robot(simulation, trajectory=Interrupting())
 
 
 def test_an_interrupted_recording_leaves_nothing(tmp_path: Path) -> None:

@@ -23,7 +23,14 @@ from rapidsim.language.moves import Interpolation, Move, Place
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
-from rapidsim.simulation.results.simulation import End, Simulation, WrittenFile
+from rapidsim.simulation.results.simulation import (
+    End,
+    RobotRun,
+    Simulation,
+    TaskEnd,
+    WrittenFile,
+)
+from rapidsim.station.task_kind import TaskKind
 
 TEXT = """MODULE cell
   PROC main()
@@ -118,14 +125,23 @@ def run() -> Simulation:
     show = place("TPWrite")
     return Simulation(
         program=("cell/cell.mod",),
-        robot=ROBOT,
         model=MotionModel(),
         end=End.ENDED,
         time_s=2.5,
         motion_s=2.0,
         wait_s=0.5,
-        path_m=0.3,
-        moves=moves,
+        robots=(
+            RobotRun(
+                task="T_ROB1",
+                robot=ROBOT,
+                world_from_base=Transform.identity(),
+                moves=moves,
+                lines=(),
+                trajectory=cast(Trajectory, StraightTrajectory()),
+                path_m=0.3,
+            ),
+        ),
+        tasks=(TaskEnd("T_ROB1", TaskKind.NORMAL, End.ENDED),),
         events=(
             Event(
                 2.0, "T_ROB1", EventKind.CORNER, moves[1].place, "corner path failure", {"move": 1}
@@ -133,8 +149,6 @@ def run() -> Simulation:
             Event(2.1, "T_ROB1", EventKind.INTERRUPT, show, "timer", {"interrupt": 1.0}),
             Event(2.2, "T_ROB1", EventKind.TEXT, show, "Done \x1b[31m"),
         ),
-        lines=(),
-        trajectory=cast(Trajectory, StraightTrajectory()),
         diagnostics=(),
         unsimulated=(Unsimulated("ArcL", 3, "treated as MoveL"),),
         home_files=(WrittenFile("cell.home/log.txt", 12),),

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from changed_run import with_robot
 
 import rapidsim
 from rapidsim.controller.journal.events import Event, EventKind
@@ -98,7 +99,7 @@ def test_it_says_how_the_run_ended_and_why(page: str) -> None:
 def test_its_numbers_are_the_run_s(page: str, simulation: Simulation) -> None:
     robot = robot_of(page)
     times = unpacked(robot["t"])
-    samples = simulation.trajectory.at(times)
+    samples = simulation.only.trajectory.at(times)
     joints = np.stack([unpacked(column) for column in robot["joints"]], axis=1)
     assert np.abs(joints - np.degrees(samples.joints)).max() < 0.006
     tcp = np.stack([unpacked(column) for column in robot["tcp"]], axis=1)
@@ -126,7 +127,7 @@ def test_the_same_run_gives_the_same_file(page: str, simulation: Simulation) -> 
 
 
 def test_a_run_without_moves_has_a_report(simulation: Simulation) -> None:
-    idle = replace(simulation, moves=(), lines=(), events=(), failed_moves=())
+    idle = replace(with_robot(simulation, moves=(), lines=(), failed_moves=()), events=())
     page = report_page(idle, ())
     assert robot_of(page)["moves"] == []
     assert 'id="times"' not in page
@@ -161,11 +162,13 @@ def test_several_robots_stand_in_the_world_they_share(simulation: Simulation) ->
     shift = Transform(np.eye(3), np.array([0.0, 2.0, 0.0]))
     moves = tuple(replace(move, task="T_ROB2") for move in first.moves)
     other = replace(first, task="T_ROB2", world_from_base=shift, moves=moves)
-    page = report_page(replace(simulation, other_robots=(other,)), ())
+    page = report_page(replace(simulation, robots=(first, other)), ())
     assert data_of(page)["frame"] == "world"
     one, two = (np.stack([unpacked(c) for c in robot_of(page, k)["tcp"]]) for k in (0, 1))
     assert np.allclose(two - one, np.array([[0.0], [2000.0], [0.0]]))
     assert "T_ROB2: main" in page
+    assert "Nearest joint limit of T_ROB1" in page
+    assert f'<p class="robot">{first.robot.title} and {first.robot.title}</p>' in page
 
 
 def test_the_older_report_stays_when_the_folder_is_gone(

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from changed_run import with_robot
 from report_run import HOME, PICK, ROBOT, SOURCE, run
 from rich.console import Console
 
@@ -14,7 +15,7 @@ from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.diagnostics import Diagnostic, Span
 from rapidsim.findings.runs import QuestionUnanswered
 from rapidsim.report.run.figures import figures
-from rapidsim.report.run.json_report import rejected_json, run_json
+from rapidsim.report.run.json_report import models, rejected_json, run_json
 from rapidsim.report.run.summary import ASCII_BARS, BLOCK_BARS, Bars, Written, summary
 from rapidsim.simulation.results.simulation import End, Simulation
 
@@ -45,7 +46,7 @@ def test_figures_of_moves() -> None:
 def test_a_line_that_runs_often_counts_once_with_its_whole_time() -> None:
     first, second = run().moves
     again = replace(second, index=2, start_s=2.0, end_s=3.0)
-    found = figures(replace(run(), moves=(first, second, again)))
+    found = figures(with_robot(run(), moves=(first, second, again)))
     assert [(line.seconds, line.times) for line in found.slowest] == [(2.5, 2), (0.5, 1)]
 
 
@@ -61,7 +62,8 @@ def test_margin_and_singularity_are_the_least_along_the_path() -> None:
 
 
 def test_a_run_without_moves_has_a_report_too() -> None:
-    simulation = replace(run(), moves=(), motion_s=0.0, time_s=0.0, path_m=0.0, events=())
+    idle = with_robot(run(), moves=(), path_m=0.0)
+    simulation = replace(idle, motion_s=0.0, time_s=0.0, events=())
     assert "none" in text(simulation)
     report = run_json(simulation, figures(simulation), (), {})
     assert (report["moves"], report["min_joint_margin"], report["min_singularity"]) == (
@@ -185,3 +187,36 @@ def test_a_rejected_program_has_the_same_keys() -> None:
     simulation = run()
     assert list(rejected) == list(run_json(simulation, figures(simulation), (), {}))
     assert rejected["end"] == "error"
+
+
+def both() -> Simulation:
+    """The run, and beside it an arm of another kind that comes nearer to its limits."""
+    only = run().only
+    tight = [replace(joint, lower=joint.lower / 2, upper=joint.upper / 2) for joint in ROBOT.joints]
+    cable = ("its cable",)
+    arm = replace(ROBOT, name="twin", title="Twin", not_modelled=cable, joints=tuple(tight))
+    moves = tuple(replace(move, task="T_ROB2") for move in only.moves)
+    return replace(run(), robots=(only, replace(only, task="T_ROB2", robot=arm, moves=moves)))
+
+
+def test_all_robots_are_told_of() -> None:
+    shown = " ".join(text(both(), width=200).split())
+    assert f"on {ROBOT.title} and Twin" in shown
+    assert f"robot {ROBOT.name} of T_ROB1 (by default) twin of T_ROB2" in shown
+    assert "4 (2 MoveJ, 2 MoveL), 600.0 mm travelled" in shown
+    assert "of T_ROB2 came within" in shown
+    assert "smallest singular value of T_ROB1" in shown
+    assert "Not modelled: twin: its cable." in shown
+
+
+def test_what_is_true_of_all_robots_is_said_once() -> None:
+    shown = models(both())
+    assert shown["acceleration"] == models(run())["acceleration"]
+    measured = [replace(joint, max_acceleration=1.0) for joint in ROBOT.joints]
+    one, other = both().robots
+    known = replace(other, robot=replace(other.robot, joints=tuple(measured)))
+    said = models(replace(both(), robots=(one, known)))["acceleration"]
+    assert said == (
+        f"{ROBOT.name}: {shown['acceleration']}; "
+        f"twin: axis accelerations {', '.join(['57.2958'] * 6)} deg/s2, measured on this arm"
+    )

@@ -74,7 +74,7 @@ def test_outputs_and_texts_keep_their_times_and_positions_are_those_seen() -> No
     ]
     at_s = next(e.time_s for e in axes.run.events if e.message == axes.texts[0])
     assert float(axes.texts[0]) == pytest.approx(
-        np.degrees(axes.run.sample(at_s).joints[0, 0]), abs=1e-4
+        np.degrees(axes.run.only.sample(at_s).joints[0, 0]), abs=1e-4
     )
     assert axes.texts[0] != path.texts[0]
     assert axes.texts[1] == path.texts[1]
@@ -92,7 +92,7 @@ def test_a_search_finds_the_place_that_is_seen() -> None:
     hit_s = 1.2
     io = CellIo(stimuli=(Stimulus({"diHit": 1.0}, at_s=hit_s),))
     _, axes = both(text, io=io)
-    seen_m = axes.run.sample(hit_s).base_from_tcp.translation[0, 1]
+    seen_m = axes.run.only.sample(hit_s).base_from_tcp.translation[0, 1]
     assert float(axes.texts[0]) == pytest.approx(1e3 * seen_m, abs=1e-3)
 
 
@@ -120,7 +120,7 @@ def test_external_axes_are_smoothed_and_carry_their_frames(axis: ExternalAxis) -
     assert axes.findings == []
     move = axes.run.moves[1]
     times = np.linspace(move.start_s, move.end_s, 120)
-    seen, planned = axes.run.sample(times), path.run.sample(times)
+    seen, planned = axes.run.only.sample(times), path.run.only.sample(times)
     assert seen.external == pytest.approx(planned.external, abs=2e-3)
     assert seen.external[-1] == pytest.approx(planned.external[-1], abs=1e-12)
     assert seen.tcp_speed.max() == pytest.approx(0.1, abs=1e-3)

@@ -51,8 +51,8 @@ def _logged(moves: str, every_s: float = 0.008) -> LoggedRun:
         loaded.program, ROBOT, options=RunOptions(model=TRUTH, start_joints_deg=START_DEG)
     )
     # A log starts some time before the arm does, at a zero of its own.
-    times = np.arange(-0.1, run.trajectory.duration + 0.2, every_s)
-    joints = run.trajectory.at(np.maximum(times, 0.0)).joints
+    times = np.arange(-0.1, run.only.trajectory.duration + 0.2, every_s)
+    joints = run.only.trajectory.at(np.maximum(times, 0.0)).joints
     return LoggedRun(loaded.program, JointLog("moves.csv", times + 12.3, joints))
 
 

@@ -82,7 +82,7 @@ def test_moves_planned_one_at_a_time_give_the_same(
 ) -> None:
     lazy, again = ran_once(file), ran(file)
     assert [event.time_s for event in lazy.events] == [event.time_s for event in again.events]
-    assert np.array_equal(lazy.trajectory.joints, again.trajectory.joints)
+    assert np.array_equal(lazy.only.trajectory.joints, again.trajectory.joints)
     monkeypatch.setattr(solo_moves, "MAX_OPEN_MOVES", 0)
     eager = ran(file)
     assert [event.message for event in lazy.events] == [event.message for event in eager.events]
@@ -106,5 +106,5 @@ def test_where_the_program_sees_the_robot_is_where_it_is(
     monkeypatch.setattr(TaskMotion, "current_target", current_target)
     run = ran(file)
     for time_s, target in seen:
-        there = run.robot.forward(run.sample(time_s).joints).translation[0]
+        there = run.only.robot.forward(run.only.sample(time_s).joints).translation[0]
         assert np.linalg.norm(there - 1e-3 * np.array(target.trans)) < 1e-6

@@ -89,7 +89,9 @@ def test_outputs_are_set_where_the_records_say() -> None:
     signals = [event for event in done.run.events if event.kind is EventKind.SIGNAL]
     assert [event.message for event in signals] == ["goType = 4e+09", "doGlue = 1"]
     for event, y in zip(signals, (-250.0, -100.0), strict=True):
-        there = done.run.robot.forward(done.run.sample(event.time_s).joints).translation[0]
+        there = done.run.only.robot.forward(done.run.only.sample(event.time_s).joints).translation[
+            0
+        ]
         assert 1e3 * there[1] == pytest.approx(y, abs=1e-5)
     assert done.run.moves[1].move.instruction == "TriggLIOs"
 

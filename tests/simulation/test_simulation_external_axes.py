@@ -59,7 +59,7 @@ NONE = "9E9,9E9,9E9,9E9,9E9,9E9"
 
 def samples(run: Ran, move: int) -> Samples:
     done = run.run.moves[move]
-    return run.run.trajectory.at(np.linspace(done.start_s, done.end_s, 60))
+    return run.run.only.trajectory.at(np.linspace(done.start_s, done.end_s, 60))
 
 
 def line_error(points: Array) -> float:
@@ -124,7 +124,7 @@ def test_axes_keep_their_limits_and_programmed_speeds() -> None:
         program("MoveExtJ far,vlin200,fine;", "MoveAbsJ far\\NoEOffs,v1000,fine,tool0;", data=data),
         external_axes=(TRACK, TABLE),
     )
-    external = run.run.trajectory.at(np.arange(0.0, run.run.time_s, 0.001)).external
+    external = run.run.only.trajectory.at(np.arange(0.0, run.run.time_s, 0.001)).external
     speed = np.abs(np.diff(external, axis=0)) / 0.001
     assert speed.max(axis=0)[0] == pytest.approx(0.2, rel=1e-3)
     assert np.diff(speed, axis=0).max() < 4.0 * 1.01
@@ -227,7 +227,7 @@ def test_json_and_samples_hold_the_external_axes() -> None:
     written = json.loads(json.dumps(run_json(run.run, figures(run.run), [], {})))
     (move,) = written["moves"]
     assert move["external"] == {"eax_a": pytest.approx(200.0), "eax_b": pytest.approx(45.0)}
-    assert run.run.sample(run.run.time_s).external[0] == pytest.approx([0.2, np.pi / 4])
+    assert run.run.only.sample(run.run.time_s).external[0] == pytest.approx([0.2, np.pi / 4])
 
 
 STATION: Mapping[str, str] = {
@@ -305,18 +305,18 @@ def searched(search: str, data: str = "  VAR jointtarget j;\n") -> Ran:
 
 def test_a_search_of_external_axes_keeps_where_they_were() -> None:
     run = searched(r"SearchExtJ\PStop,diHit,j,far,vlin200;")
-    at_hit = run.run.trajectory.at(np.array([2.0])).external[0, 0]
+    at_hit = run.run.only.trajectory.at(np.array([2.0])).external[0, 0]
     assert run.texts == [f"hit {1000 * at_hit:.0f}", "[0,0,0,0,30,0]"]
-    stands = run.run.trajectory.at(np.array([run.run.time_s])).external[0, 0]
+    stands = run.run.only.trajectory.at(np.array([run.run.time_s])).external[0, 0]
     assert at_hit < stands < at_hit + 0.03
     assert run.run.unsimulated == ()
 
 
 def test_a_search_of_external_axes_waits_for_its_flank_and_misses() -> None:
     falling = searched(r"SearchExtJ diHit\NegFlank,j,far,vlin200;")
-    at_hit = falling.run.trajectory.at(np.array([3.0])).external[0, 0]
+    at_hit = falling.run.only.trajectory.at(np.array([3.0])).external[0, 0]
     assert falling.texts[0] == f"hit {1000 * at_hit:.0f}"
-    end = falling.run.trajectory.at(np.array([falling.run.time_s])).external[0, 0]
+    end = falling.run.only.trajectory.at(np.array([falling.run.time_s])).external[0, 0]
     assert end == pytest.approx(1.0)  # Without a stop option it goes to the end.
     assert searched(r"SearchExtJ diOther,j,far,vlin200;").texts == ["TRUE"]
     twice = searched(r"SearchExtJ\Sup,diHit\Flanks,j,far,vlin200;")
@@ -331,7 +331,7 @@ def test_an_active_offset_is_taken_off_what_a_search_finds() -> None:
     )
     assert (
         plain.texts[0]
-        == "hit " + f"{1000 * plain.run.trajectory.at(np.array([2.0])).external[0, 0]:.0f}"
+        == "hit " + f"{1000 * plain.run.only.trajectory.at(np.array([2.0])).external[0, 0]:.0f}"
     )
-    found = 1000 * moved.run.trajectory.at(np.array([2.0])).external[0, 0] - 100
+    found = 1000 * moved.run.only.trajectory.at(np.array([2.0])).external[0, 0] - 100
     assert moved.texts[0] == f"hit {found:.0f}"

@@ -32,6 +32,6 @@ def test_the_load_in_the_hand_slows_as_the_model_says(
 ) -> None:
     """The arm carries 6 kg: the tool is a quarter of that, tool and part are all of it."""
     run = ran(PROGRAM, model=MotionModel(payload_acceleration=left)).run
-    segments = [piece.path.segments[0] for piece in run.trajectory.pieces]
+    segments = [piece.path.segments[0] for piece in run.only.trajectory.pieces]
     assert [s.acceleration_share for s in segments] == pytest.approx(shares, abs=1e-3)
     assert not run.unsimulated

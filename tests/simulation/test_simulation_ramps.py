@@ -50,10 +50,10 @@ def test_stop_move_waits_until_a_wide_window_has_run_empty() -> None:
     )
     assert (run.end, run.texts) == ("ended", ["stopped", "stands: TRUE"])
     told = next(event.time_s for event in run.run.events if event.message == "stopped")
-    before, after = run.run.sample(np.array([told - 0.05, told])).tcp_speed
+    before, after = run.run.only.sample(np.array([told - 0.05, told])).tcp_speed
     assert before > 1e-4
     assert after == pytest.approx(0.0, abs=1e-9)
-    end = run.run.sample(run.run.time_s)
+    end = run.run.only.sample(run.run.time_s)
     assert end.base_from_tcp.translation[0] == pytest.approx([0.8, 0.2, 0.7], abs=1e-9)
 
 

@@ -32,7 +32,7 @@ ENDMODULE
 def test_another_run_with_other_accelerations_takes_that_long(factor: float) -> None:
     run = ran(PROGRAM).run
     other = ran(PROGRAM, model=replace(MotionModel(), acceleration_time=0.16 / factor)).run
-    extra_s = extra_time_s(run.trajectory, limits_of(run.robot, run.model), factor)
+    extra_s = extra_time_s(run.only.trajectory, limits_of(run.only.robot, run.model), factor)
     assert extra_s is not None
     assert run.time_s + extra_s == pytest.approx(other.time_s, abs=1e-3)
 
@@ -40,4 +40,4 @@ def test_another_run_with_other_accelerations_takes_that_long(factor: float) -> 
 def test_a_long_run_is_not_timed_again(monkeypatch: pytest.MonkeyPatch) -> None:
     run = ran(PROGRAM).run
     monkeypatch.setattr(acceleration_sensitivity, "MOST_SEGMENTS", 2)
-    assert extra_time_s(run.trajectory, limits_of(run.robot, run.model), 2.0) is None
+    assert extra_time_s(run.only.trajectory, limits_of(run.only.robot, run.model), 2.0) is None

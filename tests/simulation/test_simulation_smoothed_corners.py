@@ -37,9 +37,9 @@ def test_a_sharp_corner_is_told_with_what_it_takes() -> None:
     move = next(move for move in run.run.moves if found.span and move.place.span == found.span)
     times = move.end_s + 1e-3 * np.arange(-30.0, 31.0)
     assert times[0] > 0.0
-    joints = run.run.sample(times).joints
+    joints = run.run.only.sample(times).joints
     taken = abs(joints[2:] - 2.0 * joints[1:-1] + joints[:-2]).max(axis=0) / 1e-6
-    limit = run.run.robot.joints[violation.axis - 1].max_speed
+    limit = run.run.only.robot.joints[violation.axis - 1].max_speed
     assert limit is not None
     assert violation.load == pytest.approx(taken[violation.axis - 1] * 0.16 / limit, rel=0.1)
 

@@ -283,8 +283,8 @@ def test_an_error_in_one_task_stops_the_robot_of_the_other_on_its_path() -> None
     it = both(main(move), main("WaitTime 1;", "x:=1/x;", data="VAR num x;"))
     (found,) = [d for d in it.run.diagnostics if d.severity == "error"]
     assert (it.end, found.span and found.span.file) == ("error", "T_ROB2.mod")
-    assert 1.0 < it.run.trajectory.duration < 1.5
-    assert 0.0 < it.run.trajectory.at([2.0]).joints[0, 0] < 0.5  # type: ignore[arg-type]
+    assert 1.0 < it.run.robot_of("T_ROB1").trajectory.duration < 1.5
+    assert 0.0 < it.run.robot_of("T_ROB1").trajectory.at([2.0]).joints[0, 0] < 0.5  # type: ignore[arg-type]
 
 
 def test_endless_recursion_in_one_task_stops_the_run() -> None:
@@ -328,7 +328,7 @@ def test_crobt_of_another_task_is_where_its_robot_is_at_that_instant() -> None:
     move = f"MoveAbsJ [[80,0,0,0,30,0],{JOINTS}],v100,fine,tool0;"
     ask = ("WaitTime 1.5;", 'j:=CJointT(\\TaskName:="T_ROB1");', "TPWrite ValToStr(j.robax.rax_1);")
     it = both(main(move), main(*ask, data="VAR jointtarget j;"), robots=("T_ROB1",))
-    seen = it.run.trajectory.at([1.5]).joints[0, 0]  # type: ignore[arg-type]
+    seen = it.run.robot_of("T_ROB1").trajectory.at([1.5]).joints[0, 0]  # type: ignore[arg-type]
     assert float(it.texts[0][1]) == pytest.approx(seen * 57.29577951, abs=1e-3)
 
 
@@ -370,7 +370,7 @@ def test_a_tool_that_tasks_share_and_nobody_writes_lets_the_program_run_ahead() 
     stop = f"MoveAbsJ [[30,0,0,0,30,0],{JOINTS}],v100,fine,tool;"
     both_move = main(*moves, stop, data=data)
     it = both(both_move, both_move)
-    assert len(it.run.moves) == 31
+    assert [len(robot.moves) for robot in it.run.robots] == [31, 31]
     # One plan for all of the block: nobody had to know the time on the way.
     assert [len(robot.trajectory.pieces) for robot in it.run.robots] == [1, 1]
 

@@ -134,7 +134,9 @@ def test_a_robot_that_stands_may_take_part() -> None:
     left, right = (it.moves(task)[1:] for task in ("T_ROB1", "T_ROB2"))
     assert [m.end_s for m in left] == [m.end_s for m in right]
     begin = left[0].start_s
-    samples = it.run.trajectory.at(np.array([begin, begin + 1.0, left[-1].end_s]))
+    samples = it.run.robot_of("T_ROB1").trajectory.at(
+        np.array([begin, begin + 1.0, left[-1].end_s])
+    )
     assert np.ptp(samples.joints, axis=0).max() < 1e-9
 
 
@@ -254,11 +256,13 @@ def test_stopmove_for_all_stops_the_robots_of_other_tasks_too() -> None:
         }
     )
     times = np.array([1.9, 2.5, 3.0, 4.0])
-    turned = it.run.trajectory.at(times).joints[:, 0]
+    turned = it.run.robot_of("T_ROB1").trajectory.at(times).joints[:, 0]
     assert turned[0] < turned[1] < turned[3]
     assert turned[2] == pytest.approx(turned[1], abs=1e-9)
     assert it.moves("T_ROB1")[0].corner.value == "stop"
-    assert it.run.trajectory.at(np.array([99.0])).joints[0, 0] == pytest.approx(np.radians(80.0))
+    assert it.run.robot_of("T_ROB1").trajectory.at(np.array([99.0])).joints[0, 0] == pytest.approx(
+        np.radians(80.0)
+    )
 
 
 @pytest.mark.parametrize("alone", ["SyncMoveUndo;", "SyncMoveSuspend;"])

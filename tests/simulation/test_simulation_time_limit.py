@@ -58,11 +58,11 @@ def test_what_the_arm_would_do_after_the_limit_is_not_counted(limit_s: float) ->
     assert run.time_s == limit_s
     assert run.motion_s + run.wait_s == pytest.approx(limit_s)
     # The arm brakes where it is when the limit comes, and the smoothing is seen to its end.
-    assert run.trajectory.duration < limit_s + 0.5
+    assert run.only.trajectory.duration < limit_s + 0.5
     assert run.moves[-1].end_s < limit_s + 0.5
     assert figures(run).otherwise == ()
     whole = simulate(program, load_robot("irb1600"), options=RunOptions(max_time_s=6.0))
     before_s = limit_s - run.model.filter_time - 0.05
-    assert np.array_equal(run.sample(before_s).joints, whole.sample(before_s).joints), (
+    assert np.array_equal(run.only.sample(before_s).joints, whole.sample(before_s).joints), (
         "the way up to the limit is that of a longer run"
     )

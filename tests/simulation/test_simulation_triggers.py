@@ -29,8 +29,8 @@ def run(statements: str, more: str = "") -> Ran:
 def place_of(done: Ran, message: str) -> np.ndarray:
     """Where the TCP is [mm] when something happens."""
     (event,) = [e for e in done.run.events if e.message == message]
-    sample = done.run.sample(event.time_s)
-    found: np.ndarray = 1e3 * done.run.robot.forward(sample.joints).translation[0]
+    sample = done.run.only.sample(event.time_s)
+    found: np.ndarray = 1e3 * done.run.only.robot.forward(sample.joints).translation[0]
     return found
 
 
@@ -165,7 +165,7 @@ def test_a_ramp_goes_evenly_over_its_way() -> None:
     flow = [e for e in done.run.events if e.kind is EventKind.SIGNAL]
     times = np.array([e.time_s for e in flow])
     values = np.array([float(str(e.details["value"])) for e in flow])
-    y = 1e3 * done.run.robot.forward(done.run.sample(times).joints).translation[:, 1]
+    y = 1e3 * done.run.only.robot.forward(done.run.only.sample(times).joints).translation[:, 1]
     assert values[-1] == 10.0
     assert values == pytest.approx(np.clip((y + 200.0) / 10.0, 0.0, 10.0), abs=1e-3)
 
@@ -213,14 +213,14 @@ def test_braking_stays_on_the_line_and_within_the_axes_accelerations() -> None:
     run = ran(text, model=model).run
     start = next(e.time_s for e in run.events if e.kind is EventKind.INTERRUPT)
     times = np.arange(start + 0.002, start + 0.4, 1e-3)
-    samples = run.sample(times)
-    tcp = 1e3 * run.robot.forward(samples.joints).translation
+    samples = run.only.sample(times)
+    tcp = 1e3 * run.only.robot.forward(samples.joints).translation
     assert np.max(np.abs(tcp[:, [0, 2]] - [800.0, 600.0])) < 1e-3
     standing = np.flatnonzero(samples.tcp_speed < 1e-6)
     assert len(standing), "it stops"
     braking = samples.joints[: standing[0]]
     acceleration = np.abs(np.diff(braking, 2, axis=0)) / 1e-6
-    used = acceleration / limits_of(run.robot, model).max_acceleration
+    used = acceleration / limits_of(run.only.robot, model).max_acceleration
     assert 0.9 < np.max(used) < 1.01, "some axis brakes as fast as it can, and none faster"
 
 

@@ -127,7 +127,7 @@ def test_messages_say_how_much_and_what_to_do() -> None:
 
 
 def test_where_it_fails_is_marked_on_the_circle() -> None:
-    (failed,) = ran(program(*PROGRAMS["too large"])).run.failed_moves
+    (failed,) = ran(program(*PROGRAMS["too large"])).run.only.failed_moves
     assert isinstance(failed, FailedMove)
     assert np.linalg.norm(failed.fails_at - [1.1, 0.0, 0.6]) == pytest.approx(0.2, abs=1e-3)
     assert failed.fails_at[0] < 1.0

@@ -121,7 +121,7 @@ def _properties(simulation: Simulation, dt: float) -> rr.AnyValues:
     model = simulation.model
     return rr.AnyValues(
         program=list(simulation.program),
-        robot=simulation.robot.title,
+        robot=" and ".join(one.robot.title for one in simulation.robots),
         end=simulation.end.value,
         time_s=simulation.time_s,
         motion_s=simulation.motion_s,
@@ -140,7 +140,8 @@ def _properties(simulation: Simulation, dt: float) -> rr.AnyValues:
 def _content_id(simulation: Simulation, runs: Sequence[SampledRun]) -> uuid.UUID:
     """An id that only the content decides: equal runs are one recording to the viewer."""
     digest = hashlib.sha256()
-    for text in (*simulation.program, simulation.robot.name, simulation.end.value):
+    robots = (one.robot.name for one in simulation.robots)
+    for text in (*simulation.program, *robots, simulation.end.value):
         digest.update(text.encode() + b"\0")
     for run in runs:
         for array in (run.samples.times, run.samples.joints):

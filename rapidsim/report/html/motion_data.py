@@ -51,7 +51,7 @@ _NUMBERED = ("joint", "axes", "line", "circle", "corner")
 def motion_data(simulation: Simulation) -> dict[str, object]:
     """The data of the pictures as JSON values."""
     robots = simulation.robots
-    end_s = max(simulation.time_s, *(robot.trajectory.duration for robot in robots))
+    end_s = simulation.motion_end_s
     step_s = max(_DEFAULT_DT, len(robots) * end_s / MOST_SAMPLES)
     return {
         "end": round(end_s, 6),

@@ -13,7 +13,7 @@ from rapidsim.report.findings.merging import Finding, merged
 from rapidsim.report.html.cycle_time import Share, by_line, by_routine
 from rapidsim.report.html.elements import bar, section, table, text, tile
 from rapidsim.report.run.figures import Figures
-from rapidsim.report.run.json_report import models
+from rapidsim.report.run.json_report import models, of_robots
 from rapidsim.simulation.results.simulation import End, Simulation
 
 _MOST_FINDINGS = 200
@@ -53,24 +53,19 @@ def summary(simulation: Simulation, figures: Figures, findings: Sequence[Diagnos
     kinds = ", ".join(f"{count} {name}" for name, count in figures.moves_by_instruction)
     errors = sum(finding.severity is Severity.ERROR for finding in findings)
     warnings = sum(finding.severity is Severity.WARNING for finding in findings)
-    robots = simulation.robots
-    path_m, moves = sum(one.path_m for one in robots), sum(len(one.moves) for one in robots)
-    # These are worked out for the first robot only.
-    of_first = f" of {robots[0].task}" if len(robots) > 1 else ""
-    if of_first:
-        kinds = f"{kinds}{of_first}"
+    several = len(simulation.robots) > 1
     tiles = [
         tile("Cycle time", f"{simulation.time_s:.3f} s", _otherwise(figures)),
         tile("Moving", f"{simulation.motion_s:.3f} s", f"waiting {simulation.wait_s:.3f} s"),
-        tile("Path of the TCP", f"{1000.0 * path_m:,.0f} mm"),
-        tile("Moves", f"{moves:,}", "; ".join(filter(None, (kinds, corners)))),
+        tile("Path of the TCP", f"{1000.0 * simulation.path_m:,.0f} mm"),
+        tile("Moves", f"{len(simulation.moves):,}", "; ".join(filter(None, (kinds, corners)))),
         tile("Findings", _counted(errors, "error"), _counted(warnings, "warning")),
     ]
     margin, singularity = figures.joint_margin, figures.singularity
     if margin:
         tiles.append(
             tile(
-                f"Nearest joint limit{of_first}",
+                f"Nearest joint limit{f' of {margin.move.task}' if several else ''}",
                 f"{margin.degrees:.1f}\N{DEGREE SIGN}",
                 f"joint {margin.joint}, {_at(simulation, margin.move)}",
             )
@@ -78,7 +73,7 @@ def summary(simulation: Simulation, figures: Figures, findings: Sequence[Diagnos
     if singularity:
         tiles.append(
             tile(
-                f"Nearest singularity{of_first}",
+                f"Nearest singularity{f' of {singularity.move.task}' if several else ''}",
                 f"{singularity.smallest_singular_value:.3f}",
                 f"smallest singular value, {_at(simulation, singularity.move)}; 0 is singular",
             )
@@ -134,7 +129,7 @@ def _finding(finding: Finding, remark: str = "") -> str:
 
 def cycle_time(simulation: Simulation) -> str:
     """The time by routine and by line, the longest first; of all robots."""
-    moves = [move for robot in simulation.robots for move in robot.moves]
+    moves = simulation.moves
     if not moves:
         return ""
     routines, lines = by_routine(moves), by_line(moves)
@@ -216,7 +211,7 @@ def _place(event: Event, several: bool) -> str:
 
 
 def assumptions(simulation: Simulation) -> str:
-    """The models behind the numbers, what was not simulated, and the sources of the robot."""
+    """The models behind the numbers, what was not simulated, and the sources of the robots."""
     named = {
         "acceleration": "Axis acceleration",
         "axis_speed": "Axis speed",
@@ -232,13 +227,16 @@ def assumptions(simulation: Simulation) -> str:
         for name, value in models(simulation).items()
         if name != "robot_not_modelled"
     ]
-    facts += [("Not modelled of the robot", text(what)) for what in simulation.robot.not_modelled]
-    facts += [("Note", text(what)) for what in simulation.robot.notices]
+    not_modelled = of_robots(simulation, lambda robot: robot.not_modelled)
+    notices = of_robots(simulation, lambda robot: robot.notices)
+    sources = of_robots(simulation, lambda robot: robot.sources)
+    facts += [("Not modelled of the robot", text(what)) for what in not_modelled]
+    facts += [("Note", text(what)) for what in notices]
     facts += [
         (f"Not simulated: {text(one.name)}", text(f"{one.count} times, {one.treated_as}"))
         for one in simulation.unsimulated
     ]
-    facts += [("Source of the robot's figures", text(what)) for what in simulation.robot.sources]
+    facts += [("Source of the robot's figures", text(what)) for what in sources]
     body = (
         "<p>Times are estimates. The robot maker's own virtual controller is the reference; "
         "compare where it matters.</p>" + table(("", ""), facts, kind="facts")

@@ -21,8 +21,8 @@ ASKED_FIGURES: Mapping[str, _Read] = MappingProxyType(
         "time_s": lambda run, *_: run.time_s,
         "motion_s": lambda run, *_: run.motion_s,
         "wait_s": lambda run, *_: run.wait_s,
-        "path_mm": lambda run, *_: sum(robot.path_m for robot in run.robots) * 1000.0,
-        "moves": lambda run, *_: len(run.all_moves),
+        "path_mm": lambda run, *_: run.path_m * 1000.0,
+        "moves": lambda run, *_: len(run.moves),
         "corner_path_failures": lambda _, figures, __: dict(figures.moves_by_corner).get(
             CornerKind.STOP_CORNER_PATH_FAILURE, 0
         ),

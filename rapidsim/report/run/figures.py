@@ -87,7 +87,7 @@ class OtherTime:
 
 def figures(simulation: Simulation) -> Figures:
     """Compute the figures of a run."""
-    moves = simulation.all_moves
+    moves = simulation.moves
     corners = Counter(move.corner for move in moves)
     found = [
         _along_the_path(robot, offset)
@@ -120,15 +120,16 @@ def end_point(move: ExecutedMove) -> str:
 
 def _has_cycle_time(simulation: Simulation) -> bool:
     """Whether the time of the run is that of a whole cycle, and of one robot."""
-    return simulation.end not in _CUT_SHORT and not simulation.other_robots
+    return simulation.end not in _CUT_SHORT and len(simulation.robots) == 1
 
 
 def _otherwise(simulation: Simulation) -> tuple[OtherTime, ...]:
     """The times at half and double acceleration, which is the assumption that counts most."""
-    limits = limits_of(simulation.robot, simulation.model)
+    only = simulation.only
+    limits = limits_of(only.robot, simulation.model)
     times = []
     for factor in _OTHER_ACCELERATIONS:
-        extra_s = extra_time_s(simulation.trajectory, limits, factor)
+        extra_s = extra_time_s(only.trajectory, limits, factor)
         if extra_s is None:
             return ()
         times.append(OtherTime(factor, simulation.time_s + extra_s))

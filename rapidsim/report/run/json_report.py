@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic
+from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.external_axes import ExternalAxis
+from rapidsim.motion.robot.robot import Robot
 from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.text import diagnostic_json
 from rapidsim.report.run.figures import Figures, JointMargin, LineTime, SingularityMargin, argument
@@ -39,17 +41,16 @@ def run_json(
         files: Paths of the files written, by what they are; `program` lists those of the program.
         judgement: What became of assertions and the cycle budget.
     """
-    report = rejected_json(simulation.program, simulation.robot.name, findings, _robots(simulation))
+    first = simulation.robots[0].robot.name
+    report = rejected_json(simulation.program, first, findings, _robots(simulation))
     ran = {
         "end": simulation.end.value,
         "time_s": _number(simulation.time_s),
         "motion_s": _number(simulation.motion_s),
         "wait_s": _number(simulation.wait_s),
-        "path_mm": _number(sum(robot.path_m for robot in simulation.robots) * 1000.0),
+        "path_mm": _number(simulation.path_m * 1000.0),
         "moves": [
-            _move(move, robot.robot.external, offset)
-            for robot, offset in zip(simulation.robots, simulation.move_offsets, strict=True)
-            for move in robot.moves
+            _move(move, simulation.robot_of(move.task).robot.external) for move in simulation.moves
         ],
         "slowest": [_line_time(line) for line in figures.slowest],
         "min_joint_margin": _margin(figures.joint_margin),
@@ -116,21 +117,15 @@ def rejected_json(
 def models(simulation: Simulation) -> dict[str, object]:
     """The models behind the numbers and their parameters, and what they leave out of the arm."""
     model = simulation.model
-    measured = [joint.max_acceleration for joint in simulation.robot.joints]
-    if model.acceleration is not None:
-        acceleration = f"axis accelerations {_degrees(model.acceleration)} deg/s2"
-    elif model.own_accelerations and any(measured):
-        known = _degrees([a for a in measured if a is not None])
-        acceleration = f"axis accelerations {known} deg/s2, measured on this arm"
-    else:
-        acceleration = f"axis acceleration = axis speed / {model.acceleration_time:g} s"
     given_speeds = {}
     if model.max_speed is not None:
         given_speeds = {
             "axis_speed": f"axis speeds {_degrees(model.max_speed)} deg/s, as the station file says"
         }
     return {
-        "acceleration": acceleration,
+        "acceleration": "; ".join(
+            of_robots(simulation, lambda robot: [_acceleration(model, robot)])
+        ),
         **given_speeds,
         "corner": model.corner,
         "program_pointer": PROGRAM_POINTER,
@@ -138,8 +133,31 @@ def models(simulation: Simulation) -> dict[str, object]:
         "smoothing": model.smoothing,
         "fine_dwell_s": model.fine_dwell,
         **_ramps(simulation),
-        "robot_not_modelled": list(simulation.robot.not_modelled),
+        "robot_not_modelled": of_robots(simulation, lambda robot: robot.not_modelled),
     }
+
+
+def of_robots(simulation: Simulation, texts: Callable[[Robot], Sequence[str]]) -> list[str]:
+    """What is said of the robots of a run, each text once; of whom, where it is not all of them."""
+    robots = {one.robot.name: one.robot for one in simulation.robots}
+    said: dict[str, list[str]] = {}
+    for name, robot in robots.items():
+        for text in texts(robot):
+            said.setdefault(text, []).append(name)
+    return [
+        text if len(names) == len(robots) else f"{', '.join(names)}: {text}"
+        for text, names in said.items()
+    ]
+
+
+def _acceleration(model: MotionModel, robot: Robot) -> str:
+    """What the accelerations of an arm were taken to be."""
+    measured = [a for joint in robot.joints if (a := joint.max_acceleration) is not None]
+    if model.acceleration is not None:
+        return f"axis accelerations {_degrees(model.acceleration)} deg/s2"
+    if model.own_accelerations and any(measured):
+        return f"axis accelerations {_degrees(measured)} deg/s2, measured on this arm"
+    return f"axis acceleration = axis speed / {model.acceleration_time:g} s"
 
 
 def _ramps(simulation: Simulation) -> dict[str, object]:
@@ -158,7 +176,7 @@ def _degrees(values: Sequence[float]) -> str:
 
 def _robots(simulation: Simulation) -> list[object]:
     """Which task moves which robot and where it stands; none where there is one."""
-    if not simulation.other_robots:
+    if len(simulation.robots) == 1:
         return []
     return [
         {
@@ -171,9 +189,9 @@ def _robots(simulation: Simulation) -> list[object]:
     ]
 
 
-def _move(move: ExecutedMove, axes: Sequence[ExternalAxis], offset: int) -> dict[str, object]:
+def _move(move: ExecutedMove, axes: Sequence[ExternalAxis]) -> dict[str, object]:
     return {
-        "index": offset + move.index,
+        "index": move.index,
         "task": move.task,
         "instruction": move.move.instruction,
         **_place(move),

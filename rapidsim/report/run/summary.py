@@ -19,7 +19,7 @@ from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.report.findings.source_frame import printable
 from rapidsim.report.run.figures import Figures, JointMargin, LineTime, SingularityMargin
-from rapidsim.report.run.json_report import models
+from rapidsim.report.run.json_report import models, of_robots
 from rapidsim.report.uncut_table import WholeTable
 from rapidsim.simulation.results.persistents import PersistentChange, parts_of
 from rapidsim.simulation.results.simulation import End, Simulation
@@ -87,7 +87,7 @@ def summary(
     parts.append(_facts(simulation, figures, robot_reason, bars))
     if figures.slowest:
         parts += [Text(), _slowest(figures.slowest, bars)]
-    if simulation.all_moves:
+    if simulation.moves:
         parts += [Text(), _models(simulation, figures)]
     if written or simulation.home_files:
         by_program = [f"{file.path} (by the program)" for file in simulation.home_files]
@@ -101,7 +101,7 @@ def _headline(simulation: Simulation) -> Text:
     program = names[0] if len(names) == 1 else f"{names[0]} and {len(names) - 1} more"
     return Text.assemble(
         (program, "bold"),
-        f" on {simulation.robot.title} ",
+        f" on {' and '.join(one.robot.title for one in simulation.robots)} ",
         (f"{words} after {simulation.time_s:.3f} s", f"bold {colour}"),
     )
 
@@ -112,18 +112,20 @@ def _facts(
     facts = Table.grid(padding=(0, 2))
     facts.add_column(style="cyan", no_wrap=True)
     facts.add_column()
+    several = len(simulation.robots) > 1
     reason = f" ({robot_reason})" if robot_reason else ""
-    facts.add_row("robot", f"{simulation.robot.name}{reason}")
-    for robot in simulation.other_robots:
-        facts.add_row("", f"{robot.robot.name} of {robot.task}")
+    for number, one in enumerate(simulation.robots):
+        whose = f" of {one.task}" if several else ""
+        facts.add_row("" if number else "robot", f"{one.robot.name}{whose}{reason}")
+        reason = ""
     facts.add_row("time", _time_split(simulation, bars))
     facts.add_row("moves", _moves(simulation, figures))
     if figures.moves_by_corner:
         facts.add_row("corners", _corners(figures))
     if figures.joint_margin:
-        facts.add_row("joint limits", _margin(figures.joint_margin))
+        facts.add_row("joint limits", _margin(figures.joint_margin, several=several))
     if figures.singularity:
-        facts.add_row("singularity", _singularity(figures.singularity))
+        facts.add_row("singularity", _singularity(figures.singularity, several=several))
     for name, value in _happenings(simulation):
         facts.add_row(name, value)
     return facts
@@ -145,12 +147,11 @@ def _time_split(simulation: Simulation, bars: Bars) -> Text:
 
 
 def _moves(simulation: Simulation, figures: Figures) -> str:
-    moves = simulation.all_moves
+    moves = simulation.moves
     if not moves:
         return "none"
     kinds = ", ".join(f"{count} {name}" for name, count in figures.moves_by_instruction)
-    path_m = sum(robot.path_m for robot in simulation.robots)
-    return f"{len(moves)} ({kinds}), {path_m * 1000.0:.1f} mm travelled"
+    return f"{len(moves)} ({kinds}), {simulation.path_m * 1000.0:.1f} mm travelled"
 
 
 def _corners(figures: Figures) -> Text:
@@ -166,14 +167,17 @@ def _corners(figures: Figures) -> Text:
     return Text(", ").join(texts)
 
 
-def _margin(margin: JointMargin) -> Text:
-    text = f"joint {margin.joint} came within {margin.degrees:.1f}° of its limit{_at(margin.move)}"
+def _margin(margin: JointMargin, *, several: bool) -> Text:
+    whose = f" of {margin.move.task}" if several else ""
+    near = f"came within {margin.degrees:.1f}° of its limit{_at(margin.move)}"
+    text = f"joint {margin.joint}{whose} {near}"
     return Text(text, "yellow" if margin.degrees < _LOW_MARGIN_DEG else "")
 
 
-def _singularity(singularity: SingularityMargin) -> Text:
+def _singularity(singularity: SingularityMargin, *, several: bool) -> Text:
     value = singularity.smallest_singular_value
-    text = f"smallest singular value {value:.3f}{_at(singularity.move)} (singular: 0)"
+    whose = f" of {singularity.move.task}" if several else ""
+    text = f"smallest singular value{whose} {value:.3f}{_at(singularity.move)} (singular: 0)"
     return Text(text, "yellow" if value < _NEAR_SINGULAR else "")
 
 
@@ -256,7 +260,8 @@ def _models(simulation: Simulation, figures: Figures) -> Text:
     speeds = f"{behind['axis_speed']}; " if "axis_speed" in behind else ""
     smoothed = "each axis" if behind["smoothing"] == "axes" else "command"
     ramps = f"; {behind['ramp']}" if "ramp" in behind else ""
-    left_out = "".join(f" Not modelled: {what}." for what in simulation.robot.not_modelled)
+    not_modelled = of_robots(simulation, lambda robot: robot.not_modelled)
+    left_out = "".join(f" Not modelled: {what}." for what in not_modelled)
     return Text(
         f"Models behind it: {speeds}{behind['acceleration']}; corners {behind['corner']}; "
         f"{smoothed} smoothed over {behind['filter_time_s']} s{ramps}; {behind['fine_dwell_s']} s "

@@ -24,7 +24,7 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.simulation.calibration.joint_log import JointLog
 from rapidsim.simulation.calibration.log_comparison import Progress
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.results.simulation import End, Simulation
+from rapidsim.simulation.results.simulation import End, RobotRun
 from rapidsim.simulation.simulate import simulate
 
 Residuals = Callable[[Array], Array]
@@ -170,8 +170,7 @@ def _with(model: MotionModel, values: Array) -> MotionModel:
 
 
 def _rows(run: LoggedRun, robot: Robot, model: MotionModel) -> _Rows:
-    simulation = _simulated(run, robot, model)
-    progress = Progress.of(simulation.trajectory, 0.0)
+    progress = Progress.of(_simulated(run, robot, model).trajectory, 0.0)
     every = max(1, len(run.log.times) // _MOST_ROWS)
     times, joints = run.log.times[::every], run.log.joints[::every]
     places, distances = progress.nearest(joints)
@@ -197,7 +196,7 @@ def _misses(rows: _Rows, robot: Robot, model: MotionModel) -> Array:
     return misses
 
 
-def _simulated(run: LoggedRun, robot: Robot, model: MotionModel) -> Simulation:
+def _simulated(run: LoggedRun, robot: Robot, model: MotionModel) -> RobotRun:
     start = tuple(float(angle) for angle in np.degrees(run.log.joints[0]))
     options = RunOptions(model=model, start_joints_deg=start)
     simulation = simulate(run.program, robot, options=options)
@@ -207,7 +206,7 @@ def _simulated(run: LoggedRun, robot: Robot, model: MotionModel) -> Simulation:
             or "it makes no move"
         )
         raise InputError(f"the program of {run.log.name} does not run to its end: {what}")
-    return simulation
+    return simulation.only
 
 
 def _least_squares(residuals: Residuals, start: Array) -> tuple[Array, Array]:

@@ -1,13 +1,14 @@
-"""What a run leaves behind: moves, events, the trajectory, findings.
+"""What a run leaves behind: what each robot did, how each task ended, events, findings.
 
 All of it is immutable and a function of program, robot and inputs alone. Times are virtual seconds.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
+from itertools import accumulate
 
 import numpy as np
 
@@ -15,11 +16,13 @@ from rapidsim.controller.journal.events import Event, ExecutedLine, Unsimulated
 from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic
+from rapidsim.files import InputError, did_you_mean
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 from rapidsim.simulation.results.persistents import PersistentChange
+from rapidsim.station.task_kind import TaskKind
 
 
 class End(StrEnum):
@@ -55,78 +58,144 @@ class RobotRun:
     path_m: float
     """Travel of the TCP, corners cut."""
     failed_moves: tuple[FailedMove, ...] = ()
-    """Moves that could not be made."""
+    """Moves that could not be made, those that an ERROR handler dealt with included."""
+
+    def sample(self, time_s: float | Array) -> Samples:
+        """The arm at one instant or several [s]: joints (k, n), TCP, speed; k is 1 for one."""
+        return self.trajectory.at(np.atleast_1d(np.asarray(time_s, dtype=np.float64)))
+
+
+@dataclass(frozen=True, slots=True)
+class TaskEnd:
+    """How one task ended, be it that of a robot or not."""
+
+    name: str
+    kind: TaskKind
+    end: End
+    """One of the background ends with the run."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Simulation:
-    """One run. What is of one robot is that of the first; `robots` has them all."""
+    """One run of one robot or several."""
 
     program: tuple[str, ...]
     """Files, as the user named them."""
-    robot: Robot
     model: MotionModel
     end: End
     time_s: float
     motion_s: float
     wait_s: float
-    path_m: float
-    """Travel of the TCP, corners cut."""
-    moves: tuple[ExecutedMove, ...]
+    robots: tuple[RobotRun, ...]
+    """What each robot did, one at least, in the order of the station file."""
+    tasks: tuple[TaskEnd, ...]
+    """All tasks, those without a robot too, in the order of the station file."""
     events: tuple[Event, ...]
-    lines: tuple[ExecutedLine, ...]
-    trajectory: Trajectory
     diagnostics: tuple[Diagnostic, ...]
     unsimulated: tuple[Unsimulated, ...]
     home_files: tuple[WrittenFile, ...]
     persistents: tuple[PersistentChange, ...] = ()
     """The persistents that ended with another value than their declarations give them."""
-    world_from_base: Transform = field(default_factory=Transform.identity)
-    """Where the robot stands, with all external axes at zero."""
-    failed_moves: tuple[FailedMove, ...] = ()
-    """Moves that could not be made, those that an ERROR handler dealt with included."""
     signal_starts: Mapping[str, float] = field(default_factory=dict)
     """What the declared signals are at the start; those that a run creates start at 0."""
-    task: str = "T_ROB1"
-    """The task of the first robot."""
-    other_robots: tuple[RobotRun, ...] = ()
-    """What the robots of further tasks did, in the order of the station file."""
 
     @property
-    def robots(self) -> tuple[RobotRun, ...]:
-        """What each robot did, the first one first."""
-        first = RobotRun(
-            self.task,
-            self.robot,
-            self.world_from_base,
-            self.moves,
-            self.lines,
-            self.trajectory,
-            self.path_m,
-            self.failed_moves,
-        )
-        return (first, *self.other_robots)
+    def only(self) -> RobotRun:
+        """What the robot did.
 
-    @property
-    def all_moves(self) -> tuple[ExecutedMove, ...]:
-        """The moves of all robots, robot after robot, with indices that go on from one to the next.
-
-        The moves of robot k begin at `move_offsets[k]`.
+        Raises:
+            InputError: Where there are several: nobody takes the first by mistake.
         """
-        if not self.other_robots:
-            return self.moves
-        return tuple(
-            replace(move, index=offset + move.index)
-            for robot, offset in zip(self.robots, self.move_offsets, strict=True)
-            for move in robot.moves
-        )
+        if len(self.robots) > 1:
+            tasks = ", ".join(one.task for one in self.robots)
+            cure = f"take one of them, as `robot_of({self.robots[0].task!r})`"
+            raise InputError(f"the run has {len(self.robots)} robots, those of {tasks}", cure)
+        return self.robots[0]
+
+    def robot_of(self, task: str) -> RobotRun:
+        """What the robot of a task did.
+
+        Raises:
+            InputError: Where the task moves none.
+        """
+        for one in self.robots:
+            if one.task.lower() == task.lower():
+                return one
+        tasks = [one.task for one in self.robots]
+        cure = did_you_mean(task, tasks) or f"the robots are those of {', '.join(tasks)}"
+        raise InputError(f"no robot of a task `{task}` is in the run", cure)
+
+    @property
+    def moves(self) -> tuple[ExecutedMove, ...]:
+        """The moves of all robots, robot after robot, numbered through.
+
+        Those of `robots[k]` begin with the number `move_offsets[k]`.
+        """
+        return numbered_moves(self.robots)
 
     @property
     def move_offsets(self) -> tuple[int, ...]:
         """What is added to the index of a move of each robot where all are listed together."""
-        counts = [robot.moves[-1].index + 1 if robot.moves else 0 for robot in self.robots]
-        return tuple(sum(counts[:number]) for number in range(len(counts)))
+        return _move_offsets(self.robots)
+
+    @property
+    def path_m(self) -> float:
+        """Travel of the TCPs of all robots, corners cut."""
+        return sum(one.path_m for one in self.robots)
+
+    @property
+    def motion_end_s(self) -> float:
+        """The end of the run or, where a robot is still coming to rest then, of its motion."""
+        return max(self.time_s, *(one.trajectory.duration for one in self.robots))
+
+    # For one release: what a run of one robot could be asked itself.
+
+    @property
+    def task(self) -> str:
+        """The task of the only robot."""
+        return self.only.task
+
+    @property
+    def robot(self) -> Robot:
+        """The only robot."""
+        return self.only.robot
+
+    @property
+    def world_from_base(self) -> Transform:
+        """Where the only robot stands, with all external axes at zero."""
+        return self.only.world_from_base
+
+    @property
+    def lines(self) -> tuple[ExecutedLine, ...]:
+        """The lines that the task of the only robot executed."""
+        return self.only.lines
+
+    @property
+    def trajectory(self) -> Trajectory:
+        """The motion of the only robot."""
+        return self.only.trajectory
+
+    @property
+    def failed_moves(self) -> tuple[FailedMove, ...]:
+        """The moves that the only robot could not make."""
+        return self.only.failed_moves
 
     def sample(self, time_s: float | Array) -> Samples:
-        """The arm at one instant or several [s]: joints (k, n), TCP, speed; k is 1 for one."""
-        return self.trajectory.at(np.atleast_1d(np.asarray(time_s, dtype=np.float64)))
+        """The only robot at one instant or several [s]."""
+        return self.only.sample(time_s)
+
+
+def numbered_moves(robots: Sequence[RobotRun]) -> tuple[ExecutedMove, ...]:
+    """The moves of some robots, robot after robot, with indices that go on from one to the next."""
+    if len(robots) == 1:
+        return robots[0].moves
+    return tuple(
+        replace(move, index=offset + move.index)
+        for one, offset in zip(robots, _move_offsets(robots), strict=True)
+        for move in one.moves
+    )
+
+
+def _move_offsets(robots: Sequence[RobotRun]) -> tuple[int, ...]:
+    counts = [one.moves[-1].index + 1 if one.moves else 0 for one in robots]
+    return (0, *accumulate(counts[:-1]))
