@@ -14,13 +14,14 @@ from matplotlib.figure import Figure
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.frames.transform import Array
 from rapidsim.language.moves import Interpolation
-from rapidsim.plots.drawn import MM, Drawn, target_name
+from rapidsim.plots.drawn import MM, target_name, title_of
 from rapidsim.plots.look import Theme, new_figure
+from rapidsim.simulation.results.sampling import SampledRun
 
 _POINTS = 101
 
 
-def comparison_picture(run: Drawn, theme: Theme) -> Figure | None:
+def comparison_picture(run: SampledRun, theme: Theme) -> Figure | None:
     """Both ways from two sides, and how far apart they are; None where nothing moves far."""
     ways = [_ways(run, before, move) for before, move in _pairs(run)]
     if not ways:
@@ -28,7 +29,7 @@ def comparison_picture(run: Drawn, theme: Theme) -> Figure | None:
     longest = max(ways, key=lambda way: float(np.linalg.norm(way[1][-1] - way[1][0])))
     move, line, joint = longest
     name = f"{target_name(move)} (line {move.place.span.line})"
-    figure = new_figure(f"MoveJ and MoveL to {name}: {run.title}", width=11.0, height=4.3)
+    figure = new_figure(f"MoveJ and MoveL to {name}: {title_of(run)}", width=11.0, height=4.3)
     above, side, apart = figure.subplots(1, 3)
     for axes, (first, second), title in (
         (above, (0, 1), "from above"),
@@ -54,7 +55,7 @@ def comparison_picture(run: Drawn, theme: Theme) -> Figure | None:
     return figure
 
 
-def _pairs(run: Drawn) -> list[tuple[ExecutedMove, ExecutedMove]]:
+def _pairs(run: SampledRun) -> list[tuple[ExecutedMove, ExecutedMove]]:
     """Moves with the move before them, where the tool is the same and the TCP goes somewhere."""
     moves = run.one.moves
     return [
@@ -68,7 +69,7 @@ def _pairs(run: Drawn) -> list[tuple[ExecutedMove, ExecutedMove]]:
 
 
 def _ways(
-    run: Drawn, before: ExecutedMove, move: ExecutedMove
+    run: SampledRun, before: ExecutedMove, move: ExecutedMove
 ) -> tuple[ExecutedMove, Array, Array]:
     """The straight way and the way of proportional joints, (k, 3) [mm] each."""
     share = np.linspace(0.0, 1.0, _POINTS)[:, None]

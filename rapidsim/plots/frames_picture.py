@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from matplotlib.figure import Figure
 
 from rapidsim.language.data import IDENTITY_POSE, Pose, RobTarget
-from rapidsim.plots.drawn import Drawn, target_name
+from rapidsim.plots.drawn import target_name, title_of
 from rapidsim.plots.look import Theme, new_figure
+from rapidsim.simulation.results.sampling import SampledRun
 
 _MOST_TARGETS = 12
 """Of one work object; the others are counted."""
@@ -28,11 +29,11 @@ class _Row:
     """Where the frame is in its parent."""
 
 
-def frames_picture(run: Drawn, theme: Theme) -> Figure:
+def frames_picture(run: SampledRun, theme: Theme) -> Figure:
     """The tree, a row a frame, with positions in mm in the parent frame."""
     rows = list(_rows(run))
     height = 1.0 + _ROW * len(rows)
-    figure = new_figure(f"Frames: {run.title}", width=11.0, height=height)
+    figure = new_figure(f"Frames: {title_of(run)}", width=11.0, height=height)
     axes = figure.subplots()
     axes.set_axis_off()
     axes.set_xlim(0.0, 10.6)
@@ -62,7 +63,7 @@ def _parent(rows: list[_Row], number: int) -> int | None:
     return next((k for k in range(number - 1, -1, -1) if rows[k].depth < depth), None)
 
 
-def _rows(run: Drawn) -> Iterator[_Row]:
+def _rows(run: SampledRun) -> Iterator[_Row]:
     moves = run.one.moves
     yield _Row(0, "world", "")
     yield _Row(1, "base", f"foot of {run.one.robot.title}")

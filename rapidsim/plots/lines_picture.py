@@ -8,19 +8,20 @@ from matplotlib.figure import Figure
 
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.language.moves import Interpolation
-from rapidsim.plots.drawn import Drawn, target_name
+from rapidsim.plots.drawn import target_name, title_of
 from rapidsim.plots.look import Theme, new_figure
+from rapidsim.simulation.results.sampling import SampledRun
 
 _MOST_LINES = 30
 
 
-def lines_picture(run: Drawn, theme: Theme) -> Figure:
+def lines_picture(run: SampledRun, theme: Theme) -> Figure:
     """The time in the moves of each line, in the order of the program; the slowest of many."""
     rows = _rows(run)
     order = sorted(range(len(rows)), key=lambda place: -rows[place][1])
     shown = [rows[place] for place in sorted(order[:_MOST_LINES])]
     figure = new_figure(
-        f"Time by line: {run.title}", width=11.0, height=1.4 + 0.27 * max(len(shown), 2)
+        f"Time by line: {title_of(run)}", width=11.0, height=1.4 + 0.27 * max(len(shown), 2)
     )
     axes = figure.subplots()
     places = range(len(shown))
@@ -53,7 +54,7 @@ def lines_picture(run: Drawn, theme: Theme) -> Figure:
     return figure
 
 
-def _rows(run: Drawn) -> list[tuple[str, float, Interpolation]]:
+def _rows(run: SampledRun) -> list[tuple[str, float, Interpolation]]:
     """Words, time [s] and kind of each line that moves, in the order of the program."""
     lines: dict[tuple[str, int], list[ExecutedMove]] = {}
     for move in run.one.moves:

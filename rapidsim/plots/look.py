@@ -17,6 +17,8 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from rapidsim.language.moves import Interpolation
 
 DPI = 144
+_SHORTEST_S = 1e-3
+"""[s]; no axis is shorter."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,4 +155,4 @@ def new_figure(title: str, *, width: float, height: float) -> Figure:
 def time_axis(axes: Axes, end_s: float) -> None:
     """The time axis from 0 to the end [s] of the run."""
     axes.set_xlabel("time [s]")
-    axes.set_xlim(0.0, end_s)
+    axes.set_xlim(0.0, max(end_s, _SHORTEST_S))

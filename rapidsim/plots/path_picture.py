@@ -11,8 +11,9 @@ from mpl_toolkits.mplot3d.axes3d import Axes3D
 
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.frames.transform import Array
-from rapidsim.plots.drawn import MM, Drawn, pieces, target_name
+from rapidsim.plots.drawn import MM, end_mm, frame_of, pieces, places_mm, target_name, title_of
 from rapidsim.plots.look import INSTRUCTIONS, Theme, new_figure
+from rapidsim.simulation.results.sampling import SampledRun
 
 _MOST_NAMES = 25
 _MOST_TARGETS = 400
@@ -26,9 +27,9 @@ _SIDES = (("from above", 0, 1), ("from the side", 0, 2), ("from the front", 1, 2
 _AXES = ("x [mm]", "y [mm]", "z [mm]")
 
 
-def path_picture(run: Drawn, theme: Theme) -> Figure:
+def path_picture(run: SampledRun, theme: Theme) -> Figure:
     """The path in four views."""
-    figure = new_figure(f"Path of the TCP: {run.title}", width=11.0, height=8.4)
+    figure = new_figure(f"Path of the TCP: {title_of(run)}", width=11.0, height=8.4)
     grid = figure.add_gridspec(2, 2)
     space: Axes3D = figure.add_subplot(grid[0, 0], projection="3d")
     _draw_space(space, run, theme)
@@ -43,8 +44,8 @@ def path_picture(run: Drawn, theme: Theme) -> Figure:
     return figure
 
 
-def _draw_space(axes: Axes3D, run: Drawn, theme: Theme) -> None:
-    axes.set_title(f"in space, {run.frame}")
+def _draw_space(axes: Axes3D, run: SampledRun, theme: Theme) -> None:
+    axes.set_title(f"in space, {frame_of(run)}")
     for label, colour, place in _stretches(run, theme):
         axes.plot(*place.T, color=colour, label=label, linewidth=_width(run))
     targets = _targets(run)
@@ -62,15 +63,15 @@ def _draw_space(axes: Axes3D, run: Drawn, theme: Theme) -> None:
         pane.set_major_locator(MaxNLocator(5))
 
 
-def _width(run: Drawn) -> float:
+def _width(run: SampledRun) -> float:
     """Width of the path: thin where many stretches lie side by side."""
     return 1.4 if len(run.one.moves) <= _MOST_TARGETS else _THIN
 
 
-def _draw_as_cube(axes: Axes3D, run: Drawn) -> None:
+def _draw_as_cube(axes: Axes3D, run: SampledRun) -> None:
     """Give the three axes one scale and one length, so that a flat path keeps readable axes."""
     failed = [MM * failed.way for failed in run.one.failed_moves]
-    points = np.concatenate([run.places_mm, *failed])
+    points = np.concatenate([places_mm(run), *failed])
     middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
     half = 0.5 * max(float(np.ptp(points, axis=0).max()), 1.0)
     for set_ends, centre in zip((axes.set_xlim, axes.set_ylim, axes.set_zlim), middle, strict=True):
@@ -78,13 +79,13 @@ def _draw_as_cube(axes: Axes3D, run: Drawn) -> None:
     axes.set_box_aspect((1.0, 1.0, 1.0), zoom=1.05)
 
 
-def _draw_side(axes: Axes, run: Drawn, theme: Theme, first: int, second: int) -> None:
+def _draw_side(axes: Axes, run: SampledRun, theme: Theme, first: int, second: int) -> None:
     for _, colour, place in _stretches(run, theme):
         axes.plot(place[:, first], place[:, second], color=colour, linewidth=_width(run))
     targets = _targets(run)
     for move in run.one.moves if len(targets) <= _MOST_TARGETS else ():
         if move.corner is CornerKind.FLY_BY and move.zone_m > 0.0:
-            centre = run.end_mm(move)
+            centre = end_mm(run, move)
             zone = Circle(
                 (centre[first], centre[second]),
                 MM * move.zone_m,
@@ -99,7 +100,7 @@ def _draw_side(axes: Axes, run: Drawn, theme: Theme, first: int, second: int) ->
         axes.plot(*places.T, "o", color=theme.ink, markersize=2.6)
     if len(targets) <= _MOST_NAMES:
         names = [name for name, _ in targets]
-        for name, place in _apart(names, places, run.places_mm[:, (first, second)]):
+        for name, place in _apart(names, places, places_mm(run)[:, (first, second)]):
             axes.annotate(
                 name,
                 (place[0], place[1]),
@@ -125,7 +126,7 @@ def _apart(names: list[str], places: Array, sweep: Array) -> list[tuple[str, Arr
     return kept
 
 
-def _stretches(run: Drawn, theme: Theme) -> list[tuple[str, str, Array]]:
+def _stretches(run: SampledRun, theme: Theme) -> list[tuple[str, str, Array]]:
     """Label, colour and places (k, 3) [mm] of stretches; a label stands at the first of a kind."""
     found: list[tuple[str, str, Array]] = []
     moves = run.one.moves
@@ -133,32 +134,32 @@ def _stretches(run: Drawn, theme: Theme) -> list[tuple[str, str, Array]]:
         return found
     kinds = np.array([list(INSTRUCTIONS).index(move.move.interpolation) for move in moves])
     kind = kinds[np.clip(run.samples.move, 0, len(moves) - 1)]
-    for interpolation in run.interpolations():
+    for interpolation in dict.fromkeys(move.move.interpolation for move in moves):
         mask = (kind == list(INSTRUCTIONS).index(interpolation)) & ~run.in_corner
         found += _of_kind(run, mask, INSTRUCTIONS[interpolation], theme.moves[interpolation])
     return found + _of_kind(run, run.in_corner, "corner", theme.corner)
 
 
 def _of_kind(
-    run: Drawn, mask: np.typing.NDArray[np.bool_], label: str, colour: str
+    run: SampledRun, mask: np.typing.NDArray[np.bool_], label: str, colour: str
 ) -> list[tuple[str, str, Array]]:
     """Stretches of one kind, as one line with gaps: many lines would take long to draw."""
-    places, gap = run.places_mm, np.full((1, 3), np.nan)
+    places, gap = places_mm(run), np.full((1, 3), np.nan)
     parts = [part for piece in pieces(mask) for part in (places[piece], gap)]
     return [(label, colour, np.concatenate(parts))] if parts else []
 
 
-def _targets(run: Drawn) -> list[tuple[str, Array]]:
+def _targets(run: SampledRun) -> list[tuple[str, Array]]:
     """Each target once, with its place (3,) [mm]."""
     found: dict[tuple[str, ...], tuple[str, Array]] = {}
     for move in run.one.moves:
-        place = run.end_mm(move)
+        place = end_mm(run, move)
         name = target_name(move)
         found.setdefault((name, *(f"{x:.2f}" for x in place)), (name, place))
     return list(found.values())
 
 
-def _draw_failed(axes: Axes, run: Drawn, theme: Theme, shown: tuple[int, ...]) -> None:
+def _draw_failed(axes: Axes, run: SampledRun, theme: Theme, shown: tuple[int, ...]) -> None:
     label: str | None = "not possible"
     for failed in run.one.failed_moves:
         way = MM * failed.way[:, shown]

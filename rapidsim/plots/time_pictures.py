@@ -7,20 +7,21 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rapidsim.frames.transform import Array
-from rapidsim.plots.drawn import MM, Drawn
+from rapidsim.plots.drawn import MM, title_of
 from rapidsim.plots.look import Theme, new_figure, time_axis
+from rapidsim.simulation.results.sampling import SampledRun
 
 _COLUMNS = 2
 _CAPPED = 2.0
 """A programmed speed beyond so many times the highest reached is left to run out of the picture."""
 
 
-def joints_picture(run: Drawn, theme: Theme) -> Figure:
+def joints_picture(run: SampledRun, theme: Theme) -> Figure:
     """Each joint's angle between its limits, and its speed as a share of what it can."""
     robot, samples = run.one.robot, run.samples
     count = len(robot.joints)
     rows = -(-count // _COLUMNS)
-    figure = new_figure(f"Joints: {run.title}", width=11.0, height=1.0 + 2.1 * rows)
+    figure = new_figure(f"Joints: {title_of(run)}", width=11.0, height=1.0 + 2.1 * rows)
     for k, axes in enumerate(np.ravel(figure.subplots(rows, _COLUMNS, sharex=True))):
         if k >= count:
             axes.set_visible(False)
@@ -31,9 +32,9 @@ def joints_picture(run: Drawn, theme: Theme) -> Figure:
         for limit in (lower, upper):
             axes.axhline(limit, color=theme.limit, linestyle="--", linewidth=0.9)
         margin = min(float((angle - lower).min()), float((upper - angle).min()))
-        share = np.abs(run.joint_speed[:, k]).max() / run.limits.max_speed[k]
+        share = np.abs(run.speed_shares[:, k]).max()
         axes.set_title(
-            f"joint {k + 1}: {margin:.1f}° from a limit, up to {100.0 * share:.0f} % of its speed"
+            f"joint {k + 1}: {margin:.1f}° from a limit, up to {share:.0f} % of its speed"
         )
         air = 0.08 * (upper - lower)
         axes.set_ylim(min(lower, angle.min()) - air, max(upper, angle.max()) + air)
@@ -43,9 +44,9 @@ def joints_picture(run: Drawn, theme: Theme) -> Figure:
     return figure
 
 
-def speed_picture(run: Drawn, theme: Theme) -> Figure:
+def speed_picture(run: SampledRun, theme: Theme) -> Figure:
     """The TCP's speed against the programmed one; corners shaded."""
-    figure = new_figure(f"TCP speed: {run.title}", width=11.0, height=4.2)
+    figure = new_figure(f"TCP speed: {title_of(run)}", width=11.0, height=4.2)
     axes = figure.subplots()
     times, speed = run.samples.times, MM * run.samples.tcp_speed
     _shade_corners(axes, run, theme)
@@ -60,9 +61,9 @@ def speed_picture(run: Drawn, theme: Theme) -> Figure:
     return figure
 
 
-def orientation_picture(run: Drawn, theme: Theme) -> Figure:
+def orientation_picture(run: SampledRun, theme: Theme) -> Figure:
     """The orientation of the TCP as a quaternion, and how far each move has turned it."""
-    figure = new_figure(f"Orientation of the TCP: {run.title}", width=11.0, height=6.4)
+    figure = new_figure(f"Orientation of the TCP: {title_of(run)}", width=11.0, height=6.4)
     upper, lower = figure.subplots(2, 1, sharex=True)
     times = run.samples.times
     quaternions = _unbroken(run.samples.base_from_tcp.quaternion)
@@ -80,7 +81,7 @@ def orientation_picture(run: Drawn, theme: Theme) -> Figure:
     return figure
 
 
-def _shade_corners(axes: Axes, run: Drawn, theme: Theme) -> None:
+def _shade_corners(axes: Axes, run: SampledRun, theme: Theme) -> None:
     """Bands over the whole height, as one patch: a long path has thousands of corners."""
     if run.in_corner.any():
         axes.fill_between(
@@ -96,7 +97,7 @@ def _shade_corners(axes: Axes, run: Drawn, theme: Theme) -> None:
         )
 
 
-def _programmed(run: Drawn) -> tuple[Array, Array]:
+def _programmed(run: SampledRun) -> tuple[Array, Array]:
     """Instants [s] and the speed [mm/s] programmed from there on; 0 where nothing moves."""
     steps: dict[float, float] = {0.0: 0.0}
     for move in run.one.moves:
@@ -115,7 +116,7 @@ def _unbroken(quaternions: Array) -> Array:
     return same
 
 
-def _turned_deg(run: Drawn, quaternions: Array) -> Array:
+def _turned_deg(run: SampledRun, quaternions: Array) -> Array:
     """Angle [deg] (k,) from the orientation at the start of the move under way."""
     changes = np.flatnonzero(np.diff(run.samples.move, prepend=-1) != 0)
     first = changes[np.searchsorted(changes, np.arange(len(quaternions)), side="right") - 1]

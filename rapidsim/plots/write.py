@@ -16,15 +16,16 @@ from matplotlib.figure import Figure
 from rapidsim.files import InputError
 from rapidsim.output_files import unwritten, whole_file
 from rapidsim.plots.comparison_picture import comparison_picture
-from rapidsim.plots.drawn import Drawn, drawn
+from rapidsim.plots.drawn import drawn
 from rapidsim.plots.frames_picture import frames_picture
 from rapidsim.plots.lines_picture import lines_picture
 from rapidsim.plots.look import DARK, LIGHT, Theme, dressed
 from rapidsim.plots.path_picture import path_picture
 from rapidsim.plots.time_pictures import joints_picture, orientation_picture, speed_picture
+from rapidsim.simulation.results.sampling import SampledRun
 from rapidsim.simulation.results.simulation import Simulation
 
-PICTURES: Mapping[str, Callable[[Drawn, Theme], Figure | None]] = MappingProxyType(
+PICTURES: Mapping[str, Callable[[SampledRun, Theme], Figure | None]] = MappingProxyType(
     {
         "path": path_picture,
         "joints": joints_picture,
@@ -67,7 +68,7 @@ def write_plots(simulation: Simulation, folder: str | Path) -> tuple[Path, ...]:
     return tuple(written)
 
 
-def _write_pictures(run: Drawn, folder: Path, before: str) -> list[Path]:
+def _write_pictures(run: SampledRun, folder: Path, before: str) -> list[Path]:
     written = []
     for theme in (LIGHT, DARK):
         for name, picture in PICTURES.items():

@@ -4,19 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rapidsim.controller.journal.events import ExecutedLine
-from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.targets import world_from_base_at
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.timing.axis_limits import Limits, limits_of
 from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.recording.timelines import Clock, clock_of
 from rapidsim.recording.transforms import BASE, FOOT
 from rapidsim.simulation.results.relative_motion import is_on_track
-from rapidsim.simulation.results.sampling import motion_samples, rates_between
+from rapidsim.simulation.results.sampling import SampledRun, sampled
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
 
 DEFAULT_DT = 0.012
@@ -27,28 +24,30 @@ MOST_SAMPLES_ASKED = 20_000_000
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class SampledRun:
-    """What one robot did, and the samples it is drawn from."""
+class RecordedRobot:
+    """A sampled run of one robot, and how it is named and timed in the recording."""
 
-    simulation: Simulation
-    """The whole run."""
+    sampled: SampledRun
     name: str
     """Goes before the names of its entities and frames; empty where there is one robot."""
-    robot: Robot
-    limits: Limits
-    world_from_base: Transform
-    """With all external axes at zero."""
-    moves: tuple[ExecutedMove, ...]
-    lines: tuple[ExecutedLine, ...]
-    failed_moves: tuple[FailedMove, ...]
     clock: Clock
     dt: float
     """Time [s] between samples; starts and ends of moves have samples of their own."""
-    samples: Samples
-    joint_speed: Array
-    """Shape (k, n) [rad/s]."""
-    joint_acceleration: Array
-    """Shape (k, n) [rad/s2]."""
+
+    @property
+    def one(self) -> RobotRun:
+        """What the robot did."""
+        return self.sampled.one
+
+    @property
+    def robot(self) -> Robot:
+        """The arm."""
+        return self.one.robot
+
+    @property
+    def samples(self) -> Samples:
+        """Its motion."""
+        return self.sampled.samples
 
     def entity(self, path: str) -> str:
         """Where in the recording something of this robot is logged."""
@@ -83,8 +82,10 @@ class SampledRun:
         """Poses (k,) in base with external axes (k, e) [m or rad], in the still frame."""
         if not self.on_track:
             return base_from_a
-        world_from_base = world_from_base_at(self.robot.external, self.world_from_base, external)
-        return self.world_from_base.inverse() @ world_from_base @ base_from_a
+        world_from_base = world_from_base_at(
+            self.robot.external, self.one.world_from_base, external
+        )
+        return self.one.world_from_base.inverse() @ world_from_base @ base_from_a
 
     @property
     def remarks(self) -> tuple[str, ...]:
@@ -94,13 +95,8 @@ class SampledRun:
         shown, usual = 1000.0 * self.dt, 1000.0 * DEFAULT_DT
         return (f"the motion is shown every {shown:.0f} ms, not {usual:.0f}",)
 
-    @property
-    def end_s(self) -> float:
-        """The last instant [s]."""
-        return float(self.samples.times[-1])
 
-
-def sample(simulation: Simulation, dt: float | None) -> tuple[SampledRun, ...]:
+def sample(simulation: Simulation, dt: float | None) -> tuple[RecordedRobot, ...]:
     """Sample a run.
 
     Args:
@@ -124,26 +120,8 @@ def sample(simulation: Simulation, dt: float | None) -> tuple[SampledRun, ...]:
         )
     step = dt if dt is not None else max(DEFAULT_DT, len(robots) * end_s / MOST_SAMPLES)
     clock = clock_of(move for robot in robots for move in robot.moves)
-    return tuple(_sampled(simulation, robot, clock, end_s, step) for robot in robots)
-
-
-def _sampled(
-    simulation: Simulation, one: RobotRun, clock: Clock, end_s: float, step: float
-) -> SampledRun:
-    samples = motion_samples(one.trajectory, one.moves, end_s, step)
-    speed, acceleration = rates_between(samples)
-    return SampledRun(
-        simulation=simulation,
-        name=one.task if len(simulation.robots) > 1 else "",
-        robot=one.robot,
-        limits=limits_of(one.robot, simulation.model),
-        world_from_base=one.world_from_base,
-        moves=one.moves,
-        lines=one.lines,
-        failed_moves=one.failed_moves,
-        clock=clock,
-        dt=step,
-        samples=samples,
-        joint_speed=speed,
-        joint_acceleration=acceleration,
+    several = len(robots) > 1
+    return tuple(
+        RecordedRobot(sampled(simulation, one, step), one.task if several else "", clock, step)
+        for one in robots
     )

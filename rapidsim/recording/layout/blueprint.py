@@ -14,7 +14,7 @@ from rapidsim.recording import palette
 from rapidsim.recording.layout.camera import Camera, cell_camera, near_camera
 from rapidsim.recording.panels import log, plots, program_listing, state_lanes
 from rapidsim.recording.panels.legend import emptiest_corner
-from rapidsim.recording.samples import SampledRun
+from rapidsim.recording.samples import RecordedRobot
 from rapidsim.recording.scene import failed_moves, paths, speed_path, targets
 from rapidsim.recording.scene.targets import Target
 from rapidsim.recording.timelines import SIM_TIME
@@ -28,7 +28,7 @@ _OPEN_AXIS = 130.0
 with air for the legend."""
 
 
-def blueprint(runs: Sequence[SampledRun], shown: Sequence[Target]) -> rrb.Blueprint:
+def blueprint(runs: Sequence[RecordedRobot], shown: Sequence[Target]) -> rrb.Blueprint:
     """The layout: cell and program above, plots and lanes below.
 
     Args:
@@ -69,18 +69,18 @@ def laid_out(views: rrb.Container) -> rrb.Blueprint:
 
 
 def _each(
-    runs: Sequence[SampledRun], views: Callable[[SampledRun], list[rrb.View]]
+    runs: Sequence[RecordedRobot], views: Callable[[RecordedRobot], list[rrb.View]]
 ) -> rrb.View | rrb.Container:
     """The views of all robots, one of them in sight; the first of each robot come first."""
     found = [view for alike in zip_longest(*map(views, runs)) for view in alike if view]
     return found[0] if len(found) == 1 else rrb.Tabs(*found, active_tab=0)
 
 
-def _titled(run: SampledRun, title: str) -> str:
+def _titled(run: RecordedRobot, title: str) -> str:
     return f"{run.name}: {title}" if run.name else title
 
 
-def _spaces(runs: Sequence[SampledRun], shown: Sequence[Target]) -> rrb.Container:
+def _spaces(runs: Sequence[RecordedRobot], shown: Sequence[Target]) -> rrb.Container:
     """The whole cell; and, from near, the targets of a robot that works alone."""
     by_speed = [f"- /{run.entity(speed_path.ENTITY)}/**" for run in runs]
     near = targets.near_targets(shown)
@@ -125,7 +125,7 @@ def space(name: str, camera: Camera, grid_m: float, contents: list[str]) -> rrb.
     )
 
 
-def _listing(run: SampledRun) -> list[rrb.View]:
+def _listing(run: RecordedRobot) -> list[rrb.View]:
     title = (
         f"Program  ({program_listing.PROGRAM_POINTER} program  "
         f"{program_listing.MOTION_POINTER} robot)"
@@ -145,7 +145,7 @@ def _log() -> rrb.View:
     )
 
 
-def _joints(run: SampledRun) -> list[rrb.View]:
+def _joints(run: RecordedRobot) -> list[rrb.View]:
     time = rrb.TimeAxis(link="LinkToGlobal")
     angles = rrb.TimeSeriesView(
         origin=f"/{run.entity(plots.ANGLES)}",
@@ -160,7 +160,7 @@ def _joints(run: SampledRun) -> list[rrb.View]:
     return [angles, *([external] if run.robot.external else []), *shares]
 
 
-def _shares(run: SampledRun, entity: str, time: rrb.TimeAxis) -> rrb.View:
+def _shares(run: RecordedRobot, entity: str, time: rrb.TimeAxis) -> rrb.View:
     share = plots.shares(run, entity)
     # The limits are in sight, and what goes beyond them too.
     end = max(_OPEN_AXIS, 1.1 * float(abs(share).max()))
@@ -174,7 +174,7 @@ def _shares(run: SampledRun, entity: str, time: rrb.TimeAxis) -> rrb.View:
     )
 
 
-def _speed(run: SampledRun) -> list[rrb.View]:
+def _speed(run: RecordedRobot) -> list[rrb.View]:
     return [
         rrb.TimeSeriesView(
             origin=f"/{run.entity('tcp')}",
@@ -190,18 +190,18 @@ def _speed(run: SampledRun) -> list[rrb.View]:
     ]
 
 
-def _speed_axis_end(run: SampledRun) -> float:
+def _speed_axis_end(run: RecordedRobot) -> float:
     """Upper end [mm/s] of the speed axis, with air for the legend.
 
     A speed that is programmed far beyond what the arm reaches, as with `vmax`, would squash what it
     does; it is left to run out of the plot.
     """
     reached = 1000.0 * speed_path.top_speed(run)
-    programmed = max((move.move.speed.v_tcp for move in run.moves), default=0.0)
+    programmed = max((move.move.speed.v_tcp for move in run.one.moves), default=0.0)
     return 1.3 * max(reached, min(programmed, 2.0 * reached), 1.0)
 
 
-def _lanes(runs: Sequence[SampledRun]) -> rrb.View:
+def _lanes(runs: Sequence[RecordedRobot]) -> rrb.View:
     return rrb.StateTimelineView(
         origin="/",
         name="Moves and signals",

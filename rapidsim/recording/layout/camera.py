@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.recording.samples import SampledRun
+from rapidsim.recording.samples import RecordedRobot
 from rapidsim.recording.scene.failed_moves import in_sight, reason_room
 from rapidsim.recording.scene.targets import Target, points_of
 from rapidsim.recording.scene.work_objects import object_origins
@@ -33,31 +33,31 @@ class Camera:
     target: Array
 
 
-def cell_camera(runs: Sequence[SampledRun], wide: float = 1.0) -> Camera:
+def cell_camera(runs: Sequence[RecordedRobot], wide: float = 1.0) -> Camera:
     """See the arms in all their poses, their paths and their work objects.
 
     Args:
         runs: What each robot did.
         wide: Width of the picture through its height.
     """
-    points = np.concatenate([run.world_from_base.apply(cell_points(run)) for run in runs])
+    points = np.concatenate([run.one.world_from_base.apply(cell_points(run)) for run in runs])
     air = 1.08 if len(runs) == 1 else 1.25
     return looking_at(points, _azimuth(runs), _HEIGHT_RAD, air=air, wide=wide)
 
 
-def near_camera(run: SampledRun, near: Sequence[Target]) -> Camera:
+def near_camera(run: RecordedRobot, near: Sequence[Target]) -> Camera:
     """See some targets from near, and where the run failed beside them."""
-    points = np.concatenate([points_of(near), in_sight(run, run.failed_moves)])
-    world_points = run.world_from_base.apply(points)
+    points = np.concatenate([points_of(near), in_sight(run, run.one.failed_moves)])
+    world_points = run.one.world_from_base.apply(points)
     return looking_at(world_points, _azimuth([run]), _CLOSE_HEIGHT_RAD, air=1.15)
 
 
-def cell_size(run: SampledRun) -> float:
+def cell_size(run: RecordedRobot) -> float:
     """The largest extent [m] of what belongs to a robot, along an axis."""
     return float(np.ptp(cell_points(run), axis=0).max())
 
 
-def cell_points(run: SampledRun) -> Array:
+def cell_points(run: RecordedRobot) -> Array:
     """Points (k, 3) [m] in base that a picture of the robot and its work must hold."""
     rows = np.linspace(0, len(run.samples.times) - 1, _POSES).astype(np.int64)
     links = run.robot.kinematics.link_frames(run.samples.joints[rows])
@@ -70,20 +70,20 @@ def cell_points(run: SampledRun) -> Array:
             bases[:, None].apply(links.translation).reshape(-1, 3),
             run.places,
             object_origins(run),
-            in_sight(run, run.failed_moves),
+            in_sight(run, run.one.failed_moves),
             reason_room(run),
         ]
     )
 
 
-def _azimuth(runs: Sequence[SampledRun]) -> float:
+def _azimuth(runs: Sequence[RecordedRobot]) -> float:
     """Direction [rad] from the work to the camera, seen from above."""
-    feet = np.array([run.world_from_base.translation for run in runs])
+    feet = np.array([run.one.world_from_base.translation for run in runs])
     if len(runs) > 1:
         # Beside the row of robots, so that none hides another.
         x, y, _ = feet[-1] - feet[0]
         return float(np.arctan2(y, x) - _BESIDE_ROW_RAD)
-    work = [run.world_from_base.apply(np.mean(run.places, axis=0)) for run in runs]
+    work = [run.one.world_from_base.apply(np.mean(run.places, axis=0)) for run in runs]
     x, y, _ = np.mean(work, axis=0) - np.mean(feet, axis=0)
     return float(np.arctan2(y, x) - _SIDE_RAD)
 

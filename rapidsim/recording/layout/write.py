@@ -22,7 +22,7 @@ from rapidsim.recording.panels.log import log_messages
 from rapidsim.recording.panels.plots import log_plots
 from rapidsim.recording.panels.program_listing import log_listing
 from rapidsim.recording.panels.state_lanes import log_moves, log_signals
-from rapidsim.recording.samples import SampledRun, sample
+from rapidsim.recording.samples import RecordedRobot, sample
 from rapidsim.recording.scene.arm import log_arm
 from rapidsim.recording.scene.failed_moves import log_failed
 from rapidsim.recording.scene.paths import log_paths
@@ -64,7 +64,7 @@ def record(simulation: Simulation, path: str | Path, *, dt: float | None = None)
     return path
 
 
-def _log_whole(stream: rr.RecordingStream, simulation: Simulation, run: SampledRun) -> None:
+def _log_whole(stream: rr.RecordingStream, simulation: Simulation, run: RecordedRobot) -> None:
     """Log what there is once, however many robots there are."""
     stream.send_recording_name(" ".join(Path(name).name for name in simulation.program))
     stream.send_property("run", _properties(simulation, run.dt))
@@ -73,7 +73,7 @@ def _log_whole(stream: rr.RecordingStream, simulation: Simulation, run: SampledR
 
 
 def _log_robot(
-    stream: rr.RecordingStream, run: SampledRun, targets: tuple[Target, ...]
+    stream: rr.RecordingStream, run: RecordedRobot, targets: tuple[Target, ...]
 ) -> tuple[str, ...]:
     """Log one robot; returns what the viewer will not show as it should."""
     remarks = _log_base(stream, run)
@@ -97,9 +97,9 @@ def _log_robot(
     return remarks
 
 
-def _log_base(stream: rr.RecordingStream, run: SampledRun) -> tuple[str, ...]:
+def _log_base(stream: rr.RecordingStream, run: RecordedRobot) -> tuple[str, ...]:
     """Log where the robot stands; returns what the viewer will not show as it should."""
-    where = static_frame(WORLD, run.still_frame, run.world_from_base)
+    where = static_frame(WORLD, run.still_frame, run.one.world_from_base)
     if not run.on_track:
         stream.log(run.entity("base"), where, static=True)
         return ()
@@ -137,7 +137,7 @@ def _properties(simulation: Simulation, dt: float) -> rr.AnyValues:
     )
 
 
-def _content_id(simulation: Simulation, runs: Sequence[SampledRun]) -> uuid.UUID:
+def _content_id(simulation: Simulation, runs: Sequence[RecordedRobot]) -> uuid.UUID:
     """An id that only the content decides: equal runs are one recording to the viewer."""
     digest = hashlib.sha256()
     robots = (one.robot.name for one in simulation.robots)

@@ -10,7 +10,7 @@ import rerun as rr
 from rapidsim.controller.journal.events import Event, EventKind, ExecutedLine
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.language.moves import Place
-from rapidsim.recording.samples import SampledRun
+from rapidsim.recording.samples import RecordedRobot
 from rapidsim.simulation.results.simulation import Simulation
 
 ENTITY = "log"
@@ -37,9 +37,9 @@ class _Row:
     text: str
 
 
-def log_messages(stream: rr.RecordingStream, run: SampledRun, remarks: Sequence[str]) -> None:
+def log_messages(stream: rr.RecordingStream, run: RecordedRobot, remarks: Sequence[str]) -> None:
     """Log everything there is to read; `remarks` are about the recording itself."""
-    simulation = run.simulation
+    simulation = run.sampled.simulation
     # Whose it is, where there is a choice.
     several = len({event.task for event in simulation.events if event.place}) > 1
     sources = {
@@ -73,15 +73,15 @@ def _where(place: Place) -> str:
     return f"{place.routine}:{place.span.line}  "
 
 
-def _finding_rows(run: SampledRun) -> Iterator[_Row]:
+def _finding_rows(run: RecordedRobot) -> Iterator[_Row]:
     """A finding is logged when the program first got to its line; else at the end."""
     first: dict[tuple[str, int], float] = {}
-    for line in sorted(_lines(run.simulation), key=lambda line: line.time_s):
+    for line in sorted(_lines(run.sampled.simulation), key=lambda line: line.time_s):
         span = line.place.span
         first.setdefault((span.file, span.line), line.time_s)
-    for finding in run.simulation.diagnostics:
+    for finding in run.sampled.simulation.diagnostics:
         yield _Row(
-            _finding_time_s(finding, first, run.simulation),
+            _finding_time_s(finding, first, run.sampled.simulation),
             _FINDING_LEVELS[finding.severity],
             _finding_text(finding),
         )

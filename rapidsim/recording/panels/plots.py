@@ -15,7 +15,7 @@ import rerun as rr
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.frames.transform import Array
 from rapidsim.recording import palette
-from rapidsim.recording.samples import SampledRun
+from rapidsim.recording.samples import RecordedRobot
 
 ANGLES = "joints/angle"
 RANGE = "joints/range"
@@ -39,7 +39,7 @@ _MOST_DRAWN = 20_000
 """So many samples are drawn each; of more, those that share a pixel are drawn as their extremes."""
 
 
-def log_plots(stream: rr.RecordingStream, run: SampledRun) -> None:
+def log_plots(stream: rr.RecordingStream, run: RecordedRobot) -> None:
     """Log what the plots draw."""
     _log_joints(stream, run)
     if run.robot.external:
@@ -47,21 +47,18 @@ def log_plots(stream: rr.RecordingStream, run: SampledRun) -> None:
     _log_speed(stream, run)
 
 
-def shares(run: SampledRun, entity: str) -> Array:
+def shares(run: RecordedRobot, entity: str) -> Array:
     """What `SHARES` names, of each joint (k, n) [%]."""
     match entity:
         case "joints/range":
-            middle = 0.5 * (run.robot.upper + run.robot.lower)
-            half_range = 0.5 * (run.robot.upper - run.robot.lower)
-            share: Array = (run.samples.joints - middle) / half_range
+            return run.sampled.range_shares
         case "joints/speed":
-            share = run.joint_speed / run.limits.max_speed[: len(run.robot.joints)]
+            return run.sampled.speed_shares
         case _:
-            share = run.joint_acceleration / run.limits.max_acceleration[: len(run.robot.joints)]
-    return 100.0 * share
+            return run.sampled.acceleration_shares
 
 
-def _log_joints(stream: rr.RecordingStream, run: SampledRun) -> None:
+def _log_joints(stream: rr.RecordingStream, run: RecordedRobot) -> None:
     samples = run.samples
     count = len(run.robot.joints)
     colours = [palette.rgba(palette.JOINTS[k % len(palette.JOINTS)]) for k in range(count)]
@@ -93,12 +90,12 @@ def _log_joints(stream: rr.RecordingStream, run: SampledRun) -> None:
     )
     stream.send_columns(
         run.entity(LIMITS),
-        indexes=run.clock.columns([0.0, run.end_s]),
+        indexes=run.clock.columns([0.0, run.sampled.end_s]),
         columns=rr.Scalars.columns(scalars=[-100.0, 100.0] * 2).partition([2, 2]),
     )
 
 
-def _log_external(stream: rr.RecordingStream, run: SampledRun) -> None:
+def _log_external(stream: rr.RecordingStream, run: RecordedRobot) -> None:
     """The external axes in mm or degrees, as targets have them."""
     axes = run.robot.external
     colours = [palette.rgba(palette.JOINTS[k % len(palette.JOINTS)]) for k in range(len(axes))]
@@ -120,7 +117,7 @@ def _log_external(stream: rr.RecordingStream, run: SampledRun) -> None:
     )
 
 
-def _log_speed(stream: rr.RecordingStream, run: SampledRun) -> None:
+def _log_speed(stream: rr.RecordingStream, run: RecordedRobot) -> None:
     samples = run.samples
     stream.log(
         run.entity(PROGRAMMED_SPEED),
@@ -149,9 +146,9 @@ def _log_speed(stream: rr.RecordingStream, run: SampledRun) -> None:
         indexes=run.clock.columns(samples.times),
         columns=rr.Scalars.columns(scalars=samples.tcp_speed * 1000.0),
     )
-    if not run.moves:
+    if not run.one.moves:
         return
-    times, speeds = _programmed_steps(run.moves, run.end_s)
+    times, speeds = _programmed_steps(run.one.moves, run.sampled.end_s)
     stream.send_columns(
         run.entity(PROGRAMMED_SPEED),
         indexes=run.clock.columns(times),
@@ -175,7 +172,7 @@ def _programmed_steps(moves: tuple[ExecutedMove, ...], end_s: float) -> tuple[Ar
     return np.array(times), np.array([steps[time] for time in times])
 
 
-def _aggregation(run: SampledRun) -> rr.components.AggregationPolicy:
+def _aggregation(run: RecordedRobot) -> rr.components.AggregationPolicy:
     """How the viewer thins a plot out; its own choice, the mean, would cut peaks and stops off."""
     if len(run.samples.times) <= _MOST_DRAWN:
         return rr.components.AggregationPolicy.Off

@@ -15,7 +15,7 @@ import rerun as rr
 from rapidsim.controller.journal.events import ExecutedLine
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Source
-from rapidsim.recording.samples import SampledRun
+from rapidsim.recording.samples import RecordedRobot
 
 ENTITY = "program/text"
 
@@ -42,16 +42,16 @@ class _Pointers:
     motion_line: int | None
 
 
-def log_listing(stream: rr.RecordingStream, run: SampledRun) -> tuple[str, ...]:
+def log_listing(stream: rr.RecordingStream, run: RecordedRobot) -> tuple[str, ...]:
     """Log the program text, once for each time a pointer moves.
 
     Returns:
         What the viewer will not show as it should, a line each.
     """
-    states = list(_pointers(run.lines, run.moves))
+    states = list(_pointers(run.one.lines, run.one.moves))
     remarks: tuple[str, ...] = ()
     if len(states) > MOST_TEXTS:
-        apart_s = run.end_s / MOST_TEXTS
+        apart_s = run.sampled.end_s / MOST_TEXTS
         states = list(_apart(states, apart_s))
         remarks = (f"the pointers in the program text are shown every {apart_s:.3g} s only",)
     rows = list(_texts(states))

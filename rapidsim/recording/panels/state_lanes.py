@@ -9,7 +9,7 @@ import rerun as rr
 
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.recording import palette
-from rapidsim.recording.samples import SampledRun
+from rapidsim.recording.samples import RecordedRobot
 from rapidsim.recording.scene.targets import target_name
 from rapidsim.recording.timelines import Clock
 from rapidsim.simulation.results.signal_history import signal_changes
@@ -25,16 +25,16 @@ _SHORTEST_STANDSTILL_S = 1e-6
 _States = list[tuple[float, str]]
 
 
-def log_moves(stream: rr.RecordingStream, run: SampledRun) -> None:
+def log_moves(stream: rr.RecordingStream, run: RecordedRobot) -> None:
     """Log what a robot does."""
-    if run.moves:
-        states, colours = _move_states(run.moves)
+    if run.one.moves:
+        states, colours = _move_states(run.one.moves)
         _log_lane(stream, run.entity(MOVE_LANE), states, colours, run.clock)
 
 
-def log_signals(stream: rr.RecordingStream, run: SampledRun) -> None:
+def log_signals(stream: rr.RecordingStream, run: RecordedRobot) -> None:
     """Log the signals of the whole cell."""
-    for name, changes in signal_changes(run.simulation).items():
+    for name, changes in signal_changes(run.sampled.simulation).items():
         states, colours = _signal_states(changes)
         _log_lane(stream, rr.new_entity_path([SIGNALS, name]), states, colours, run.clock)
 

@@ -15,7 +15,7 @@ import rerun as rr
 from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.frames.transform import Array
 from rapidsim.recording import palette
-from rapidsim.recording.samples import SampledRun
+from rapidsim.recording.samples import RecordedRobot
 
 TARGETS = "failed/targets"
 WAYS = "failed/ways"
@@ -39,13 +39,13 @@ _APART = 1e-3
 """[m]; a place on the way this near to the target is the target."""
 
 
-def log_failed(stream: rr.RecordingStream, run: SampledRun, mark_m: float) -> tuple[str, ...]:
+def log_failed(stream: rr.RecordingStream, run: RecordedRobot, mark_m: float) -> tuple[str, ...]:
     """Log the moves that could not be made, with crosses of some size [m] on their ways.
 
     Returns:
         What the viewer will not show as it should, a line each.
     """
-    failed = run.failed_moves
+    failed = run.one.failed_moves
     if not failed:
         return ()
     frame = rr.CoordinateFrame(run.still_frame)
@@ -114,9 +114,9 @@ def on_the_way(move: FailedMove) -> bool:
     return float(np.linalg.norm(move.fails_at - end)) > _APART
 
 
-def pin_heads(run: SampledRun) -> Array:
+def pin_heads(run: RecordedRobot) -> Array:
     """Where the reasons stand (k, 3) [m] in base: above the cell, one above the other."""
-    feet = in_sight(run, run.failed_moves[:MOST_REASONS])
+    feet = in_sight(run, run.one.failed_moves[:MOST_REASONS])
     sweep = run.places
     top = max(float(sweep[:, 2].max()), 0.8 * _reach(run), *feet[:, 2])
     heads = feet.copy()
@@ -124,14 +124,14 @@ def pin_heads(run: SampledRun) -> Array:
     return heads
 
 
-def reason_room(run: SampledRun) -> Array:
+def reason_room(run: RecordedRobot) -> Array:
     """Points (4 k, 3) [m] in base around the reasons, so that their texts are in the picture."""
     aside = 0.3 * _reach(run) * np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0]])
     room: Array = (pin_heads(run)[:, None] + aside[None]).reshape(-1, 3)
     return room
 
 
-def in_sight(run: SampledRun, failed: Sequence[FailedMove]) -> Array:
+def in_sight(run: RecordedRobot, failed: Sequence[FailedMove]) -> Array:
     """Where moves fail (k, 3) [m] in base, drawn nearer where it is too far away to be shown."""
     places = np.array([move.fails_at for move in failed]).reshape(-1, 3)
     distance = np.linalg.norm(places, axis=1, keepdims=True)
@@ -139,7 +139,7 @@ def in_sight(run: SampledRun, failed: Sequence[FailedMove]) -> Array:
     return shown
 
 
-def _reach(run: SampledRun) -> float:
+def _reach(run: RecordedRobot) -> float:
     """About how far the arm reaches [m]."""
     farthest = float(np.linalg.norm(run.places, axis=1).max())
     return run.robot.reach_m or farthest

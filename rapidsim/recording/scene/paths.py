@@ -17,9 +17,8 @@ from rapidsim.frames.transform import Array
 from rapidsim.language.moves import Interpolation
 from rapidsim.motion.configurations.targets import base_from_tcp
 from rapidsim.recording import palette
-from rapidsim.recording.samples import SampledRun
+from rapidsim.recording.samples import RecordedRobot
 from rapidsim.recording.scene.arc import arc_through
-from rapidsim.simulation.results.sampling import in_corner
 
 PROGRAMMED = "path/programmed"
 TRAVELLED = "path/travelled"
@@ -33,9 +32,9 @@ _JUMP = 5e-3
 _CORNER = "corner"
 
 
-def log_paths(stream: rr.RecordingStream, run: SampledRun) -> None:
+def log_paths(stream: rr.RecordingStream, run: RecordedRobot) -> None:
     """Log both paths of a run."""
-    if not run.moves:
+    if not run.one.moves:
         return
     strips = _joined(programmed(run))
     if strips:
@@ -58,7 +57,7 @@ def log_paths(stream: rr.RecordingStream, run: SampledRun) -> None:
         )
 
 
-def programmed(run: SampledRun) -> Iterator[Array]:
+def programmed(run: RecordedRobot) -> Iterator[Array]:
     """The curve (k, 3) [m] of each move in the base, corners not cut.
 
     Moves in frames that move have no such curve.
@@ -66,7 +65,7 @@ def programmed(run: SampledRun) -> Iterator[Array]:
     kinematics = run.robot.kinematics
     joints = run.samples.joints[0]
     flange = kinematics.forward(joints)
-    for move in run.moves:
+    for move in run.one.moves:
         if not _stands_still(run, move):
             joints, flange = move.joints, move.base_from_tcp @ move.tcp_from_flange
             continue
@@ -86,15 +85,15 @@ def programmed(run: SampledRun) -> Iterator[Array]:
         flange = move.base_from_tcp @ move.tcp_from_flange
 
 
-def _stands_still(run: SampledRun, move: ExecutedMove) -> bool:
+def _stands_still(run: RecordedRobot, move: ExecutedMove) -> bool:
     """Whether a move is in a frame that stands still: tool in hand, work and robot in place."""
     tool, wobj = move.move.tool, move.move.wobj
     return tool.robhold and not wobj.robhold and wobj.ufprog and not run.on_track
 
 
-def _circle_point(run: SampledRun, move: ExecutedMove) -> Array:
+def _circle_point(run: RecordedRobot, move: ExecutedMove) -> Array:
     assert move.move.circle_point is not None
-    base_from_world = run.world_from_base.inverse()
+    base_from_world = run.one.world_from_base.inverse()
     via = base_from_tcp(move.move.circle_point, move.move.wobj, base_from_world)
     return via.translation
 
@@ -110,18 +109,16 @@ def _joined(curves: Iterator[Array]) -> list[Array]:
     return [np.concatenate(strip) for strip in strips]
 
 
-def _travelled(run: SampledRun) -> dict[str, tuple[palette.Colour, list[Array]]]:
+def _travelled(run: RecordedRobot) -> dict[str, tuple[palette.Colour, list[Array]]]:
     """Pieces of the travelled path by what they are, in the order they first occur."""
-    moves = run.moves
+    moves = run.one.moves
     kinds = dict.fromkeys(move.move.instruction for move in moves)
     number_of = {name: number for number, name in enumerate((_CORNER, *kinds))}
     colour_of = {move.move.instruction: palette.of_move(move) for move in moves}
     colour_of[_CORNER] = palette.CORNER
 
     of_move = np.array([number_of[move.move.instruction] for move in moves])
-    of_sample = np.where(
-        in_corner(run.samples, run.moves), number_of[_CORNER], of_move[_move_index(run)]
-    )
+    of_sample = np.where(run.sampled.in_corner, number_of[_CORNER], of_move[_move_index(run)])
     names = tuple(number_of)
     points = run.places
     pieces: dict[str, tuple[palette.Colour, list[Array]]] = {}
@@ -137,7 +134,7 @@ def _travelled(run: SampledRun) -> dict[str, tuple[palette.Colour, list[Array]]]
     return pieces
 
 
-def jumps(run: SampledRun) -> npt.NDArray[np.bool_]:
+def jumps(run: RecordedRobot) -> npt.NDArray[np.bool_]:
     """Between which samples (k - 1,) the TCP is elsewhere without a way: the tool was changed."""
     samples = run.samples
     step = np.linalg.norm(np.diff(run.places, axis=0), axis=1)
@@ -146,6 +143,6 @@ def jumps(run: SampledRun) -> npt.NDArray[np.bool_]:
     return jumped
 
 
-def _move_index(run: SampledRun) -> npt.NDArray[np.int64]:
+def _move_index(run: RecordedRobot) -> npt.NDArray[np.int64]:
     """Index of the move under way (k,); the first before any."""
-    return np.clip(run.samples.move, 0, len(run.moves) - 1)
+    return np.clip(run.samples.move, 0, len(run.one.moves) - 1)

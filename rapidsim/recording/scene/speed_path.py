@@ -9,7 +9,7 @@ import rerun as rr
 
 from rapidsim.frames.transform import Array
 from rapidsim.recording import palette
-from rapidsim.recording.samples import SampledRun
+from rapidsim.recording.samples import RecordedRobot
 from rapidsim.recording.scene.paths import jumps
 
 ENTITY = "path/speed"
@@ -18,9 +18,9 @@ _NO_STEP = 1e-6
 """[m]; a piece that does not show."""
 
 
-def log_speed_path(stream: rr.RecordingStream, run: SampledRun) -> None:
+def log_speed_path(stream: rr.RecordingStream, run: RecordedRobot) -> None:
     """Log the path in the colours of `palette.SPEEDS`, from standstill to `top_speed`."""
-    if not run.moves or top_speed(run) == 0.0:
+    if not run.one.moves or top_speed(run) == 0.0:
         return
     speed = run.samples.tcp_speed
     # The colour of a step is that of its faster end: a stop is a point, not a stretch.
@@ -47,6 +47,6 @@ def log_speed_path(stream: rr.RecordingStream, run: SampledRun) -> None:
     )
 
 
-def top_speed(run: SampledRun) -> float:
+def top_speed(run: RecordedRobot) -> float:
     """The highest speed of the TCP [m/s]."""
     return float(run.samples.tcp_speed.max())

@@ -7,14 +7,14 @@ import rerun as rr
 
 from rapidsim.diagnostics import Severity
 from rapidsim.recording import palette
-from rapidsim.recording.samples import SampledRun
+from rapidsim.recording.samples import RecordedRobot
 from rapidsim.simulation.results.simulation import End
 
 MARK = "stopped/mark"
 NAME = "stopped/name"
 
 
-def log_stopped(stream: rr.RecordingStream, run: SampledRun, above_m: float) -> None:
+def log_stopped(stream: rr.RecordingStream, run: RecordedRobot, above_m: float) -> None:
     """Log where the TCP stood when an error ended the run; of several robots, whose it was.
 
     Args:
@@ -22,24 +22,24 @@ def log_stopped(stream: rr.RecordingStream, run: SampledRun, above_m: float) -> 
         run: The run.
         above_m: How far [m] above the mark the error's code and name stand, clear of other names.
     """
-    if run.simulation.end is not End.ERROR or (run.name and not run.failed_moves):
+    if run.sampled.simulation.end is not End.ERROR or (run.name and not run.one.failed_moves):
         return
     errors = [
         finding.violation
-        for finding in run.simulation.diagnostics
+        for finding in run.sampled.simulation.diagnostics
         if finding.severity is Severity.ERROR
     ]
     label = f"stopped: {errors[-1].code} {errors[-1].name}" if errors else "stopped"
     place = run.places[-1]
     for entity in (MARK, NAME):
         stream.log(run.entity(entity), rr.CoordinateFrame(run.still_frame), static=True)
-    run.clock.set(stream, run.end_s)
+    run.clock.set(stream, run.sampled.end_s)
     colour = palette.rgba(palette.STOPPED)
     stream.log(
         run.entity(MARK), rr.Points3D([place], radii=rr.Radius.ui_points(8.0), colors=colour)
     )
     # A move that could not be made says why at its own place.
-    if not any(failed.violation in errors for failed in run.failed_moves):
+    if not any(failed.violation in errors for failed in run.one.failed_moves):
         stream.log(
             run.entity(NAME),
             rr.Points3D(

@@ -13,7 +13,7 @@ from rapidsim.diagnostics import Severity
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.moves import Interpolation
 from rapidsim.recording import palette
-from rapidsim.recording.samples import SampledRun
+from rapidsim.recording.samples import RecordedRobot
 
 ENTITY = "targets"
 NAMES_NEAR = f"{ENTITY}/names/near"
@@ -40,15 +40,15 @@ class Target:
     """Whether there is a finding on a move that leads there."""
 
 
-def targets_of(run: SampledRun) -> tuple[Target, ...]:
+def targets_of(run: RecordedRobot) -> tuple[Target, ...]:
     """The targets of a run in the order of their first use."""
     warned = {
         (finding.span.file, finding.span.line)
-        for finding in run.simulation.diagnostics
+        for finding in run.sampled.simulation.diagnostics
         if finding.span is not None and finding.severity is not Severity.NOTE
     }
     found: dict[tuple[object, ...], Target] = {}
-    for move in run.moves:
+    for move in run.one.moves:
         still_from_tcp = run.still_from_end(move)
         place = tuple(np.round(still_from_tcp.translation / _SAME).astype(np.int64).tolist())
         target = Target(
@@ -91,7 +91,7 @@ def target_name(move: ExecutedMove) -> str:
 
 def log_targets(
     stream: rr.RecordingStream,
-    run: SampledRun,
+    run: RecordedRobot,
     targets: Sequence[Target],
     *,
     axis_m: float,
@@ -142,7 +142,7 @@ def log_targets(
 
 def _log_names(
     stream: rr.RecordingStream,
-    run: SampledRun,
+    run: RecordedRobot,
     entity: str,
     targets: Sequence[Target],
     apart_m: float,
@@ -165,7 +165,7 @@ def _log_names(
 
 
 def _log_axes(
-    stream: rr.RecordingStream, run: SampledRun, targets: Sequence[Target], axis_m: float
+    stream: rr.RecordingStream, run: RecordedRobot, targets: Sequence[Target], axis_m: float
 ) -> None:
     origins = np.repeat([target.still_from_tcp.translation for target in targets], 3, axis=0)
     # Columns of the rotation are the axes.

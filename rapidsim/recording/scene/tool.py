@@ -12,7 +12,7 @@ import rerun as rr
 from rapidsim.frames.transform import Array, Transform, matrix_from_quaternion
 from rapidsim.recording import palette
 from rapidsim.recording.frame_changes import Change, changes, stacked
-from rapidsim.recording.samples import SampledRun
+from rapidsim.recording.samples import RecordedRobot
 from rapidsim.recording.scene.arm import FLANGE
 from rapidsim.recording.scene.stick_figure import z_to
 from rapidsim.recording.transforms import WORLD, moving_frame
@@ -26,11 +26,11 @@ _SHORTEST = 1e-3
 _SIDES = 24
 
 
-def log_tool(stream: rr.RecordingStream, run: SampledRun, axis_m: float) -> None:
+def log_tool(stream: rr.RecordingStream, run: RecordedRobot, axis_m: float) -> None:
     """Log the TCP with axes of a length [m] and the tool's body."""
     flange = run.frame(FLANGE)
     tools = changes(
-        run.moves,
+        run.one.moves,
         lambda move: move.move.tool.tframe,
         # A stationary tool stands in the world, and the arm carries the work to it.
         lambda move: flange if move.move.tool.robhold else WORLD,

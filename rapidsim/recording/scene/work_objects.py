@@ -16,7 +16,7 @@ from rapidsim.language.data import IDENTITY_POSE, WobjData
 from rapidsim.motion.configurations.targets import base_from_object
 from rapidsim.recording import palette
 from rapidsim.recording.frame_changes import changes, stacked
-from rapidsim.recording.samples import SampledRun
+from rapidsim.recording.samples import RecordedRobot
 from rapidsim.recording.scene.arm import FLANGE
 from rapidsim.recording.scene.tool import TCP
 from rapidsim.recording.transforms import BASE, WORLD, moving_frame
@@ -28,22 +28,26 @@ _SMALLEST = 0.05
 """[m]; half the side of the smallest plate."""
 
 
-def log_work_objects(stream: rr.RecordingStream, run: SampledRun, axis_m: float) -> tuple[str, ...]:
+def log_work_objects(
+    stream: rr.RecordingStream, run: RecordedRobot, axis_m: float
+) -> tuple[str, ...]:
     """Log the frames of the work objects with axes of a length [m].
 
     Returns:
         What the viewer will not show as it should, a line each.
     """
-    for name, moves in _by_name(run.moves).items():
+    for name, moves in _by_name(run.one.moves).items():
         _log_frames(stream, run, name, moves, axis_m)
         _log_plate(stream, run, name, moves)
-    moved = dict.fromkeys(move.move.wobj.ufmec for move in run.moves if not move.move.wobj.ufprog)
+    moved = dict.fromkeys(
+        move.move.wobj.ufmec for move in run.one.moves if not move.move.wobj.ufprog
+    )
     return tuple(f"work objects moved by `{unit}` are shown with it at zero" for unit in moved)
 
 
 def _log_frames(
     stream: rr.RecordingStream,
-    run: SampledRun,
+    run: RecordedRobot,
     name: str,
     moves: Sequence[ExecutedMove],
     axis_m: float,
@@ -73,20 +77,20 @@ def _log_frames(
         )
 
 
-def object_origins(run: SampledRun) -> Array:
+def object_origins(run: RecordedRobot) -> Array:
     """Where the object frames are (k, 3) [m] in the base."""
     used = dict.fromkeys(
         move.move.wobj
-        for group in _by_name(run.moves).values()
+        for group in _by_name(run.one.moves).values()
         for move in group
         if not move.move.wobj.robhold
     )
-    base_from_world = run.world_from_base.inverse()
+    base_from_world = run.one.world_from_base.inverse()
     origins = [base_from_object(wobj, base_from_world).translation for wobj in used]
     return np.array(origins).reshape(-1, 3)
 
 
-def _entity(run: SampledRun, name: str, part: str) -> str:
+def _entity(run: RecordedRobot, name: str, part: str) -> str:
     """Where a part of a work object is logged; the name may be any expression, `wobjs{1}` too."""
     return run.entity(rr.new_entity_path([ENTITY, name, part]).removeprefix("/"))
 
@@ -106,7 +110,7 @@ def _by_name(moves: Sequence[ExecutedMove]) -> dict[str, list[ExecutedMove]]:
 
 
 def _log_plate(
-    stream: rr.RecordingStream, run: SampledRun, name: str, moves: Sequence[ExecutedMove]
+    stream: rr.RecordingStream, run: RecordedRobot, name: str, moves: Sequence[ExecutedMove]
 ) -> None:
     """A plate under the targets and the origin, in the plane of the object frame, and a name."""
     places: dict[WobjData, list[Array]] = {}
@@ -116,7 +120,7 @@ def _log_plate(
             places.setdefault(move.move.wobj, []).append(place)
     in_plane = [np.zeros((1, 2))]
     for wobj, places_in_base in places.items():
-        object_from_base = base_from_object(wobj, run.world_from_base.inverse()).inverse()
+        object_from_base = base_from_object(wobj, run.one.world_from_base.inverse()).inverse()
         in_plane.append(object_from_base.apply(np.array(places_in_base))[:, :2])
     corners = np.concatenate(in_plane)
     low, high = corners.min(axis=0), corners.max(axis=0)

@@ -15,8 +15,6 @@ from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.moves import Interpolation
-from rapidsim.motion.timing.axis_limits import limits_of
-from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.report.html.packing import packed, packed_columns
 from rapidsim.report.run.figures import end_point
 from rapidsim.simulation.results.relative_motion import (
@@ -24,7 +22,7 @@ from rapidsim.simulation.results.relative_motion import (
     shown_end,
     shown_from_base,
 )
-from rapidsim.simulation.results.sampling import evaluate, in_corner, motion_samples, rates_between
+from rapidsim.simulation.results.sampling import SampledRun, evaluate, sampled
 from rapidsim.simulation.results.signal_history import signal_changes
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
 
@@ -57,51 +55,47 @@ def motion_data(simulation: Simulation) -> dict[str, object]:
         "end": round(end_s, 6),
         "step_ms": round(1000.0 * step_s),
         "frame": "world" if is_shown_in_world(simulation) else "base",
-        "robots": [_robot(simulation, robot, end_s, step_s) for robot in robots],
+        "robots": [
+            _robot(sampled(simulation, one, step_s, most_moves=MOST_MOVES)) for one in robots
+        ],
         "signals": _signals(simulation),
         "marks": _marks(simulation.events),
     }
 
 
-def _robot(simulation: Simulation, one: RobotRun, end_s: float, step_s: float) -> dict[str, object]:
-    robot = one.robot
-    many = len(one.moves) > MOST_MOVES
-    samples = motion_samples(one.trajectory, () if many else one.moves, end_s, step_s)
-    in_world = is_shown_in_world(simulation)
+def _robot(run: SampledRun) -> dict[str, object]:
+    one, samples = run.one, run.samples
+    in_world = is_shown_in_world(run.simulation)
     shown = shown_from_base(one, samples.external, in_world=in_world)
-    limits = limits_of(robot, simulation.model)
-    # Behind the joints stand external axes, which have no picture here.
-    n = len(robot.joints)
-    speed, acceleration = rates_between(samples)
-    middle, half = 0.5 * (robot.upper + robot.lower), 0.5 * (robot.upper - robot.lower)
     tcp = shown.apply(samples.base_from_tcp.translation)
     return {
         "task": one.task,
-        "title": robot.title,
+        "title": one.robot.title,
         "t": packed(samples.times, 4),
         "tcp": packed_columns(_MM * tcp, 1),
-        "kind": packed(_kinds(samples, one.moves), 0),
+        "kind": packed(_kinds(run), 0),
         "speed": packed(_MM * samples.tcp_speed, 1),
         "joints": packed_columns(np.degrees(samples.joints), 2),
-        "range": packed_columns(100.0 * (samples.joints - middle) / half, 1),
-        "joint_speed": packed_columns(100.0 * speed / limits.max_speed[:n], 1),
-        "joint_acceleration": packed_columns(100.0 * acceleration / limits.max_acceleration[:n], 1),
-        "poses": _poses(one, end_s, in_world),
-        "moves": [] if many else [_move(move) for move in one.moves],
+        "range": packed_columns(run.range_shares, 1),
+        "joint_speed": packed_columns(run.speed_shares, 1),
+        "joint_acceleration": packed_columns(run.acceleration_shares, 1),
+        "poses": _poses(one, run.simulation.motion_end_s, in_world),
+        "moves": [_move(move) for move in one.moves] if len(one.moves) <= MOST_MOVES else [],
         "move_count": len(one.moves),
         "targets": _targets(one, in_world),
         "failed": [_failed(move, shown[0]) for move in one.failed_moves],
     }
 
 
-def _kinds(samples: Samples, moves: tuple[ExecutedMove, ...]) -> Array:
+def _kinds(run: SampledRun) -> Array:
     """How the TCP moves at each sample (k,): a place in `_NUMBERED`."""
+    moves, samples = run.one.moves, run.samples
     if not moves:
         return np.zeros(len(samples.times))
     numbers = [_NUMBERED.index(_KINDS[move.move.interpolation]) for move in moves]
     of_move = np.array(numbers, dtype=np.float64)
     kinds = of_move[np.clip(samples.move, 0, len(moves) - 1)]
-    return np.where(in_corner(samples, moves), float(_NUMBERED.index("corner")), kinds)
+    return np.where(run.in_corner, float(_NUMBERED.index("corner")), kinds)
 
 
 def _poses(one: RobotRun, end_s: float, in_world: bool) -> dict[str, object]:

@@ -6,12 +6,16 @@ the last instant. What an arm that stands still would show again and again is le
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 import numpy.typing as npt
 
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.timing.axis_limits import Limits, limits_of
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+from rapidsim.simulation.results.simulation import RobotRun, Simulation
 
 _BLOCK = 20_000
 """Samples evaluated at once, which bounds the memory that the kinematics needs."""
@@ -21,6 +25,73 @@ _CLOSE_S = 0.004
 """[s]; samples nearer to one another than this are one for a slope."""
 _STILL = 1e-12
 """[rad]; less than this between two samples is no motion."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SampledRun:
+    """What one robot did in a run, and the samples that its pictures are drawn from."""
+
+    simulation: Simulation
+    """The whole run."""
+    one: RobotRun
+    limits: Limits
+    samples: Samples
+    joint_speed: Array
+    """Shape (k, n) [rad/s]."""
+    joint_acceleration: Array
+    """Shape (k, n) [rad/s2]."""
+    in_corner: npt.NDArray[np.bool_]
+    """Shape (k,): the TCP is in a zone."""
+
+    @property
+    def end_s(self) -> float:
+        """The last instant [s]."""
+        return float(self.samples.times[-1])
+
+    @property
+    def range_shares(self) -> Array:
+        """Where each joint is in its range (k, n) [%]: 0 in the middle, 100 at a limit."""
+        robot = self.one.robot
+        middle, half = 0.5 * (robot.upper + robot.lower), 0.5 * (robot.upper - robot.lower)
+        shares: Array = 100.0 * ((self.samples.joints - middle) / half)
+        return shares
+
+    @property
+    def speed_shares(self) -> Array:
+        """The speed of each joint (k, n) [%] of what it can."""
+        # Behind the joints stand external axes, which have no picture of this kind.
+        return 100.0 * (self.joint_speed / self.limits.max_speed[: self.joint_speed.shape[1]])
+
+    @property
+    def acceleration_shares(self) -> Array:
+        """The acceleration of each joint (k, n) [%] of what it can."""
+        limits = self.limits.max_acceleration[: self.joint_acceleration.shape[1]]
+        return 100.0 * (self.joint_acceleration / limits)
+
+
+def sampled(
+    simulation: Simulation, one: RobotRun, step_s: float, *, most_moves: int | None = None
+) -> SampledRun:
+    """Sample one robot of a run from its start until all robots stand.
+
+    Args:
+        simulation: The run.
+        one: The robot.
+        step_s: Time [s] between samples; starts and ends of moves have samples of their own.
+        most_moves: Of more moves they have none.
+    """
+    edged = one.moves if most_moves is None or len(one.moves) <= most_moves else ()
+    samples = motion_samples(one.trajectory, edged, simulation.motion_end_s, step_s)
+    speed, acceleration = rates_between(samples)
+    return SampledRun(
+        simulation=simulation,
+        one=one,
+        limits=limits_of(one.robot, simulation.model),
+        samples=samples,
+        joint_speed=speed,
+        joint_acceleration=acceleration,
+        in_corner=in_corner(samples, one.moves),
+    )
 
 
 def motion_samples(
