@@ -14,6 +14,7 @@ from typing import TypeAlias
 from rapidsim.language.annotations import Mode
 from rapidsim.language.types import Type
 from rapidsim.library.table import LibraryRoutine
+from rapidsim.library.traits import NOTHING, Does
 from rapidsim.syntax import tree
 
 
@@ -125,6 +126,11 @@ Symbol: TypeAlias = (
     | TypeSymbol
     | UnknownSymbol
 )
+
+
+def does(symbol: Symbol | None) -> Does:
+    """What a call of an installed routine does; of others their text tells."""
+    return symbol.routine.does if isinstance(symbol, LibrarySymbol) else NOTHING
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -13,9 +13,12 @@ from functools import cached_property
 from typing import TypeVar
 
 from rapidsim.analysis.context import Analysis
-from rapidsim.analysis.program import RoutineSymbol, Symbol
+from rapidsim.analysis.installed import installed_symbol
+from rapidsim.analysis.program import LibrarySymbol, RoutineSymbol, Symbol, does
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Fix, Related, Span, Violation
+from rapidsim.library.table import LibraryRoutine
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
 N = TypeVar("N", bound=tree.Node)
@@ -140,6 +143,19 @@ class Facts:
     def symbol(self, node: tree.Node | None) -> Symbol | None:
         """What a node refers to or declares, if that is known."""
         return None if node is None else self.analysis.symbol_of.get(node)
+
+    def installed(self, call: tree.Node) -> LibraryRoutine | None:
+        """The installed routine that a call leads to."""
+        symbol = self.symbol(call)
+        return symbol.routine if isinstance(symbol, LibrarySymbol) else None
+
+    def does(self, call: tree.Node) -> Does:
+        """What a call of an installed routine does."""
+        return does(self.symbol(call))
+
+    def may_do(self, call: tree.Call | tree.FunctionCall) -> Does:
+        """The same, by its name alone where nothing is looked up: the second routine of a name."""
+        return does(self.symbol(call) or installed_symbol(call.name.key))
 
     def routine_called(self, node: tree.Node) -> tree.Routine | None:
         """The user's routine that a call leads to."""

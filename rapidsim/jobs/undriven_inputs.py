@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from types import MappingProxyType
 
+from rapidsim.analysis.installed import installed_symbol
+from rapidsim.analysis.program import does
 from rapidsim.analysis.tree_walk import clauses, statements
 from rapidsim.controller.cell.description import CellIo, SignalKind
 from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
-_WAITS = MappingProxyType(
-    {"waitdi": SignalKind.DI, "waitgi": SignalKind.GI, "waitai": SignalKind.AI}
-)
+_INPUTS = (SignalKind.DI, SignalKind.GI, SignalKind.AI)
 
 
 class NeverDrivenInput(Violation, code="I803"):
@@ -28,7 +28,7 @@ def find_never_driven(files: Iterable[tree.File], io: CellIo) -> Iterator[Diagno
         io: Signals of the station and what drives them.
     """
     begins_with = {
-        signal.name.lower(): signal.value for signal in io.signals if signal.kind in _WAITS.values()
+        signal.name.lower(): signal.value for signal in io.signals if signal.kind in _INPUTS
     }
     driven = {name.lower() for stimulus in io.stimuli for name in stimulus.values}
     driven |= {cross.result.lower() for cross in io.crosses}
@@ -48,11 +48,12 @@ def find_never_driven(files: Iterable[tree.File], io: CellIo) -> Iterator[Diagno
 
 def _wait(statement: tree.Statement) -> tuple[tree.Name, tree.Number] | None:
     """The signal and the value that a statement waits for."""
-    if not isinstance(statement, tree.Call) or statement.name.key not in _WAITS:
+    if not isinstance(statement, tree.Call):
         return None
     required = [one.value for one in statement.arguments if isinstance(one, tree.Required)]
     match required[:1] + required[-1:]:
         case [tree.Reference(name=name), tree.Number() as value]:
-            return name, value
+            waits = Does.WAIT in does(installed_symbol(statement.name.key))
+            return (name, value) if waits else None
         case _:
             return None

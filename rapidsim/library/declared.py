@@ -1,8 +1,9 @@
 r"""Routines that are known but not simulated: `declared.txt`, read when first needed.
 
 The file gives each its header as RAPID would write it, after `=>` what is done instead. Without
-`=>` an instruction is skipped and a function returns the value data of its type start with. Each
-use is reported to the controller.
+`=>` an instruction is skipped and a function returns the value data of its type start with. After
+`@` stands what the header does not say of what it does, in the words of `Does`, or what puts back
+what it sets. Each use is reported to the controller.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from functools import cache, cached_property
+from functools import cache, cached_property, partial
 from pathlib import Path
 from types import MappingProxyType
 
@@ -19,17 +20,20 @@ from rapidsim.language.annotations import Mode
 from rapidsim.language.controller import Controller
 from rapidsim.language.initial import initial_value
 from rapidsim.language.types import Type
+from rapidsim.library.motion import MOTION
 from rapidsim.library.predefined import TYPES
 from rapidsim.library.substitutes import SUBSTITUTES
 from rapidsim.library.table import WHOLE, LibraryRoutine, Parameter, Signature
 from rapidsim.library.text import value_text
+from rapidsim.library.traits import NOTHING, Does
 
 BUILT_IN = "built in"
 """What stands after `=>` for routines that the interpreter itself carries out."""
 
 _HEADING = "! == "
 _LINE = re.compile(
-    r"(?:PROC|FUNC (?P<result>\w+)) (?P<name>\w+)\((?P<parameters>[^)]*)\)(?: => (?P<instead>.+))?"
+    r"(?:PROC|FUNC (?P<result>\w+)) (?P<name>\w+)\((?P<parameters>[^)]*)\)"
+    r"(?: => (?P<instead>[^@]+?))?(?: @ (?:back: (?P<back>\w+)|(?P<does>[A-Z_ ]+)))?"
 )
 _PARAMETER = re.compile(
     r"(?:(?P<mode>INOUT|VAR|PERS|REF) )?(?P<type>\w+) (?P<name>\w+)(?:\{(?P<stars>[*,]+)\})?"
@@ -79,8 +83,16 @@ def _row(line: str) -> LibraryRoutine:
     match = _LINE.fullmatch(line)
     assert match is not None, f"declared.txt: cannot read {line!r}"
     name, result, instead = match["name"], match["result"], match["instead"]
+    declared = partial(
+        DeclaredRoutine,
+        name,
+        stated=_stated(match["does"] or "", instead),
+        back=match["back"] or "",
+        parameters=match["parameters"],
+        result=result,
+    )
     if instead == BUILT_IN:
-        return DeclaredRoutine(name, _built_in(name), parameters=match["parameters"], result=result)
+        return declared(_built_in(name))
     treated_as = instead or ("skipped" if result is None else _returned(TYPES[result]))
 
     def body(controller: Controller, *arguments: object, **options: object) -> object:
@@ -90,10 +102,17 @@ def _row(line: str) -> LibraryRoutine:
             substitute(controller, given)
         return None if result is None else initial_value(TYPES[result])
 
-    row = DeclaredRoutine(
-        name, body, treated_as=treated_as, parameters=match["parameters"], result=result
-    )
+    row = declared(body, treated_as=treated_as)
     return row
+
+
+def _stated(words: str, instead: str | None) -> Does:
+    """What a line says that a routine does; a move in its stead does the same."""
+    substitute = MOTION.get((instead or "").lower())
+    does = NOTHING if substitute is None else substitute.stated
+    for word in words.split():
+        does |= Does[word]
+    return does
 
 
 def _built_in(name: str) -> Callable[..., object]:

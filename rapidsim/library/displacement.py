@@ -26,6 +26,7 @@ from rapidsim.language.data import (
 from rapidsim.language.single import single
 from rapidsim.library.poses import composed, inverted, rounded, single_pos
 from rapidsim.library.table import routine, table
+from rapidsim.library.traits import Does
 
 
 def in_object(controller: Motion, point: RobTarget) -> RobTarget:
@@ -137,12 +138,21 @@ def _displaced(point: RobTarget, object_from_displaced: Pose | None) -> RobTarge
     return point._replace(trans=pose.trans, rot=pose.rot)
 
 
+_DISPLACEMENT = ("displacement",)
+_OFFSETS = ("axis_offsets",)
+
 DISPLACEMENT = table(
-    routine("PDispOn", p_disp_on, r"\Rot \ExeP ProgPoint Tool \WObj"),
-    routine("PDispSet", p_disp_set),
-    routine("PDispOff", p_disp_off),
-    routine("EOffsOn", e_offs_on, r"\ExeP ProgPoint"),
-    routine("EOffsSet", e_offs_set, "EAxOffs"),
-    routine("EOffsOff", e_offs_off),
-    routine("ORobT", o_rob_t, r"OrgPoint \InPDisp|\InEOffs"),
+    routine(
+        "PDispOn",
+        p_disp_on,
+        r"\Rot \ExeP ProgPoint Tool \WObj",
+        sets=_DISPLACEMENT,
+        back="PDispOff",
+    ),
+    routine("PDispSet", p_disp_set, sets=_DISPLACEMENT, back="PDispOff"),
+    routine("PDispOff", p_disp_off, sets=_DISPLACEMENT, back="PDispOff"),
+    routine("EOffsOn", e_offs_on, r"\ExeP ProgPoint", sets=_OFFSETS, back="EOffsOff"),
+    routine("EOffsSet", e_offs_set, "EAxOffs", sets=_OFFSETS, back="EOffsOff"),
+    routine("EOffsOff", e_offs_off, sets=_OFFSETS, back="EOffsOff"),
+    routine("ORobT", o_rob_t, r"OrgPoint \InPDisp|\InEOffs", does=Does.READ_TASK),
 )

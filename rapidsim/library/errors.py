@@ -17,6 +17,7 @@ from rapidsim.language.error_log import (
 )
 from rapidsim.library.table import routine, table
 from rapidsim.library.text import number_text
+from rapidsim.library.traits import Does
 
 
 def book_err_no(controller: ErrorNumbers, error_name: Var[ErrNum]) -> None:
@@ -74,10 +75,11 @@ def _type(warning: bool, information: bool) -> float:
 
 ERRORS = table(
     routine("BookErrNo", book_err_no),
-    routine("ErrWrite", err_write, r"\W|\I Header Reason \RL2 \RL3 \RL4"),
+    routine("ErrWrite", err_write, r"\W|\I Header Reason \RL2 \RL3 \RL4", does=Does.TELL),
     routine(
         "ErrLog",
         err_log,
         r"ErrorId \W|\I Argument1 Argument2 Argument3 Argument4 Argument5",
+        does=Does.TELL,
     ),
 )

@@ -33,6 +33,7 @@ from rapidsim.language.types import NUM
 from rapidsim.library.files import opened_device
 from rapidsim.library.table import routine, table
 from rapidsim.library.text import parsed_value, source_text
+from rapidsim.library.traits import Does
 
 _ENCODING = "iso-8859-1"
 _DISK_NOTE = "a disk of 1 GB that holds the home folder alone"
@@ -168,8 +169,13 @@ FILE_SYSTEM = table(
     routine("OpenDir", open_dir),
     routine("ReadDir", read_dir),
     routine("CloseDir", close_dir),
-    routine("IsFile", is_file, r"Path \Directory|\Fifo|\RegFile|\BlockSpec|\CharSpec"),
-    routine("FileSize", file_size),
+    routine(
+        "IsFile",
+        is_file,
+        r"Path \Directory|\Fifo|\RegFile|\BlockSpec|\CharSpec",
+        does=Does.READ_CELL,
+    ),
+    routine("FileSize", file_size, does=Does.READ_CELL),
     routine("FSSize", fs_size, r"Name \Total|\Free \Kbyte \Mbyte", treated_as=_DISK_NOTE),
     routine("WriteAnyBin", write_any_bin),
     routine("ReadAnyBin", read_any_bin),

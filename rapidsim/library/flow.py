@@ -10,6 +10,7 @@ from rapidsim.language.controller import Controller
 from rapidsim.language.errors import CycleEnded, Stopped
 from rapidsim.library.honesty import ignored
 from rapidsim.library.table import routine, table
+from rapidsim.library.traits import Does
 
 OPERATING_AUTOMATIC = 1.0
 """The constant OP_AUTO."""
@@ -73,10 +74,10 @@ def non_motion_mode(*, main: Switch = False) -> Bool:
 
 
 FLOW = table(
-    routine("Stop", stop),
+    routine("Stop", stop, does=Does.WAIT),
     routine("Break", break_),
-    routine("ExitCycle", exit_cycle),
-    routine("SystemStopAction", system_stop_action, r"\Stop|\StopBlock|\Halt"),
+    routine("ExitCycle", exit_cycle, does=Does.LEAVE),
+    routine("SystemStopAction", system_stop_action, r"\Stop|\StopBlock|\Halt", does=Does.LEAVE),
     routine("OpMode", op_mode),
     routine("RunMode", run_mode),
     routine("RobOS", rob_os),

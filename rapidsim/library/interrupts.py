@@ -32,6 +32,7 @@ from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.reference import Box
 from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
+from rapidsim.library.traits import Does
 
 EDGE = 2.0
 """The constant `edge`: any change."""
@@ -244,7 +245,7 @@ INTERRUPTS = table(
     routine("ISignalAI", i_signal_ai, rf"{_ONCE} {_ANALOG}"),
     routine("ISignalAO", i_signal_ao, rf"{_ONCE} {_ANALOG}"),
     routine("IPers", i_pers, rf"{_ONCE} Name Interrupt"),
-    routine("IDelete", i_delete),
+    routine("IDelete", i_delete, does=Does.DISCONNECT),
     routine("ISleep", i_sleep),
     routine("IWatch", i_watch),
     routine("IDisable", i_disable),

@@ -27,6 +27,7 @@ from rapidsim.language.errors import RapidError
 from rapidsim.language.modules import LoadSession, SavedModule
 from rapidsim.library.files import joined_path
 from rapidsim.library.table import routine, table
+from rapidsim.library.traits import Does
 
 LARGEST_FILE = 10_000_000
 """Bytes of one program file; a larger one does not fit into the program memory."""
@@ -171,13 +172,13 @@ def _write(controller: Files, module: SavedModule, path: str) -> None:
 
 
 LOADING = table(
-    routine("Load", load, r"\Dynamic FilePath \File \CheckRef"),
-    routine("StartLoad", start_load, r"\Dynamic FilePath \File LoadNo"),
-    routine("WaitLoad", wait_load, r"\UnloadPath \UnloadFile LoadNo \CheckRef"),
+    routine("Load", load, r"\Dynamic FilePath \File \CheckRef", does=Does.LOAD),
+    routine("StartLoad", start_load, r"\Dynamic FilePath \File LoadNo", does=Does.LOAD),
+    routine("WaitLoad", wait_load, r"\UnloadPath \UnloadFile LoadNo \CheckRef", does=Does.WAIT),
     routine("CancelLoad", cancel_load),
     routine("UnLoad", un_load, r"\ErrIfChanged|\Save FilePath \File"),
     routine("EraseModule", erase_module),
     routine("CheckProgRef", check_prog_ref),
-    routine("ModExist", mod_exist),
+    routine("ModExist", mod_exist, does=Does.READ_TASK),
     routine("Save", save, r"\TaskRef|\TaskName ModuleName \FilePath \File"),
 )

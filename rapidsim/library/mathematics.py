@@ -22,6 +22,7 @@ from rapidsim.language.error_numbers import (
 from rapidsim.language.single import LARGEST_EXACT_INTEGER, LARGEST_SINGLE, single
 from rapidsim.language.types import DNUM, NUM, Type, resolved
 from rapidsim.library.table import routine, table
+from rapidsim.library.traits import Does
 
 LARGEST_EXACT_DNUM = 4503599627370496.0
 """2**52: the largest whole number that dnum functions take."""
@@ -280,9 +281,9 @@ MATHEMATICS = table(
     routine("NumToDnum", num_to_dnum),
     routine("DnumToNum", dnum_to_num),
     routine("TryInt", try_int),
-    routine("Add", add),
-    routine("Incr", incr),
-    routine("Decr", decr),
-    routine("Clear", clear),
+    routine("Add", add, does=Does.INSTANT),
+    routine("Incr", incr, does=Does.INSTANT),
+    routine("Decr", decr, does=Does.INSTANT),
+    routine("Clear", clear, does=Does.INSTANT),
     routine("TestAndSet", test_and_set, "Object"),
 )

@@ -35,6 +35,7 @@ from rapidsim.language.single import single
 from rapidsim.library.displacement import in_object, with_axis_offsets
 from rapidsim.library.honesty import ignored
 from rapidsim.library.table import LibraryRoutine, routine, table
+from rapidsim.library.traits import NOTHING, Does
 
 
 class MoveOptions(TypedDict, total=False):
@@ -185,6 +186,16 @@ def _zone(zone: ZoneData, z: float | None, inpos: StopPointData | None) -> ZoneD
     return ZoneData(zone.finep, z, *(single(size * scale) for size in zone[2:]))
 
 
+PLAIN_MOVES: Mapping[Interpolation, str] = MappingProxyType(
+    {
+        Interpolation.JOINT: "MoveJ",
+        Interpolation.AXES: "MoveAbsJ",
+        Interpolation.EXTERNAL_AXES: "MoveExtJ",
+        Interpolation.LINE: "MoveL",
+        Interpolation.CIRCLE: "MoveC",
+    }
+)
+"""The instruction that moves so and does nothing else."""
 _WAYS: Mapping[str, tuple[Interpolation, str]] = MappingProxyType(
     {
         "J": (Interpolation.JOINT, "Move all axes together to a pose"),
@@ -199,8 +210,9 @@ def each_way(
     name: str,
     body_of: Callable[[str, Interpolation], Callable[..., None]],
     order: str,
-    does: str = "",
+    besides: str = "",
     ways: str = "JLC",
+    does: Does = NOTHING,
 ) -> Iterator[LibraryRoutine]:
     r"""The rows of an instruction that moves to a pose, one a way to move.
 
@@ -208,20 +220,22 @@ def each_way(
         name: With `*` for the letter of the way, as in `Move*DO`.
         body_of: Makes the function, of the name and the way.
         order: That of the move on a line; an arc has a CirPoint more, a joint move no \Corr.
-        does: What it does beside, to stand after how it moves.
+        besides: What it does beside, to stand after how it moves.
         ways: The letters.
+        does: The same for whoever asks, on all ways.
     """
     for letter in ways:
         own = name.replace("*", letter)
         interpolation, moves = _WAYS[letter]
         body = body_of(own, interpolation)
-        body.__doc__ = f"{moves}{does}."
+        body.__doc__ = f"{moves}{besides}."
         if interpolation is Interpolation.JOINT:
-            yield routine(own, body, order.replace(r" \Corr", ""))
+            yield routine(own, body, order.replace(r" \Corr", ""), does=does)
         elif interpolation is Interpolation.CIRCLE:
-            yield routine(own, body, order.replace("ToPoint", "CirPoint ToPoint"))
+            to = order.replace("ToPoint", "CirPoint ToPoint")
+            yield routine(own, body, to, does=does | Does.CARTESIAN)
         else:
-            yield routine(own, body, order)
+            yield routine(own, body, order, does=does | Does.CARTESIAN)
 
 
 _AFTER_POINT = r"Speed \V|\T Zone \Z \Inpos Tool \WObj"

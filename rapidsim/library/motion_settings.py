@@ -168,20 +168,38 @@ def max_rob_speed(controller: Honesty) -> Num:
 
 
 MOTION_SETTINGS = table(
-    routine("VelSet", vel_set, "Override Max"),
-    routine("AccSet", acc_set),
+    routine(
+        "VelSet",
+        vel_set,
+        "Override Max",
+        sets=("speed_override_percent", "max_speed_mm_s"),
+        back="VelSet 100,5000",
+    ),
+    routine(
+        "AccSet",
+        acc_set,
+        sets=("acceleration_percent", "ramp_percent", "fine_ramp_percent"),
+        back="AccSet 100,100",
+    ),
     routine("PathAccLim", path_acc_lim, r"AccLim \AccMax DecelLim \DecelMax"),
     routine("WorldAccLim", world_acc_lim, r"\On|\Off"),
     routine("ActUnit", act_unit),
     routine("DeactUnit", deact_unit),
     routine("IsMechUnitActive", is_mech_unit_active),
-    routine("ConfJ", conf_j, r"\On|\Off"),
-    routine("ConfL", conf_l, r"\On|\Off"),
-    routine("SingArea", sing_area, r"\Wrist|\LockAxis4|\Off"),
+    routine("ConfJ", conf_j, r"\On|\Off", sets=("conf_j",), back=r"ConfJ\On"),
+    routine("ConfL", conf_l, r"\On|\Off", sets=("conf_l",), back=r"ConfL\On"),
+    routine(
+        "SingArea",
+        sing_area,
+        r"\Wrist|\LockAxis4|\Off",
+        sets=("singular_area",),
+        back=r"SingArea\Off",
+    ),
     routine(
         "CirPathMode",
         cir_path_mode,
         r"\PathFrame|\ObjectFrame|\CirPointOri|\Wrist45|\Wrist46|\Wrist56",
+        sets=("circle_path",),
     ),
     routine("GripLoad", grip_load),
     routine("MaxRobSpeed", max_rob_speed, treated_as="the speed of vmax"),

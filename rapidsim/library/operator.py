@@ -29,6 +29,7 @@ from rapidsim.language.records import record_of
 from rapidsim.library.honesty import ignored
 from rapidsim.library.table import routine, table
 from rapidsim.library.text import dnum_text, number_text, value_text
+from rapidsim.library.traits import Does
 
 
 class Breaks(TypedDict, total=False):
@@ -140,8 +141,8 @@ _BREAKS = (
 )
 
 OPERATOR = table(
-    routine("TPWrite", tp_write, r"TPText \Num|\Bool|\Pos|\Orient|\Dnum"),
-    routine("TPErase", tp_erase),
+    routine("TPWrite", tp_write, r"TPText \Num|\Bool|\Pos|\Orient|\Dnum", does=Does.TELL),
+    routine("TPErase", tp_erase, does=Does.TELL),
     routine("TPReadNum", tp_read_num, rf"TPAnswer TPText {_BREAKS}"),
     routine("TPReadDnum", tp_read_dnum, rf"TPAnswer TPText {_BREAKS}"),
     routine("TPReadFK", tp_read_fk, rf"TPAnswer TPText TPFK1 TPFK2 TPFK3 TPFK4 TPFK5 {_BREAKS}"),

@@ -28,6 +28,7 @@ from rapidsim.language.path_events import CallProcedure, SetOutput, Trigger
 from rapidsim.library.motion import MoveOptions, asked, each_way
 from rapidsim.library.signals import connected
 from rapidsim.library.table import table
+from rapidsim.library.traits import Does
 
 
 class GroupValue(MoveOptions, total=False):
@@ -126,5 +127,11 @@ OUTPUT_MOVES = table(
         rf"{_MOVE} Signal \Value|\DValue \TLoad",
         " and set a group of outputs there",
     ),
-    *each_way("Move*Sync", _call, rf"{_MOVE} ProcName \TLoad", " and call a procedure there"),
+    *each_way(
+        "Move*Sync",
+        _call,
+        rf"{_MOVE} ProcName \TLoad",
+        " and call a procedure there",
+        does=Does.CALL_ON_THE_WAY,
+    ),
 )

@@ -16,6 +16,7 @@ from rapidsim.language.data import WOBJ0, Orient, Pos, Pose, RobTarget, WobjData
 from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_FRAME, rapid_error
 from rapidsim.library.poses import composed, from_axes, inverted, rounded, unit
 from rapidsim.library.table import routine, table
+from rapidsim.library.traits import Does
 
 _X: Vector = (1.0, 0.0, 0.0)
 _Y: Vector = (0.0, 1.0, 0.0)
@@ -195,8 +196,8 @@ def vect_magn(vector: Pos) -> Num:
 
 
 POSITIONS = table(
-    routine("Offs", offs),
-    routine("RelTool", rel_tool),
+    routine("Offs", offs, does=Does.OFFSET),
+    routine("RelTool", rel_tool, does=Does.OFFSET),
     routine("OrientZYX", orient_zyx, "ZAngle YAngle XAngle"),
     routine("EulerZYX", euler_zyx, r"\X|\Y|\Z Rotation"),
     routine("NOrient", n_orient),

@@ -25,6 +25,7 @@ from rapidsim.language.tasks import TaskService
 from rapidsim.library.displacement import in_object, in_program, without_axis_offsets
 from rapidsim.library.honesty import ignored
 from rapidsim.library.table import routine, table
+from rapidsim.library.traits import Does
 
 
 def c_rob_t(
@@ -157,12 +158,17 @@ def _own_task_only(
 _TASK = r"\TaskRef|\TaskName"
 
 ROBOT_STATE = table(
-    routine("CRobT", c_rob_t, rf"{_TASK} \Tool \WObj"),
-    routine("CJointT", c_joint_t, _TASK),
-    routine("CPos", c_pos),
-    routine("CTool", c_tool, _TASK),
-    routine("CWObj", c_wobj, _TASK),
-    routine("CalcRobT", calc_rob_t, r"Joint_target Tool \WObj"),
-    routine("CalcJointT", calc_joint_t, r"\UseCurWObjPos Rob_target Tool \WObj \ErrorNumber"),
+    routine("CRobT", c_rob_t, rf"{_TASK} \Tool \WObj", does=Does.READ_TASK),
+    routine("CJointT", c_joint_t, _TASK, does=Does.READ_TASK),
+    routine("CPos", c_pos, does=Does.READ_TASK),
+    routine("CTool", c_tool, _TASK, does=Does.READ_TASK),
+    routine("CWObj", c_wobj, _TASK, does=Does.READ_TASK),
+    routine("CalcRobT", calc_rob_t, r"Joint_target Tool \WObj", does=Does.READ_TASK),
+    routine(
+        "CalcJointT",
+        calc_joint_t,
+        r"\UseCurWObjPos Rob_target Tool \WObj \ErrorNumber",
+        does=Does.READ_TASK,
+    ),
     routine("CSpeedOverride", c_speed_override),
 )

@@ -21,6 +21,7 @@ from rapidsim.language.reference import Reference
 from rapidsim.library.displacement import in_program, with_axis_offsets, without_axis_offsets
 from rapidsim.library.motion import MoveOptions, asked, each_way
 from rapidsim.library.table import routine, table
+from rapidsim.library.traits import Does
 
 
 class SearchOptions(MoveOptions, total=False):
@@ -107,10 +108,12 @@ SEARCH = table(
         rf"{_WATCHED} SearchPoint ToPoint \ID Speed \V|\T Tool \WObj \Corr \TLoad",
         " and keep where it was when a signal changed",
         ways="LC",
+        does=Does.SEARCH,
     ),
     routine(
         "SearchExtJ",
         search_ext_j,
         rf"{_WATCHED} SearchJointPos ToJointPos \ID \UseEOffs Speed \T",
+        does=Does.SEARCH,
     ),
 )

@@ -38,6 +38,7 @@ from rapidsim.language.error_numbers import (
 )
 from rapidsim.language.reference import Reference
 from rapidsim.library.table import routine, table
+from rapidsim.library.traits import Does
 
 DEFAULT_PULSE_S = 0.2
 LEAST_PULSE_S = 0.001
@@ -214,23 +215,23 @@ def _group_num(value: float, signal: Signal) -> float:
 
 
 SIGNALS = table(
-    routine("SetDO", set_do, r"\SDelay|\Sync Signal Value"),
-    routine("Set", set_),
-    routine("Reset", reset),
-    routine("InvertDO", invert_do),
-    routine("PulseDO", pulse_do, r"\High \PLength Signal"),
-    routine("SetAO", set_ao),
-    routine("SetGO", set_go, r"\SDelay Signal Value"),
-    routine("DInput", d_input),
-    routine("DOutput", d_output),
-    routine("AInput", a_input),
-    routine("AOutput", a_output),
-    routine("GInput", g_input),
-    routine("GOutput", g_output),
-    routine("GInputDnum", g_input_dnum),
-    routine("GOutputDnum", g_output_dnum),
-    routine("TestDI", test_di),
-    routine("ValidIO", valid_io),
+    routine("SetDO", set_do, r"\SDelay|\Sync Signal Value", does=Does.OUTPUT),
+    routine("Set", set_, does=Does.OUTPUT),
+    routine("Reset", reset, does=Does.OUTPUT),
+    routine("InvertDO", invert_do, does=Does.OUTPUT),
+    routine("PulseDO", pulse_do, r"\High \PLength Signal", does=Does.OUTPUT),
+    routine("SetAO", set_ao, does=Does.OUTPUT),
+    routine("SetGO", set_go, r"\SDelay Signal Value", does=Does.OUTPUT),
+    routine("DInput", d_input, does=Does.READ_CELL),
+    routine("DOutput", d_output, does=Does.READ_CELL),
+    routine("AInput", a_input, does=Does.READ_CELL),
+    routine("AOutput", a_output, does=Does.READ_CELL),
+    routine("GInput", g_input, does=Does.READ_CELL),
+    routine("GOutput", g_output, does=Does.READ_CELL),
+    routine("GInputDnum", g_input_dnum, does=Does.READ_CELL),
+    routine("GOutputDnum", g_output_dnum, does=Does.READ_CELL),
+    routine("TestDI", test_di, does=Does.READ_CELL),
+    routine("ValidIO", valid_io, does=Does.READ_ARGUMENT),
     routine("AliasIO", alias_io),
     routine("AliasIOReset", alias_io_reset),
 )

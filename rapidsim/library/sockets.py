@@ -44,6 +44,7 @@ from rapidsim.library.honesty import ignored
 from rapidsim.library.raw_bytes import MOST_BYTES
 from rapidsim.library.table import routine, table
 from rapidsim.library.text import MAX_STRING
+from rapidsim.library.traits import Does
 
 DEFAULT_TIME_S = 60.0
 WAIT_FOR_EVER_S = 8388608.0
@@ -306,10 +307,15 @@ SOCKETS = table(
     routine("SocketCreate", socket_create, r"Socket \UDP"),
     routine("SocketBind", socket_bind),
     routine("SocketListen", socket_listen),
-    routine("SocketAccept", socket_accept),
-    routine("SocketConnect", socket_connect),
+    routine("SocketAccept", socket_accept, does=Does.WAIT),
+    routine("SocketConnect", socket_connect, does=Does.WAIT),
     routine("SocketSend", socket_send, rf"Socket {_DATA} \NoOfBytes"),
-    routine("SocketReceive", socket_receive, rf"Socket {_DATA} \ReadNoOfBytes \NoRecBytes \Time"),
+    routine(
+        "SocketReceive",
+        socket_receive,
+        rf"Socket {_DATA} \ReadNoOfBytes \NoRecBytes \Time",
+        does=Does.WAIT,
+    ),
     routine("SocketPeek", socket_peek),
     routine(
         "SocketSendTo",
@@ -322,6 +328,7 @@ SOCKETS = table(
         socket_receive_from,
         rf"Socket {_DATA} \NoRecBytes RemoteAddress RemotePort \Time",
         treated_as=_NO_DATAGRAM,
+        does=Does.WAIT,
     ),
     routine("SocketClose", socket_close),
     routine("SocketGetStatus", socket_get_status),

@@ -14,6 +14,7 @@ from rapidsim.language.controller import Controller
 from rapidsim.language.path_control import PathControl
 from rapidsim.library.honesty import ignored
 from rapidsim.library.table import routine, table
+from rapidsim.library.traits import Does
 
 
 def stop_move(
@@ -79,7 +80,7 @@ def is_stop_move_act(
 STOP_START = table(
     routine("StopMove", stop_move),
     routine("StartMove", start_move),
-    routine("StartMoveRetry", start_move_retry),
+    routine("StartMoveRetry", start_move_retry, does=Does.LEAVE | Does.RETRY),
     routine("StopMoveReset", stop_move_reset),
     routine("ClearPath", clear_path),
     routine("StorePath", store_path),

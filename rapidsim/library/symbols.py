@@ -25,6 +25,7 @@ from rapidsim.language.reference import Reference
 from rapidsim.language.symbols import DataName, Search
 from rapidsim.language.types import NUM
 from rapidsim.library.table import routine, table
+from rapidsim.library.traits import Does
 
 
 def get_data_val(
@@ -145,14 +146,20 @@ def _own_task_only(
 _PLACE = r"\Block|\TaskRef|\TaskName"
 
 SYMBOLS = table(
-    routine("GetDataVal", get_data_val, f"Object {_PLACE} Value"),
-    routine("SetDataVal", set_data_val, f"Object {_PLACE} Value"),
-    routine("SetAllDataVal", set_all_data_val, r"Type \TypeMod \Object \Hidden Value"),
+    routine("GetDataVal", get_data_val, f"Object {_PLACE} Value", does=Does.READ_BY_NAME),
+    routine("SetDataVal", set_data_val, f"Object {_PLACE} Value", does=Does.WRITE_BY_NAME),
+    routine(
+        "SetAllDataVal",
+        set_all_data_val,
+        r"Type \TypeMod \Object \Hidden Value",
+        does=Does.WRITE_BY_NAME,
+    ),
     routine(
         "SetDataSearch",
         set_data_search,
         r"Type \TypeMod \Object \PersSym \VarSym \ConstSym \InTask|\InMod \InRout "
         r"\GlobalSym|\LocalSym",
+        does=Does.READ_BY_NAME,
     ),
-    routine("GetNextSym", get_next_sym, r"Object Block \Recursive"),
+    routine("GetNextSym", get_next_sym, r"Object Block \Recursive", does=Does.READ_BY_NAME),
 )

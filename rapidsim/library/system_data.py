@@ -25,6 +25,7 @@ from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.types import NUM
 from rapidsim.library.honesty import ignored
 from rapidsim.library.table import routine, table
+from rapidsim.library.traits import Does
 
 NORMAL_LEVEL, TRAP_LEVEL = 0.0, 1.0
 """The constants LEVEL_NORMAL and LEVEL_TRAP."""
@@ -134,5 +135,5 @@ SYSTEM_DATA = table(
     routine("ResetPPMoved", reset_pp_moved),
     routine("IsStopStateEvent", is_stop_state_event, r"\PPMoved \PPToMain"),
     routine("PFRestart", pf_restart, r"\Base|\Irpt"),
-    routine("TPShow", tp_show),
+    routine("TPShow", tp_show, does=Does.TELL),
 )

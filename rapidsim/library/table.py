@@ -24,6 +24,7 @@ from rapidsim.language.records import record_of
 from rapidsim.language.reference import Reference
 from rapidsim.language.types import Type
 from rapidsim.library.precision import in_single
+from rapidsim.library.traits import LIMITS, NOTHING, Does, derived
 
 _SPELLINGS = {
     "id": "ID",
@@ -99,6 +100,13 @@ class LibraryRoutine:
     a bar; needed only where options come first, exclude each other or have unusual spellings."""
     treated_as: str | None = None
     """What is done instead where the routine is not simulated; None where it is."""
+    stated: Does = NOTHING
+    """What the row says that it does; `does` is all."""
+    sets: tuple[str, ...] = ()
+    """The fields of `MotionSettings` that it sets."""
+    back: str = ""
+    """The call that puts a mode back to what it is at the start, if it changes one that it may
+    leave behind: the switch or the percentages in it count, else the routine of that name."""
 
     @property
     def simulated(self) -> bool:
@@ -109,6 +117,18 @@ class LibraryRoutine:
     def signature(self) -> Signature:
         """The RAPID signature, read from the function's annotations."""
         return _read_signature(self.function, self.order)
+
+    @cached_property
+    def does(self) -> Does:
+        """What a call of it does."""
+        names = frozenset(p.name.lower() for p in self.signature.parameters)
+        return derived(self.stated, names)
+
+    @property
+    def limit(self) -> str | None:
+        """The option that limits how long it waits, as RAPID spells it; None without one."""
+        found = (p.name for p in self.signature.parameters if p.optional)
+        return next((name for name in found if name.lower() in LIMITS), None)
 
     @cached_property
     def body(self) -> Callable[..., Any]:
@@ -122,10 +142,17 @@ class LibraryRoutine:
 
 
 def routine(
-    name: str, body: Callable[..., Any], order: str = "", *, treated_as: str | None = None
+    name: str,
+    body: Callable[..., Any],
+    order: str = "",
+    *,
+    treated_as: str | None = None,
+    does: Does = NOTHING,
+    sets: tuple[str, ...] = (),
+    back: str = "",
 ) -> LibraryRoutine:
-    """One row of a table."""
-    return LibraryRoutine(name, body, order, treated_as)
+    """One row of a table; what its parameters say that it does need not be stated."""
+    return LibraryRoutine(name, body, order, treated_as, does, sets, back)
 
 
 def table(*rows: LibraryRoutine) -> Mapping[str, LibraryRoutine]:

@@ -26,6 +26,7 @@ from rapidsim.language.error_numbers import (
 from rapidsim.language.tasks import SyncMoves, TaskService
 from rapidsim.library.honesty import ignored
 from rapidsim.library.table import routine, table
+from rapidsim.library.traits import Does
 
 SyncIdent = Annotated[object, next(one for one in types.OPAQUE if one.name == "syncident")]
 TaskList = Annotated[list[Tasks], Mode.PERS]
@@ -177,12 +178,12 @@ TASKS = table(
     routine("WaitSyncTask", wait_sync_task, r"\InPos SyncID TaskList \TimeOut"),
     routine("SyncMoveOn", sync_move_on, r"SyncID TaskList \TimeOut"),
     routine("SyncMoveOff", sync_move_off, r"SyncID \TimeOut"),
-    routine("SyncMoveUndo", sync_move_undo),
-    routine("SyncMoveSuspend", sync_move_suspend),
-    routine("SyncMoveResume", sync_move_resume),
+    routine("SyncMoveUndo", sync_move_undo, does=Does.WAIT),
+    routine("SyncMoveSuspend", sync_move_suspend, does=Does.WAIT),
+    routine("SyncMoveResume", sync_move_resume, does=Does.WAIT),
     routine("IsSyncMoveOn", is_sync_move_on),
     routine("TasksInSync", tasks_in_sync, "TaskList"),
-    routine("GetTaskName", get_task_name, r"\TaskNo \MecTaskNo"),
+    routine("GetTaskName", get_task_name, r"\TaskNo \MecTaskNo", does=Does.READ_TASK),
     routine("TaskRunRob", task_run_rob),
     routine("TaskRunMec", task_run_mec),
     routine("MotionPlannerNo", motion_planner_no),

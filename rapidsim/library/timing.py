@@ -29,6 +29,7 @@ from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_WAIT_MAXTIME, rap
 from rapidsim.language.reference import Reference
 from rapidsim.library.honesty import ignored
 from rapidsim.library.table import routine, table
+from rapidsim.library.traits import Does
 
 DEFAULT_POLL_S = 0.1
 LEAST_POLL_S = 0.04
@@ -175,19 +176,19 @@ def _clock_time(controller: ClockService, state: ClockState) -> float:
 
 
 TIMING = table(
-    routine("WaitTime", wait_time, r"\InPos Time"),
+    routine("WaitTime", wait_time, r"\InPos Time", does=Does.WAIT),
     routine(
         "WaitUntil",
         wait_until,
         r"\InPos Cond \MaxTime \TimeFlag \PollRate \Visualize \Header \Message|\MsgArray \Wrap "
         r"\Icon \Image \VisualizeTime \UIActiveSignal",
     ),
-    routine("WaitRob", wait_rob, r"\InPos|\ZeroSpeed"),
-    routine("WaitTestAndSet", wait_test_and_set, "Object"),
-    routine("ClkReset", clk_reset),
-    routine("ClkStart", clk_start),
-    routine("ClkStop", clk_stop),
-    routine("ClkRead", clk_read),
+    routine("WaitRob", wait_rob, r"\InPos|\ZeroSpeed", does=Does.WAIT),
+    routine("WaitTestAndSet", wait_test_and_set, "Object", does=Does.WAIT),
+    routine("ClkReset", clk_reset, does=Does.INSTANT),
+    routine("ClkStart", clk_start, does=Does.INSTANT),
+    routine("ClkStop", clk_stop, does=Does.INSTANT),
+    routine("ClkRead", clk_read, does=Does.READ_TASK),
     routine("CDate", c_date),
     routine("CTime", c_time),
     routine("GetTime", get_time, r"\WDay|\Hour|\Min|\Sec"),

@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.frames.transform import Array
 from rapidsim.language.moves import Interpolation
+from rapidsim.library.motion import PLAIN_MOVES
 from rapidsim.plots.drawn import MM, target_name, title_of
 from rapidsim.plots.look import Theme, new_figure
 from rapidsim.simulation.results.sampling import SampledRun
@@ -35,10 +36,8 @@ def comparison_picture(run: SampledRun, theme: Theme) -> Figure | None:
         (above, (0, 1), "from above"),
         (side, (0, 2), "from the side"),
     ):
-        for way, kind, label in (
-            (joint, Interpolation.JOINT, "MoveJ"),
-            (line, Interpolation.LINE, "MoveL"),
-        ):
+        for way, kind in ((joint, Interpolation.JOINT), (line, Interpolation.LINE)):
+            label = PLAIN_MOVES[kind]
             axes.plot(way[:, first], way[:, second], color=theme.moves[kind], label=label)
         axes.plot(line[[0, -1], first], line[[0, -1], second], "o", color=theme.ink, markersize=3)
         axes.set_title(title)

@@ -90,16 +90,6 @@ DARK = Theme(
     ),
 )  # fmt: skip
 
-INSTRUCTIONS: Mapping[Interpolation, str] = MappingProxyType(
-    {
-        Interpolation.JOINT: "MoveJ",
-        Interpolation.AXES: "MoveAbsJ",
-        Interpolation.EXTERNAL_AXES: "MoveExtJ",
-        Interpolation.LINE: "MoveL",
-        Interpolation.CIRCLE: "MoveC",
-    }
-)
-
 
 @contextmanager
 def dressed(theme: Theme) -> Iterator[None]:

@@ -11,8 +11,9 @@ from mpl_toolkits.mplot3d.axes3d import Axes3D
 
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.frames.transform import Array
+from rapidsim.library.motion import PLAIN_MOVES
 from rapidsim.plots.drawn import MM, end_mm, frame_of, pieces, places_mm, target_name, title_of
-from rapidsim.plots.look import INSTRUCTIONS, Theme, new_figure
+from rapidsim.plots.look import Theme, new_figure
 from rapidsim.simulation.results.sampling import SampledRun
 
 _MOST_NAMES = 25
@@ -132,11 +133,11 @@ def _stretches(run: SampledRun, theme: Theme) -> list[tuple[str, str, Array]]:
     moves = run.one.moves
     if not moves:
         return found
-    kinds = np.array([list(INSTRUCTIONS).index(move.move.interpolation) for move in moves])
+    kinds = np.array([list(PLAIN_MOVES).index(move.move.interpolation) for move in moves])
     kind = kinds[np.clip(run.samples.move, 0, len(moves) - 1)]
     for interpolation in dict.fromkeys(move.move.interpolation for move in moves):
-        mask = (kind == list(INSTRUCTIONS).index(interpolation)) & ~run.in_corner
-        found += _of_kind(run, mask, INSTRUCTIONS[interpolation], theme.moves[interpolation])
+        mask = (kind == list(PLAIN_MOVES).index(interpolation)) & ~run.in_corner
+        found += _of_kind(run, mask, PLAIN_MOVES[interpolation], theme.moves[interpolation])
     return found + _of_kind(run, run.in_corner, "corner", theme.corner)
 
 

@@ -15,25 +15,25 @@ from types import MappingProxyType
 from typing import TypeAlias
 
 from rapidsim.analysis.context import Analysis, Context
+from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.names.user_types import UserTypes
 from rapidsim.analysis.passes.control_flow import check_flow
 from rapidsim.analysis.passes.declarations import declare_locals, declare_task, show_local_names
 from rapidsim.analysis.passes.initial_values import check_circles, check_initial_value
 from rapidsim.analysis.passes.statements import check_routine_body
 from rapidsim.analysis.passes.undeclared import decide_undeclared
-from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Scope
+from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Scope, does
 from rapidsim.analysis.program_parts import Facts
 from rapidsim.analysis.tolerated_syntax import check_lenient_marks
 from rapidsim.analysis.tree_walk import clauses, statements
 from rapidsim.diagnostics import Diagnostic, Severity
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 from rapidsim.syntax.collection import uncollected
 
 Find: TypeAlias = Callable[[Facts], Iterable[Diagnostic]]
 """A function that looks for mistakes in what analysis has found out."""
 
-_LOADING = ("load", "startload")
-"""The instructions that take other modules into the program, by folded name."""
 _LOADING_WORD = re.compile(r"load\b")
 _DEEPEST = 20_000
 """Python calls within each other while checking; the parser bounds how deep programs nest."""
@@ -160,9 +160,9 @@ def _unread_text(modules: Sequence[tree.Module]) -> str:
 
 def _loads_modules(modules: Sequence[tree.Module]) -> bool:
     """Whether an instruction takes other modules into the program."""
-    # Few programs do, so that most are never walked through.
+    # Few programs do, so that most are never walked through. Names have no symbols yet.
     return any(
-        isinstance(part, tree.Call) and part.name.key in _LOADING
+        isinstance(part, tree.Call) and Does.LOAD in does(installed_symbol(part.name.key))
         for module in modules
         if _LOADING_WORD.search(module.source.text.lower())
         for item in module.items

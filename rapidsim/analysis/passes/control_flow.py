@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import takewhile
+from typing import TypeAlias
 
 from rapidsim.analysis.context import Context
 from rapidsim.analysis.names.name_violations import DuplicateName
@@ -14,15 +15,15 @@ from rapidsim.analysis.passes.flow_violations import (
     ReturnValue,
     UnreachableCode,
 )
-from rapidsim.analysis.program import LibrarySymbol
+from rapidsim.analysis.program import Symbol, does
 from rapidsim.analysis.suggestions import closest
 from rapidsim.analysis.syntax_violations import LateDataDeclaration
 from rapidsim.analysis.tree_walk import blocks, clauses, statements
 from rapidsim.diagnostics import Related
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
-_ENDING_INSTRUCTIONS = frozenset({"exitcycle", "raisetouser", "startmoveretry", "systemstopaction"})
-"""Instructions after which execution does not go on to the next statement."""
+_Symbols: TypeAlias = Mapping[tree.Node, Symbol]
 
 
 def check_flow(routine: tree.Routine, context: Context) -> None:
@@ -62,9 +63,10 @@ def _check_answers(routine: tree.Routine, context: Context) -> None:
                 context.report(RaiseRetryPlacement("RETRY"), node)
             case tree.TryNext():
                 context.report(RaiseRetryPlacement("TRYNEXT"), node)
-            case tree.Call(name=name) if name.key == "startmoveretry":
-                if isinstance(context.analysis.symbol_of.get(node), LibrarySymbol):
-                    context.report(RaiseRetryPlacement("StartMoveRetry"), node)
+            case tree.Call():
+                symbol = context.analysis.symbol_of.get(node)
+                if symbol is not None and Does.RETRY in does(symbol):
+                    context.report(RaiseRetryPlacement(symbol.name), node)
             case tree.Raise(number=None):
                 context.report(RaiseRetryPlacement("RAISE without a number"), node)
             case _:
@@ -88,7 +90,7 @@ def _check_returns(routine: tree.Routine, context: Context) -> None:
                 context.report(ReturnValue(problem, cure), node)
             case _:
                 pass
-    if isinstance(routine, tree.Func) and _goes_on(routine.body):
+    if isinstance(routine, tree.Func) and _goes_on(routine.body, context.analysis.symbol_of):
         closing = tree.Node(max(routine.start, routine.end - len("ENDFUNC")), routine.end)
         context.report(
             MissingReturn(routine.name.text, routine.type.text),
@@ -118,7 +120,7 @@ def _check_reached(body: tree.Body, context: Context, *, is_resumed: bool) -> No
             continue
         for block in blocks(statement):
             _check_reached(block, context, is_resumed=is_resumed)
-        if _leads_elsewhere(statement, is_resumed=is_resumed):
+        if _leads_elsewhere(statement, context.analysis.symbol_of, is_resumed=is_resumed):
             last = statement
 
 
@@ -127,7 +129,7 @@ def _resumes(routine: tree.Routine) -> bool:
     return any(isinstance(statement, tree.TryNext) for statement in statements(handler))
 
 
-def _leads_elsewhere(statement: tree.Statement, *, is_resumed: bool) -> bool:
+def _leads_elsewhere(statement: tree.Statement, symbol_of: _Symbols, *, is_resumed: bool) -> bool:
     """Whether execution surely never goes on behind a statement."""
     if is_resumed:
         match statement:
@@ -138,7 +140,7 @@ def _leads_elsewhere(statement: tree.Statement, *, is_resumed: bool) -> bool:
     # Of what could not be read nobody knows where it leads.
     if any(isinstance(node, tree.Broken | tree.Placeholder) for node in statements((statement,))):
         return False
-    return not _passes(statement)
+    return not _passes(statement, symbol_of)
 
 
 def _is_for_safety(rest: tree.Body) -> bool:
@@ -147,32 +149,33 @@ def _is_for_safety(rest: tree.Body) -> bool:
     return all(isinstance(statement, tree.Return | tree.Empty) for statement in before_label)
 
 
-def _goes_on(body: Sequence[tree.Statement]) -> bool:
+def _goes_on(body: Sequence[tree.Statement], symbol_of: _Symbols) -> bool:
     """Whether execution can run past the last statement of a list."""
     goes_on = True
     for statement in body:
         if isinstance(statement, tree.Label):
             goes_on = True
         elif goes_on:
-            goes_on = _passes(statement)
+            goes_on = _passes(statement, symbol_of)
     return goes_on
 
 
-def _passes(statement: tree.Statement) -> bool:
+def _passes(statement: tree.Statement, symbol_of: _Symbols) -> bool:
     match statement:
         case tree.Return() | tree.Raise() | tree.Exit() | tree.Goto():
             return False
         case tree.Retry() | tree.TryNext() | tree.Broken() | tree.Placeholder():
             return False
-        case tree.Call(name=name):
-            return name.key not in _ENDING_INSTRUCTIONS
+        case tree.Call():
+            return Does.LEAVE not in does(symbol_of.get(statement))
         case tree.If(branches=branches, otherwise=otherwise):
             return otherwise is None or any(
-                _goes_on(body) for body in (*(branch.body for branch in branches), otherwise)
+                _goes_on(body, symbol_of)
+                for body in (*(branch.body for branch in branches), otherwise)
             )
         case tree.Test(cases=cases, default=default):
             return default is None or any(
-                _goes_on(body) for body in (*(case.body for case in cases), default)
+                _goes_on(body, symbol_of) for body in (*(case.body for case in cases), default)
             )
         case tree.While(condition=tree.Bool(value=True), body=body):
             # RAPID has no statement that leaves a loop but a jump.

@@ -27,6 +27,7 @@ from rapidsim.language.moves import Place
 from rapidsim.language.types import NUM, ArrayOf, Type, resolved
 from rapidsim.library.table import LibraryRoutine, Parameter, Signature
 from rapidsim.library.text import value_text
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
 
@@ -100,7 +101,7 @@ class Calls:
         match self._program.symbol_of[call]:
             case RoutineSymbol() as symbol:
                 return [at.do(self._user(symbol, call.arguments, at).node)]
-            case LibrarySymbol(routine=routine) if routine.name == "CallByVar":
+            case LibrarySymbol(routine=routine) if Does.CALL_BY_NAME in routine.does:
                 return self._call_by_var(routine, call, at)
             case LibrarySymbol(routine=routine):
                 return self._instruction(routine, call, at)

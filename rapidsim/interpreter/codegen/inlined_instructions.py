@@ -10,22 +10,28 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types:
 from __future__ import annotations
 
 import ast
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
 
-from rapidsim.analysis.program import LibrarySymbol, Program
+from rapidsim.analysis.program import LibrarySymbol, Program, does
 from rapidsim.interpreter.codegen.ast_builder import At
 from rapidsim.interpreter.codegen.data_access import Paths, bare, number
 from rapidsim.interpreter.codegen.expression_code import Code, Owed, finished
 from rapidsim.language.types import DNUM, resolved
+from rapidsim.library.mathematics import clear, decr, incr
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
-_STEPS: dict[str, ast.operator | None] = {"clear": None, "decr": ast.Sub(), "incr": ast.Add()}
-"""By folded name: what combines the variable with 1; None sets it to 0."""
+_STEPS: Mapping[Callable[..., object], ast.operator | None] = MappingProxyType(
+    {clear: None, decr: ast.Sub(), incr: ast.Add()}
+)
+"""By the function they would call: what combines the variable with 1; None sets it to 0."""
 
 
 def assigned_in_place(call: tree.Call, program: Program) -> tree.Reference | None:
     """The variable that such an instruction assigns; None for other calls and other data."""
     symbol = program.symbol_of[call]
-    if not isinstance(symbol, LibrarySymbol) or symbol.name.lower() not in _STEPS:
+    if not isinstance(symbol, LibrarySymbol) or symbol.routine.function not in _STEPS:
         return None
     first = call.arguments[0]
     value = bare(first.value) if isinstance(first, tree.Required) else None
@@ -34,13 +40,16 @@ def assigned_in_place(call: tree.Call, program: Program) -> tree.Reference | Non
 
 def is_start_move_retry(call: tree.Call, program: Program) -> bool:
     """Whether a call is the instruction that ends an ERROR clause as RETRY does."""
-    symbol = program.symbol_of[call]
-    return isinstance(symbol, LibrarySymbol) and symbol.name.lower() == "startmoveretry"
+    return Does.RETRY in does(program.symbol_of[call])
 
 
-def value_in_place(call: tree.Call, variable: tree.Reference, paths: Paths, at: At) -> Code:
+def value_in_place(
+    call: tree.Call, variable: tree.Reference, program: Program, paths: Paths, at: At
+) -> Code:
     """What it assigns."""
-    operator = _STEPS[call.name.key]
+    symbol = program.symbol_of[call]
+    assert isinstance(symbol, LibrarySymbol)
+    operator = _STEPS[symbol.routine.function]
     if operator is None:
         return number(0.0, at)
     old = paths.read(variable)

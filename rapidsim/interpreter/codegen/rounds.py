@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from rapidsim.analysis.program import LibrarySymbol, Program, RoutineSymbol, UnknownSymbol
 from rapidsim.interpreter.codegen.ast_builder import At
 from rapidsim.interpreter.runtime.loaded_calls import may_be_loaded
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
 MOST_CALLS = 1000
@@ -50,7 +51,7 @@ def callees(nodes: Sequence[tree.Node], program: Program) -> Callees:
                     named.append(symbol)
                 case UnknownSymbol():
                     anybody = anybody or may_be_loaded(node, program)
-                case LibrarySymbol(routine=routine) if routine.name == "CallByVar":
+                case LibrarySymbol(routine=routine) if Does.CALL_BY_NAME in routine.does:
                     anybody = True
     return Callees(named, anybody)
 

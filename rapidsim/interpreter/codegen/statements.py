@@ -117,14 +117,15 @@ class Statements:
         return self._guard(body, at) if may_raise else body
 
     def _call(self, statement: tree.Call, at: At) -> list[ast.stmt]:
-        variable = assigned_in_place(statement, self.expressions.program)
+        program = self.expressions.program
+        variable = assigned_in_place(statement, program)
         if variable is None:
             called = self._guard(self.expressions.calls.procedure(statement, at), at)
             # The checker lets it stand in ERROR clauses only.
-            retries = is_start_move_retry(statement, self.expressions.program)
+            retries = is_start_move_retry(statement, program)
             return [*called, at.leave(at.constant(1))] if retries else called
         paths = self.expressions.paths
-        value = value_in_place(statement, variable, paths, at)
+        value = value_in_place(statement, variable, program, paths, at)
         return self._guard(paths.write(variable, value, at), at)
 
     def _if(

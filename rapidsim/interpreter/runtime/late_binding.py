@@ -33,6 +33,7 @@ from rapidsim.language.reference import Box
 from rapidsim.language.types import ANYTYPE, ArrayOf, Type, resolved
 from rapidsim.library.catalogue import ROUTINES
 from rapidsim.library.table import LibraryRoutine, Parameter
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
 
@@ -152,8 +153,8 @@ class LateBinding:
             raise rapid_error(ERR_REFUNKPRC, f'no procedure is named "{name}"')
         if installed.signature.result is not None:
             raise rapid_error(ERR_CALLPROC, f'"{name}" is not a procedure')
-        if installed.name == "CallByVar":  # It is translated where it is written.
-            raise rapid_error(ERR_CALLPROC, "CallByVar by late binding is not simulated")
+        if Does.CALL_BY_NAME in installed.does:  # It is translated where it is written.
+            raise rapid_error(ERR_CALLPROC, f"{installed.name} by late binding is not simulated")
         return installed
 
     def _call_installed(

@@ -17,6 +17,7 @@ from rapidsim.analysis.program import (
     Program,
     RoutineSymbol,
     UnknownSymbol,
+    does,
 )
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Severity, Source, Span
@@ -29,25 +30,11 @@ from rapidsim.language.annotations import Mode
 from rapidsim.language.types import Type, resolved
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.text import value_text
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import Parsed, parse
 
-_ASK_THE_TASK = frozenset(
-    {
-        *("cjointt", "cpos", "crobt", "ctool", "cwobj", "calcjointt", "calcrobt", "orobt"),
-        *("clkread", "gettaskname", "modexist"),
-    }
-)
-"""Functions that only look, at what each task has for itself."""
-_ASK_THE_CELL = frozenset(
-    {
-        *("ainput", "aoutput", "dinput", "doutput", "ginput", "ginputdnum", "goutput"),
-        *("goutputdnum", "testdi", "isfile", "filesize"),
-    }
-)
-"""Functions that only look, at what all tasks share."""
-_LOOK_AT_ARGUMENTS = frozenset({"dim", "validio", "ispers", "isvar"})
-"""Functions that take a reference and leave it as it is."""
+_ONLY_LOOKS = Does.READ_TASK | Does.READ_CELL | Does.READ_ARGUMENT
 _SHOWN = frozenset(
     {"num", "dnum", "bool", "string", "pos", "orient", "pose", "robtarget", "jointtarget"}
 )
@@ -289,8 +276,7 @@ def _require_looking(expression: tree.Expression, program: Program) -> None:
 
 
 def _only_looks(routine: LibraryRoutine) -> bool:
-    key = routine.name.lower()
-    if key in _ASK_THE_TASK | _ASK_THE_CELL | _LOOK_AT_ARGUMENTS:
+    if _ONLY_LOOKS & routine.does:
         return True
     signature = routine.signature
     computes = not signature.takes_controller and routine.simulated
@@ -301,7 +287,7 @@ def _is_of_task(expression: tree.Expression, program: Program, own: tree.Module)
     """Whether anything in an expression is what a task has for itself."""
     for node in descendants(expression):
         symbol = program.symbol_of.get(node)
-        if isinstance(symbol, LibrarySymbol) and symbol.name.lower() in _ASK_THE_TASK:
+        if Does.READ_TASK in does(symbol):
             return True
         if not isinstance(symbol, DataSymbol) or symbol.module in (None, own):
             continue

@@ -19,6 +19,7 @@ from rapidsim.analysis.program import (
     RoutineSymbol,
     Storage,
     Symbol,
+    does,
 )
 from rapidsim.analysis.tree_walk import clauses, descendants, statements
 from rapidsim.interpreter.codegen.calls import match_arguments
@@ -27,12 +28,13 @@ from rapidsim.interpreter.runtime import arithmetic
 from rapidsim.language.data import JointTarget
 from rapidsim.language.moves import Move
 from rapidsim.library.table import LibraryRoutine
+from rapidsim.library.traits import Does
 from rapidsim.reach.dataflow.data_places import empty_data, replaced
 from rapidsim.reach.dataflow.known_moves import KnownMove, WalkedProgram
 from rapidsim.reach.dataflow.known_values import Evaluator, Known, Unknown
-from rapidsim.reach.dataflow.motion_settings import DISPLACEMENTS, KnownSettings, fields_set_by
+from rapidsim.reach.dataflow.motion_settings import DISPLACEMENTS, KnownSettings
 from rapidsim.reach.dataflow.recorder import Recorder
-from rapidsim.reach.dataflow.side_effects import Effects, ProgramEffects, is_move, root_of
+from rapidsim.reach.dataflow.side_effects import Effects, ProgramEffects, root_of
 from rapidsim.reach.dataflow.state import State, joined
 from rapidsim.reach.dataflow.transfer_functions import Performed, perform
 from rapidsim.syntax import tree
@@ -63,9 +65,7 @@ def walk_program(program: Program) -> WalkedProgram:
         for module in program.modules
         for routine in module.routines
         for node in statements(*clauses(routine))
-        if isinstance(node, tree.Call)
-        and isinstance(symbol := program.symbol_of.get(node), LibrarySymbol)
-        and is_move(symbol.routine)
+        if isinstance(node, tree.Call) and Does.MOVE in does(program.symbol_of.get(node))
     )
     effects = ProgramEffects(program)
     walker = _Walker(program, effects)
@@ -432,7 +432,7 @@ class _Walker:
         match self.program.symbol_of.get(call):
             case RoutineSymbol() as symbol:
                 self.call(symbol, call.arguments)
-            case LibrarySymbol(routine=routine) if routine.name.lower() == "callbyvar":
+            case LibrarySymbol(routine=routine) if Does.CALL_BY_NAME in routine.does:
                 self._forget_effects(self.effects.everything, _BY_CALL)
             case LibrarySymbol(routine=routine):
                 self._instruction(call, routine)
@@ -440,7 +440,7 @@ class _Walker:
                 self._forget_effects(self.effects.of_bodies((call,)), _BY_CALL)
 
     def _instruction(self, call: tree.Call, routine: LibraryRoutine) -> None:
-        moving, fields = is_move(routine), fields_set_by(routine.name.lower())
+        moving, fields = Does.MOVE in routine.does, routine.sets
         recorder = Recorder(self.state.settings.settings)
         signature = routine.signature
         done: Performed | str = "only a run can tell"
@@ -469,7 +469,7 @@ class _Walker:
             self.state.last = None
             return
         self._record(call, moves[0])
-        if routine.name.lower().startswith("search"):
+        if Does.SEARCH in routine.does:
             self.state.last = None
 
     def _record(self, call: tree.Call, move: Move) -> None:

@@ -18,6 +18,7 @@ from rapidsim.analysis.program import (
     RoutineSymbol,
     Storage,
     Symbol,
+    does,
 )
 from rapidsim.analysis.tree_walk import clauses, descendants, statements
 from rapidsim.interpreter.codegen.calls import Given, match_arguments
@@ -25,14 +26,10 @@ from rapidsim.interpreter.codegen.data_access import bare, by_reference
 from rapidsim.language.annotations import Mode
 from rapidsim.language.moves import MotionSettings
 from rapidsim.library.table import LibraryRoutine
-from rapidsim.reach.dataflow.motion_settings import fields_set_by
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
-_CALLS_ON_THE_WAY = frozenset({"movecsync", "movejsync", "movelsync"})
-"""Moves that call a procedure, which runs when the robot is there: after later statements."""
-_CALLS_BY_NAME = _CALLS_ON_THE_WAY | {"callbyvar"}
-_WRITES_BY_NAME = frozenset({"setdataval", "setalldataval"})
-_MOVE_PARAMETERS = frozenset({"to_point", "to_joint_pos", "topoint", "tojointpos"})
+_CALLS_BY_NAME = Does.CALL_BY_NAME | Does.CALL_ON_THE_WAY
 
 
 @dataclass(slots=True)
@@ -102,10 +99,7 @@ class ProgramEffects:
             for routine in self.routines
             for node in statements(*clauses(routine.node))
         )
-        return any(
-            isinstance(one, LibrarySymbol) and one.name.lower() in _CALLS_ON_THE_WAY
-            for one in called
-        )
+        return any(Does.CALL_ON_THE_WAY in does(one) for one in called)
 
     def of_routine(self, routine: RoutineSymbol) -> Effects:
         """What a call of a routine may do, its parameters included."""
@@ -212,12 +206,11 @@ class ProgramEffects:
     def _add_library_call(
         self, library: LibraryRoutine, arguments: Sequence[tree.Argument], found: _Direct
     ) -> None:
-        key = library.name.lower()
-        found.settings.update(fields_set_by(key))
-        found.moves |= is_move(library)
-        if key in _CALLS_BY_NAME:
+        found.settings.update(library.sets)
+        found.moves |= Does.MOVE in library.does
+        if _CALLS_BY_NAME & library.does:
             found.calls_anything = True
-        if key in _WRITES_BY_NAME:
+        if Does.WRITE_BY_NAME in library.does:
             found.writes.update(self._all_data)
         given = match_arguments(arguments, library.signature.parameters)
         for parameter in library.signature.parameters:
@@ -253,11 +246,6 @@ class ProgramEffects:
             if isinstance(item, tree.Data)
             and isinstance(symbol := self.program.symbol_of.get(item), DataSymbol)
         )
-
-
-def is_move(routine: LibraryRoutine) -> bool:
-    """Whether an installed routine sends the robot to a target that its call names."""
-    return any(p.python in _MOVE_PARAMETERS for p in routine.signature.parameters)
 
 
 def root_of(path: tree.DataPath) -> tree.Reference:

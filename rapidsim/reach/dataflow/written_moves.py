@@ -4,23 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from rapidsim.analysis.program import DataSymbol, LibrarySymbol, Program
+from rapidsim.analysis.installed import installed_symbol
+from rapidsim.analysis.program import DataSymbol, LibrarySymbol, Program, does
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Span
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
 NO_WOBJ = "wobj0"
-_MOVES = ("moveabsj", "movec", "movej", "movel")
 
 
 def written_moves(files: Iterable[tree.File]) -> tuple[Span, ...]:
-    """The places of all move instructions."""
+    """The places of all move instructions; files need not be free of errors."""
+    modules = [module for file in files for module in file.modules]
+    hidden = {routine.name.key for module in modules for routine in module.routines}
     return tuple(
         module.span(node)
-        for file in files
-        for module in file.modules
+        for module in modules
         for node in descendants(module)
-        if isinstance(node, tree.Call) and node.name.key in _MOVES
+        if isinstance(node, tree.Call)
+        and node.name.key not in hidden
+        and Does.MOVE in does(installed_symbol(node.name.key))
     )
 
 

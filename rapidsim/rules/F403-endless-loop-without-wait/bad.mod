@@ -16,6 +16,8 @@ MODULE bad
       IF count>3 THEN
         SetDO lamp,1;
         TPWrite "busy";
+        PulseDO lamp;
+        ErrWrite "Busy","and nobody waits";
       ENDIF
     ENDWHILE
   ENDPROC

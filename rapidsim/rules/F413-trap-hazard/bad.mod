@@ -15,6 +15,8 @@ ENDMODULE
 MODULE bad
   VAR intnum part_seen;
   VAR signaldi free;
+  VAR socketdev line;
+  VAR string answer;
   PROC main()
     WHILE TRUE DO
       FOR i FROM 1 TO 3 DO
@@ -27,5 +29,7 @@ MODULE bad
   TRAP count
     WaitDI free,1;                    ! found
     IF INTNO>0 WaitTime 1;            ! found
+    SocketReceive line\Str:=answer;   ! found
+    answer:=UIAlphaEntry(\Header:="Name"\Message:="Who?"\InitString:="nobody"); ! found
   ENDTRAP
 ENDMODULE

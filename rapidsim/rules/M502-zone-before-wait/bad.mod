@@ -12,6 +12,12 @@ MODULE bad
 
   VAR signaldi ready;
   VAR num n;
+  VAR socketdev line;
+  VAR string answer;
+  PERS wobjdata belt:=[FALSE,TRUE,"",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
+  PERS tasks both{2}:=[["T_ROB1"],["T_ROB2"]];
+  VAR syncident meeting;
+  VAR syncident parting;
   CONST zonedata own:=[FALSE,3,5,5,0.5,5,0.5];
   PROC main()
     MoveJ p10,v500,z50,tool0;         ! found
@@ -26,5 +32,15 @@ MODULE bad
     ENDIF
     MoveJ p20,v500,z1,tool0;          ! found
     Stop;
+    MoveJ p10,v500,z50,tool0;         ! found
+    SocketReceive line\Str:=answer;
+    MoveL p20,v500,z10,tool0;         ! found
+    n:=UINumEntry(\Header:="Parts"\Message:="How many?"\InitValue:=1);
+    MoveL p10,v500,z10,tool0;         ! found
+    WaitWObj belt;
+    TriggLIOs p20,v500,z10,tool0;     ! found
+    ErrWrite\I,"Cell","meets the other robot";
+    SyncMoveOn meeting,both;
+    SyncMoveOff parting;
   ENDPROC
 ENDMODULE

@@ -9,6 +9,8 @@ ENDMODULE
 MODULE near_miss
   CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
   CONST robtarget p20:=[[600,150,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  VAR socketdev line;
+  VAR num parts;
   PROC main()
     MoveJ p10,v500,z50,tool0;
     WaitTime 0;
@@ -21,6 +23,8 @@ MODULE near_miss
     MoveL p10,v500,z50\Z:=0,tool0;
     WaitTime 1;
     MoveJ p20,v500,z50,tool0;
+    parts:=SocketPeek(line);
+    MoveL p10,v500,z50,tool0;
   ENDPROC
   PROC pause()
     WaitTime 1;

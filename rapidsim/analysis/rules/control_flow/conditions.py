@@ -4,19 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rapidsim.analysis.program import LibrarySymbol
 from rapidsim.analysis.program_parts import Facts, Part
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
-# Instructions that take no time; a loop of nothing else keeps the task busy.
-_INSTANT = frozenset(
-    {
-        *("add", "clear", "incr", "decr", "set", "reset", "setdo", "setgo", "setao", "invertdo"),
-        *("tpwrite", "tperase", "clkstart", "clkstop", "clkreset", "bitset", "bitclear"),
-    }
-)
 _LEAVES = (tree.Return, tree.Exit, tree.Goto, tree.Raise, tree.LateCall, tree.Broken)
 
 
@@ -95,11 +88,11 @@ def _takes_time(loop: tree.While, part: Part, facts: Facts) -> bool:
     for node in descendants(*loop.body):
         match node:
             case tree.Call():
-                if node.name.key not in _INSTANT:
+                # A loop of nothing that takes time keeps the task busy.
+                if Does.INSTANT not in facts.may_do(node):
                     return True
             case tree.FunctionCall():
-                symbol = facts.symbol(node)
-                if not isinstance(symbol, LibrarySymbol) or node.name.key.startswith("ui"):
+                if facts.installed(node) is None or Does.WAIT in facts.does(node):
                     return True
             case tree.Reference():
                 # What nothing declares may be anything.

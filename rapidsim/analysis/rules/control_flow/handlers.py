@@ -6,10 +6,8 @@ from collections.abc import Iterator
 
 from rapidsim.analysis.program_parts import Facts
 from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
-
-# Instructions that tell somebody and change nothing.
-_MESSAGES = frozenset({"tpwrite", "tperase", "errwrite", "errlog", "tpshow"})
 
 
 class RetryWithoutChange(Violation, code="F407"):
@@ -33,7 +31,7 @@ def find_careless_handlers(facts: Facts) -> Iterator[Diagnostic]:
                     yield part.finding(RetryWithoutChange(), statement)
                 case tree.TryNext() if not said:
                     yield part.finding(SwallowedError(), statement)
-                case tree.Call() if statement.name.key in _MESSAGES:
+                case tree.Call() if Does.TELL in facts.may_do(statement):
                     said = True
                     continue
                 case tree.Empty() | tree.Label():

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
 
-from rapidsim.analysis.program import LibrarySymbol
 from rapidsim.analysis.program_parts import ENTRY, Facts, Part
-from rapidsim.analysis.rules.facts.instruction_questions import MOVES
 from rapidsim.analysis.rules.facts.known_values import known_value
 from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.library.table import LibraryRoutine
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
 
@@ -23,39 +23,12 @@ class ModeLeak(Violation, code="F411"):
 
 @dataclass(frozen=True, slots=True)
 class _Setting:
-    """What an instruction sets: a mode, and whether back to what it was at the start."""
+    """What an instruction sets: a mode, by what puts it back, and whether it does that itself."""
 
     mode: str
     is_back: bool
 
 
-_BACK = MappingProxyType(
-    {
-        "confl": "ConfL\\On",
-        "confj": "ConfJ\\On",
-        "singarea": "SingArea\\Off",
-        "velset": "VelSet 100,5000",
-        "accset": "AccSet 100,100",
-        "pdisp": "PDispOff",
-        "eoffs": "EOffsOff",
-        "softact": "SoftDeact",
-    }
-)
-"""What puts each mode back."""
-_SWITCHED = MappingProxyType({"confl": "on", "confj": "on", "singarea": "off"})
-"""Instructions with switches: the one that means the setting at the start."""
-_PLAIN = MappingProxyType(
-    {
-        "pdispon": _Setting("pdisp", False),
-        "pdispset": _Setting("pdisp", False),
-        "pdispoff": _Setting("pdisp", True),
-        "eoffson": _Setting("eoffs", False),
-        "eoffsset": _Setting("eoffs", False),
-        "eoffsoff": _Setting("eoffs", True),
-        "softact": _Setting("softact", False),
-        "softdeact": _Setting("softact", True),
-    }
-)
 _Open = Mapping[str, tree.Call]
 """The modes that may be in force, each with the instruction that set it."""
 
@@ -75,11 +48,11 @@ def find_mode_leaks(facts: Facts) -> Iterator[Diagnostic]:
         left = leaks.follow(routine.body, {})
         if left is not None:
             leaks.end(left, "ends")
-        moves = [call.start for call in calls if call.name.key in MOVES]
+        moves = [call.start for call in calls if Does.MOVE in facts.does(call)]
         for mode, (call, ends) in leaks.found.items():
             if any(start > call.start for start in moves):
                 shown = " ".join(part.module.span(call).text.split())
-                violation = ModeLeak(shown, routine.name.text, ends, _BACK[mode])
+                violation = ModeLeak(shown, routine.name.text, ends, mode)
                 yield part.finding(violation, call)
 
 
@@ -149,17 +122,23 @@ def _joined(ways: list[_Open | None]) -> _Open | None:
 
 def _setting(call: tree.Call, facts: Facts) -> _Setting | None:
     """What a call sets, if it sets a mode."""
-    key = call.name.key
-    if key not in _PLAIN and key not in _BACK:
+    routine = facts.installed(call)
+    if routine is None or not routine.back:
         return None
-    if not isinstance(facts.symbol(call), LibrarySymbol):
-        return None
-    if key in _PLAIN:
-        return _PLAIN[key]
-    switches = {one.name.key for one in call.arguments if isinstance(one, tree.Optional)}
-    if key in _SWITCHED:
-        return _Setting(key, not switches or _SWITCHED[key] in switches)
-    given = [one.value for one in call.arguments if isinstance(one, tree.Required)]
-    values = [known_value(value, facts) for value in given[:2]]
-    full = values[:1] == [100.0] if key == "velset" else values == [100.0, 100.0]
-    return _Setting(key, full or None in values)
+    return _Setting(routine.back, _puts_back(call, routine, facts))
+
+
+def _puts_back(call: tree.Call, routine: LibraryRoutine, facts: Facts) -> bool:
+    """Whether a call is as good as the one that puts its mode back."""
+    name, *switches = routine.back.split("\\")
+    if switches:
+        given = {one.name.key for one in call.arguments if isinstance(one, tree.Optional)}
+        return not given or switches[0].lower() in given
+    name, *numbers = re.split("[ ,]", name)
+    if not numbers:
+        return routine.name == name
+    required = [one.value for one in call.arguments if isinstance(one, tree.Required)]
+    values = [known_value(value, facts) for value in required[: len(numbers)]]
+    # The highest speed is another on each robot; what counts is in percent.
+    in_percent = [value for value, normal in zip(values, numbers, strict=False) if normal == "100"]
+    return None in values or in_percent == [100.0] * numbers.count("100")

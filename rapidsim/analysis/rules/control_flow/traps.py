@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rapidsim.analysis.program import LibrarySymbol
 from rapidsim.analysis.program_parts import Facts
-from rapidsim.analysis.rules.facts.instruction_questions import WAITS
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
 
@@ -21,8 +20,8 @@ def find_trap_hazards(facts: Facts) -> Iterator[Diagnostic]:
     """Waits in traps; CONNECT in loops that never delete the interrupt."""
     for part in facts.routine_parts:
         if isinstance(part.routine, tree.Trap):
-            for call in part.all(tree.Call):
-                if call.name.key in WAITS and isinstance(facts.symbol(call), LibrarySymbol):
+            for call in part.calls:
+                if Does.WAIT in facts.does(call):
                     problem = f"{call.name.text} in a trap holds up program and interrupts"
                     cure = "let the trap set a flag, and wait in the program"
                     yield part.finding(TrapHazard(problem, cure), call)
@@ -47,7 +46,7 @@ def find_trap_hazards(facts: Facts) -> Iterator[Diagnostic]:
 def _may_delete(node: tree.Node, facts: Facts) -> bool:
     match node:
         case tree.Call():
-            return node.name.key == "idelete" or not isinstance(facts.symbol(node), LibrarySymbol)
+            return facts.installed(node) is None or Does.DISCONNECT in facts.does(node)
         case tree.LateCall() | tree.Goto() | tree.Return() | tree.Exit() | tree.Broken():
             return True
         case tree.Index():

@@ -1,4 +1,4 @@
-"""What rules ask about calls: which argument is for which parameter, what moves, what waits."""
+"""What rules ask about calls: which argument is for which parameter, and what moves."""
 
 from __future__ import annotations
 
@@ -9,32 +9,8 @@ from rapidsim.analysis.parameters import Formal
 from rapidsim.analysis.program import LibrarySymbol, RoutineSymbol
 from rapidsim.analysis.program_parts import Facts, Part
 from rapidsim.analysis.types.callees import callee_of_installed
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
-
-LINEAR_MOVES = frozenset(
-    {
-        *("movel", "movec", "moveldo", "movecdo", "movelsync", "movecsync", "movelao", "movecao"),
-        *("movelgo", "movecgo", "triggl", "triggc", "trigglios", "searchl", "searchc"),
-        *("arcl", "arcc", "arclstart", "arccstart", "arclend", "arccend", "spotl"),
-    }
-)
-"""Moves on a line or a circle, by folded name."""
-JOINT_MOVES = frozenset(
-    {
-        *("movej", "moveabsj", "movejdo", "movejsync", "movejao", "movejgo", "triggj", "searchj"),
-        *("spotj", "triggabsj"),
-    }
-)
-"""Moves on which each axis goes its own way."""
-MOVES = LINEAR_MOVES | JOINT_MOVES | {"moveextj"}
-WAITS = frozenset(
-    {
-        *("waittime", "waituntil", "waitdi", "waitdo", "waitai", "waitao", "waitgi", "waitgo"),
-        *("waitrob", "waitsynctask", "stop", "tpreadfk", "tpreadnum", "tpreaddnum", "uimsgbox"),
-        *("waittestandset", "waitwobj", "waitload", "waitsensor"),
-    }
-)
-"""Instructions that hold the program until something happens."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,11 +20,7 @@ class Move:
     call: tree.Call
     arguments: Mapping[str, tree.Expression | None]
     """By folded parameter name; None for a switch."""
-
-    @property
-    def name(self) -> str:
-        """The folded name of the instruction."""
-        return self.call.name.key
+    does: Does
 
 
 def arguments_of(
@@ -87,11 +59,9 @@ def moves(part: Part, facts: Facts) -> Iterator[Move]:
 
 def as_move(statement: tree.Node, facts: Facts) -> Move | None:
     """A statement as a move, if it is one."""
-    if not isinstance(statement, tree.Call) or statement.name.key not in MOVES:
-        return None
-    if not isinstance(facts.symbol(statement), LibrarySymbol):
+    if not isinstance(statement, tree.Call) or Does.MOVE not in (does := facts.does(statement)):
         return None
     arguments = {
         formal.key: value for formal, value in arguments_of(statement, facts) if formal is not None
     }
-    return Move(statement, arguments)
+    return Move(statement, arguments, does)

@@ -6,10 +6,11 @@ from collections.abc import Iterator
 
 from rapidsim.analysis.program import DataSymbol, Storage
 from rapidsim.analysis.program_parts import Facts, Part
-from rapidsim.analysis.rules.facts.instruction_questions import LINEAR_MOVES, Move, as_move, moves
+from rapidsim.analysis.rules.facts.instruction_questions import Move, as_move, moves
 from rapidsim.analysis.rules.facts.known_values import known_value, numbers
 from rapidsim.analysis.tree_walk import descendants, statements
 from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
 
@@ -27,8 +28,10 @@ def find_first_move(facts: Facts) -> Iterator[Diagnostic]:
     if facts.entry is None:
         return
     found = _first_move(facts.entry, facts, set())
-    if found is not None and found[1].name in LINEAR_MOVES and _is_fixed(found[1], facts):
-        part, move = found
+    if found is None:
+        return
+    part, move = found
+    if Does.CARTESIAN in move.does and _is_fixed(move, facts):
         yield part.finding(FirstMoveLinear(move.call.name.text), move.call.name)
 
 
@@ -36,7 +39,7 @@ def find_moves_without_speed(facts: Facts) -> Iterator[Diagnostic]:
     """Moves on lines with a speed that is known to be none."""
     for part in facts.routine_parts:
         for move in moves(part, facts):
-            if move.name not in LINEAR_MOVES or {"v", "t"} & move.arguments.keys():
+            if Does.CARTESIAN not in move.does or {"v", "t"} & move.arguments.keys():
                 continue
             speed = move.arguments.get("speed")
             value = numbers(known_value(speed, facts), 4)
@@ -53,7 +56,7 @@ def _is_fixed(move: Move, facts: Facts) -> bool:
     if target is None:
         return False
     for node in descendants(target):
-        if isinstance(node, tree.FunctionCall) and node.name.key not in ("offs", "reltool"):
+        if isinstance(node, tree.FunctionCall) and Does.OFFSET not in facts.does(node):
             return False
         symbol = facts.symbol(node) if isinstance(node, tree.Reference) else None
         if isinstance(node, tree.Reference) and not isinstance(symbol, DataSymbol):

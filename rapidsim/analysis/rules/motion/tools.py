@@ -10,6 +10,7 @@ from rapidsim.analysis.program_parts import Facts, Part
 from rapidsim.analysis.rules.facts.instruction_questions import Move, moves
 from rapidsim.analysis.rules.facts.known_values import known_value, numbers
 from rapidsim.diagnostics import Diagnostic, Related, Violation
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
 _UNIDENTIFIED = -1.0
@@ -100,7 +101,7 @@ def find_holding_mismatch(facts: Facts) -> Iterator[Diagnostic]:
             wobj_held = False if "wobj" not in move.arguments else _robhold(wobj, facts)
             if tool_held is None or wobj_held is None or tool_held is not wobj_held:
                 continue
-            if move.name == "moveabsj":
+            if Does.AXES in move.does:
                 continue
             problem = "the robot holds both" if tool_held else "the robot holds neither"
             names = _name(move, "tool", "tool0"), _name(move, "wobj", "wobj0")

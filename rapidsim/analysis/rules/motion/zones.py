@@ -4,19 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rapidsim.analysis.program import LibrarySymbol
 from rapidsim.analysis.program_parts import Facts, Part
-from rapidsim.analysis.rules.facts.instruction_questions import WAITS, Move, as_move
+from rapidsim.analysis.rules.facts.instruction_questions import Move, arguments_of, as_move
 from rapidsim.analysis.rules.facts.known_values import known_value
-from rapidsim.analysis.tree_walk import blocks, clauses
+from rapidsim.analysis.tree_walk import blocks, clauses, descendants
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Violation
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
-
-_OUTPUTS = frozenset({"setdo", "set", "reset", "pulsedo", "setgo", "setao", "invertdo"})
-# Behind these the program pointer is still where the zone began.
-_PASSED_OVER = frozenset(
-    {"tpwrite", "tperase", "incr", "add", "decr", "clear", "clkstart", "clkstop", "clkreset"}
-)
 
 
 class ZoneBeforeWait(Violation, code="M502"):
@@ -50,15 +44,17 @@ def _in_body(body: tree.Body, part: Part, facts: Facts) -> Iterator[Diagnostic]:
             continue
         if before is None:
             continue
+        wait = _wait(statement, facts)
+        if wait is not None:
+            yield _waits(before, wait, part)
+            before = None
+            continue
         match statement:
-            case tree.Call() if isinstance(facts.symbol(statement), LibrarySymbol):
-                key = statement.name.key
-                if key in WAITS and not _is_no_wait(statement, facts):
-                    yield _waits(before, statement, part)
-                    before = None
-                elif key in _OUTPUTS:
+            case tree.Call():
+                does = facts.does(statement)
+                if Does.OUTPUT in does:
                     yield _acts(before, statement, part)
-                elif key not in _PASSED_OVER:
+                elif Does.INSTANT not in does:
                     before = None
             case tree.Assignment() | tree.Empty():
                 continue
@@ -77,15 +73,28 @@ def _flies_by(move: Move, facts: Facts) -> bool:
     return isinstance(zone, tuple) and len(zone) == 7 and zone[0] is False
 
 
-def _is_no_wait(call: tree.Call, facts: Facts) -> bool:
+def _wait(statement: tree.Statement, facts: Facts) -> tree.Call | tree.FunctionCall | None:
+    """What an instruction or an assignment waits for: itself, or a function in it."""
+    if not isinstance(statement, tree.Call | tree.Assignment):
+        return None
+    for node in descendants(statement):
+        if isinstance(node, tree.Call | tree.FunctionCall) and Does.WAIT in facts.does(node):
+            return None if _is_no_wait(node, facts) else node
+    return None
+
+
+def _is_no_wait(call: tree.Call | tree.FunctionCall, facts: Facts) -> bool:
     """Whether a WaitTime is too short to matter: WaitTime 0 only hands over to other tasks."""
-    if call.name.key != "waittime":
-        return False
-    values = [one.value for one in call.arguments if isinstance(one, tree.Required)]
-    return len(values) == 1 and known_value(values[0], facts) == 0.0
+    return any(
+        formal is not None
+        and formal.key == "time"
+        and not formal.optional
+        and known_value(value, facts) == 0.0
+        for formal, value in arguments_of(call, facts)
+    )
 
 
-def _waits(move: Move, wait: tree.Call, part: Part) -> Diagnostic:
+def _waits(move: Move, wait: tree.Call | tree.FunctionCall, part: Part) -> Diagnostic:
     zone = move.arguments.get("zone")
     place = move.call if zone is None else zone
     written = part.module.span(place).text

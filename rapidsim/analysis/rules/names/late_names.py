@@ -9,6 +9,7 @@ from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.program_parts import Facts
 from rapidsim.analysis.rules.facts.known_values import known_value
 from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
 
@@ -44,10 +45,10 @@ def late_patterns(facts: Facts) -> list[re.Pattern[str]]:
         for part in facts.parts
         for call in part.all(tree.LateCall)
     ]
-    # CallByVar puts a number behind a name.
+    # A number is put behind the name.
     for part in facts.parts:
         for call in part.all(tree.Call):
-            if call.name.key == "callbyvar" and call.arguments:
+            if Does.CALL_BY_NAME in facts.may_do(call) and call.arguments:
                 first = call.arguments[0]
                 value = first.value if isinstance(first, tree.Required) else None
                 found.append(_pattern([*_pieces(value, facts), None]))

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from rapidsim.analysis.program import ParameterSymbol
 from rapidsim.analysis.program_parts import Facts, Part
 from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
 
@@ -20,7 +21,7 @@ def find_absent_optionals(facts: Facts) -> Iterator[Diagnostic]:
         optionals = _optionals(part)
         if not optionals:
             continue
-        asked = _asked(part)
+        asked = _asked(part, facts)
         reported: set[str] = set()
         for node in part.all(tree.Reference):
             key = node.name.key
@@ -51,11 +52,11 @@ def _alternatives(group: tree.OptionalGroup) -> list[tree.Parameter]:
     return [one for one in group.alternatives if isinstance(one, tree.Parameter)]
 
 
-def _asked(part: Part) -> set[str]:
+def _asked(part: Part, facts: Facts) -> set[str]:
     return {
         argument.value.name.key
         for call in part.all(tree.FunctionCall)
-        if call.name.key == "present"
+        if Does.TEST_PRESENT in facts.does(call)
         for argument in call.arguments
         if isinstance(argument, tree.Required) and isinstance(argument.value, tree.Reference)
     }

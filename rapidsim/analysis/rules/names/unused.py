@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from rapidsim.analysis.program_parts import ENTRY, Facts, Part
 from rapidsim.analysis.rules.names.late_names import late_patterns
 from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
 _PREDEFINED_HOMES = ("user", "base")
 """Modules that come with the controller; a program need not use what is in them."""
-# Instructions that reach data by a name which the program puts together.
-_BY_NAME = frozenset({"getdataval", "setdataval", "setdatasearch", "setalldataval", "getnextsym"})
+_BY_NAME = Does.READ_BY_NAME | Does.WRITE_BY_NAME
 
 
 class UnusedData(Violation, code="N204"):
@@ -28,7 +28,7 @@ class UnusedRoutine(Violation, code="N205"):
 
 def find_unused_data(facts: Facts) -> Iterator[Diagnostic]:
     """Data whose name nothing uses in the text that can see it."""
-    by_name = not _BY_NAME.isdisjoint(facts.names)
+    by_name = any(_BY_NAME & facts.may_do(call) for part in facts.parts for call in part.calls)
     module_names: dict[tree.Module, frozenset[str]] = {}
     for part in facts.parts:
         known = module_names.get(part.module, frozenset())

@@ -1,0 +1,80 @@
+"""What routines do, as far as anybody asks: the words of the rows, and what parameters say."""
+
+from __future__ import annotations
+
+from collections.abc import Set as AbstractSet
+from enum import Flag, auto
+
+
+class Does(Flag):
+    """What a call of a routine does."""
+
+    MOVE = auto()
+    """Sends the robot to a target that the call names."""
+    CARTESIAN = auto()
+    """The TCP is led on a line or an arc."""
+    AXES = auto()
+    """The target is made of axis positions: no work object counts."""
+    SEARCH = auto()
+    """The move ends where a signal changes."""
+    WAIT = auto()
+    """May let time pass, in which a fly-by corner before it becomes a stop."""
+    GIVE_UP = auto()
+    """The wait has an end of its own, also where no limit is given."""
+    ASK = auto()
+    """Waits for a person."""
+    OUTPUT = auto()
+    """Sets an output at once."""
+    TELL = auto()
+    """Shows or logs a text, and changes nothing."""
+    INSTANT = auto()
+    """Takes no time: the program pointer stays where the zone began."""
+    LEAVE = auto()
+    """The next statement is never reached."""
+    RETRY = auto()
+    """Ends an ERROR clause as RETRY does."""
+    CALL_BY_NAME = auto()
+    """Calls a procedure whose name it puts together."""
+    CALL_ON_THE_WAY = auto()
+    """Calls a procedure by its name when the robot is there: after later statements."""
+    READ_BY_NAME = auto()
+    """Reaches data by a name that the program puts together."""
+    WRITE_BY_NAME = auto()
+    """Writes data by such a name."""
+    LOAD = auto()
+    """Takes other modules into the program."""
+    DISCONNECT = auto()
+    """Takes an interrupt away from its trap."""
+    OFFSET = auto()
+    """Answers a target beside the one it is given."""
+    TEST_PRESENT = auto()
+    """Answers whether an optional argument was given."""
+    READ_ARGUMENT = auto()
+    """Only looks, at the data or signal it is given by reference."""
+    READ_TASK = auto()
+    """Only looks, at what each task has for itself."""
+    READ_CELL = auto()
+    """Only looks, at what all tasks share."""
+
+
+NOTHING = Does(0)
+LIMITS = frozenset({"maxtime", "maxwait", "timeout"})
+"""Parameters that limit how long a routine waits."""
+_IMPLIED = ((Does.OUTPUT, Does.INSTANT), (Does.TELL, Does.INSTANT), (Does.ASK, Does.WAIT))
+
+
+def derived(stated: Does, parameters: AbstractSet[str]) -> Does:
+    """What a row states, with what follows from it and from folded names of parameters."""
+    does = stated
+    if "tojointpos" in parameters:
+        does |= Does.MOVE | Does.AXES
+    if "topoint" in parameters:
+        does |= Does.MOVE
+    if not parameters.isdisjoint(LIMITS):
+        does |= Does.WAIT
+    if "breakflag" in parameters:
+        does |= Does.ASK
+    for one, other in _IMPLIED:
+        if one in does:
+            does |= other
+    return does

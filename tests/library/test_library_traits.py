@@ -1,0 +1,167 @@
+"""What rows say that routines do, against their bodies; and no other list of instructions."""
+
+import ast
+from collections.abc import Iterator
+from dataclasses import fields
+from pathlib import Path
+from types import CodeType, FunctionType
+from typing import Any
+
+import pytest
+from library_controller import RecordingController
+
+import rapidsim
+from rapidsim.language.moves import MotionSettings
+from rapidsim.library.catalogue import ROUTINES
+from rapidsim.library.table import LibraryRoutine
+from rapidsim.library.traits import Does
+
+PACKAGE = Path(rapidsim.__file__).parent
+QUESTIONS = {"ask_number", "ask_choice", "ask_text"}
+WAITS = {
+    *("wait", "wait_until", "wait_for_signal", "accept_client", "connect_socket", "await_bytes"),
+    *("meet", "move_together", "move_apart", "leave_team", "suspend_team", "resume_team"),
+}
+"""What of the protocols lets time pass, apart from moves and questions."""
+ASKED = {
+    Does.MOVE: {"move", "search", "search_joints"},
+    Does.SEARCH: {"search", "search_joints"},
+    Does.ASK: QUESTIONS,
+    Does.WAIT: WAITS | QUESTIONS,
+    Does.OUTPUT: {"write_signal"},
+}
+"""What a body asks of its controller if it does something."""
+OTHERWISE = {
+    ("SetAllDataVal", Does.MOVE): "it searches data",
+    ("SetAllDataVal", Does.SEARCH): "it searches data",
+    ("SocketPeek", Does.WAIT): "it asks for what has arrived, and waits no time",
+    ("WaitLoad", Does.WAIT): "a run has loaded the module before",
+}
+"""Where row and body differ, and why."""
+WRITTEN = [
+    row for row in ROUTINES.values() if row.function.__module__ != "rapidsim.library.declared"
+]
+
+
+def names_in(code: CodeType) -> Iterator[str]:
+    """The names a function uses, those of functions inside it as well."""
+    yield from code.co_names
+    for inner in code.co_consts:
+        if isinstance(inner, CodeType):
+            yield from names_in(inner)
+
+
+def asked_by(body: object, seen: set[object]) -> set[str]:
+    """The names of everything that a body may come to ask, through functions of the library."""
+    if not isinstance(body, FunctionType) or body in seen:
+        return set()
+    seen.add(body)
+    if not body.__module__.startswith("rapidsim.library"):
+        return set()
+    names = set(names_in(body.__code__))
+    called = [body.__globals__.get(name) for name in names]
+    called += [cell.cell_contents for cell in body.__closure__ or ()]
+    return names.union(*(asked_by(one, seen) for one in called))
+
+
+@pytest.mark.parametrize("row", WRITTEN, ids=lambda row: row.name)
+def test_a_row_says_what_its_body_asks_for(row: LibraryRoutine) -> None:
+    asked = asked_by(row.function, set())
+    for does, names in ASKED.items():
+        if (row.name, does) not in OTHERWISE:
+            assert (does in row.does) == bool(names & asked), does
+    if Does.INSTANT in row.does:
+        assert not asked & (ASKED[Does.MOVE] | ASKED[Does.WAIT])
+
+
+def test_reasons_for_differences_are_needed() -> None:
+    for name, does in OTHERWISE:
+        row = ROUTINES[name.lower()]
+        assert (does in row.does) != bool(ASKED[does] & asked_by(row.function, set()))
+
+
+def test_fields_that_rows_set_are_those_of_settings() -> None:
+    known = {field.name for field in fields(MotionSettings)}
+    for row in ROUTINES.values():
+        assert known.issuperset(row.sets)
+        assert row.back == "" or row.back.replace("\\", " ").split()[0].lower() in ROUTINES
+
+
+@pytest.mark.parametrize(
+    ("name", "arguments", "options"),
+    [
+        ("VelSet", (50.0, 300.0), {}),
+        ("AccSet", (50.0, 50.0), {"fine_point_ramp": 50.0}),
+        ("ConfJ", (), {"off": True}),
+        ("ConfL", (), {"off": True}),
+        ("SingArea", (), {"wrist": True}),
+        ("CirPathMode", (), {"object_frame": True}),
+    ],
+)
+def test_an_instruction_sets_what_its_row_says(
+    name: str, arguments: tuple[float, ...], options: dict[str, Any]
+) -> None:
+    controller = RecordingController()
+    before = controller.settings
+    ROUTINES[name.lower()].body(controller, *arguments, **options)
+    changed = {
+        field.name
+        for field in fields(MotionSettings)
+        if getattr(before, field.name) != getattr(controller.settings, field.name)
+    }
+    assert changed == set(ROUTINES[name.lower()].sets)
+
+
+def test_what_follows_from_parameters_is_not_forgotten() -> None:
+    def names(does: Does) -> set[str]:
+        return {row.name for row in ROUTINES.values() if does in row.does}
+
+    assert {"MoveAbsJ", "TriggJIOs", "ContactL", "EGMMoveC"} <= names(Does.MOVE)
+    assert {"SyncMoveOn", "UINumTune", "RMQReadWait", "IOEnable"} <= names(Does.WAIT)
+    assert {"TPReadFK", "UINumTune"} <= names(Does.ASK)
+    assert {"ArcL", "EGMMoveC", "ContactL"} <= names(Does.CARTESIAN) <= names(Does.MOVE)
+    assert names(Does.AXES) == {"MoveAbsJ", "MoveExtJ", "SearchExtJ"}
+    assert ROUTINES["syncmoveon"].limit == "TimeOut"
+    # It is given with each call.
+    assert ROUTINES["ioenable"].limit is None
+
+
+# Rooms and files where words stand that are names of routines, too: keywords of files, styles of
+# text, parts of messages.
+ELSEWHERE = {
+    "analysis/tolerated_syntax.py": {"DIM"},
+    "cli/tools/follow_steps.py": {"dim"},
+    "controller": {
+        *("ClearPath", "StorePath", "SyncMoveOn", "SyncMoveOff", "SyncMoveSuspend"),
+        *("SyncMoveResume", "stop", "load"),
+    },
+    "interpreter/codegen/special_forms.py": {
+        *("argname", "dim", "ispers", "isvar", "present", "strlen", "type"),
+    },
+    "interpreter/linking/loader.py": {"load"},
+    "interpreter/linking/namespace.py": {"ArgName"},
+    "language": {"write", "stop"},
+    "motion/timing/constraints.py": {"PathAccLim", "WorldAccLim"},
+    "plots/look.py": {"round"},
+    "report": {"dim", "distance"},
+    "station": {"type", "set", "close"},
+    "syntax": {"EXP", "open", "close"},
+}
+
+
+def test_no_other_list_of_instructions() -> None:
+    found = {}
+    for file in sorted(PACKAGE.rglob("*.py")):
+        place = file.relative_to(PACKAGE).as_posix()
+        room = place.split("/")[0]
+        if room == "library":
+            continue
+        allowed = ELSEWHERE.get(place, ELSEWHERE.get(room, set()))
+        texts = {
+            node.value
+            for node in ast.walk(ast.parse(file.read_text("utf-8")))
+            if isinstance(node, ast.Constant) and isinstance(node.value, str)
+        }
+        if names := {text for text in texts - allowed if text.lower() in ROUTINES}:
+            found[place] = names
+    assert not found, "ask for a trait of the row instead (rapidsim/library/traits.py)"
