@@ -1,19 +1,24 @@
-"""`rapidsim.check`: find the mistakes in the files of a program without running it."""
+"""`rapidsim.check`: find the mistakes in the files of a job without running it."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
-from os import PathLike, fspath
+from os import PathLike
 from typing import TYPE_CHECKING
 
 from rapidsim.analysis.passes.checker import Find
-from rapidsim.analysis.program import Program
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
+from rapidsim.controller.cell.description import without_declared
 from rapidsim.diagnostics import Diagnostic, Severity
-from rapidsim.files import TaskFiles, read_tasks
+from rapidsim.files import TaskFiles
 from rapidsim.jobs.checked_program import Loaded, load
+from rapidsim.jobs.given_options import asked_in_python
+from rapidsim.jobs.job import Job, job
+from rapidsim.jobs.move_checks import CheckMoves, choose_move_check
+from rapidsim.jobs.selection import choose_selection
+from rapidsim.jobs.undriven_inputs import find_never_driven
 from rapidsim.reach.checked_moves import Coverage, ReachReport, UncheckedMove
 from rapidsim.reach.dataflow.written_moves import written_moves
 from rapidsim.station.tasks import DEFAULT_TASK
@@ -58,10 +63,6 @@ class CheckResult:
         return not (may_be_of_moves and self.coverage.unchecked)
 
 
-CheckMoves = Callable[[Program, str], ReachReport]
-"""Checks the moves of a program on the robot of a task, given by its name."""
-
-
 def check(
     paths: Iterable[str | PathLike[str]],
     *,
@@ -72,37 +73,38 @@ def check(
     """Check the modules, program files or folders named, as `rapidsim check` does.
 
     Args:
-        paths: What is checked; together it is one task, but for the tasks of a backup.
-        robot: An arm, or its name in the catalogue. Without it no move is checked, and
-            `CheckResult.coverage` says so.
-        options: Where the arm stands and how main is run for the moves that only a run can tell.
+        paths: What is checked; together it is one task, unless a backup or the station file says
+            which modules belong to which. The station file is the one near them.
+        robot: An arm, or its name in the catalogue; None takes that of the station or the default.
+        options: What counts more than the station file, and how main is run for the moves that only
+            a run can tell.
         run: Whether main is run at all.
 
     Raises:
         InputError: If something is missing, unreadable, or no RAPID.
         RobotError: If the catalogue has no such robot.
     """
-    tasks = read_tasks([fspath(path) for path in paths])
-    moves = None if robot is None else move_check(robot, options, run=run)
-    result = check_tasks(tasks, moves=moves)
-    kept = without_suppressed(result.diagnostics, result.trees, is_looked_for=result.looked_for)
-    return replace(result, diagnostics=kept)
+    return check_job(job(replace(asked_in_python(paths, robot, options), trial_run=run)))
 
 
-def move_check(
-    robot: Robot | str, options: RunOptions | None = None, *, run: bool = True
-) -> CheckMoves:
-    """What checks moves on an arm; nothing heavy is imported before a program with moves comes."""
-
-    def check_moves(program: Program, task: str) -> ReachReport:
-        del task
-        from rapidsim.motion.robot.robot import load_robot  # noqa: PLC0415
-        from rapidsim.reach.reach import check_reach  # noqa: PLC0415
-
-        arm = load_robot(robot) if isinstance(robot, str) else robot
-        return check_reach(program, arm, options, run=run)
-
-    return check_moves
+def check_job(job: Job) -> CheckResult:
+    """Check what is to be checked, with the rules that are asked for and those of the settings."""
+    asked, station = job.asked, job.station
+    selection = choose_selection(station.check, asked.select, asked.extend_select, asked.ignore)
+    result = check_tasks(
+        job.tasks,
+        detectors_of(selection.wants),
+        choose_move_check(job),
+        even_without_moves=station.check.cycle_budget_s is not None,
+    )
+    declared = without_declared(result.diagnostics, station.io, station.units)
+    undriven = find_never_driven(result.trees, station.io)
+    unsuppressed = without_suppressed(
+        (*declared, *undriven),
+        result.trees,
+        is_looked_for=lambda code: selection.is_looked_for(code) and result.looked_for(code),
+    )
+    return replace(result, diagnostics=selection.kept(unsuppressed))
 
 
 def check_tasks(
@@ -146,7 +148,7 @@ def _disagreements(tasks: Sequence[Loaded]) -> tuple[Diagnostic, ...]:
     programs = [one.program for one in tasks if one.program is not None]
     if len(programs) < 2:
         return ()
-    from rapidsim.jobs.load_tasks import shared_findings  # noqa: PLC0415
+    from rapidsim.jobs.load_tasks import shared_findings
 
     return shared_findings(programs)
 
@@ -157,6 +159,6 @@ def _moves_checked(
     written = written_moves(loaded.files)
     if (written or always) and moves is not None and loaded.program is not None:
         return moves(loaded.program, task)
-    why = "no robot was named" if moves is None else "the program cannot run as it is"
+    why = "nobody asked for it" if moves is None else "the program cannot run as it is"
     unchecked = tuple(UncheckedMove(span, why) for span in written)
     return ReachReport((), Coverage(unchecked=unchecked))

@@ -1,43 +1,46 @@
-"""`rapidsim.simulate`: run the files of a program."""
+"""`rapidsim.simulate`: load the programs of a job, prepare its run, run it."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import replace
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 from os import PathLike, fspath
 from pathlib import Path
 
+from rapidsim.analysis.program import Program
 from rapidsim.controller.cell.description import without_declared
 from rapidsim.diagnostics import Diagnostic, Severity
-from rapidsim.files import backup_folders, named_tasks, read_tasks
+from rapidsim.files import InputError
 from rapidsim.interpreter.limits import NotExecutableError
-from rapidsim.jobs.load_tasks import load_tasks
+from rapidsim.jobs.entry import require_entry
+from rapidsim.jobs.given_options import asked_in_python
+from rapidsim.jobs.job import Job, job
+from rapidsim.jobs.load_tasks import LoadedTask, load_tasks
+from rapidsim.jobs.run_options import run_options
+from rapidsim.jobs.task_files import program_name, seen_from_here
 from rapidsim.jobs.task_setups import task_setups
-from rapidsim.motion.robot.robot import Robot, load_robot
+from rapidsim.motion.robot.robot import Robot
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import Simulation
-from rapidsim.simulation.simulate import simulate as simulate_program
-from rapidsim.simulation.simulate import simulate_tasks
-from rapidsim.station.backup.backup import backup_station
-from rapidsim.station.read import read_io
-from rapidsim.station.station import Station
+from rapidsim.simulation.simulate import FinishedRun, run_tasks
+from rapidsim.simulation.task_run import TaskSetup
 
 
 class ProgramRejectedError(Exception):
     """The program has errors and cannot run."""
 
     def __init__(self, diagnostics: tuple[Diagnostic, ...]) -> None:
-        """Carry what was found; the message is the first error."""
-        super().__init__(
-            next(d.violation.message for d in diagnostics if d.severity is Severity.ERROR)
-        )
+        """Carry what was found; the message is the first error, or the last warning."""
+        errors = (one for one in diagnostics if one.severity is Severity.ERROR)
+        # A module that is missing is a warning in a check, and yet a run needs it.
+        super().__init__(next(errors, diagnostics[-1]).violation.message)
         self.diagnostics = diagnostics
 
 
 def simulate(
     paths: Iterable[str | PathLike[str]],
     *,
-    robot: Robot | str,
+    robot: Robot | str | None = None,
     io: str | PathLike[str] | None = None,
     max_time: float | None = None,
     options: RunOptions | None = None,
@@ -45,12 +48,13 @@ def simulate(
     """Run the modules, program files or folders named, as `rapidsim run` does.
 
     Args:
-        paths: What is run, as one task, but for the tasks of a backup: each of them that has moves
-            gets an arm of its own, and its signals are those of the backup.
-        robot: An arm, or its name in the catalogue.
-        io: A file of signals and what happens to inputs; adds to that of the options.
+        paths: What is run; together it is one task, unless a backup or the station file says which
+            modules belong to which. The station file is the one near them.
+        robot: An arm, or its name in the catalogue; None takes that of the station or the default.
+        io: A file of signals and what happens to inputs; adds to the station and the options.
         max_time: Virtual time [s] at which the run ends; replaces that of the options.
-        options: Inputs and limits of the run.
+        options: Inputs and limits of the run; what they say of the cell otherwise than by default
+            counts more than the station file.
 
     Returns:
         The run; its diagnostics begin with what checking found. A program that stops with an error
@@ -59,34 +63,105 @@ def simulate(
     Raises:
         InputError: If something is missing, unreadable, or no RAPID.
         ProgramRejectedError: If checking finds an error.
+        RobotError: If the catalogue has no such robot.
     """
-    options = options or RunOptions()
-    names = [fspath(path) for path in paths]
-    folders = backup_folders(names)
-    # The arms are the caller's.
-    station = replace(backup_station(folders), robots=()) if folders else Station()
-    tasks = named_tasks(read_tasks(names), options.task)
-    if len(tasks) == len(station.tasks):
-        pairs = zip(tasks, station.tasks, strict=True)
-        tasks = tuple(replace(task, name=said.name) for task, said in pairs)
-    loaded = load_tasks(tasks)
+    asked = asked_in_python(paths, robot, options)
+    limit_s = asked.max_time_s if max_time is None else max_time
+    asked = replace(asked, io=None if io is None else fspath(io), max_time_s=limit_s)
+    return run_job(job(asked)).simulation
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LoadedJob:
+    """A job whose files have been checked and whose robot has been opened."""
+
+    job: Job
+    robot: Robot
+    tasks: tuple[LoadedTask, ...]
+    """Empty where there is an error among the findings."""
+    diagnostics: tuple[Diagnostic, ...]
+
+    @property
+    def programs(self) -> Mapping[str, Program]:
+        """The programs of the tasks, by name."""
+        return {task.name: task.program for task in self.tasks}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PreparedRun:
+    """A run that has everything it needs."""
+
+    setups: tuple[TaskSetup, ...]
+    options: RunOptions
+    diagnostics: tuple[Diagnostic, ...]
+    """What checking found."""
+
+
+def run_job(job: Job) -> FinishedRun:
+    """Load, prepare and run.
+
+    Raises:
+        ProgramRejectedError: If checking finds an error.
+        InputError: If something that the run needs is missing.
+    """
+    return executed(prepared(loaded(job)))
+
+
+def loaded(job: Job) -> LoadedJob:
+    """Open the robot, parse and check the files; mistakes in them are findings, never raised."""
+    robot = job.arm()
+    found = load_tasks(job.tasks)
+    station = job.station
+    diagnostics = without_declared(found.diagnostics, station.io, station.units)
+    return LoadedJob(job, robot, found.tasks, diagnostics)
+
+
+def prepared(loaded: LoadedJob) -> PreparedRun:
+    """Give each task its robot and its start, and the run its inputs.
+
+    Raises:
+        ProgramRejectedError: If there is an error among the findings.
+        InputError: If something that the run needs is missing.
+    """
     if not loaded.tasks:
         raise ProgramRejectedError(loaded.diagnostics)
-    arm = load_robot(robot) if isinstance(robot, str) else robot
-    files = tuple(file.name for task in tasks for file in task.files)
-    options = replace(options, program_files=files, io=station.io.and_also(options.io))
-    if io is not None:
-        options = replace(options, io=options.io.and_also(read_io(Path(io))))
-    if max_time is not None:
-        options = replace(options, max_time_s=max_time)
+    job = loaded.job
+    for program in loaded.programs.values():
+        require_entry(program, job.asked.entry)
+    setups = task_setups(loaded.tasks, job.station, loaded.robot, job.open_robot)
+    options = replace(run_options(job), home=_home(job.asked.home, job.asked.paths))
+    return PreparedRun(setups, options, loaded.diagnostics)
+
+
+def executed(prepared: PreparedRun) -> FinishedRun:
+    """Run what is prepared; the files it wrote are named as the user would name them here.
+
+    Raises:
+        ProgramRejectedError: If a program cannot be turned into code that runs.
+        InputError: If an arm cannot be timed, or no task moves one.
+    """
     try:
-        if len(loaded.tasks) == 1:
-            run = simulate_program(loaded.tasks[0].program, arm, options=options)
-        else:
-            setups = task_setups(loaded.tasks, station, arm, load_robot)
-            run = simulate_tasks(setups, options)
+        finished = run_tasks(prepared.setups, prepared.options)
     except NotExecutableError as error:
-        raise ProgramRejectedError((*loaded.diagnostics, error.diagnostic)) from None
-    units = [axis.unit for axis in options.external_axes]
-    found = without_declared(loaded.diagnostics, options.io, units)
-    return replace(run, diagnostics=(*found, *run.diagnostics))
+        raise ProgramRejectedError((*prepared.diagnostics, error.diagnostic)) from None
+    run = finished.simulation
+    written = (replace(one, path=str(seen_from_here(Path(one.path)))) for one in run.home_files)
+    diagnostics = (*prepared.diagnostics, *run.diagnostics)
+    run = replace(run, home_files=tuple(written), diagnostics=diagnostics)
+    return replace(finished, simulation=run)
+
+
+def _home(home: str | None, paths: tuple[str, ...]) -> Path:
+    """The folder HOME: stands for; the default one comes to be when the program writes to it."""
+    if home is None:
+        folder = Path(f"{program_name(paths)}.home")
+        if folder.is_symlink():
+            # A checkout may hold it; then the program, which is not trusted, would choose its room.
+            raise InputError(
+                f"{folder} is a link, and a home folder that is there by default must not be one",
+                "`--home DIR` names any folder",
+            )
+        return folder
+    if not Path(home).is_dir():
+        raise InputError(f"--home: {home} is no folder")
+    return Path(home)

@@ -20,8 +20,8 @@ def test_check_finds_what_the_command_finds() -> None:
     assert (clean.coverage.by_value, clean.coverage.unchecked) == (5, ())
     small = rapidsim.check([PROGRAMS / "cell.mod"], robot="irb120")
     assert {d.violation.code for d in small.diagnostics if d.severity == "error"} == {"K601"}
-    nobody = rapidsim.check([PROGRAMS / "cell.mod"])
-    assert [move.span.line for move in nobody.coverage.unchecked] == [15, 17, 22, 23, 25]
+    by_default = rapidsim.check([PROGRAMS / "cell.mod"])
+    assert by_default.coverage.unchecked == ()
 
 
 def test_simulate_and_record(tmp_path: Path) -> None:

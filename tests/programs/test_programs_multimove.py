@@ -6,28 +6,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rapidsim.cli.options.inputs import all_tasks, choose_station
+import rapidsim
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.controller.queue.team_planner import Offer, TeamMove, TeamPlanner
 from rapidsim.controller.synchronisation import TaskTeam
 from rapidsim.frames.transform import Array
-from rapidsim.jobs.load_tasks import load_tasks
-from rapidsim.jobs.task_setups import task_setups
 from rapidsim.language.moves import Move
-from rapidsim.motion.robot.robot import load_robot
-from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
-from rapidsim.simulation.simulate import simulate_tasks
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 
 
 def ran(program: str) -> Simulation:
-    paths = [str(PROGRAMS / program / "Left.mod")]
-    station = choose_station(paths, None)
-    loaded = load_tasks(all_tasks(paths, station))
-    setups = task_setups(loaded.tasks, station, load_robot(station.robot or ""), load_robot)
-    return simulate_tasks(setups, RunOptions(model=station.model, io=station.io))
+    return rapidsim.simulate([PROGRAMS / program / "Left.mod"])
 
 
 def tcp(robot: RobotRun, times: Array) -> Array:

@@ -10,7 +10,8 @@ from laws import examples
 from rapidsim.analysis.names.name_violations import UndefinedName
 from rapidsim.analysis.rules.control_flow.conditions import ConstantCondition
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Rule, Source, Span
-from rapidsim.report.findings.merging import is_selected, merged
+from rapidsim.jobs.selectors import is_selected
+from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.source_frame import printable, shown_line
 from rapidsim.report.findings.text import concise, diagnostic_json, full, summary_line
 from rapidsim.report.palette import COLOURED, PLAIN

@@ -9,10 +9,11 @@ from pathlib import Path
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.options.inputs import choose_robot, choose_station
+from rapidsim.cli.options.asked import say_remarks
 from rapidsim.cli.options.numbers import Number
 from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
 from rapidsim.files import MODULE_SUFFIXES, InputError, read_tasks
+from rapidsim.jobs.choices import choose_robot, choose_station
 
 
 @click.command()
@@ -54,6 +55,7 @@ def calibrate(
 
     programs = [program or _program_beside(log) for log in logs]
     settings = choose_station(programs, station)
+    say_remarks(settings)
     arm = open_robot(choose_robot(robot, settings).name)
     runs = []
     for log, path in zip(logs, programs, strict=True):

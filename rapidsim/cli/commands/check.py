@@ -10,33 +10,24 @@ from pathlib import Path
 
 import click
 
-from rapidsim.analysis.rules.table import detectors_of
-from rapidsim.analysis.suppressions import without_suppressed
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.options.check_settings import (
-    Selection,
-    choose_selection,
-    choose_settings,
-    fails_at,
-)
-from rapidsim.cli.options.inputs import all_tasks, choose_robot, choose_station, missing_neighbours
-from rapidsim.cli.options.move_checks import arm_and_reason, choose_move_check
+from rapidsim.cli.options.asked import asked_job
 from rapidsim.cli.terminal import current_terminal, say, terminal_options
 from rapidsim.cli.tools.check_output import FORMATS, SPOKEN_FORMATS, checked_text
 from rapidsim.cli.tools.fixes import cured, difference, harmless_fixes
-from rapidsim.controller.cell.description import without_declared
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.export.text_edits import write_edits
-from rapidsim.files import InputError, TaskFiles, input_text
-from rapidsim.jobs.check_files import CheckMoves, CheckResult, check_tasks
-from rapidsim.jobs.undriven_inputs import find_never_driven
+from rapidsim.files import InputError, input_text
+from rapidsim.jobs.asked import Asked
+from rapidsim.jobs.check_files import check_job
+from rapidsim.jobs.job import read_again
+from rapidsim.jobs.task_files import missing_neighbours
 from rapidsim.output_files import whole_file
 from rapidsim.report.findings.baseline import Key, baseline_text, read_baseline, without_known
 from rapidsim.report.findings.checked_moves import coverage_lines
 from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.statistics import statistics
 from rapidsim.report.findings.text import summary_line
-from rapidsim.station.station import Station
 
 _SEVERITIES = tuple(Severity)
 
@@ -103,38 +94,42 @@ def check(
     """
     started = time.perf_counter()
     terminal = current_terminal()
-    cell = choose_station(paths, station)
-    settings = choose_settings(paths, cell.check)
-    cell = replace(cell, check=settings)
-    selection = choose_selection(settings, select, extend_select, ignore)
+    asked = Asked(
+        paths=paths,
+        robot=robot,
+        station=station,
+        select=_listed(select),
+        extend_select=_listed(extend_select),
+        ignore=_listed(ignore),
+        reach=not no_reach,
+        trial_run=not no_run,
+    )
+    job = asked_job(asked)
+    settings = job.station.check
     known_file = Path(baseline) if baseline else settings.baseline
     if unsafe_fixes and not (fix or diff):
         raise click.UsageError("--unsafe-fixes goes with --fix or --diff")
     if update_baseline and known_file is None:
         raise click.UsageError("--update-baseline needs --baseline FILE")
-    choice = choose_robot(robot, cell)
-    moves = choose_move_check(choice, cell, run=not no_run)
-    wanted = None if no_reach else moves
-    tasks = all_tasks(paths, cell)
-    result, kept = _found(tasks, cell, selection, wanted)
+    result = check_job(job)
     if diff:
-        chosen = harmless_fixes(kept, tasks, unsafe=unsafe_fixes)
-        say(difference(chosen.edits, tasks), nl=False)
+        chosen = harmless_fixes(result.diagnostics, job.tasks, unsafe=unsafe_fixes)
+        say(difference(chosen.edits, job.tasks), nl=False)
         return ExitCode.FINDINGS if chosen.edits else ExitCode.CLEAN
     fixed = left_out = 0
     if fix:
         cure = cured(
-            tasks,
-            kept,
-            lambda new: _found(new, cell, selection, wanted)[1],
+            job.tasks,
+            result.diagnostics,
+            lambda new: check_job(replace(job, tasks=tuple(new))).diagnostics,
             unsafe=unsafe_fixes,
         )
         fixed, left_out = cure.count, cure.left_out
         if fixed:
-            sources = [file for task in tasks for file in task.files]
-            write_edits(cure.edits_of(tasks), sources, what="fixes")
-            tasks = all_tasks(paths, cell)
-            result, kept = _found(tasks, cell, selection, wanted)
+            write_edits(cure.edits_of(job.tasks), job.files, what="fixes")
+            job = read_again(job)
+            result = check_job(job)
+    kept = result.diagnostics
     new, known, made = kept, 0, None
     if known_file is not None:
         # A setting alone writes nothing: the repository that holds it is not trusted.
@@ -157,31 +152,16 @@ def check(
             say(f"Written: {made} (baseline)")
         if settings.cycle_budget_s is not None and (no_run or no_reach):
             say("The cycle budget was not checked, because main was not run.")
-        for line in () if no_reach else coverage_lines(result.coverage, arm_and_reason(choice)):
+        for line in () if no_reach else coverage_lines(result.coverage, job.robot.text):
             say(line)
-    failing = _SEVERITIES[: _SEVERITIES.index(fails_at(fail_on, settings)) + 1]
+    least = Severity(fail_on) if fail_on else settings.fail_on or Severity.WARNING
+    failing = _SEVERITIES[: _SEVERITIES.index(least) + 1]
     failed = any(diagnostic.severity in failing for diagnostic in new)
     return ExitCode.FINDINGS if failed else ExitCode.CLEAN
 
 
-def _found(
-    tasks: Sequence[TaskFiles], cell: Station, selection: Selection, moves: CheckMoves | None
-) -> tuple[CheckResult, tuple[Diagnostic, ...]]:
-    """What checking found, and what of it is shown."""
-    result = check_tasks(
-        tasks,
-        detectors_of(selection.wants),
-        moves,
-        even_without_moves=cell.check.cycle_budget_s is not None,
-    )
-    declared = without_declared(result.diagnostics, cell.io, cell.units)
-    undriven = find_never_driven(result.trees, cell.io)
-    unsuppressed = without_suppressed(
-        (*declared, *undriven),
-        result.trees,
-        is_looked_for=lambda code: selection.is_looked_for(code) and result.looked_for(code),
-    )
-    return result, selection.kept(unsuppressed)
+def _listed(option: str | None) -> tuple[str, ...]:
+    return tuple(code.strip() for code in (option or "").split(",") if code.strip())
 
 
 def _baseline(file: Path, found: Sequence[Diagnostic], *, anew: bool) -> Counter[Key]:

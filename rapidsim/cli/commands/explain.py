@@ -5,9 +5,9 @@ from __future__ import annotations
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.options.selectors import unknown_rule
 from rapidsim.cli.terminal import current_terminal, say, terminal_options
 from rapidsim.diagnostics import Rule, all_rules
+from rapidsim.jobs.selectors import unknown_rule
 from rapidsim.report.pages.rules import rule_list, rule_page
 
 

@@ -9,11 +9,11 @@ from pathlib import Path
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.options.inputs import DEFAULT_ROBOT
 from rapidsim.cli.options.numbers import POSITIVE, Number, numbers
 from rapidsim.cli.options.outputs import new_file
 from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
 from rapidsim.files import InputError, decode, input_bytes, standard_input
+from rapidsim.jobs.choices import DEFAULT_ROBOT
 
 _WAYS = ("line", "spline", "joint", "joint-quintic")
 _PROFILES = ("trapezoid", "scurve", "sigmoid", "quintic")

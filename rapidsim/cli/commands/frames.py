@@ -7,9 +7,9 @@ import json
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.options.inputs import choose_robot, choose_station, one_task
-from rapidsim.cli.options.robot_choice import open_robot
+from rapidsim.cli.options.asked import asked_job
 from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
+from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.checked_program import load
 from rapidsim.language.data import IDENTITY_POSE
 from rapidsim.motion.configurations.targets import pose
@@ -40,9 +40,9 @@ def frames(
     them. Values are those before the program runs.
     """
     terminal = current_terminal()
-    cell = choose_station(paths, station)
-    files = one_task(paths, cell, task)
-    arm = open_robot(choose_robot(robot, cell).name)
+    job = asked_job(Asked(paths=paths, robot=robot, station=station, task=task))
+    files = job.only_task.files
+    arm = job.arm()
     loaded = load(files)
     if loaded.program is None:
         findings = merged(loaded.diagnostics)
@@ -50,7 +50,8 @@ def frames(
         say(text, palette=terminal.palette, nl=False, err=True)
         say(summary_line(findings, files=len(files), seconds=None), err=True)
         return ExitCode.FINDINGS
-    stands = IDENTITY_POSE if cell.world_from_base is None else pose(cell.world_from_base)
+    place = job.station.world_from_base
+    stands = IDENTITY_POSE if place is None else pose(place)
     root = frame_tree(loaded.program, start_values(loaded.program), arm.name, stands)
     if output_format == "json":
         say(json.dumps({"schema": 1, "root": frame_json(root)}, indent=2, allow_nan=False))

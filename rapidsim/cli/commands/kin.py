@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.options.inputs import DEFAULT_ROBOT
 from rapidsim.cli.options.numbers import numbers
 from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
 from rapidsim.files import InputError
+from rapidsim.jobs.choices import DEFAULT_ROBOT
 
 if TYPE_CHECKING:
     from rapidsim.frames.transform import Array, Transform

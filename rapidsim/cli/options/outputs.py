@@ -12,7 +12,6 @@ import click
 
 from rapidsim.cli.options.numbers import POSITIVE
 from rapidsim.cli.viewer import require_screen
-from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError, SourceFile, did_you_mean
 from rapidsim.report.run.summary import Written
 from rapidsim.simulation.results.simulation import Simulation
@@ -23,7 +22,7 @@ VALUES = "values of persistents"
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class AskedFiles:
     """What the command line says about files to write, as it was typed."""
 
     record: str | None
@@ -63,12 +62,12 @@ _OPTIONS = (
 
 
 def output_options(command: Callable[..., int]) -> Callable[..., int]:
-    """Give a command the options above; it gets what was typed as one `asked`."""
+    """Give a command the options above; it gets what was typed as one `files`."""
 
     @functools.wraps(command)
     def asking(*arguments: object, **options: object) -> int:
-        typed = {field.name: options.pop(field.name) for field in fields(Asked)}
-        return command(*arguments, asked=Asked(**typed), **options)  # type: ignore[arg-type]
+        typed = {field.name: options.pop(field.name) for field in fields(AskedFiles)}
+        return command(*arguments, files=AskedFiles(**typed), **options)  # type: ignore[arg-type]
 
     # Decorators stand on the help page from the last applied to the first.
     for option in reversed(_OPTIONS):
@@ -91,7 +90,7 @@ class Outputs:
     events: Path | None
 
 
-def new_outputs(asked: Asked, program: str) -> Outputs:
+def new_outputs(asked: AskedFiles, program: str) -> Outputs:
     """The places to write to, for a program of some name.
 
     Raises:
@@ -132,13 +131,12 @@ def new_profile(name: str) -> Path:
 
 
 def write(
-    simulation: Simulation, findings: tuple[Diagnostic, ...], outputs: Outputs
+    simulation: Simulation, outputs: Outputs
 ) -> tuple[tuple[Written, ...], InputError | None]:
     """Write the files asked for; what can be written is, even if something else cannot.
 
     Args:
         simulation: The run.
-        findings: What checking and running found.
         outputs: What to write.
 
     Returns:
@@ -146,7 +144,7 @@ def write(
     """
     written: list[Written] = []
     refused: InputError | None = None
-    for what, path, writer in _writers(simulation, findings, outputs):
+    for what, path, writer in _writers(simulation, outputs):
         try:
             writer()
             written.append(Written(path, what))
@@ -156,7 +154,7 @@ def write(
 
 
 def _writers(
-    simulation: Simulation, findings: tuple[Diagnostic, ...], outputs: Outputs
+    simulation: Simulation, outputs: Outputs
 ) -> Iterator[tuple[str, Path, Callable[[], object]]]:
     """What is written, where, and by what; it imports rerun and more, so only when asked for."""
     if outputs.recording:
@@ -173,7 +171,7 @@ def _writers(
     if outputs.report:
         from rapidsim.report.html.write import write_report
 
-        writer = functools.partial(write_report, simulation, findings, outputs.report)
+        writer = functools.partial(write_report, simulation, simulation.diagnostics, outputs.report)
         yield "report", outputs.report, writer
     if outputs.plots:
         from rapidsim.plots.write import write_plots

@@ -1,11 +1,11 @@
-"""Bring findings into order, pick some by code, and merge those that repeat."""
+"""Bring findings into order, and merge those that repeat."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 
-from rapidsim.diagnostics import Diagnostic, Rule
+from rapidsim.diagnostics import Diagnostic
 
 _MOST_OF_A_RULE = 20
 """Findings of one rule in one file that are shown one by one."""
@@ -46,26 +46,6 @@ def merged(diagnostics: Iterable[Diagnostic], *, merge: bool = True) -> tuple[Fi
         for group in of_rule
     ]
     return tuple(sorted(findings, key=lambda finding: _order(finding.first)))
-
-
-def is_selected(
-    rule: Rule,
-    select: Sequence[str] = (),
-    ignore: Sequence[str] = (),
-    also: Sequence[str] = (),
-) -> bool:
-    """Whether selectors leave a rule.
-
-    Args:
-        rule: The rule.
-        select: Codes, beginnings of codes such as `K6`, or names of rules; none selects those that
-            are on by default.
-        ignore: The same, taken away afterwards.
-        also: The same, added to what is selected.
-    """
-    chosen = any(rule.matches(one) for one in select) if select else rule.on_by_default
-    chosen = chosen or any(rule.matches(one) for one in also)
-    return chosen and not any(rule.matches(one) for one in ignore)
 
 
 def _order(diagnostic: Diagnostic) -> tuple[str, int, str, str]:

@@ -1,80 +1,26 @@
-"""What commands are given: the files of one task, a station, a robot."""
+"""Which modules a job has, task by task: those named, and those the station file lists."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
-from rapidsim.cli.terminal import say
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import (
     InputError,
-    SourceFile,
     TaskFiles,
-    backup_folders,
     did_you_mean,
     named_tasks,
     neighbours,
     read_tasks,
     require_inside,
 )
-from rapidsim.station.station import Station, find_station
-
-DEFAULT_ROBOT = "irb1600-6-1.2"
+from rapidsim.station.station import Station
 
 # Rules that find a name which another module may declare.
 _UNDECLARED = ("N201", "N209", "N210")
 _NAMED_NEIGHBOURS = 4
-
-
-@dataclass(frozen=True, slots=True)
-class RobotChoice:
-    """Which robot, and what decided it."""
-
-    name: str
-    reason: str | None
-    """For the summary; None where the user named the robot on the command line."""
-
-
-def choose_station(paths: Sequence[str], file: str | None) -> Station:
-    """The named station file, else the one next to the program or above it, else the defaults.
-
-    Where it says nothing of robots, tasks and signals, a backup does; what of that is left out is
-    said on stderr.
-    """
-    backup = _backup(paths)
-    for remark in backup.remarks:
-        say(f"note: {remark}", err=True)
-    found = Path(file) if file is not None else find_station(paths)
-    if found is None:
-        return backup
-    from rapidsim.station.read import read_station
-
-    return read_station(found).and_backup(backup)
-
-
-def _backup(paths: Sequence[str]) -> Station:
-    folders = backup_folders(paths)
-    if not folders:
-        return Station()
-    # Most of what is named is no backup, and does not pay for importing NumPy here.
-    from rapidsim.station.backup.backup import backup_station
-
-    return backup_station(folders)
-
-
-def choose_robot(robot: str | None, station: Station) -> RobotChoice:
-    """The named robot, else that of the station file or the backup, else the default."""
-    if robot is not None:
-        return RobotChoice(robot, None)
-    if station.robot is not None:
-        return RobotChoice(station.robot, f"from {station.robot_source or station.file}")
-    unknown = (
-        f"the catalogue has no {station.unknown_robots[0]}; " if station.unknown_robots else ""
-    )
-    return RobotChoice(DEFAULT_ROBOT, f"by default; {unknown}--robot names another")
 
 
 def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
@@ -138,21 +84,6 @@ def chosen_tasks(paths: Sequence[str], station: Station, task: str | None) -> tu
         help = did_you_mean(task, names) or f"there are {', '.join(names)}"
         raise InputError(f"there is no task {task}", help)
     return chosen
-
-
-def one_task(
-    paths: Sequence[str], station: Station, task: str | None = None
-) -> tuple[SourceFile, ...]:
-    """The files of the only task, or of the one that is named.
-
-    Raises:
-        InputError: If there are several to choose from; see `chosen_tasks`.
-    """
-    tasks = chosen_tasks(paths, station, task)
-    if len(tasks) > 1:
-        names = ", ".join(one.name or station.task for one in tasks)
-        raise InputError(f"there are {len(tasks)} tasks ({names})", "name one with --task")
-    return tasks[0].files
 
 
 def _folders(paths: Sequence[str]) -> tuple[Path, ...]:

@@ -1,4 +1,4 @@
-"""Which findings a check shows: what command line, station file and pyproject.toml say together."""
+"""Which findings a check shows: what is asked, station file and pyproject.toml say together."""
 
 from __future__ import annotations
 
@@ -7,9 +7,8 @@ from dataclasses import dataclass
 from fnmatch import fnmatch
 from pathlib import Path, PurePath
 
-from rapidsim.cli.options.selectors import expect_rules
-from rapidsim.diagnostics import Diagnostic, Rule, Severity
-from rapidsim.report.findings.merging import is_selected
+from rapidsim.diagnostics import Diagnostic, Rule
+from rapidsim.jobs.selectors import expect_rules, is_selected
 from rapidsim.station.check import CheckSettings, find_project_settings
 
 
@@ -62,29 +61,23 @@ def choose_settings(paths: Sequence[str], station: CheckSettings) -> CheckSettin
 
 
 def choose_selection(
-    settings: CheckSettings, select: str | None, also: str | None, ignore: str | None
+    settings: CheckSettings,
+    select: Sequence[str],
+    also: Sequence[str],
+    ignore: Sequence[str],
 ) -> Selection:
-    """What the options say, and where they are silent the settings.
+    """What is asked for, and where that is silent the settings.
 
     Raises:
         InputError: If something names no rule.
     """
-    selected = _listed(select) or settings.select
-    widened = (*_listed(also), *settings.extend_select)
-    ignored = (*_listed(ignore), *settings.ignore)
+    selected = tuple(select) or settings.select
+    widened = (*also, *settings.extend_select)
+    ignored = (*ignore, *settings.ignore)
     for_files = [one for codes in settings.per_file_ignores.values() for one in codes]
     if everything := (*selected, *widened, *ignored, *for_files):
         expect_rules(everything)
     return Selection(settings, selected, widened, ignored)
-
-
-def fails_at(option: str | None, settings: CheckSettings) -> Severity:
-    """The least severity that makes the exit code 1."""
-    return Severity(option) if option else settings.fail_on or Severity.WARNING
-
-
-def _listed(option: str | None) -> tuple[str, ...]:
-    return tuple(code.strip() for code in (option or "").split(",") if code.strip())
 
 
 def _fits(file: str, pattern: str, settings_file: Path | None) -> bool:

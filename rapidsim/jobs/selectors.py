@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rapidsim.diagnostics import all_rules
+from rapidsim.diagnostics import Rule, all_rules
 from rapidsim.files import InputError, did_you_mean
 
 
@@ -28,3 +28,23 @@ def unknown_rule(given: str) -> InputError:
     known = [text for rule in all_rules() for text in (rule.code, rule.name)]
     help = did_you_mean(given, known) or "`rapidsim explain --all` lists the rules"
     return InputError(f"there is no rule `{given}`", help)
+
+
+def is_selected(
+    rule: Rule,
+    select: Sequence[str] = (),
+    ignore: Sequence[str] = (),
+    also: Sequence[str] = (),
+) -> bool:
+    """Whether selectors leave a rule.
+
+    Args:
+        rule: The rule.
+        select: Codes, beginnings of codes such as `K6`, or names of rules; none selects those that
+            are on by default.
+        ignore: The same, taken away afterwards.
+        also: The same, added to what is selected.
+    """
+    chosen = any(rule.matches(one) for one in select) if select else rule.on_by_default
+    chosen = chosen or any(rule.matches(one) for one in also)
+    return chosen and not any(rule.matches(one) for one in ignore)

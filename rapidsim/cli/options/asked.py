@@ -1,0 +1,161 @@
+"""What the command line asks of a run, as one `Asked`; and a job of it, with its notes said."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Sequence
+from datetime import datetime
+from typing import TYPE_CHECKING
+
+import click
+
+from rapidsim.cli.options.answers import answers_from
+from rapidsim.cli.options.dates import Date
+from rapidsim.cli.options.numbers import POSITIVE
+from rapidsim.cli.terminal import say
+from rapidsim.controller.cell.network import Network
+from rapidsim.files import InputError
+from rapidsim.jobs.asked import Asked
+from rapidsim.jobs.job import Job, job
+from rapidsim.station.station import Station
+
+if TYPE_CHECKING:
+    from rapidsim.motion.robot.robot import Robot
+
+_PROGRAM = (
+    click.argument("paths", metavar="PATH...", nargs=-1, required=True),
+    click.option(
+        "--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them."
+    ),
+    click.option("--station", metavar="FILE.toml", help="The station file, instead of a near one."),
+    click.option("--task", metavar="NAME", help="Only this one of several tasks."),
+    click.option("--proc", metavar="NAME", default="main", help="The procedure to run."),
+)
+_INPUTS = (
+    click.option(
+        "--io", metavar="FILE.toml", help="Signals and what happens to inputs; adds to the station."
+    ),
+    click.option(
+        "--answers", metavar="FILE", help="Answers to the program's questions, one a line."
+    ),
+    click.option(
+        "--home", metavar="DIR", help="The folder HOME: stands for; else <program>.home here."
+    ),
+    click.option(
+        "--allow-network", is_flag=True, help="Sockets may use real ports of this computer."
+    ),
+    click.option(
+        "--network-host",
+        "network_hosts",
+        metavar="ADDRESS",
+        multiple=True,
+        help="Another address that sockets may use.",
+    ),
+    click.option(
+        "--start-time",
+        metavar="DATE",
+        type=Date(),
+        help="What the controller's clock shows at the start; else 2000-01-01.",
+    ),
+    click.option(
+        "--max-time",
+        metavar="SECONDS",
+        type=POSITIVE,
+        default=3600.0,
+        show_default=True,
+        help="Simulated time after which the run is cut off.",
+    ),
+    click.option(
+        "--max-wall",
+        metavar="SECONDS",
+        type=POSITIVE,
+        help="Time on the computer's clock after which the run is cut off; else none.",
+    ),
+    click.option(
+        "--cycles",
+        metavar="N",
+        type=click.IntRange(min=1),
+        default=1,
+        show_default=True,
+        help="How often the procedure runs.",
+    ),
+)
+
+
+def program_options(command: Callable[..., int]) -> Callable[..., int]:
+    """Give a command options of the program; these and `input_options` come as one `asked`."""
+
+    @functools.wraps(command)
+    def asking(
+        *,
+        paths: tuple[str, ...],
+        robot: str | None,
+        station: str | None,
+        task: str | None,
+        proc: str,
+        io: str | None,
+        answers: str | None,
+        home: str | None,
+        allow_network: bool,
+        network_hosts: tuple[str, ...],
+        start_time: datetime | None,
+        max_time: float,
+        max_wall: float | None,
+        cycles: int,
+        **others: object,
+    ) -> int:
+        if network_hosts and not allow_network:
+            raise InputError("--network-host: it needs --allow-network")
+        asked = Asked(
+            paths=paths,
+            robot=robot,
+            station=station,
+            task=task,
+            io=io,
+            entry=proc,
+            answers=answers_from(answers),
+            answers_are_typed=answers is None,
+            home=home,
+            network=Network(frozenset(network_hosts)) if allow_network else None,
+            starts_at=start_time,
+            max_time_s=max_time,
+            max_wall_s=max_wall,
+            max_cycles=cycles,
+        )
+        return command(asked=asked, **others)
+
+    return _with_all(_PROGRAM, asking)
+
+
+def input_options(command: Callable[..., int]) -> Callable[..., int]:
+    """Give a command the options of what a run is given beside its program."""
+    return _with_all(_INPUTS, command)
+
+
+def _with_all(
+    options: Sequence[Callable[[Callable[..., int]], Callable[..., int]]],
+    command: Callable[..., int],
+) -> Callable[..., int]:
+    # Decorators stand on the help page from the last applied to the first.
+    for option in reversed(options):
+        command = option(command)
+    return command
+
+
+def asked_job(asked: Asked) -> Job:
+    """The job that is asked for; what a backup says and is left out is said on stderr."""
+    found = job(asked, open_robot=functools.cache(_open_robot))
+    say_remarks(found.station)
+    return found
+
+
+def say_remarks(station: Station) -> None:
+    """Say on stderr what a backup says of the cell and is left out."""
+    for remark in station.remarks:
+        say(f"note: {remark}", err=True)
+
+
+def _open_robot(name: str) -> Robot:
+    from rapidsim.cli.options.robot_choice import open_robot
+
+    return open_robot(name)

@@ -1,0 +1,136 @@
+"""What a run prints: a rejected program, findings, the summary or JSON, and what was judged."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from rapidsim.cli.options.outputs import VALUES
+from rapidsim.cli.terminal import Terminal, say
+from rapidsim.diagnostics import Diagnostic, Severity
+from rapidsim.jobs.choices import RobotChoice
+from rapidsim.jobs.run_files import LoadedJob
+from rapidsim.jobs.task_files import missing_neighbours
+from rapidsim.report.findings.merging import merged
+from rapidsim.report.findings.source_frame import printable
+from rapidsim.report.findings.text import full, summary_line
+from rapidsim.report.run.figures import Figures
+from rapidsim.report.run.json_report import rejected_json, run_json
+from rapidsim.report.run.summary import ASCII_BARS, BLOCK_BARS, Written, summary
+from rapidsim.report.run.verdicts import Judgement
+from rapidsim.simulation.results.simulation import Simulation
+
+if TYPE_CHECKING:
+    from rapidsim.cli.tools.profiler import Profile
+
+FORMATS = ("table", "json", "none")
+
+
+def print_rejected(
+    loaded: LoadedJob, findings: Sequence[Diagnostic], output_format: str, terminal: Terminal
+) -> None:
+    """Say why a program does not run."""
+    files = loaded.job.files
+    if output_format == "json":
+        names = [file.name for file in files]
+        say(_as_text(rejected_json(names, loaded.robot.name, findings)))
+    elif output_format == "table":
+        _print_findings(findings, terminal)
+        if not terminal.quiet:
+            say(summary_line(merged(findings), files=len(files), seconds=None))
+            if hint := missing_neighbours(loaded.job.asked.paths, findings):
+                say(hint)
+
+
+@dataclass(frozen=True, slots=True)
+class RunDone:
+    """A run and what is known of it."""
+
+    simulation: Simulation
+    figures: Callable[[], Figures]
+    """Computed when they are first asked for."""
+    judgement: Judgement
+    profile: Profile | None
+
+
+def print_run(
+    done: RunDone,
+    choice: RobotChoice,
+    written: Sequence[Written],
+    output_format: str,
+    terminal: Terminal,
+) -> None:
+    """Say what happened, which files tell more, and what became of what was asked."""
+    findings = done.simulation.diagnostics
+    if output_format == "json":
+        files = _json_files(written)
+        say(_as_text(run_json(done.simulation, done.figures(), findings, files, done.judgement)))
+    elif output_format == "table":
+        _print_findings(findings, terminal)
+        if not terminal.quiet:
+            _print_summary(done, choice, written, terminal)
+    _print_judgement(done.judgement, output_format, terminal)
+
+
+def _json_files(written: Sequence[Written]) -> dict[str, object]:
+    files: dict[str, object] = {one.what: str(one.path) for one in written if one.what != VALUES}
+    program = [str(one.path) for one in written if one.what == VALUES]
+    return {**files, "program": program} if program else files
+
+
+def _as_text(report: dict[str, object]) -> str:
+    return json.dumps(report, indent=2, allow_nan=False)
+
+
+def _print_findings(findings: Sequence[Diagnostic], terminal: Terminal) -> None:
+    if terminal.quiet:
+        findings = [finding for finding in findings if finding.severity is Severity.ERROR]
+    text = full(merged(findings), terminal.palette, width=terminal.width)
+    say(text, palette=terminal.palette, nl=False)
+
+
+def _print_judgement(judgement: Judgement, output_format: str, terminal: Terminal) -> None:
+    """Say what became of the assertions and the budget; beside JSON only what is amiss."""
+    is_table = output_format == "table"
+    palette = terminal.palette
+    for verdict in judgement.verdicts:
+        if (is_table and not terminal.quiet) or not verdict.holds:
+            colour = {True: palette.help, None: palette.warning, False: palette.error}
+            text = palette.paint(printable(verdict.text), colour[verdict.holds])
+            say(text, palette=palette, err=not is_table)
+
+
+def _print_summary(
+    done: RunDone, choice: RobotChoice, written: Sequence[Written], terminal: Terminal
+) -> None:
+    plain = not terminal.console().encoding.startswith("utf")
+    terminal.show(
+        summary(
+            done.simulation,
+            done.figures(),
+            robot_reason=choice.reason,
+            written=written,
+            bars=ASCII_BARS if plain else BLOCK_BARS,
+        )
+    )
+    if done.profile:
+        from rapidsim.cli.tools.profiler import costs_table
+
+        terminal.show(costs_table(done.profile.routines))
+
+
+@contextmanager
+def stage(what: str, terminal: Terminal) -> Iterator[None]:
+    """Say on a terminal what is under way; anywhere else say nothing."""
+    if terminal.quiet or not sys.stderr.isatty():
+        yield
+        return
+    from rich.console import Console
+    from rich.status import Status
+
+    with Status(f"{what} ...", console=Console(stderr=True)):
+        yield

@@ -1,0 +1,62 @@
+"""How a run is watched: not at all, at breakpoints, or by Python's profiler."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeVar
+
+from rapidsim.cli.options.outputs import new_profile
+from rapidsim.cli.terminal import Terminal
+from rapidsim.cli.tools.run_output import stage
+from rapidsim.files import InputError
+from rapidsim.jobs.run_files import LoadedJob
+
+if TYPE_CHECKING:
+    from rapidsim.cli.tools.profiler import Profile
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True, slots=True)
+class Watch:
+    """What of it is wanted; one at most."""
+
+    breaks: tuple[str, ...]
+    profile: Path | None
+    """Where the profile is written."""
+
+
+def choose_watch(breaks: Sequence[str], profile: str | None) -> Watch:
+    """What the options say.
+
+    Raises:
+        InputError: If they want both, or the profile cannot be written there.
+    """
+    if breaks and profile:
+        raise InputError("--break and --profile exclude each other")
+    return Watch(tuple(breaks), new_profile(profile) if profile else None)
+
+
+def watched(
+    run: Callable[[], T], loaded: LoadedJob, watch: Watch, terminal: Terminal
+) -> tuple[T, Profile | None]:
+    """Run what was loaded, and measure it if that is wanted.
+
+    Raises:
+        InputError: If several tasks run where one is to be followed.
+    """
+    if (watch.breaks or watch.profile) and len(loaded.tasks) > 1:
+        raise InputError("--break and --profile follow one task", "name it with --task")
+    program = loaded.tasks[0].program
+    if watch.breaks:
+        from rapidsim.cli.tools.debugger import debugged
+
+        return debugged(run, program, watch.breaks), None
+    with stage("simulating", terminal):
+        if watch.profile is None:
+            return run(), None
+        from rapidsim.cli.tools.profiler import profiled
+
+        return profiled(run, program)

@@ -1,0 +1,49 @@
+"""What a person asks for: the one thing that a command, or a line of Python, makes up."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from datetime import datetime
+
+    from rapidsim.controller.cell.inputs import Answers
+    from rapidsim.controller.cell.network import Network
+    from rapidsim.motion.robot.robot import Robot
+    from rapidsim.simulation.options import RunOptions
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Asked:
+    """Files, cell, and how to check or run them; None where nothing is said."""
+
+    paths: tuple[str, ...]
+    station: str | None = None
+    """The station file; None takes the one near the paths."""
+    robot: Robot | str | None = None
+    """An arm, its name in the catalogue, or a URDF file."""
+    task: str | None = None
+    """The only one of several tasks that is wanted."""
+    cell: RunOptions | None = None
+    """What Python says of robot, motion model, signals and task; more than the station file."""
+    io: str | None = None
+    """A file of signals and what happens to inputs; adds to the station."""
+    entry: str = "main"
+    answers: Answers | None = None
+    answers_are_typed: bool = False
+    home: str | None = None
+    """The folder HOME: stands for; None is `<program>.home` here."""
+    network: Network | None = None
+    starts_at: datetime | None = None
+    max_time_s: float = 3600.0
+    max_wall_s: float | None = None
+    max_cycles: int = 1
+    select: tuple[str, ...] = ()
+    """Rules that a check looks for, and no others."""
+    extend_select: tuple[str, ...] = ()
+    ignore: tuple[str, ...] = ()
+    reach: bool = True
+    """Whether a check asks if the robot can make the moves."""
+    trial_run: bool = True
+    """Whether it runs main for the moves that only a run can tell."""

@@ -1,0 +1,69 @@
+"""Which station and which robot a job has, and what decided it.
+
+A station is looked for here and nowhere else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rapidsim.files import backup_folders
+from rapidsim.station.station import Station, find_station
+
+if TYPE_CHECKING:
+    from rapidsim.motion.robot.robot import Robot
+
+DEFAULT_ROBOT = "irb1600-6-1.2"
+
+
+@dataclass(frozen=True, slots=True)
+class RobotChoice:
+    """Which robot, and what decided it."""
+
+    name: str
+    reason: str | None
+    """For the summary; None where the user named the robot."""
+
+    @property
+    def text(self) -> str:
+        """The arm as a summary names it."""
+        return self.name if self.reason is None else f"{self.name} ({self.reason})"
+
+
+def choose_station(paths: Sequence[str], file: str | None) -> Station:
+    """The named station file, else the one next to the program or above it, else the defaults.
+
+    Where it says nothing of robots, tasks and signals, a backup does.
+    """
+    backup = _backup(paths)
+    found = Path(file) if file is not None else find_station(paths)
+    if found is None:
+        return backup
+    from rapidsim.station.read import read_station
+
+    return read_station(found).and_backup(backup)
+
+
+def _backup(paths: Sequence[str]) -> Station:
+    folders = backup_folders(paths)
+    if not folders:
+        return Station()
+    # Most of what is named is no backup, and does not pay for importing NumPy here.
+    from rapidsim.station.backup.backup import backup_station
+
+    return backup_station(folders)
+
+
+def choose_robot(robot: Robot | str | None, station: Station) -> RobotChoice:
+    """The named robot, else that of the station file or the backup, else the default."""
+    if robot is not None:
+        return RobotChoice(robot if isinstance(robot, str) else robot.name, None)
+    if station.robot is not None:
+        return RobotChoice(station.robot, f"from {station.robot_source or station.file}")
+    unknown = (
+        f"the catalogue has no {station.unknown_robots[0]}; " if station.unknown_robots else ""
+    )
+    return RobotChoice(DEFAULT_ROBOT, f"by default; {unknown}--robot names another")

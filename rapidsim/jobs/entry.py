@@ -1,0 +1,32 @@
+"""The procedure that each task of a job begins with."""
+
+from __future__ import annotations
+
+from rapidsim.analysis.program import Program
+from rapidsim.files import InputError, did_you_mean
+from rapidsim.syntax import tree
+
+_NAMED_PROCEDURES = 8
+
+
+def require_entry(program: Program, name: str) -> None:
+    """Refuse a procedure that cannot be started on its own.
+
+    Raises:
+        InputError: If the program has none of that name, or it takes arguments.
+    """
+    startable = [
+        routine.name
+        for routine in program.routines.values()
+        if isinstance(routine.node, tree.Proc) and all(p.optional for p in routine.parameters)
+    ]
+    if name.lower() in (one.lower() for one in startable):
+        return
+    if name.lower() in program.routines:
+        raise InputError(f"`{name}` is no procedure that runs without arguments")
+    named = ", ".join(f"`{one}`" for one in startable[:_NAMED_PROCEDURES])
+    named += ", ..." if len(startable) > _NAMED_PROCEDURES else ""
+    raise InputError(
+        f"the program has no procedure `{name}`",
+        did_you_mean(name, startable) or (f"--proc names one: {named}" if startable else None),
+    )

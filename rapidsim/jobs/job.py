@@ -1,0 +1,106 @@
+"""From what a person asks for to a job: files, station, tasks, robot, and what decided each.
+
+The one way: every command and the Python API go it. A robot is opened when it is needed, so that
+what moves nothing imports no NumPy.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rapidsim.files import InputError, SourceFile, TaskFiles
+from rapidsim.jobs.asked import Asked
+from rapidsim.jobs.choices import RobotChoice, choose_robot, choose_station
+from rapidsim.jobs.given_options import with_given
+from rapidsim.jobs.selection import choose_settings
+from rapidsim.jobs.task_files import chosen_tasks
+from rapidsim.station.station import Station
+
+if TYPE_CHECKING:
+    from rapidsim.motion.robot.robot import Robot
+
+OpenRobot = Callable[[str], "Robot"]
+"""Makes an arm of its name."""
+
+
+@dataclass(frozen=True, slots=True)
+class Job:
+    """What is to be checked or run."""
+
+    asked: Asked
+    station: Station
+    """With the signals and settings of check that hold for this job."""
+    tasks: tuple[TaskFiles, ...]
+    """Each with its name."""
+    robot: RobotChoice
+    """The arm of the first robot."""
+    open_robot: OpenRobot
+
+    @property
+    def files(self) -> tuple[SourceFile, ...]:
+        """Those of all tasks."""
+        return tuple(file for task in self.tasks for file in task.files)
+
+    @property
+    def only_task(self) -> TaskFiles:
+        """The one task there is.
+
+        Raises:
+            InputError: If there are several.
+        """
+        if len(self.tasks) > 1:
+            names = ", ".join(one.name or self.station.task for one in self.tasks)
+            raise InputError(f"there are {len(self.tasks)} tasks ({names})", "name one with --task")
+        return self.tasks[0]
+
+    def arm(self) -> Robot:
+        """Open the arm of the first robot.
+
+        Raises:
+            InputError: If it is unknown; `RobotError` where `open_robot` says so.
+        """
+        given = self.asked.robot
+        if given is None or isinstance(given, str):
+            return self.open_robot(self.robot.name)
+        return given
+
+
+def job(asked: Asked, *, open_robot: OpenRobot | None = None) -> Job:
+    """Find the station near the files, read the files of its tasks, choose the robot.
+
+    Args:
+        asked: What a person asks for.
+        open_robot: Makes an arm of its name; None takes `rapidsim.load_robot`.
+
+    Raises:
+        InputError: If something is missing, unreadable, no RAPID, or contradicts itself.
+    """
+    station = choose_station(asked.paths, asked.station)
+    if asked.cell is not None:
+        station = with_given(station, asked.cell)
+    if asked.io is not None:
+        from rapidsim.station.read import read_io
+
+        station = replace(station, io=station.io.and_also(read_io(Path(asked.io))))
+    station = replace(station, check=choose_settings(asked.paths, station.check))
+    return Job(
+        asked,
+        station,
+        chosen_tasks(asked.paths, station, asked.task),
+        choose_robot(asked.robot, station),
+        open_robot or _of_the_catalogue,
+    )
+
+
+def read_again(job: Job) -> Job:
+    """The job with its files as they are now."""
+    return replace(job, tasks=chosen_tasks(job.asked.paths, job.station, job.asked.task))
+
+
+def _of_the_catalogue(name: str) -> Robot:
+    from rapidsim.motion.robot.robot import load_robot
+
+    return load_robot(name)

@@ -1,0 +1,54 @@
+"""On which arm a check asks about the moves of a task, and with what main is run for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
+from typing import TypeAlias
+
+from rapidsim.analysis.program import Program
+from rapidsim.jobs.job import Job
+from rapidsim.reach.checked_moves import ReachReport
+
+CheckMoves: TypeAlias = Callable[[Program, str], ReachReport]
+"""Checks the moves of a program on the robot of a task, given by its name."""
+
+
+def choose_move_check(job: Job) -> CheckMoves | None:
+    """What checks moves on the arms of a job; None where nobody asks about them.
+
+    An arm is opened when the first program with moves comes, but one that the user named at once,
+    so that a name that is not known is refused.
+    """
+    opened = cache(job.arm)
+    station = job.station
+    is_named = job.robot.reason is None or station.robot is not None
+    if is_named:
+        opened()
+
+    def check_moves(program: Program, task: str) -> ReachReport:
+        from rapidsim.frames.transform import Transform
+        from rapidsim.jobs.run_options import run_options
+        from rapidsim.reach.reach import check_reach
+
+        number = station.robot_number(task)
+        robot = station.robots[number] if station.robots else None
+        arm = job.open_robot(robot.name) if number and robot and robot.name else opened()
+        options = replace(
+            run_options(job),
+            start_joints_deg=robot.start_joints_deg if robot else None,
+            world_from_base=robot.world_from_base if robot else Transform.identity(),
+            external_axes=() if number else station.external_axes,
+            task=task,
+        )
+        budget_s = station.check.cycle_budget_s
+        trial_run = job.asked.trial_run
+        report = check_reach(program, arm, options, run=trial_run, cycle_budget_s=budget_s)
+        if is_named:
+            return report
+        # Whether the program is for the default arm nobody knows.
+        assumed = tuple(replace(found, assumed=True) for found in report.diagnostics)
+        return replace(report, diagnostics=assumed)
+
+    return check_moves if job.asked.reach else None

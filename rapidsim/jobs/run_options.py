@@ -1,0 +1,25 @@
+"""The inputs and limits that a job gives a run, but for what each task has of its own."""
+
+from __future__ import annotations
+
+from rapidsim.controller.cell.inputs import START_OF_TIME
+from rapidsim.jobs.job import Job
+from rapidsim.simulation.options import RunOptions
+
+
+def run_options(job: Job) -> RunOptions:
+    """What is asked, and where that is silent the station; nothing of files."""
+    asked, station = job.asked, job.station
+    return RunOptions(
+        program_files=tuple(file.name for file in job.files),
+        model=station.model,
+        io=station.io,
+        answers=asked.answers,
+        answers_are_typed=asked.answers_are_typed,
+        network=asked.network,
+        starts_at=asked.starts_at or station.starts_at or START_OF_TIME,
+        max_time_s=asked.max_time_s,
+        max_wall_s=asked.max_wall_s,
+        max_cycles=asked.max_cycles,
+        entry=asked.entry,
+    )
