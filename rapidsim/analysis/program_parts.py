@@ -13,7 +13,6 @@ from functools import cached_property
 from typing import TypeVar
 
 from rapidsim.analysis.context import Analysis
-from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.program import LibrarySymbol, RoutineSymbol, Symbol, does
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Fix, Related, Span, Violation
@@ -152,10 +151,6 @@ class Facts:
     def does(self, call: tree.Node) -> Does:
         """What a call of an installed routine does."""
         return does(self.symbol(call))
-
-    def may_do(self, call: tree.Call | tree.FunctionCall) -> Does:
-        """The same, by its name alone where nothing is looked up: the second routine of a name."""
-        return does(self.symbol(call) or installed_symbol(call.name.key))
 
     def routine_called(self, node: tree.Node) -> tree.Routine | None:
         """The user's routine that a call leads to."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.rules.facts.instruction_questions import may_do
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.library.traits import Does
@@ -89,7 +90,7 @@ def _takes_time(loop: tree.While, part: Part, facts: Facts) -> bool:
         match node:
             case tree.Call():
                 # A loop of nothing that takes time keeps the task busy.
-                if Does.INSTANT not in facts.may_do(node):
+                if Does.INSTANT not in may_do(node, facts):
                     return True
             case tree.FunctionCall():
                 if facts.installed(node) is None or Does.WAIT in facts.does(node):

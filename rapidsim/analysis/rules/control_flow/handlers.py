@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rapidsim.analysis.program_parts import Facts
+from rapidsim.analysis.rules.facts.instruction_questions import may_do
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
@@ -31,7 +32,7 @@ def find_careless_handlers(facts: Facts) -> Iterator[Diagnostic]:
                     yield part.finding(RetryWithoutChange(), statement)
                 case tree.TryNext() if not said:
                     yield part.finding(SwallowedError(), statement)
-                case tree.Call() if Does.TELL in facts.may_do(statement):
+                case tree.Call() if Does.TELL in may_do(statement, facts):
                     said = True
                     continue
                 case tree.Empty() | tree.Label():

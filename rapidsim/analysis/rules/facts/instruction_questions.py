@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.parameters import Formal
-from rapidsim.analysis.program import LibrarySymbol, RoutineSymbol
+from rapidsim.analysis.program import LibrarySymbol, RoutineSymbol, does
 from rapidsim.analysis.program_parts import Facts, Part
 from rapidsim.analysis.types.callees import callee_of_installed
 from rapidsim.library.traits import Does
@@ -50,6 +51,14 @@ def _named(key: str, formals: Sequence[Formal]) -> Formal | None:
     return next((formal for formal in formals if formal.key == key), None)
 
 
+def may_do(call: tree.Call | tree.FunctionCall, facts: Facts) -> Does:
+    """What a call does, by its name alone where no names are looked up.
+
+    Of two routines of one name only the first is looked into.
+    """
+    return does(facts.symbol(call) or installed_symbol(call.name.key))
+
+
 def moves(part: Part, facts: Facts) -> Iterator[Move]:
     """The calls of installed instructions that move the robot."""
     for call in part.all(tree.Call):
@@ -59,9 +68,9 @@ def moves(part: Part, facts: Facts) -> Iterator[Move]:
 
 def as_move(statement: tree.Node, facts: Facts) -> Move | None:
     """A statement as a move, if it is one."""
-    if not isinstance(statement, tree.Call) or Does.MOVE not in (does := facts.does(statement)):
+    if not isinstance(statement, tree.Call) or Does.MOVE not in (what := facts.does(statement)):
         return None
     arguments = {
         formal.key: value for formal, value in arguments_of(statement, facts) if formal is not None
     }
-    return Move(statement, arguments, does)
+    return Move(statement, arguments, what)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rapidsim.analysis.program_parts import ENTRY, Facts, Part
+from rapidsim.analysis.rules.facts.instruction_questions import may_do
 from rapidsim.analysis.rules.names.late_names import late_patterns
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.library.traits import Does
@@ -28,7 +29,7 @@ class UnusedRoutine(Violation, code="N205"):
 
 def find_unused_data(facts: Facts) -> Iterator[Diagnostic]:
     """Data whose name nothing uses in the text that can see it."""
-    by_name = any(_BY_NAME & facts.may_do(call) for part in facts.parts for call in part.calls)
+    by_name = any(_BY_NAME & may_do(call, facts) for part in facts.parts for call in part.calls)
     module_names: dict[tree.Module, frozenset[str]] = {}
     for part in facts.parts:
         known = module_names.get(part.module, frozenset())
