@@ -181,8 +181,13 @@ MOTION_SETTINGS = table(
         sets=("acceleration_percent", "ramp_percent", "fine_ramp_percent"),
         back="AccSet 100,100",
     ),
-    routine("PathAccLim", path_acc_lim, r"AccLim \AccMax DecelLim \DecelMax"),
-    routine("WorldAccLim", world_acc_lim, r"\On|\Off"),
+    routine(
+        "PathAccLim",
+        path_acc_lim,
+        r"AccLim \AccMax DecelLim \DecelMax",
+        sets=("tcp_acceleration_m_s2", "tcp_deceleration_m_s2"),
+    ),
+    routine("WorldAccLim", world_acc_lim, r"\On|\Off", sets=("world_acceleration_m_s2",)),
     routine("ActUnit", act_unit),
     routine("DeactUnit", deact_unit),
     routine("IsMechUnitActive", is_mech_unit_active),
@@ -201,6 +206,6 @@ MOTION_SETTINGS = table(
         r"\PathFrame|\ObjectFrame|\CirPointOri|\Wrist45|\Wrist46|\Wrist56",
         sets=("circle_path",),
     ),
-    routine("GripLoad", grip_load),
+    routine("GripLoad", grip_load, sets=("grip_load_kg",)),
     routine("MaxRobSpeed", max_rob_speed, treated_as="the speed of vmax"),
 )

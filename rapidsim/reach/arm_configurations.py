@@ -12,10 +12,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from rapidsim.controller.moves.configuration_choice import nearest_without_switch
 from rapidsim.frames.transform import Array
 from rapidsim.language.data import RobTarget
 from rapidsim.language.moves import Interpolation
-from rapidsim.motion.configurations.confdata import configurations, select, told_apart
+from rapidsim.motion.configurations.confdata import (
+    configuration,
+    configurations,
+    select,
+    told_apart,
+)
 from rapidsim.motion.configurations.reachability import limit_excess, turns_within_limits
 from rapidsim.motion.geometry.curves import circle_fault
 from rapidsim.motion.kinematics.arm import Mask
@@ -131,9 +137,10 @@ def stances_of(
                 continue
             if is_free(known):
                 found = configurations(robot, posed.base_from_flange[row])
-                travel = [float(np.abs(one.joints - start).max()) for one in found]
                 if found:
-                    joints[row], sure[row] = found[int(np.argmin(travel))].joints, True
+                    before = configuration(robot.kinematics, start)
+                    joints[row] = nearest_without_switch(found, before).joints
+                    sure[row] = True
         row += 1
     return Stances(joints, sure)
 

@@ -65,7 +65,7 @@ class Ways:
     surveyed: Mapping[int, SurveyedWay]
     circle_faults: Mapping[int, str]
     strays: Mapping[int, Array]
-    """Joints (n,) [rad] of rows that do not arrive in their stored configuration."""
+    """Joints (n,) [rad] of rows that arrive elsewhere than their end alone would tell."""
 
     def driven(self, row: int) -> Segment:
         """The segment of a way as a run drives it: it ends as the way arrives, where it does."""
@@ -99,7 +99,7 @@ class WayFinder:
     def survey(self) -> Ways:
         """Survey all lines and arcs whose start is known.
 
-        Where a line strays from the configuration that its target stores, what comes after it
+        Where a line arrives in another configuration than its end alone tells, what comes after it
         starts from there, and where it fails, nobody knows where it starts; so the survey is made
         again.
         """
@@ -147,11 +147,14 @@ class WayFinder:
         return Ways(stances, by_row, dict(zip(by_row, surveyed, strict=True)), faults, strays)
 
     def _strays(self, row: int, way: SurveyedWay, ways: Ways) -> bool:
-        known = self.posed.moves[row]
         if way.broken or way.arrival is None or not ways.stances.sure[row] or row in ways.strays:
             return False
-        apart = np.abs(way.arrival - ways.stances.joints[row]).max()
-        return bool(is_monitored(known, self.robot) and apart > _SAME_JOINTS)
+        return bool(np.abs(way.arrival - ways.stances.joints[row]).max() > _SAME_JOINTS)
+
+    def _asks_for_stored(self, row: int) -> bool:
+        """Whether a move insists on a configuration that the arm could arrive in."""
+        known = self.posed.moves[row]
+        return bool(self.ends.stored_works[row]) and is_monitored(known, self.robot)
 
     def findings(self, ways: Ways) -> Iterator[Diagnostic]:
         """All findings about the ways."""
@@ -166,7 +169,7 @@ class WayFinder:
                     yield self._finding(row, fault_found)
                 continue
             yield from self._led(row, ways)
-            if row in ways.strays and self.ends.stored_works[row]:
+            if row in ways.strays and self._asks_for_stored(row):
                 yield self._changed(row, ways.strays[row])
             if way.hold_up is not None and not self._speed_unknown(row):
                 held = self._held_up(row, way.hold_up)

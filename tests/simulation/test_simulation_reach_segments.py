@@ -11,15 +11,19 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+from laws import examples
 from simulation_program import arm
 from test_simulation_reach_programs import PROGRAMS, read
 
 from rapidsim.analysis.program import Program
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.controller.moves.resolve import Resolver
-from rapidsim.files import InputError
+from rapidsim.files import InputError, SourceFile
 from rapidsim.frames.transform import Transform
 from rapidsim.interpreter.limits import NotExecutableError
+from rapidsim.jobs.checked_program import load
 from rapidsim.language.moves import Move
 from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.model import MotionModel
@@ -49,13 +53,15 @@ def differences(a: object, b: object, name: str = "") -> Iterator[str]:
         yield f"{name}: {a} {b}"
 
 
+AXES = "[9E9,9E9,9E9,9E9,9E9,9E9]"
+MODEL = MotionModel(payload_acceleration=0.5)
 Key = tuple[int, Move, int, Move]
 """Where two moves in a row stand in the text, and what they are."""
 
 
 def judged(program: Program) -> dict[Key, list[Segment]]:
     """The segments that a check makes of moves whose start and end it knows."""
-    walked, robot, model = walk_program(program), arm(), MotionModel()
+    walked, robot, model = walk_program(program), arm(), MODEL
     placed = posed(walked.known, robot, Transform.identity())
     ways = WayFinder(program, placed, ends_of(placed, robot), robot, model, {}).survey()
     sure = ways.stances.sure
@@ -93,7 +99,7 @@ def driven(program: Program, monkeypatch: pytest.MonkeyPatch) -> dict[Key, list[
 
     with monkeypatch.context() as patch, suppress(InputError, NotExecutableError):
         patch.setattr(Resolver, "resolve", recorded)
-        simulate(program, arm(), options=RunOptions(max_time_s=60.0))
+        simulate(program, arm(), options=RunOptions(max_time_s=60.0, model=MODEL))
     found: dict[Key, list[Segment]] = {}
     for (before, _), (queued, segment) in pairwise(made):
         key = (queued.place.span.start, queued.move, before.place.span.start, before.move)
@@ -124,3 +130,76 @@ def count(path: Path, monkeypatch: pytest.MonkeyPatch) -> int:
     """The segments of a module that were compared; none where it is not to be run."""
     loaded = read(path)
     return 0 if loaded is None or loaded.program is None else compared(loaded.program, monkeypatch)
+
+
+DATA = """
+  PERS tooldata held:=[TRUE,[[30,0,90],[1,0,0,0]],[4,[0,0,50],[1,0,0,0],0,0,0]];
+  PERS loaddata part:=[1.5,[0,0,1],[1,0,0,0],0,0,0];
+  PERS wobjdata table:=[FALSE,TRUE,"",[[10,20,30],[1,0,0,0]],[[0,0,5],[1,0,0,0]]];
+  CONST robtarget p:=[[700,-200,500],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+"""
+BEFORE = {
+    "AccSet": r"AccSet 60,40\FinePointRamp:=50;",
+    "VelSet": "VelSet 40,120;",
+    "GripLoad": "GripLoad part;",
+    "PathAccLim": r"PathAccLim TRUE\AccMax:=2,TRUE\DecelMax:=1;",
+    "WorldAccLim": r"WorldAccLim \On:=3;",
+    "CirPathMode": r"CirPathMode \ObjectFrame;",
+    "SingArea": r"SingArea \Wrist;",
+}
+
+
+@pytest.mark.parametrize("setting", BEFORE.values(), ids=BEFORE.keys())
+def test_no_setting_is_ignored(setting: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    text = f"""MODULE cell
+{DATA}
+  PROC main()
+    {setting}
+    MoveJ p,v500,fine,tool0;
+    MoveL Offs(p,50,0,0),v500,z10,tool0;
+    MoveC Offs(p,100,50,0),Offs(p,50,100,0),v300,z5,tool0;
+    MoveL Offs(p,0,100,0),v100\\T:=2,fine,tool0;
+    MoveJ p,vmax,z50,tool0;
+    MoveJ Offs(p,0,20,0),v500,fine,held\\WObj:=table;
+    MoveL Offs(p,0,40,0),v500,fine,held\\WObj:=table;
+  ENDPROC
+ENDMODULE
+"""
+    loaded = load([SourceFile("cell.mod", text, "utf-8")])
+    assert loaded.program is not None, [d.violation.message for d in loaded.diagnostics]
+    assert compared(loaded.program, monkeypatch) == 6
+
+
+@examples(15)
+@example([("MoveJ", -583, 0, 200, 0), ("MoveJ", 0, 0, 200, 0)])
+@given(
+    st.lists(
+        st.tuples(
+            st.sampled_from(["MoveJ", "MoveL"]),
+            st.integers(-800, 1000),
+            st.integers(-800, 800),
+            st.integers(200, 1000),
+            st.integers(0, 350),
+        ),
+        min_size=2,
+        max_size=4,
+    )
+)
+def test_where_no_configuration_is_asked_for(moves: list[tuple[str, int, int, int, int]]) -> None:
+    body = "\n".join(
+        f"{name} RelTool(Offs(p,{x},{y},{z}),0,0,0\\Rz:={turn}),v500,fine,tool0;"
+        for name, x, y, z, turn in moves
+    )
+    text = f"""MODULE cell
+  CONST robtarget p:=[[0,0,0],[0,0,1,0],[0,0,0,0],{AXES}];
+  PROC main()
+    ConfJ\\Off; ConfL\\Off;
+    MoveAbsJ [[0,0,0,0,30,0],{AXES}],v500,fine,tool0;
+    {body}
+  ENDPROC
+ENDMODULE
+"""
+    loaded = load([SourceFile("cell.mod", text, "utf-8")])
+    assert loaded.program is not None, [d.violation.message for d in loaded.diagnostics]
+    with pytest.MonkeyPatch.context() as patch:
+        compared(loaded.program, patch)

@@ -38,7 +38,7 @@ from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH, ERR_ROBLIMIT
 from rapidsim.language.moves import SingularArea
 from rapidsim.motion.configurations.confdata import (
     Configuration,
-    confdata_of,
+    configuration,
     configurations,
     named,
     told_apart,
@@ -113,8 +113,7 @@ class Arrivals:
 
     def configuration(self, joints: Array) -> Configuration:
         """A joint vector (n,) [rad] with its confdata."""
-        cf1, cf4, cf6, cfx = confdata_of(self.robot.kinematics, joints).tolist()
-        return Configuration(joints, (cf1, cf4, cf6, cfx))
+        return configuration(self.robot.kinematics, joints)
 
     def working(self, base_from_flange: Transform, name: str) -> tuple[Configuration, ...]:
         """Every configuration that reaches a pose.

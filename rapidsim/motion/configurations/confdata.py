@@ -74,6 +74,11 @@ def confdata_of(kinematics: Kinematics, joints: Array) -> Integers:
     return np.concatenate([_counted_quarters(joints), branch[..., None]], axis=-1)
 
 
+def configuration(kinematics: Kinematics, joints: Array) -> Configuration:
+    """A joint vector (n,) [rad] with its confdata."""
+    return Configuration(joints, _four(confdata_of(kinematics, joints)))
+
+
 def select(
     robot: Robot, base_from_flange: Transform, confdata: Array | Integers, near: Array
 ) -> Selected:
