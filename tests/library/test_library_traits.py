@@ -132,7 +132,7 @@ ELSEWHERE = {
     "analysis/tolerated_syntax.py": {"DIM"},
     "cli/tools/follow_steps.py": {"dim"},
     "controller": {
-        *("ClearPath", "StorePath", "SyncMoveOn", "SyncMoveOff", "SyncMoveSuspend"),
+        *("ClearPath", "RestoPath", "StorePath", "SyncMoveOn", "SyncMoveOff", "SyncMoveSuspend"),
         *("SyncMoveResume", "stop", "load"),
     },
     "interpreter/codegen/special_forms.py": {
