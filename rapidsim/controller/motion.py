@@ -100,6 +100,16 @@ class TaskMotion:
                 else:
                     queue.close()
 
+    def end_with_the_run(self) -> None:
+        """Stop the robot at the time limit if it still moves then: what follows is not part of it.
+
+        A failure on the way has been told; it need not keep the robot from stopping before.
+        """
+        limit_s, queue = self.cell.max_time_s, self.unit.queue
+        if not queue.is_halted and queue.trajectory.command_end > limit_s:
+            with suppress(MotionError):
+                queue.halt(limit_s)
+
     def _stand_now(self) -> tuple[Array, Array]:
         """Joints (n,) [rad] and external axes (e,) [m or rad] while the statement runs."""
         now_s = self.clock.observe()

@@ -172,6 +172,7 @@ def run_to_end(
     except Stopped as stop:
         controller.motion.abandon()
         end, findings = End.STOPPED, (stopped_finding(stop, controller.clock.place),)
+    controller.motion.end_with_the_run()
     return Outcome(end, findings, failed, task)
 
 

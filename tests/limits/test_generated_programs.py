@@ -37,9 +37,10 @@ def test_what_failed_once(path: Path, command: tuple[str, ...], tmp_path: Path) 
     assert failure is None, failure.text
 
 
-def test_a_trace_ends_with_the_run(tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", ["endless_move", "fails_behind_an_endless_move"])
+def test_a_trace_ends_with_the_run(name: str, tmp_path: Path) -> None:
     trace = tmp_path / "t.csv"
-    move = GENERATED / "endless_move.mod"
+    move = GENERATED / f"{name}.mod"
     send("run", move, "--no-record", "--max-time", "5", "--trace", trace, "--home", tmp_path)
     last, *_ = trace.read_text(encoding="utf-8").splitlines()[-1].split(",")
     # The arm comes to rest after the end.

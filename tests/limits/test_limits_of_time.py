@@ -1,5 +1,6 @@
 """`--max-wall` holds, whatever the program is busy with: within 2 s of processor time."""
 
+import json
 import time
 from pathlib import Path
 
@@ -137,6 +138,19 @@ def test_what_was_done_before_is_told(tmp_path: Path) -> None:
     assert it.moves
     assert it.time_s > it.moves[0].end_s
     assert it.only.trajectory.duration > 0.0
+
+
+def test_what_was_noted_is_written_in_time_too(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The more events there are, the earlier the run is over."""
+    file = tmp_path / "job.mod"
+    file.write_text(forever('      TPWrite "again";\n      Set doLamp;\n      Reset doLamp;'))
+    given = ("--max-wall", 2, "--no-record", "--events", tmp_path / "e.jsonl", "--format", "json")
+    began_s = time.process_time()
+    assert run_commands(["run", str(file), *map(str, given)]) == 3
+    assert time.process_time() - began_s < 2 + BEYOND_S
+    assert len(json.loads(capsys.readouterr().out)["events"]) > 1000
 
 
 def test_a_run_that_ends_in_time_is_the_same(tmp_path: Path) -> None:

@@ -120,7 +120,7 @@ class Cell:
     def __init__(self, inputs: CellInputs, journal: Journal) -> None:
         """Set the cell up at time zero; what happens by itself is noted beside `journal`."""
         self.max_time_s = inputs.max_time_s
-        self.watchdog = Watchdog(inputs.max_wall_s)
+        self.watchdog = Watchdog(inputs.max_wall_s, lambda: journal.noted)
         self.signals = SignalTable(inputs.io.signals)
         self.home = HomeFolder(inputs.home)
         self.operator = Operator(inputs.answers, inputs.answers_are_typed)

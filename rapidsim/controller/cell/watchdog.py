@@ -2,12 +2,14 @@
 
 This is the only thing in a run that knows that clock, and it only ends the run. Nobody pays for
 reading it: a thread sleeps until the time is over, then raises a flag that long work looks at, and
-takes away the ticks of the tasks, so that every loop asks for new ones at its next turn.
+takes away the ticks of the tasks, so that every loop asks for new ones at its next turn. What was
+noted must be written yet: the more it is, the earlier the time is over.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from threading import Event, Thread
 from time import monotonic
 from typing import Final, Protocol
@@ -17,6 +19,13 @@ from rapidsim.controller.pointer_time import NO_TICKS
 
 _AGAIN_S: Final = 0.02
 """So long after it took the ticks of a task away it does so again, if it was just given others."""
+
+_LOOKS_S: Final = 0.1
+"""So often it looks how much has been noted."""
+_WRITING_S: Final = 25e-6
+"""So long [s] each of the things noted takes to be dated, sorted and written as JSON and events."""
+_FREE_S: Final = 1.0
+"""So long writing may take beyond the limit."""
 
 
 class Ticking(Protocol):
@@ -29,8 +38,14 @@ class Ticking(Protocol):
 class Watchdog:
     """Watches one run."""
 
-    def __init__(self, limit_s: float | None) -> None:
-        """Begin to watch a run that may take so long [s]; None for ever."""
+    def __init__(self, limit_s: float | None, noted: Callable[[], int]) -> None:
+        """Begin to watch a run.
+
+        Args:
+            limit_s: It may take so long [s]; None for ever.
+            noted: How many things it has noted that will be written when it is over.
+        """
+        self._noted = noted
         self._limit_s = math.inf if limit_s is None else limit_s
         self._ends_s = monotonic() + self._limit_s
         self._is_over = False
@@ -70,8 +85,9 @@ class Watchdog:
         self._rests.set()
 
     def _watch(self) -> None:
-        if self._rests.wait(self._limit_s):
-            return
+        while (runs_s := self.left_s - max(0.0, self._noted() * _WRITING_S - _FREE_S)) > 0.0:
+            if self._rests.wait(min(runs_s, _LOOKS_S)):
+                return
         self._is_over = True
         while True:
             for task in self._tasks:

@@ -74,6 +74,11 @@ class Journal:
         """
         return Journal(task, _events=self._events)
 
+    @property
+    def noted(self) -> int:
+        """How many events of the cell and statements of this task have been noted."""
+        return len(self._events) + len(self._lines)
+
     def event(
         self, moment: Moment, kind: EventKind, place: Place | None, message: str, **details: object
     ) -> None:
