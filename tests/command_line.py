@@ -19,7 +19,6 @@ from unittest.mock import patch
 
 from rapidsim.cli.boundary import run_commands
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.motion import compiled
 
 SWITCH = "COMMAND_LINE"
 PROCESS = "process"
@@ -76,8 +75,6 @@ def _here(
         contextlib.chdir(cwd),
         patch.dict(os.environ, environment, clear=True),
         warnings.catch_warnings(),
-        # A process starts without compiled code, which differs in the last digit.
-        patch.object(compiled, "_loaded", False),
         patch("sys.stdin", io.TextIOWrapper(given, encoding="utf-8")),
         patch("sys.stdout", io.TextIOWrapper(out, encoding="utf-8")) as stdout,
         patch("sys.stderr", io.TextIOWrapper(err, encoding="utf-8")) as stderr,

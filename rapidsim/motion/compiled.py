@@ -7,7 +7,8 @@ enough to be worth it, never by what only checks a program. RAPIDSIM_NUMBA=0 swi
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from functools import cache
 from hashlib import sha256
 from importlib import import_module
@@ -21,6 +22,20 @@ WORTH_COMPILING = 20_000
 _SWITCH = "RAPIDSIM_NUMBA"
 
 _loaded = False
+
+
+@contextmanager
+def decided_anew() -> Iterator[None]:
+    """Forget what was worth while before: a run gives the same, to the last digit, after any other.
+
+    Compiled code rounds as NumPy does, but for the last digit.
+    """
+    global _loaded
+    _loaded = False
+    try:
+        yield
+    finally:
+        _loaded = False
 
 
 def compiled(module: ModuleType, name: str, rows: int) -> Callable[..., Any] | None:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Span
 from rapidsim.frames.transform import Array
+from rapidsim.motion.compiled import decided_anew
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.arm_configurations import Ends, ends_of
 from rapidsim.reach.checked_moves import Coverage, ReachReport, UncheckedMove
@@ -33,6 +34,7 @@ _SAME_CAUSE = {"K603": "K606"}
 """A run says the first where checking by value says the second."""
 
 
+@decided_anew()
 def check_reach(
     program: Program,
     robot: Robot,

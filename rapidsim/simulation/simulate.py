@@ -14,6 +14,7 @@ from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.controller.moves.motion_findings import hasty_move_findings
 from rapidsim.files import InputError
 from rapidsim.interpreter.linking.loader import Task, load
+from rapidsim.motion.compiled import decided_anew
 from rapidsim.motion.robot.robot import Robot, RobotError
 from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.simulation.multitasking import run_together
@@ -70,6 +71,7 @@ class FinishedRun:
 
 
 @seldom_collected()
+@decided_anew()
 def run_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> FinishedRun:
     """Run the programs of several tasks on one clock.
 

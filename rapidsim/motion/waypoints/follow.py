@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.compiled import decided_anew
 from rapidsim.motion.configurations.branch_choice import least_motion
 from rapidsim.motion.configurations.confdata import told_apart
 from rapidsim.motion.configurations.reachability import limit_excess, why_unreachable
@@ -101,6 +102,7 @@ class Followed:
         )
 
 
+@decided_anew()
 def follow(
     robot: Robot,
     points: Points,
