@@ -16,7 +16,7 @@ from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.text import diagnostic_json
 from rapidsim.report.run.figures import Figures, JointMargin, LineTime, SingularityMargin, argument
 from rapidsim.report.run.verdicts import NOTHING_ASKED, Judgement
-from rapidsim.simulation.results.event_values import event_record
+from rapidsim.simulation.results.event_values import event_record, written
 from rapidsim.simulation.results.simulation import End, Simulation
 
 SCHEMA = 1
@@ -267,4 +267,4 @@ def _place(move: ExecutedMove) -> dict[str, object]:
 def _number(value: float | np.floating[np.typing.NBitBase]) -> float | None:
     """A finite number; JSON has no others, so they become null."""
     plain = float(value)
-    return plain if math.isfinite(plain) else None
+    return written(plain) if math.isfinite(plain) else None

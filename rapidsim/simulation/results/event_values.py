@@ -6,12 +6,20 @@ import math
 
 from rapidsim.controller.journal.events import Event
 
+DECIMALS = 8
+"""Of s, mm and degrees in JSON: more than anybody needs, fewer than machines agree on."""
+
+
+def written(value: float) -> float:
+    """A number as JSON has it, so that files of two machines are equal but for rounding ties."""
+    return round(value, DECIMALS) + 0.0
+
 
 def event_record(event: Event) -> dict[str, object]:
     """What every event has, then its details; finite numbers, texts, lists."""
     span = event.place.span if event.place else None
     common: dict[str, object] = {
-        "time_s": event.time_s,
+        "time_s": written(event.time_s),
         "task": event.task,
         "kind": event.kind.value,
         "file": span.file if span else None,
