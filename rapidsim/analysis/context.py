@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
+from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.parameters import Callee, Wanted
 from rapidsim.analysis.program import RoutineSymbol, Symbol, UnknownSymbol
 from rapidsim.diagnostics import Diagnostic, Related, Span, Violation
@@ -49,6 +50,8 @@ class Scope:
 class Analysis:
     """What one check has found out so far."""
 
+    cell: CellNames = NO_CELL
+    """What the configuration of the cell declares."""
     symbol_of: dict[tree.Node, Symbol] = field(default_factory=dict)
     type_of: dict[tree.Node, Type] = field(default_factory=dict)
     diagnostics: list[Diagnostic] = field(default_factory=list)

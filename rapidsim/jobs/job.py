@@ -11,12 +11,14 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from rapidsim.analysis.cell_names import CellNames
 from rapidsim.files import InputError, SourceFile, TaskFiles
 from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.choices import RobotChoice, choose_robot, choose_station
 from rapidsim.jobs.given_options import with_given
 from rapidsim.jobs.selection import choose_settings
 from rapidsim.jobs.task_files import chosen_tasks
+from rapidsim.station.cell_names import declared_names
 from rapidsim.station.station import Station
 
 if TYPE_CHECKING:
@@ -43,6 +45,11 @@ class Job:
     def files(self) -> tuple[SourceFile, ...]:
         """Those of all tasks."""
         return tuple(file for task in self.tasks for file in task.files)
+
+    @property
+    def cell(self) -> CellNames:
+        """What the station declares that programs may use."""
+        return declared_names(self.station)
 
     @property
     def only_task(self) -> TaskFiles:

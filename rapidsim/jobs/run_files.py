@@ -8,7 +8,6 @@ from os import PathLike, fspath
 from pathlib import Path
 
 from rapidsim.analysis.program import Program
-from rapidsim.controller.cell.description import without_declared
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import InputError
 from rapidsim.interpreter.limits import NotExecutableError
@@ -110,10 +109,8 @@ def run_job(job: Job) -> FinishedRun:
 def loaded(job: Job) -> LoadedJob:
     """Open the robot, parse and check the files; mistakes in them are findings, never raised."""
     robot = job.arm()
-    found = load_tasks(job.tasks)
-    station = job.station
-    diagnostics = without_declared(found.diagnostics, station.io, station.units)
-    return LoadedJob(job, robot, found.tasks, diagnostics)
+    found = load_tasks(job.tasks, job.cell)
+    return LoadedJob(job, robot, found.tasks, found.diagnostics)
 
 
 def prepared(loaded: LoadedJob) -> PreparedRun:

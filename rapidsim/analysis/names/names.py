@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from rapidsim.analysis.cell_names import ConfiguredSymbol
 from rapidsim.analysis.context import Context
 from rapidsim.analysis.installed import (
     installed_data_names,
@@ -35,7 +36,7 @@ from rapidsim.language.annotations import Mode
 from rapidsim.language.types import Type
 from rapidsim.syntax import tree
 
-DataLike = DataSymbol | ParameterSymbol | CounterSymbol
+DataLike = DataSymbol | ParameterSymbol | CounterSymbol | ConfiguredSymbol
 
 
 # Programmers name signals after their kind: diStart, DO10_1, gi_part.
@@ -44,8 +45,9 @@ _SIGNAL_OF_KIND = {signal.name[-2:]: signal for signal in types.SIGNALS}
 
 
 def find(key: str, context: Context) -> Symbol | None:
-    """The symbol of a folded name: of the program, else of the controller."""
-    return context.scope.find(key) or installed_symbol(key)
+    """The symbol of a folded name: of the program, else of the cell, else of the controller."""
+    declared = context.scope.find(key) or context.analysis.cell.find(key)
+    return declared or installed_symbol(key)
 
 
 def data_named(reference: tree.Reference, context: Context) -> DataLike | None:
@@ -62,10 +64,10 @@ def data_named(reference: tree.Reference, context: Context) -> DataLike | None:
 
 
 def type_of_undeclared(reference: tree.Reference, context: Context) -> Type | None:
-    """The kind of signal that a name means by its spelling, where nothing declares it."""
+    """The kind of signal that a name evidently means, where nothing declares it."""
     if find(reference.name.key, context) is not None:
         return None
-    return named_like_a_signal(reference.name, context)
+    return evident_signal(reference.name, context)
 
 
 def as_data(symbol: Symbol, reference: tree.Reference, context: Context) -> DataLike | None:
@@ -88,6 +90,9 @@ def routine_named(name: tree.Name, context: Context, *, function: bool) -> Symbo
         None, after a finding, where the name is no routine that can be called so.
     """
     symbol = find(name.key, context)
+    if isinstance(symbol, ConfiguredSymbol):
+        # A signal may be called as an instruction is; where one is called, that is meant.
+        symbol = installed_symbol(name.key) or symbol
     if symbol is None:
         return _unknown_routine(name, context)
     if function and is_function(symbol):
@@ -130,8 +135,10 @@ def take_for_unknown(reference: tree.Reference, context: Context) -> None:
         context.analysis.symbol_of[reference] = context.analysis.unknown_symbol(name.text)
 
 
-def named_like_a_signal(name: tree.Name, context: Context) -> Type | None:
-    """The kind of signal that a name means by its spelling; None where it looks like no signal."""
+def evident_signal(name: tree.Name, context: Context) -> Type | None:
+    """The kind of signal that an undeclared name means: the cell drives it, or it is spelt so."""
+    if name.key in context.analysis.cell.wired:
+        return types.SIGNAL_DI
     match = _SIGNAL_NAME.match(name.text)
     if match is None or slip_of(name.text, _known_names(context)):
         return None
@@ -163,6 +170,8 @@ def kind_of(symbol: Symbol) -> str:
             return "an instruction" if routine.signature.result is None else "a function"
         case TypeSymbol():
             return "a type"
+        case ConfiguredSymbol(type=of):
+            return f"a {of.name} of the cell"
         case UnknownSymbol():
             return "not declared"
 
@@ -216,6 +225,8 @@ def _cure(symbol: Symbol, name: str, function: bool) -> str:
             return f"connect it to an interrupt, as in `CONNECT i WITH {name}`"
         case DataSymbol() | ParameterSymbol() if not function:
             return f"give it a value with `{name}:=...`"
+        case ConfiguredSymbol():
+            return ""
         case DataSymbol() | ParameterSymbol():
             return f"elements of arrays stand in braces, as in `{name}{{1}}`"
         case _:
@@ -227,6 +238,8 @@ def _known_names(context: Context) -> Iterator[str]:
     for symbol in context.scope.symbols():
         if not isinstance(symbol, TypeSymbol):
             yield symbol.name
+    for configured in context.analysis.cell.symbols.values():
+        yield configured.name
     yield from installed_data_names()
     yield from reserved_words()
 

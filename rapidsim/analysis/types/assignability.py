@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from rapidsim.analysis.cell_names import ConfiguredSymbol
 from rapidsim.analysis.context import Context, TypeOf
+from rapidsim.analysis.names.names import find
 from rapidsim.analysis.parameters import Wanted
 from rapidsim.analysis.types.operators import has_value, value_type
 from rapidsim.analysis.types.type_violations import NoValue, TypeMismatch
@@ -31,7 +33,10 @@ def agrees(found: Type, wanted: Type) -> bool:
 
 def report_mismatch(expression: tree.Node, found: Type, wanted: Wanted, context: Context) -> None:
     """Report a value of the wrong type."""
-    violation = TypeMismatch(wanted.by, wanted.type.name, found.name)
+    name = expression.name if isinstance(expression, tree.Reference) else None
+    symbol = None if name is None else find(name.key, context)
+    configured = symbol.name if isinstance(symbol, ConfiguredSymbol) else ""
+    violation = TypeMismatch(wanted.by, wanted.type.name, found.name, configured)
     context.report(violation, expression, *wanted.declared)
 
 

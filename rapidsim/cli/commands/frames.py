@@ -43,7 +43,7 @@ def frames(
     job = asked_job(Asked(paths=paths, robot=robot, station=station, task=task))
     files = job.only_task.files
     arm = job.arm()
-    loaded = load(files)
+    loaded = load(files, cell=job.cell)
     if loaded.program is None:
         findings = merged(loaded.diagnostics)
         text = full(findings, terminal.palette, width=terminal.width)
