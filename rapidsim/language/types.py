@@ -22,6 +22,8 @@ class Kind(Enum):
     """Read like its value, never assigned: input signals."""
     NON_VALUE = "non-value"
     """Only passed by reference: clocks, devices."""
+    UNKNOWN = "unknown"
+    """Nothing declares the type, so it may be anything."""
 
 
 @dataclass(frozen=True, slots=True)

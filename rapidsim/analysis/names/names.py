@@ -30,7 +30,7 @@ from rapidsim.analysis.program import (
     TypeSymbol,
     UnknownSymbol,
 )
-from rapidsim.analysis.suggestions import closest, reserved_words, slip_of
+from rapidsim.analysis.suggestions import closest, reserved_words
 from rapidsim.language import types
 from rapidsim.language.annotations import Mode
 from rapidsim.language.types import Type
@@ -127,12 +127,7 @@ def take_for_signal(reference: tree.Reference, of: Type, context: Context) -> No
 
 def take_for_unknown(reference: tree.Reference, context: Context) -> None:
     """Let an undeclared name stand in the arguments of a call that is skipped anyway."""
-    name = reference.name
-    compares = context.analysis.may_compare(name.key)
-    if compares and slip_of(name.text, _known_names(context)):
-        report_undefined(name, context)
-    else:
-        context.analysis.symbol_of[reference] = context.analysis.unknown_symbol(name.text)
+    context.analysis.symbol_of[reference] = context.analysis.unknown_symbol(reference.name.text)
 
 
 def evident_signal(name: tree.Name, context: Context) -> Type | None:
@@ -140,9 +135,7 @@ def evident_signal(name: tree.Name, context: Context) -> Type | None:
     if name.key in context.analysis.cell.wired:
         return types.SIGNAL_DI
     match = _SIGNAL_NAME.match(name.text)
-    if match is None or slip_of(name.text, _known_names(context)):
-        return None
-    return _SIGNAL_OF_KIND[match.group().lower()]
+    return None if match is None else _SIGNAL_OF_KIND[match.group().lower()]
 
 
 def kind_of(symbol: Symbol) -> str:
@@ -204,14 +197,10 @@ def _unknown_routine(name: tree.Name, context: Context) -> UnknownSymbol | None:
         return None
     compares = analysis.may_compare(name.key)
     known = [*_routine_names(context), *installed_routine_names()] if compares else []
-    meant = (*known, *reserved_words())
-    slip = slip_of(name.text, meant) if compares and not analysis.loads_modules else None
-    if slip is not None:
-        context.report(UndefinedName(name.text, slip, slip in reserved_words()), name)
-        return None
+    nearest = closest(name.text, (*known, *reserved_words())) if compares else None
     instead = LOOKS_FOR_IT if analysis.loads_modules else SKIPS
-    unknown = UnknownRoutine(name.text, closest(name.text, known), instead)
-    context.report(unknown, name)
+    reserved = nearest in reserved_words()
+    context.report(UnknownRoutine(name.text, nearest, instead, reserved), name)
     return analysis.unknown_symbol(name.text)
 
 

@@ -9,7 +9,7 @@ from rapidsim.analysis.parameters import Wanted
 from rapidsim.analysis.types.operators import has_value, value_type
 from rapidsim.analysis.types.type_violations import NoValue, TypeMismatch
 from rapidsim.language import types
-from rapidsim.language.types import ArrayOf, Type, resolved
+from rapidsim.language.types import ArrayOf, Atomic, Kind, Type, resolved
 from rapidsim.syntax import tree
 
 
@@ -26,9 +26,18 @@ def agrees(found: Type, wanted: Type) -> bool:
         return True
     value = value_type(found)
     target = resolved(wanted)
+    if is_unknown(value) or is_unknown(target):
+        return True
     if isinstance(value, ArrayOf) and isinstance(target, ArrayOf):
         return value.element == target.element and _sizes_agree(value, target)
     return value == target or resolved(found) == target
+
+
+def is_unknown(of: Type) -> bool:
+    """Whether it is a type, or an array of one, that nothing declares."""
+    target = resolved(of)
+    inner = resolved(target.element) if isinstance(target, ArrayOf) else target
+    return isinstance(inner, Atomic) and inner.kind is Kind.UNKNOWN
 
 
 def report_mismatch(expression: tree.Node, found: Type, wanted: Wanted, context: Context) -> None:
