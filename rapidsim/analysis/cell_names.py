@@ -30,6 +30,8 @@ class CellNames:
     wired: frozenset[str] = frozenset()
     """Folded names that drive signals or follow them, so that they are signals; of which kind,
     the use tells."""
+    unseen: tuple[str, ...] = ()
+    """Modules that the task has and nobody can read here: what they declare is not known."""
 
     def find(self, key: str) -> ConfiguredSymbol | None:
         """The symbol of a folded name."""

@@ -65,8 +65,9 @@ class Analysis:
     """Whether the task calls Load or StartLoad: other modules may come while it runs."""
     shapeless: set[str] = field(default_factory=set)
     """Folded names of types that nothing declares."""
-    needs_shape: bool = False
-    """Whether a component of such a type is named: that can be checked around, and not run."""
+    runs: bool = True
+    """False where something that nothing declares can be checked around, and not run: a component
+    of such a type, data of a module that cannot be read."""
     module_of: dict[Symbol, tree.Module] = field(default_factory=dict)
     """Where each symbol of the user is declared."""
     home_of: dict[tree.Module, Context] = field(default_factory=dict)

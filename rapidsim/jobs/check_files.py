@@ -127,7 +127,7 @@ def check_tasks(
         cell: What the configuration declares beside the modules.
     """
     wanted = detectors_of() if rules is None else rules
-    loaded = [(task, load(task.files, wanted, cell=cell)) for task in tasks]
+    loaded = [(task, load(task.files, wanted, cell=cell, unseen=task.unseen)) for task in tasks]
     reports = [
         _moves_checked(one, task.name or DEFAULT_TASK, moves, even_without_moves)
         for task, one in loaded

@@ -51,7 +51,7 @@ class LoadedTasks:
 
 def load_tasks(tasks: Sequence[TaskFiles], cell: CellNames = NO_CELL) -> LoadedTasks:
     """Parse and check the modules of tasks; mistakes in them are findings, never raised."""
-    loaded = [load(task.files, cell=cell) for task in tasks]
+    loaded = [load(task.files, cell=cell, unseen=task.unseen) for task in tasks]
     programs = [one.program for one in loaded if one.program is not None]
     conflicts = shared_findings(programs) if len(tasks) > 1 else ()
     diagnostics = (*(found for one in loaded for found in one.diagnostics), *conflicts)

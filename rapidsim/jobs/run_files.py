@@ -123,9 +123,10 @@ def prepared(loaded: LoadedJob) -> PreparedRun:
     if not loaded.tasks:
         raise ProgramRejectedError(loaded.diagnostics)
     job = loaded.job
-    for program in loaded.programs.values():
-        require_entry(program, job.asked.entry)
-    setups = task_setups(loaded.tasks, job.station, loaded.robot, job.open_robot)
+    for name, program in loaded.programs.items():
+        require_entry(program, job.entry(name))
+    bare = task_setups(loaded.tasks, job.station, loaded.robot, job.open_robot)
+    setups = tuple(replace(setup, entry=job.entry(setup.name)) for setup in bare)
     options = replace(run_options(job), home=_home(job.asked.home, job.asked.paths))
     return PreparedRun(setups, options, loaded.diagnostics)
 

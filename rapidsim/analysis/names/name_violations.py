@@ -25,6 +25,16 @@ class UndefinedName(Violation, code="N201"):
         return "declare it, or check the module that declares it together with this one"
 
 
+class UnseenName(Violation, code="N216"):
+    undefined: str
+    modules: tuple[str, ...]
+
+    @property
+    def help(self) -> str:
+        """Where it may be declared."""
+        return f"it may be declared in {' or '.join(self.modules)}, which cannot be read here"
+
+
 class DuplicateName(Violation, code="N202"):
     duplicate: str
     where: str = ""

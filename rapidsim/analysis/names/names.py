@@ -17,6 +17,7 @@ from rapidsim.analysis.names.name_violations import (
     SKIPS,
     UndefinedName,
     UnknownRoutine,
+    UnseenName,
     WrongKind,
 )
 from rapidsim.analysis.program import (
@@ -108,6 +109,11 @@ def routine_named(name: tree.Name, context: Context, *, function: bool) -> Symbo
 def report_undefined(name: tree.Name, context: Context) -> None:
     """Report a name that nothing declares, unless its declaration may be in unread text."""
     if context.analysis.may_be_unread(name.key):
+        return
+    unseen = context.analysis.cell.unseen
+    if unseen:
+        context.report(UnseenName(name.text, unseen), name)
+        context.analysis.runs = False
         return
     compares = context.analysis.may_compare(name.key)
     nearest = closest(name.text, _known_names(context)) if compares else None

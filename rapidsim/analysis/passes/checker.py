@@ -97,7 +97,7 @@ def check(
             analysis.diagnostics += rule(facts)
     diagnostics = _in_order(analysis.diagnostics, files)
     is_broken = any(found.severity is Severity.ERROR for found in diagnostics)
-    if is_broken or analysis.unread_text or analysis.needs_shape:
+    if is_broken or analysis.unread_text or not analysis.runs:
         return Checked(None, diagnostics)
     return Checked(_program(modules, homes, analysis), diagnostics)
 

@@ -95,7 +95,7 @@ def _check_assignment(statement: tree.Assignment, context: Context) -> None:
     if of is None:
         if isinstance(statement.value, tree.Aggregate | tree.LiteralAggregate):
             # What it is made of, only its type could tell.
-            context.analysis.needs_shape = True
+            context.analysis.runs = False
         else:
             type_of_expression(statement.value, context, None)
         return

@@ -119,7 +119,7 @@ def _component_type(path: tree.Component, context: Context, type_of: TypeOf) -> 
     if target.name.lower() in context.analysis.shapeless:
         written = context.module.span(path.record).text
         context.report(ComponentOfUnknownType(written, record.name, path.name.text), path.name)
-        context.analysis.needs_shape = True
+        context.analysis.runs = False
         return None
     known = tuple(component.name for component in components)
     if known:
