@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from motion_truth import recorded
+from reference_numbers import recorded
 
 from rapidsim.frames.rotation_vectors import rotation_from_vector
 from rapidsim.frames.transform import Array, Transform, quaternion_from_matrix
@@ -166,7 +166,7 @@ def test_around_the_sphere_all_the_way() -> None:
 
 
 def test_the_letter_on_the_wall() -> None:
-    placement = recorded("letter_D")["placements_fully_reachable"][0]
+    placement = recorded("letter_d")["placements_fully_reachable"][0]
     points = table("letter_d.csv", 5)
     reached, attitudes = reach(RVM1, points, BARE)
     assert all(point.reachable for point in reached)
