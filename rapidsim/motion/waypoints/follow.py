@@ -47,6 +47,8 @@ class Followed:
     plan: Plan
     robot: Robot
     points: Points
+    attitudes: Array
+    """At each point, (k, 4) or (k, 1)."""
     flange_from_tcp: Transform
     samples: Samples
     """`move` is the point, counted from 0, from which the arm comes."""
@@ -138,7 +140,7 @@ def follow(
         joints = joints_of_tcp(robot, points, motion, times, tcp_from_flange, start, first)
         if isinstance(joints, Refused):
             return joints
-        return _of_tcp(robot, points, flange_from_tcp, plan, motion, times, joints)
+        return _of_tcp(robot, points, attitudes, flange_from_tcp, plan, motion, times, joints)
 
     at_points = posed(points.positions, attitudes)
     knots = solved(robot, at_points @ tcp_from_flange, start, first)
@@ -156,7 +158,7 @@ def follow(
     times = _times(made.trajectory.breaks, dt)
     if isinstance(times, Refused):
         return times
-    return _of_joints(robot, points, flange_from_tcp, plan, made, knots, times)
+    return _of_joints(robot, points, attitudes, flange_from_tcp, plan, made, knots, times)
 
 
 def _joint_ways(robot: Robot, knots: Array, flange_from_tcp: Transform) -> Array:
@@ -171,6 +173,7 @@ def _joint_ways(robot: Robot, knots: Array, flange_from_tcp: Transform) -> Array
 def _of_tcp(
     robot: Robot,
     points: Points,
+    attitudes: Array,
     flange_from_tcp: Transform,
     plan: Plan,
     motion: TcpMotion,
@@ -192,6 +195,7 @@ def _of_tcp(
         plan=plan,
         robot=robot,
         points=points,
+        attitudes=attitudes,
         flange_from_tcp=flange_from_tcp,
         samples=Samples(times, segment, joints, base_from_tcp, np.maximum(speeds, 0.0)),
         wanted=wanted,
@@ -208,6 +212,7 @@ def _of_tcp(
 def _of_joints(
     robot: Robot,
     points: Points,
+    attitudes: Array,
     flange_from_tcp: Transform,
     plan: Plan,
     motion: JointMotion,
@@ -240,6 +245,7 @@ def _of_joints(
         plan=plan,
         robot=robot,
         points=points,
+        attitudes=attitudes,
         flange_from_tcp=flange_from_tcp,
         samples=Samples(times, segment, joints, base_from_tcp, speed),
         wanted=base_from_tcp,
