@@ -9,6 +9,7 @@ from rapidsim.analysis.program_parts import Facts
 from rapidsim.analysis.rules.control_flow import (
     conditions,
     handlers,
+    left_held,
     mode_leak,
     recursion,
     traps,
@@ -50,12 +51,15 @@ DETECTORS = (
     Detector(optional_parameters.find_absent_optionals, (optional_parameters.AbsentOptionalUsed,)),
     Detector(conditions.find_constant_conditions, (conditions.ConstantCondition,)),
     Detector(conditions.find_endless_loops, (conditions.EndlessLoop,)),
+    Detector(conditions.find_not_before_and, (conditions.NotBeforeAnd,)),
     Detector(conditions.find_tests_without_default, (conditions.TestWithoutDefault,)),
     Detector(
         handlers.find_careless_handlers, (handlers.RetryWithoutChange, handlers.SwallowedError)
     ),
     Detector(recursion.find_recursion, (recursion.Recursion,)),
     Detector(mode_leak.find_mode_leaks, (mode_leak.ModeLeak,)),
+    Detector(left_held.find_interrupts_left_off, (left_held.InterruptsLeftOff,)),
+    Detector(left_held.find_robot_left_stopped, (left_held.RobotLeftStopped,)),
     Detector(never_set.find_never_set, (never_set.ReadBeforeSet,)),
     Detector(traps.find_trap_hazards, (traps.TrapHazard,)),
     Detector(orientations.find_bad_orientations, (QuaternionNotUnit,)),

@@ -258,9 +258,7 @@ class _Way:
             self._act(call, pending, waits=False)
         return pending if Does.INSTANT in row.does or row.sets else _NOTHING
 
-    def _called(
-        self, call: tree.Call | tree.FunctionCall, pending: _Pending
-    ) -> _Pending | None:
+    def _called(self, call: tree.Call | tree.FunctionCall, pending: _Pending) -> _Pending | None:
         """What is under way behind a call of the user's routine; None if it does not return."""
         routine = self._facts.routine_called(call)
         summary = None if routine is None else self._summaries.get(routine)
@@ -278,9 +276,7 @@ class _Way:
                 left[move] = sure
         return left
 
-    def _act(
-        self, node: tree.Call | tree.FunctionCall, pending: _Pending, *, waits: bool
-    ) -> None:
+    def _act(self, node: tree.Call | tree.FunctionCall, pending: _Pending, *, waits: bool) -> None:
         self._note(Effect(node, self._part, waits), node, pending, True)
 
     def _note(
