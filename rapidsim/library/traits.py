@@ -55,6 +55,8 @@ class Does(Flag):
     """Opens a file, which can be opened again when it has been closed."""
     CLOSE = auto()
     """Closes it."""
+    ANGLES = auto()
+    """Takes angles [deg]: its parameters Rx, Ry, Rz and those that are called angle."""
     OFFSET = auto()
     """Answers a target beside the one it is given."""
     TEST_PRESENT = auto()
