@@ -282,7 +282,7 @@ MATHEMATICS = table(
     routine("DnumToNum", dnum_to_num),
     routine("TryInt", try_int),
     routine("Add", add, does=Does.INSTANT),
-    routine("Incr", incr, does=Does.INSTANT),
+    routine("Incr", incr, does=Does.INSTANT | Does.COUNT_UP),
     routine("Decr", decr, does=Does.INSTANT),
     routine("Clear", clear, does=Does.INSTANT),
     routine("TestAndSet", test_and_set, "Object"),

@@ -55,6 +55,8 @@ class Does(Flag):
     """Opens a file, which can be opened again when it has been closed."""
     CLOSE = auto()
     """Closes it."""
+    COUNT_UP = auto()
+    """Adds one to what it is given."""
     ANGLES = auto()
     """Takes angles [deg]: its parameters Rx, Ry, Rz and those that are called angle."""
     OFFSET = auto()

@@ -91,8 +91,8 @@ def _adds_one(node: tree.Node, facts: Facts) -> bool:
             left = value.left
             is_same = isinstance(left, tree.Reference) and left.name.key == name.key
             return is_same and value.operator == "+" and _number(value.right, facts) == 1.0
-        case tree.Call(arguments=arguments):
-            return len(arguments) == 1 and node.name.key == "incr"
+        case tree.Call():
+            return Does.COUNT_UP in facts.does(node)
         case _:
             return False
 
