@@ -7,14 +7,11 @@ Robots and external axes are those of `MOC.cfg`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from rapidsim.backinfo import listed_tasks
 from rapidsim.station.backup.cfg_file import (
-    SWITCHED_ON,
-    Configuration,
     read_configuration,
     text_in,
 )
@@ -22,6 +19,7 @@ from rapidsim.station.backup.external_units import ExternalUnits, external_units
 from rapidsim.station.backup.loaded_modules import is_loaded_into, missing_modules
 from rapidsim.station.backup.robots import backup_robots
 from rapidsim.station.backup.signals import backup_io
+from rapidsim.station.backup.tasks import configured_tasks
 from rapidsim.station.station import Station
 from rapidsim.station.task_kind import TaskKind
 from rapidsim.station.tasks import StationTask
@@ -39,7 +37,7 @@ def backup_station(folders: Sequence[Path]) -> Station:
     motion = read_configuration(text_in(root, "SYSPAR", "MOC.cfg"))
     robots = backup_robots(motion)
     units = external_units(motion)
-    io, remarks = backup_io(root)
+    io, remarks = backup_io(read_configuration(text_in(root, "SYSPAR", "EIO.cfg")))
     return Station(
         robots=robots,
         external_axes=units.axes,
@@ -68,7 +66,7 @@ def _tasks_of(
     if any(f.name.upper().startswith("TASK") and f.name.lower() not in listed for f in folders):
         return ()
     configuration = read_configuration(text_in(root, "SYSPAR", "SYS.cfg"))
-    configured = _configured(configuration)
+    configured = configured_tasks(configuration)
     loaded = configuration.get("CAB_TASK_MODULES", ())
     groups = {one.get("name"): one.get("robot") for one in configuration.get(_GROUP, ())}
     tasks: list[StationTask] = []
@@ -99,29 +97,3 @@ def _tasks_of(
         )
         robots += moves
     return tuple(tasks)
-
-
-@dataclass(frozen=True, slots=True)
-class _Settings:
-    """What a configuration says of a task."""
-
-    kind: TaskKind
-    moves: bool
-    entry: str | None
-    group: str | None
-    """Its mechanical unit group."""
-
-
-def _configured(configuration: Configuration) -> Mapping[str, _Settings]:
-    """The tasks by folded name."""
-    found: dict[str, _Settings] = {}
-    for task in configuration.get("CAB_TASKS", ()):
-        word = task.get("type", "").lower()
-        known = word in [one.value for one in TaskKind]
-        found[task.get("name", "").lower()] = _Settings(
-            TaskKind(word) if known else TaskKind.SEMISTATIC,
-            task.get("motiontask", "").lower() == SWITCHED_ON,
-            task.get("entry"),
-            task.get("usemechanicalunitgroup"),
-        )
-    return found
