@@ -1,0 +1,50 @@
+"""Findings of a run that point at the target of a move, as those of a check do."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+
+from rapidsim.analysis.program import Program
+from rapidsim.analysis.tree_walk import descendants
+from rapidsim.diagnostics import Diagnostic, Span
+from rapidsim.findings.reach_and_motion_data import (
+    ConfigurationNotReachable,
+    JointOutOfRange,
+    UnreachableTarget,
+)
+from rapidsim.syntax import tree
+
+_ABOUT_TARGETS = (UnreachableTarget, JointOutOfRange, ConfigurationNotReachable)
+_TWO_TARGETS = "movec"
+
+
+def pointed_at_targets(
+    diagnostics: Iterable[Diagnostic], programs: Iterable[Program]
+) -> tuple[Diagnostic, ...]:
+    """The findings; a run knows the instruction, and its text has the target."""
+    found = tuple(diagnostics)
+    if not any(isinstance(one.violation, _ABOUT_TARGETS) for one in found):
+        return found
+    places = dict(place for program in programs for place in _targets(program))
+    return tuple(_pointed(one, places) for one in found)
+
+
+def _pointed(found: Diagnostic, places: Mapping[tuple[str, int, int], Span]) -> Diagnostic:
+    if not isinstance(found.violation, _ABOUT_TARGETS) or found.span is None:
+        return found
+    span = found.span
+    return replace(found, span=places.get((span.file, span.start, span.end), span))
+
+
+def _targets(program: Program) -> Iterator[tuple[tuple[str, int, int], Span]]:
+    """The place of each instruction with that of its first required argument."""
+    for module in program.modules:
+        for node in descendants(module):
+            if not isinstance(node, tree.Call) or node.name.key.startswith(_TWO_TARGETS):
+                continue
+            required = (one for one in node.arguments if isinstance(one, tree.Required))
+            first = next(required, None)
+            if first is not None:
+                span = module.span(node)
+                yield (span.file, span.start, span.end), module.span(first.value)
