@@ -6,15 +6,17 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
+from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.names.signal_violations import UnknownSignal
+from rapidsim.analysis.program import does
 from rapidsim.analysis.suggestions import closest
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.diagnostics import Diagnostic, Source, Span, Violation
 from rapidsim.files import SourceFile, input_text
 from rapidsim.jobs.job import Job
+from rapidsim.library.traits import Does
 
 _NAME = re.compile(r"[A-Za-z]\w*")
-_LOADS = frozenset({"load", "startload"})
 
 
 class MisspeltSignal(Violation, code="I804"):
@@ -51,7 +53,7 @@ def find_misspelt(
         found: What checking the programs found, for the signals that they use undeclared.
     """
     used = frozenset(name.lower() for file in files for name in _NAME.findall(file.text))
-    if used & _LOADS:
+    if any(Does.LOAD in does(installed_symbol(name)) for name in used):
         # Modules that come while the program runs may use more.
         return
     declared = [signal.name for signal in io.signals]

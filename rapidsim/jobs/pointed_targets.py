@@ -16,7 +16,7 @@ from rapidsim.findings.reach_and_motion_data import (
 from rapidsim.syntax import tree
 
 _ABOUT_TARGETS = (UnreachableTarget, JointOutOfRange, ConfigurationNotReachable)
-_TWO_TARGETS = "movec"
+_TARGETS = ("robtarget", "jointtarget")
 
 
 def pointed_at_targets(
@@ -38,13 +38,18 @@ def _pointed(found: Diagnostic, places: Mapping[tuple[str, int, int], Span]) -> 
 
 
 def _targets(program: Program) -> Iterator[tuple[tuple[str, int, int], Span]]:
-    """The place of each instruction with that of its first required argument."""
+    """The place of each instruction that has one target with the place of that."""
     for module in program.modules:
         for node in descendants(module):
-            if not isinstance(node, tree.Call) or node.name.key.startswith(_TWO_TARGETS):
+            if not isinstance(node, tree.Call):
                 continue
-            required = (one for one in node.arguments if isinstance(one, tree.Required))
-            first = next(required, None)
-            if first is not None:
+            values = [one.value for one in node.arguments if isinstance(one, tree.Required)]
+            targets = [one for one in values if _is_target(program, one)]
+            if len(targets) == 1:
                 span = module.span(node)
-                yield (span.file, span.start, span.end), module.span(first.value)
+                yield (span.file, span.start, span.end), module.span(targets[0])
+
+
+def _is_target(program: Program, value: tree.Expression) -> bool:
+    of = program.type_of.get(value)
+    return of is not None and of.name in _TARGETS

@@ -177,7 +177,9 @@ def test_the_command_that_opens_a_recording_can_be_copied(tmp_path: Path) -> Non
 
 
 def test_a_run_points_at_the_target_as_a_check_does(tmp_path: Path) -> None:
-    (found,) = report(tmp_path, FAR)["diagnostics"]  # type: ignore[misc]
+    diagnostics = report(tmp_path, FAR)["diagnostics"]
+    assert isinstance(diagnostics, list)
+    (found,) = diagnostics
     checked = rapidsim("check", "a.mod", "--output-format", "json", cwd=tmp_path)
     (told,) = json.loads(checked.out)["diagnostics"]
     places = ("code", "line", "column", "end_line", "end_column")
