@@ -51,6 +51,12 @@ class TaskOthers:
         robots = [key for key, one in self.all_tasks().items() if one.has_robot]
         return 1 + robots.index(self.task_name.lower()) if self.has_robot else 0
 
+    @property
+    def robot_task(self) -> str:
+        """The task whose robot this one looks at: its own, or the first that has one."""
+        with_robot = (one.task_name for one in self.all_tasks().values() if one.has_robot)
+        return self.task_name if self.has_robot else next(with_robot, self.task_name)
+
     def has_task(self, name: str) -> bool:
         """Whether a task of this name is in the run."""
         return name.lower() in self.all_tasks()
@@ -96,6 +102,16 @@ class TaskOthers:
         joints, external = other.stand_at(self.clock.come_up())
         tool, wobj = tool or other.state.tool, wobj or other.state.wobj
         return other.resolver.target(joints, external, tool, wobj, self.clock.place)
+
+    def frames_of(self, task: str) -> tuple[ToolData, WobjData]:
+        """Tool and work object of the last move of a task's robot.
+
+        Raises:
+            RapidError: See `joints_of`.
+        """
+        other = self._robot_of(task)
+        self.clock.come_up()
+        return other.state.tool, other.state.wobj
 
     def stand_at(self, time_s: float) -> tuple[Array, Array]:
         """Joints (n,) [rad] and external axes (e,) [m or rad] at a time [s] that has come."""

@@ -16,6 +16,7 @@ from rapidsim.files import TaskFiles
 from rapidsim.jobs.checked_program import Loaded, load
 from rapidsim.jobs.given_options import asked_in_python
 from rapidsim.jobs.job import Job, job
+from rapidsim.jobs.misspelt_signals import misspelt_in
 from rapidsim.jobs.move_checks import CheckMoves, choose_move_check
 from rapidsim.jobs.selection import choose_selection
 from rapidsim.jobs.undriven_inputs import find_never_driven
@@ -100,7 +101,7 @@ def check_job(job: Job) -> CheckResult:
     )
     undriven = find_never_driven(result.trees, station.io)
     unsuppressed = without_suppressed(
-        (*result.diagnostics, *undriven),
+        (*result.diagnostics, *undriven, *misspelt_in(job, result.diagnostics)),
         result.trees,
         is_looked_for=lambda code: selection.is_looked_for(code) and result.looked_for(code),
     )

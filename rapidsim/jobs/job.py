@@ -51,6 +51,12 @@ class Job:
         """What the station declares that programs may use."""
         return declared_names(self.station)
 
+    @property
+    def tables(self) -> tuple[Path, ...]:
+        """The files that say what happens to inputs."""
+        io = () if self.asked.io is None else (Path(self.asked.io),)
+        return (*(() if self.station.file is None else (self.station.file,)), *io)
+
     def entry(self, task: str) -> str:
         """The procedure that a task begins with: the one asked for, else that of the station."""
         own = self.station.entry(task) if self.asked.entry == DEFAULT_ENTRY else None

@@ -15,6 +15,8 @@ from rapidsim.jobs.entry import require_entry
 from rapidsim.jobs.given_options import asked_in_python
 from rapidsim.jobs.job import Job, job
 from rapidsim.jobs.load_tasks import LoadedTask, load_tasks
+from rapidsim.jobs.misspelt_signals import misspelt_in
+from rapidsim.jobs.pointed_targets import pointed_at_targets
 from rapidsim.jobs.run_options import run_options
 from rapidsim.jobs.task_files import program_name, seen_from_here
 from rapidsim.jobs.task_setups import task_setups
@@ -110,7 +112,8 @@ def loaded(job: Job) -> LoadedJob:
     """Open the robot, parse and check the files; mistakes in them are findings, never raised."""
     robot = job.arm()
     found = load_tasks(job.tasks, job.cell)
-    return LoadedJob(job, robot, found.tasks, found.diagnostics)
+    diagnostics = (*found.diagnostics, *misspelt_in(job, found.diagnostics))
+    return LoadedJob(job, robot, found.tasks, diagnostics)
 
 
 def prepared(loaded: LoadedJob) -> PreparedRun:
@@ -144,7 +147,8 @@ def executed(prepared: PreparedRun) -> FinishedRun:
         raise ProgramRejectedError((*prepared.diagnostics, error.diagnostic)) from None
     run = finished.simulation
     written = (replace(one, path=str(seen_from_here(Path(one.path)))) for one in run.home_files)
-    diagnostics = (*prepared.diagnostics, *run.diagnostics)
+    found = pointed_at_targets(run.diagnostics, [setup.program for setup in prepared.setups])
+    diagnostics = (*prepared.diagnostics, *found)
     run = replace(run, home_files=tuple(written), diagnostics=diagnostics)
     return replace(finished, simulation=run)
 

@@ -26,8 +26,21 @@ class TaskService(Protocol):
         """Place of the task's robot among those of the station, from 1; 0 without a robot."""
         ...
 
+    @property
+    def robot_task(self) -> str:
+        """Name of the task whose robot this one looks at: its own, or the first that has one."""
+        ...
+
     def has_task(self, name: str) -> bool:
         """Whether a task of this name is in the run."""
+        ...
+
+    def frames_of(self, task: str) -> tuple[ToolData, WobjData]:
+        """Tool and work object of the last move of a task's robot.
+
+        Raises:
+            RapidError: ERR_TASKNAME, if there is no such task or it has no robot.
+        """
         ...
 
     def meet(

@@ -8,8 +8,10 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 
 from __future__ import annotations
 
+import re
+
 from rapidsim.language.annotations import ErrNum, InOut, Num, Pers, String, Switch, TaskId, Var
-from rapidsim.language.controller import Controller, Honesty, Motion
+from rapidsim.language.controller import Controller, Motion
 from rapidsim.language.data import (
     NO_EXTERNAL_AXES,
     WOBJ0,
@@ -17,10 +19,12 @@ from rapidsim.language.data import (
     Pos,
     RobJoint,
     RobTarget,
+    Signal,
     ToolData,
     WobjData,
 )
 from rapidsim.language.errors import RapidError
+from rapidsim.language.reference import Reference
 from rapidsim.language.tasks import TaskService
 from rapidsim.library.displacement import in_object, in_program, without_axis_offsets
 from rapidsim.library.honesty import ignored
@@ -37,11 +41,11 @@ def c_rob_t(
     wobj: Pers[WobjData] | None = None,
 ) -> RobTarget:
     """Where the TCP is; without arguments, that of the tool and work object of the last move."""
-    _own_task_only(controller.honesty, "CRobT", task_ref)
     of_tool = None if tool is None else tool.value
     of_wobj = None if wobj is None else wobj.value
-    if _is_other(controller.tasks, task_name):
-        return controller.tasks.target_of(task_name or "", of_tool, of_wobj)
+    other = _other_task(controller.tasks, task_ref, task_name)
+    if other is not None:
+        return controller.tasks.target_of(other, of_tool, of_wobj)
     return in_program(controller.motion, controller.motion.current_target(of_tool, of_wobj))
 
 
@@ -52,25 +56,22 @@ def c_joint_t(
     task_name: String | None = None,
 ) -> JointTarget:
     """Where the axes are."""
-    _own_task_only(controller.honesty, "CJointT", task_ref)
-    if _is_other(controller.tasks, task_name):
-        return controller.tasks.joints_of(task_name or "")
+    other = _other_task(controller.tasks, task_ref, task_name)
+    if other is not None:
+        return controller.tasks.joints_of(other)
     joints = controller.motion.current_joints()
     offsets = controller.motion.settings.axis_offsets
     return joints._replace(extax=without_axis_offsets(joints.extax, offsets))
 
 
 def c_pos(
-    controller: Motion,
+    controller: Controller,
     *,
     tool: Pers[ToolData] | None = None,
     wobj: Pers[WobjData] | None = None,
 ) -> Pos:
     """Where the TCP is, without its orientation [mm]."""
-    target = controller.current_target(
-        None if tool is None else tool.value, None if wobj is None else wobj.value
-    )
-    return in_program(controller, target).trans
+    return c_rob_t(controller, tool=tool, wobj=wobj).trans
 
 
 def c_tool(
@@ -80,8 +81,10 @@ def c_tool(
     task_name: String | None = None,
 ) -> ToolData:
     """The tool of the last move."""
-    _own_task_only(controller.honesty, "CTool", task_ref, task_name)
-    return controller.motion.active_tool()
+    other = _other_task(controller.tasks, task_ref, task_name)
+    return (
+        controller.motion.active_tool() if other is None else controller.tasks.frames_of(other)[0]
+    )
 
 
 def c_wobj(
@@ -91,8 +94,10 @@ def c_wobj(
     task_name: String | None = None,
 ) -> WobjData:
     """The work object of the last move."""
-    _own_task_only(controller.honesty, "CWObj", task_ref, task_name)
-    return controller.motion.active_wobj()
+    other = _other_task(controller.tasks, task_ref, task_name)
+    return (
+        controller.motion.active_wobj() if other is None else controller.tasks.frames_of(other)[1]
+    )
 
 
 def calc_rob_t(
@@ -143,16 +148,20 @@ def c_speed_override(*, c_task: Switch = False) -> Num:
     return 100.0
 
 
-def _is_other(controller: TaskService, task_name: str | None) -> bool:
-    return task_name is not None and task_name.lower() != controller.task_name.lower()
+def _other_task(
+    controller: TaskService, task_ref: Reference[object] | None, task_name: str | None
+) -> str | None:
+    """The task whose robot is meant, if that is not the one that asks.
 
-
-def _own_task_only(
-    controller: Honesty, name: str, task_ref: object | None, task_name: str | None = None
-) -> None:
-    for option, value in ((r"\TaskRef", task_ref), (r"\TaskName", task_name)):
-        if value is not None:
-            controller.not_simulated(f"{name} {option}", "the robot of the task itself")
+    A task without a robot asks for that of the task it belongs to.
+    """
+    meant = controller.robot_task
+    if task_name is not None:
+        meant = task_name
+    elif task_ref is not None and isinstance(task_ref.value, Signal):
+        # A controller has a `taskid` for each task, named after it: T_ROB1Id.
+        meant = re.sub(r"Id$", "", task_ref.value.name, flags=re.IGNORECASE)
+    return None if meant.lower() == controller.task_name.lower() else meant
 
 
 _TASK = r"\TaskRef|\TaskName"

@@ -45,6 +45,8 @@ def run_together(runs: Sequence[TaskRun], cell: Cell, options: RunOptions) -> li
     def execute(run: TaskRun, task: Callable[[], Task]) -> None:
         outcome = run_to_end(run, task, options, partial(_resting, run, runs, scheduler))
         outcomes[run.setup.name] = outcome
+        ended_s = run.controller.clock.pointer_s()
+        cell.task_ended(run.setup.name, ended_s, failed=outcome.end is End.ERROR)
         if outcome.end in (End.ERROR, End.TIME_LIMIT):
             scheduler.stop()
             stopped_s = run.controller.clock.pointer_s()

@@ -19,7 +19,7 @@ from rapidsim.motion.robot.robot import Robot, RobotError
 from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.simulation.multitasking import run_together
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.results.persistents import changed_persistents
+from rapidsim.simulation.results.persistents import changed_persistents, told_once
 from rapidsim.simulation.results.simulation import (
     End,
     RobotRun,
@@ -163,7 +163,7 @@ def _simulation(
         unsimulated=_not_simulated(runs),
         home_files=tuple(WrittenFile(path, size) for path, size in cell.home.written()),
         # Now, not when each task ended: others may have gone on with what they share.
-        persistents=tuple(
+        persistents=told_once(
             one
             for outcome in outcomes
             if outcome.task is not None

@@ -93,7 +93,10 @@ def _task(task: DraftTask) -> Iterator[str]:
 def _signal(signal: SignalDeclaration) -> str:
     name = signal.name if _BARE.fullmatch(signal.name) else json.dumps(signal.name)
     parts = [f'type = "{signal.kind}"']
-    if signal.value:
+    if signal.status is not None:
+        parts.append(f"system = {json.dumps(signal.status.value)}")
+        parts += [] if signal.task is None else [f"task = {json.dumps(signal.task)}"]
+    elif signal.value:
         parts.append(f"value = {signal.value:.10g}")
     if signal.kind in _GROUPS and signal.highest is not None:
         width = round(math.log2(signal.highest + 1.0))

@@ -4,6 +4,7 @@
 diStart = { type = "di", value = 1 }
 goProgram = { type = "go", width = 8 }
 aoFlow = { type = "ao", min = 0, max = 10 }
+doRuns = { type = "do", system = "TaskExecuting", task = "T_ROB1" }
 [[cross]]
 set = "doLamp"
 from = "doRun and not diFault"
@@ -20,10 +21,11 @@ from rapidsim.controller.cell.description import (
     CrossConnection,
     SignalDeclaration,
     SignalKind,
+    Status,
 )
 from rapidsim.station.toml_reader import Reader, Table, is_number
 
-_KEYS = ("type", "value", "width", "min", "max")
+_KEYS = ("type", "value", "width", "min", "max", "system", "task")
 _CROSS_KEYS = ("set", "from", "after")
 _KINDS = ", ".join(kind.value for kind in SignalKind)
 
@@ -89,7 +91,25 @@ def _signal(reader: Reader, path: str, name: str, table: Table) -> SignalDeclara
         reader.wrong(f"{path}.value", "a number is needed")
     elif not (lowest is None or value >= lowest) or not (highest is None or value <= highest):
         reader.wrong(f"{path}.value", f"{value:g} is outside its limits {lowest} .. {highest}")
-    return SignalDeclaration(name, kind, value or 0.0, lowest, highest)
+    status = _status(reader, path, table)
+    task = reader.text(table, path, "task")
+    if status is None:
+        return SignalDeclaration(name, kind, value or 0.0, lowest, highest)
+    return SignalDeclaration(name, kind, status.at_start, lowest, highest, status, task)
+
+
+def _status(reader: Reader, path: str, table: Table) -> Status | None:
+    """What a system output shows."""
+    text = reader.text(table, path, "system")
+    if text is None:
+        if "task" in table:
+            reader.wrong(f"{path}.task", 'it goes with `system`, as in system = "TaskExecuting"')
+        return None
+    for status in Status:
+        if status.lower() == text.lower():
+            return status
+    reader.wrong(f"{path}.system", f"`{text}` is not shown", f"known: {', '.join(Status)}")
+    return None
 
 
 def _limits(

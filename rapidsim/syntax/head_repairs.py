@@ -8,7 +8,7 @@ from rapidsim.syntax.blocks import ROUTINES
 from rapidsim.syntax.recognition import in_file, in_list, takes
 from rapidsim.syntax.situation import Patch, Row, Situation, Token, deletion
 from rapidsim.syntax.spelling import distance
-from rapidsim.syntax.text_violations import NoModule, TextOutsideModule
+from rapidsim.syntax.text_violations import NoModule, TextBehindModule, TextOutsideModule
 from rapidsim.syntax.token_repairs import BLOCK_WORDS, respelling
 from rapidsim.syntax.violations import BrokenHead, BrokenSyntax, StrayStatement
 
@@ -20,6 +20,8 @@ _BLOCK_HEADS = {
     "CASE": ("COLON", ("EXP",)),
     "FOR": ("DO", ("NAME", "FROM", "EXP", "TO", "EXP")),
 }
+_DECLARES = frozenset({"VAR", "PERS", "CONST", "ALIAS", "RECORD", *ROUTINES})
+"""What a module would lack if it stood behind its end."""
 _BEGIN_ITEM = frozenset({"VAR", "PERS", "CONST", "LOCAL", "TASK", "ALIAS"})
 
 
@@ -32,6 +34,9 @@ def text_outside_modules(at: Situation) -> Patch | None:
     if begin is None and at.index == 0:
         return _misspelt_module(row) or _no_module(row)
     stop = len(row.kinds) - 1 if begin is None else begin
+    lost = any(kind in _DECLARES for kind in row.kinds[at.index : stop])
+    if begin is None and not lost:
+        return deletion(row, at.index, stop, TextBehindModule())
     return deletion(row, at.index, stop, TextOutsideModule())
 
 

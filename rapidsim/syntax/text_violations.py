@@ -19,6 +19,10 @@ class TextOutsideModule(Violation, code="E110"):
     pass
 
 
+class TextBehindModule(Violation, code="E124"):
+    pass
+
+
 class NoModule(Violation, code="E111"):
     pass
 

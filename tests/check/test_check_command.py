@@ -248,3 +248,30 @@ def test_formats_for_tools_hold_nothing_else(format: str, check: Check, folder: 
     first = check.out
     check("--output-format", format)
     assert check.out == first
+
+
+def test_a_misspelt_signal_of_the_station_file_is_found(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "bad.mod").write_text(
+        "MODULE bad\n  PROC main()\n    WaitDI diPart,1\\MaxTime:=9;\n    Set doGo;\n  ENDPROC\n"
+        "ENDMODULE\n"
+    )
+    (folder / "rapidsim.toml").write_text(
+        "[signals]\n"
+        'diPart = { type = "di" }\n'
+        'doGo = { type = "do" }\n'
+        "[[cross]]\n"
+        'set = "inner"\n'
+        'from = "doGo and not diFualt"\n'
+        "[[stimulus]]\n"
+        'when = "inner = 1"\n'
+        "set = { diPrat = 1, diPart = 1 }\n"
+    )
+    assert run_commands(["check", str(folder), "--output-format", "json"]) == 1
+    found = json.loads(capsys.readouterr().out)["diagnostics"]
+    told = [(one["code"], one["line"], one["help"]) for one in found if one["code"] == "I804"]
+    assert told == [
+        ("I804", 6, "declare it in [signals] if something else is to know it"),
+        ("I804", 9, "did you mean `diPart`?"),
+    ]

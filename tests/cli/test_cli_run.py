@@ -173,3 +173,27 @@ def test_the_command_that_opens_a_recording_can_be_copied(tmp_path: Path) -> Non
     (tmp_path / "pick & place.mod").write_text("MODULE a\nPROC main()\nENDPROC\nENDMODULE\n")
     out = rapidsim("run", "pick & place.mod", cwd=tmp_path).out
     assert out.splitlines()[-1] == 'Open the recording with: rerun "pick & place.rrd"'
+
+
+def test_a_run_points_at_the_target_as_a_check_does(tmp_path: Path) -> None:
+    diagnostics = report(tmp_path, FAR)["diagnostics"]
+    assert isinstance(diagnostics, list)
+    (found,) = diagnostics
+    checked = rapidsim("check", "a.mod", "--output-format", "json", cwd=tmp_path)
+    (told,) = json.loads(checked.out)["diagnostics"]
+    places = ("code", "line", "column", "end_line", "end_column")
+    assert [found[key] for key in places] == [told[key] for key in places]
+
+
+def test_targets_that_functions_are_given_stand_in_the_work_object_of_their_move(
+    tmp_path: Path,
+) -> None:
+    (tmp_path / "a.mod").write_text(
+        "MODULE a\n  CONST robtarget p:=[[600,0,500],[0,0,1,0],[0,0,0,0],"
+        "[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+        '  PERS wobjdata w:=[FALSE,TRUE,"",[[100,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];\n'
+        "  PROC main()\n    MoveJ Offs(p,0,0,5),v100,fine,tool0\\WObj:=w;\n  ENDPROC\nENDMODULE\n"
+    )
+    it = rapidsim("frames", "a.mod", "--format", "json", cwd=tmp_path)
+    user = json.loads(it.out)["root"]["children"][-1]
+    assert user["children"][0]["children"][0]["name"] == "p"

@@ -359,6 +359,7 @@ class RecordingController:
         return self.booked
 
     task_name = "T_ROB1"
+    robot_task = "T_ROB1"
     task_number = 1
     robot_number = 1
     others_stopped = False
@@ -400,6 +401,9 @@ class RecordingController:
 
     def start_other_robots(self) -> None:
         self.others_stopped = False
+
+    def frames_of(self, task: str) -> tuple[ToolData, WobjData]:
+        return TOOL0, WOBJ0
 
     def joints_of(self, task: str) -> JointTarget:
         return self.current_joints()

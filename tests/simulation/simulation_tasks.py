@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from simulation_program import arm
 
+from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic
@@ -64,6 +65,7 @@ def ran(
     *,
     robots: tuple[str, ...] = (),
     background: tuple[str, ...] = (),
+    cell: CellNames = NO_CELL,
     **options: object,
 ) -> Ran:
     """Run tasks; each program is what stands between MODULE and ENDMODULE.
@@ -72,13 +74,14 @@ def ran(
         programs: By name of the task.
         robots: The tasks that have a robot; none means all but those of the background.
         background: The tasks that are static.
+        cell: What a station declares.
         options: Of the run.
     """
     files = [
         TaskFiles(name, (SourceFile(f"{name}.mod", module(name, text), "utf-8"),))
         for name, text in programs.items()
     ]
-    loaded = load_tasks(files)
+    loaded = load_tasks(files, cell)
     assert loaded.tasks, [d.violation.message for d in loaded.diagnostics]
     with_robot = robots or tuple(name for name in programs if name not in background)
     setups = [

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
+from rapidsim.controller.cell.description import SignalDeclaration, SignalKind, Status
 from rapidsim.files import backup_folders
 from rapidsim.jobs.run_files import simulate
 from rapidsim.simulation.results.signal_history import signal_changes
@@ -172,3 +172,21 @@ def test_a_long_configuration_shows_what_the_run_sets(
     changes = signal_changes(simulate([tmp_path], robot="irb120"))
     assert len(changes) == shown
     assert changes["diClosed"][-1][1] == 1.0
+
+
+def test_system_outputs_of_a_backup_show_the_state_of_the_controller(tmp_path: Path) -> None:
+    shown = """#
+SYSSIG_OUT:
+
+      -Status "TaskExecuting" -Signal "doGrip" -Arg2 "T_ROB1"
+
+      -Status "EmStop" -Signal "goJob"
+
+      -Status "MechUnitNotMoving" -Signal "aoFlow" -Arg1 "ROB_1"
+"""
+    said = station(tmp_path, {"SYSPAR/EIO.cfg": f"{EIO}\n{shown}"})
+    signals = {one.name: one for one in said.io.signals}
+    grip, job = signals["doGrip"], signals["goJob"]
+    assert (grip.status, grip.task, grip.value) == (Status.TASK_EXECUTING, "T_ROB1", 1.0)
+    assert (job.status, job.value) == (Status.EMERGENCY_STOP, 0.0)
+    assert "no run follows MechUnitNotMoving: `aoFlow`" in said.remarks[-1]

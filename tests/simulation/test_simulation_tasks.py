@@ -1,12 +1,16 @@
 """Several tasks on one clock: order, shared data, signals, meetings, ends."""
 
 from itertools import pairwise
+from pathlib import Path
 
 import pytest
 from simulation_tasks import JOINTS, Ran, ran
 
 from rapidsim.files import SourceFile, TaskFiles
 from rapidsim.jobs.load_tasks import load_tasks
+from rapidsim.station.cell_names import declared_names
+from rapidsim.station.read import read_io
+from rapidsim.station.station import Station
 
 TASKS = 'PERS tasks both{2}:=[["T_ROB1"],["T_ROB2"]];\nVAR syncident here;\nVAR syncident there;\n'
 
@@ -402,3 +406,58 @@ def test_tasks_talk_over_a_socket() -> None:
         data="VAR socketdev c;\nVAR string got;",
     )
     assert both(server, client).texts == [(1.0, "asked ping"), (1.5, "told pong")]
+
+
+def test_a_task_without_a_robot_sees_the_arm_it_belongs_to() -> None:
+    it = ran(
+        {
+            "T_ROB1": f"""PROC main()
+              MoveAbsJ [[40,0,0,0,30,0],{JOINTS}],v5000,fine,tool0;
+              WaitTime 3;
+            ENDPROC""",
+            "T_BACK": r"""PROC main()
+              VAR jointtarget now;
+              VAR robtarget place;
+              now:=CJointT();
+              TPWrite "at first "\Num:=Round(now.robax.rax_1);
+              WaitTime 2;
+              now:=CJointT();
+              place:=CRobT(\Tool:=tool0\WObj:=wobj0);
+              TPWrite "then "\Num:=Round(now.robax.rax_1);
+              TPWrite "towards "\Num:=Round(ATan2(place.trans.y,place.trans.x));
+              IF CJointT(\TaskName:="T_ROB1")=CJointT(\TaskRef:=T_ROB1Id) TPWrite "same";
+              place.trans:=CPos(\Tool:=tool0\WObj:=wobj0);
+              WaitTime 100;
+            ENDPROC""",
+        },
+        background=("T_BACK",),
+    )
+    assert [text for _, text in it.texts] == ["at first 0", "then 40", "towards 40", "same"]
+    assert not it.run.unsimulated
+
+
+def test_system_outputs_show_the_state_of_the_controller(tmp_path: Path) -> None:
+    file = tmp_path / "io.toml"
+    file.write_text(
+        """
+        [signals]
+        left_runs = { type = "do", system = "TaskExecuting", task = "T_ROB1" }
+        motors = { type = "do", system = "MotOnState" }
+        stopped = { type = "do", system = "EmStop" }
+        failed = { type = "do", system = "Error" }
+        """
+    )
+    it = ran(
+        {
+            "T_ROB1": "PROC main()\nWaitTime 1;\nENDPROC",
+            "T_ROB2": """PROC main()
+              IF motors=1 AND stopped=0 AND left_runs=1 AND failed=0 TPWrite "runs";
+              WaitDO left_runs,0;
+              TPWrite "alone";
+            ENDPROC""",
+        },
+        cell=declared_names(Station(io=read_io(file))),
+        io=read_io(file),
+    )
+    assert it.texts == [(0.0, "runs"), (1.0, "alone")]
+    assert it.run.signal_starts == {"left_runs": 1, "motors": 1, "stopped": 0, "failed": 0}

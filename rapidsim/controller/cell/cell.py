@@ -14,7 +14,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
-from rapidsim.controller.cell.description import CrossConnection, Stimulus
+from rapidsim.controller.cell.description import CrossConnection, Status, Stimulus
 from rapidsim.controller.cell.home_folder import HomeFolder
 from rapidsim.controller.cell.inputs import CellInputs
 from rapidsim.controller.cell.operator import Operator
@@ -186,6 +186,17 @@ class Cell:
         if name.lower() in self._sources:
             self._follow(name, cause, moment)
             self._stimulate(name, moment)
+
+    def task_ended(self, task: str, time_s: float, *, failed: bool) -> None:
+        """Let the system outputs show that a task no longer executes, and whether it failed."""
+        moment = Moment(Instant(time_s))
+        for signal in self._io.signals:
+            if signal.task is not None and signal.task.lower() != task.lower():
+                continue
+            if signal.status is Status.TASK_EXECUTING and signal.task is not None:
+                self.set_signal(self._outside, moment, signal.name, 0.0)
+            elif signal.status is Status.ERROR and failed:
+                self.set_signal(self._outside, moment, signal.name, 1.0)
 
     def schedule(self, cause: Cause, moment: Moment, values: Mapping[str, float]) -> None:
         """Change signals at a later moment, whose time may be unknown yet."""

@@ -28,6 +28,29 @@ GROUP_WIDTH = 32
 """Bits of a group that nobody declares, and the most a group can have."""
 
 
+class Status(StrEnum):
+    """What of a controller's state a system output shows, in the words of its configuration."""
+
+    TASK_EXECUTING = "TaskExecuting"
+    CYCLE_ON = "CycleOn"
+    ERROR = "Error"
+    MOTOR_ON = "MotorOn"
+    MOTOR_ON_STATE = "MotOnState"
+    MOTOR_OFF = "MotorOff"
+    MOTOR_OFF_STATE = "MotOffState"
+    AUTO_ON = "AutoOn"
+    RUN_CHAIN_OK = "RunchOk"
+    EMERGENCY_STOP = "EmStop"
+
+    @property
+    def at_start(self) -> float:
+        """Its value while a run goes on: in automatic mode, with motors on and no error."""
+        return float(self not in _NOT_IN_A_RUN)
+
+
+_NOT_IN_A_RUN = (Status.ERROR, Status.MOTOR_OFF, Status.MOTOR_OFF_STATE, Status.EMERGENCY_STOP)
+
+
 @dataclass(frozen=True, slots=True)
 class SignalDeclaration:
     """One signal of the I/O configuration."""
@@ -39,6 +62,10 @@ class SignalDeclaration:
     lowest: float | None = None
     highest: float | None = None
     """Logical limits; None where there are none."""
+    status: Status | None = None
+    """What it shows, if it is a system output."""
+    task: str | None = None
+    """Of which task; None is any."""
 
 
 @dataclass(frozen=True, slots=True)

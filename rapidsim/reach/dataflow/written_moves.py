@@ -53,8 +53,9 @@ def _wobj(call: tree.Call) -> str:
 
 
 def _targets(program: Program, call: tree.Call) -> Iterator[str]:
-    for argument in call.arguments:
-        if isinstance(argument, tree.Required) and isinstance(argument.value, tree.Reference):
-            symbol = program.symbol_of.get(argument.value)
-            if isinstance(symbol, DataSymbol) and symbol.type.name == "robtarget":
-                yield symbol.name
+    """The targets that stand in the arguments, in calls of functions such as Offs too."""
+    values = (one.value for one in call.arguments if isinstance(one, tree.Required))
+    for part in descendants(*values):
+        symbol = program.symbol_of.get(part) if isinstance(part, tree.Reference) else None
+        if isinstance(symbol, DataSymbol) and symbol.type.name == "robtarget":
+            yield symbol.name

@@ -210,13 +210,24 @@ def _happenings(simulation: Simulation) -> list[tuple[str, RenderableType]]:
 
 
 def _persistents(changes: Sequence[PersistentChange]) -> Text:
-    """What the run left in persistents; of records and arrays the first part that changed."""
+    """What the run left in persistents; of records and arrays the first part that changed.
+
+    Where several modules declare one, as tasks that share it do, it stands there once.
+    """
+    alike: dict[tuple[str, str], list[PersistentChange]] = {}
+    for one in changes:
+        alike.setdefault((one.name.lower(), one.new), []).append(one)
+    groups = list(alike.values())
     shown = Text("\n").join(
-        Text.assemble(f"{one.name} ", (f"({one.module}) ", "dim"), printable(_change(one)))
-        for one in changes[:_SHOWN_PERSISTENTS]
+        Text.assemble(
+            f"{first.name} ",
+            (f"({', '.join(dict.fromkeys(one.module for one in (first, *others)))}) ", "dim"),
+            printable(_change(first)),
+        )
+        for first, *others in groups[:_SHOWN_PERSISTENTS]
     )
-    if len(changes) > _SHOWN_PERSISTENTS:
-        shown.append(f"\nand {len(changes) - _SHOWN_PERSISTENTS} more", "dim")
+    if len(groups) > _SHOWN_PERSISTENTS:
+        shown.append(f"\nand {len(groups) - _SHOWN_PERSISTENTS} more", "dim")
     return shown
 
 

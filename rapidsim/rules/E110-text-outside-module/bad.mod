@@ -1,3 +1,8 @@
+Remember to teach the home position! ! found
 MODULE example
 ENDMODULE
-Remember to teach the home position! ! found
+! ---
+MODULE example
+ENDMODULE
+PROC lost() ! found
+ENDPROC

@@ -9,6 +9,7 @@ Source: RAPID Overview, "Declarations", persistent declarations.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from rapidsim.analysis.types.operators import has_value
@@ -51,6 +52,14 @@ def changed_persistents(task: Task) -> tuple[PersistentChange, ...]:
         for change in task.persistents()
         if has_value(change.symbol.type)
     )
+
+
+def told_once(changes: Iterable[PersistentChange]) -> tuple[PersistentChange, ...]:
+    """Each change once, also where several tasks have the module that declares it."""
+    found: dict[tuple[str, int, str], PersistentChange] = {}
+    for one in changes:
+        found.setdefault((one.declared.file, one.declared.start, one.new), one)
+    return tuple(found.values())
 
 
 def parts_of(text: str) -> tuple[str, ...]:

@@ -6,7 +6,8 @@ bus and device carries a signal is nothing that a run would need.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 
 from rapidsim.controller.cell.conditions import Condition, Term
 from rapidsim.controller.cell.description import (
@@ -15,6 +16,7 @@ from rapidsim.controller.cell.description import (
     CrossConnection,
     SignalDeclaration,
     SignalKind,
+    Status,
 )
 from rapidsim.station.backup.cfg_file import SWITCHED_ON, Configuration, Instance
 from rapidsim.station.signals import follows_itself
@@ -29,8 +31,39 @@ def backup_io(types: Configuration) -> tuple[CellIo, tuple[str, ...]]:
         Signals and cross connections, and a remark for each connection that is left out.
     """
     signals = (_signal(one) for one in types.get("EIO_SIGNAL", ()))
+    shown, others = _system_outputs(types.get("SYSSIG_OUT", ()))
+    declared = (one and _showing(one, shown) for one in signals)
     crosses, remarks = _crosses(types.get("EIO_CROSS", ()))
-    return CellIo(tuple(one for one in signals if one is not None), crosses), remarks
+    io = CellIo(tuple(one for one in declared if one is not None), crosses)
+    return io, (*remarks, *others)
+
+
+def _system_outputs(
+    instances: Iterable[Instance],
+) -> tuple[Mapping[str, tuple[Status, str | None]], tuple[str, ...]]:
+    """What signals show, by folded name, with the task; and a remark for what no run shows."""
+    known = {status.lower(): status for status in Status}
+    shown: dict[str, tuple[Status, str | None]] = {}
+    others: dict[str, list[str]] = {}
+    for instance in instances:
+        name, word = instance.get("signal", ""), instance.get("status", "")
+        if word.lower() in known:
+            shown.setdefault(name.lower(), (known[word.lower()], instance.get("arg2")))
+        else:
+            others.setdefault(word, []).append(f"`{name}`")
+    return shown, tuple(
+        f"EIO.cfg: no run follows {word}: {', '.join(names)} stays as it is"
+        for word, names in others.items()
+    )
+
+
+def _showing(
+    signal: SignalDeclaration, shown: Mapping[str, tuple[Status, str | None]]
+) -> SignalDeclaration:
+    if signal.name.lower() not in shown:
+        return signal
+    status, task = shown[signal.name.lower()]
+    return replace(signal, value=status.at_start, status=status, task=task)
 
 
 def _signal(instance: Instance) -> SignalDeclaration | None:

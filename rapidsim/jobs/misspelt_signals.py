@@ -1,0 +1,80 @@
+"""Rule I804: signals in [[cross]] and [[stimulus]] that nothing else knows."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+
+from rapidsim.analysis.installed import installed_symbol
+from rapidsim.analysis.names.signal_violations import UnknownSignal
+from rapidsim.analysis.program import does
+from rapidsim.analysis.suggestions import closest
+from rapidsim.controller.cell.description import CellIo
+from rapidsim.diagnostics import Diagnostic, Source, Span, Violation
+from rapidsim.files import SourceFile, input_text
+from rapidsim.jobs.job import Job
+from rapidsim.library.traits import Does
+
+_NAME = re.compile(r"[A-Za-z]\w*")
+
+
+class MisspeltSignal(Violation, code="I804"):
+    signal: str
+    nearest: str | None = None
+
+    @property
+    def help(self) -> str:
+        """The nearest signal, or how to declare one."""
+        if self.nearest:
+            return f"did you mean `{self.nearest}`?"
+        return "declare it in [signals] if something else is to know it"
+
+
+def misspelt_in(job: Job, found: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
+    """What the files of a job misspell; nothing where only one of its tasks is looked at."""
+    if job.asked.task is not None or not job.tables:
+        return ()
+    return tuple(find_misspelt(job.station.io, job.files, job.tables, found))
+
+
+def find_misspelt(
+    io: CellIo,
+    files: Iterable[SourceFile],
+    tables: Sequence[Path],
+    found: Iterable[Diagnostic],
+) -> Iterator[Diagnostic]:
+    """Signals that are wired or driven, and that no declaration, program or other table knows.
+
+    Args:
+        io: Signals and what drives them.
+        files: All programs of the cell.
+        tables: The files that say so; what a backup says, its controller has checked.
+        found: What checking the programs found, for the signals that they use undeclared.
+    """
+    used = frozenset(name.lower() for file in files for name in _NAME.findall(file.text))
+    if any(Does.LOAD in does(installed_symbol(name)) for name in used):
+        # Modules that come while the program runs may use more.
+        return
+    declared = [signal.name for signal in io.signals]
+    known = used | {name.lower() for name in declared}
+    written, read = ({name.lower() for name in names} for names in (io.written, io.read))
+    undeclared = (one.violation.signal for one in found if isinstance(one.violation, UnknownSignal))
+    candidates = [*declared, *undeclared, *(name for name in io.wired if name.lower() in known)]
+    for name in io.wired:
+        key = name.lower()
+        if key in known or (key in written and key in read):
+            continue
+        span = _place(name, tables)
+        if span is not None:
+            yield Diagnostic(MisspeltSignal(name, closest(name, candidates)), span)
+
+
+def _place(name: str, tables: Sequence[Path]) -> Span | None:
+    """Where a name stands first in the files."""
+    for file in tables:
+        text = input_text(file)
+        match = re.search(rf"\b{re.escape(name)}\b", text)
+        if match is not None:
+            return Span(Source(str(file), text), match.start(), match.end())
+    return None

@@ -1,0 +1,55 @@
+"""Findings of a run that point at the target of a move, as those of a check do."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+
+from rapidsim.analysis.program import Program
+from rapidsim.analysis.tree_walk import descendants
+from rapidsim.diagnostics import Diagnostic, Span
+from rapidsim.findings.reach_and_motion_data import (
+    ConfigurationNotReachable,
+    JointOutOfRange,
+    UnreachableTarget,
+)
+from rapidsim.syntax import tree
+
+_ABOUT_TARGETS = (UnreachableTarget, JointOutOfRange, ConfigurationNotReachable)
+_TARGETS = ("robtarget", "jointtarget")
+
+
+def pointed_at_targets(
+    diagnostics: Iterable[Diagnostic], programs: Iterable[Program]
+) -> tuple[Diagnostic, ...]:
+    """The findings; a run knows the instruction, and its text has the target."""
+    found = tuple(diagnostics)
+    if not any(isinstance(one.violation, _ABOUT_TARGETS) for one in found):
+        return found
+    places = dict(place for program in programs for place in _targets(program))
+    return tuple(_pointed(one, places) for one in found)
+
+
+def _pointed(found: Diagnostic, places: Mapping[tuple[str, int, int], Span]) -> Diagnostic:
+    if not isinstance(found.violation, _ABOUT_TARGETS) or found.span is None:
+        return found
+    span = found.span
+    return replace(found, span=places.get((span.file, span.start, span.end), span))
+
+
+def _targets(program: Program) -> Iterator[tuple[tuple[str, int, int], Span]]:
+    """The place of each instruction that has one target with the place of that."""
+    for module in program.modules:
+        for node in descendants(module):
+            if not isinstance(node, tree.Call):
+                continue
+            values = [one.value for one in node.arguments if isinstance(one, tree.Required)]
+            targets = [one for one in values if _is_target(program, one)]
+            if len(targets) == 1:
+                span = module.span(node)
+                yield (span.file, span.start, span.end), module.span(targets[0])
+
+
+def _is_target(program: Program, value: tree.Expression) -> bool:
+    of = program.type_of.get(value)
+    return of is not None and of.name in _TARGETS

@@ -1,0 +1,3 @@
+MODULE example
+ENDMODULE
+! WaitTime 1;
