@@ -113,7 +113,8 @@ def loaded(job: Job) -> LoadedJob:
     found = load_tasks(job.tasks)
     station = job.station
     diagnostics = without_declared(found.diagnostics, station.io, station.units)
-    return LoadedJob(job, robot, found.tasks, diagnostics)
+    unasked = tuple(one for one in diagnostics if one.violation.rule.on_by_default)
+    return LoadedJob(job, robot, found.tasks, unasked)
 
 
 def prepared(loaded: LoadedJob) -> PreparedRun:
