@@ -13,8 +13,7 @@ from rapidsim.motion.robot.robot import Robot, RobotError, load_robot, robot_nam
 
 MEGABYTE = 1_000_000
 DOUBTED = {"irb6700-245-3.0": 0.06, "irb7600-325-3.1": 0.06}
-"""Arms whose lengths have one source and reach less far [m] than their names say; the entries say so.
-"""
+"""By how much [m] lengths from one source reach less far than the name; the entries say so."""
 
 
 @pytest.fixture(params=robot_names(), scope="module")

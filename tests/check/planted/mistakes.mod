@@ -105,14 +105,14 @@
   ENDPROC
 ! ---
   PROC main()
-    IDisable; ! F419
+    IDisable; ! F422
     count:=count+1;
     IF count>3 RETURN;
     IEnable;
   ENDPROC
 ! ---
   PROC main()
-    IDisable; ! F419
+    IDisable; ! F422
     count:=count+1;
   ENDPROC
 ! ---
@@ -120,7 +120,7 @@
     add_one;
   ENDPROC
   PROC add_one()
-    IDisable; ! F419
+    IDisable; ! F422
     TEST count
     CASE 1:
       IEnable;
@@ -296,7 +296,7 @@
   ENDPROC
 ! ---
   PROC main()
-    VAR wztemporary beside; ! N216
+    VAR wztemporary beside; ! N217
     VAR shapedata box;
     WZBoxDef\Inside,box,[300,300,0],[400,400,600];
     WZLimSup\Temp,beside,box;

@@ -1,4 +1,4 @@
-"""Rule N216: world zones that are data of a routine."""
+"""Rule N217: world zones that are data of a routine."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from rapidsim.syntax import tree
 _ZONES = (resolved(TYPES["wzstationary"]), resolved(TYPES["wztemporary"]))
 
 
-class WorldZoneOfRoutine(Violation, code="N216"):
+class WorldZoneOfRoutine(Violation, code="N217"):
     data: str
     type: str
 
