@@ -12,15 +12,15 @@ from pathlib import Path
 import pytest
 from check_helper import HERE, found_in, lines
 
-PLANTED = HERE / "planted"
+PROGRAMS = HERE / "mistakes"
 MARK = re.compile(r"! ([A-Z]\d{3})$", re.MULTILINE)
 UNUSED = ("N204", "N205")
 """Not every program uses all that they share."""
 
 
 def programs(file: str) -> list[str]:
-    common = (PLANTED / "common.mod").read_text("utf-8")
-    parts = (PLANTED / file).read_text("utf-8").split("! ---\n")
+    common = (PROGRAMS / "common.mod").read_text("utf-8")
+    parts = (PROGRAMS / file).read_text("utf-8").split("! ---\n")
     return [f"MODULE planted\n{common}{part}ENDMODULE\n" for part in parts]
 
 
