@@ -112,7 +112,8 @@ def loaded(job: Job) -> LoadedJob:
     """Open the robot, parse and check the files; mistakes in them are findings, never raised."""
     robot = job.arm()
     found = load_tasks(job.tasks, job.cell)
-    diagnostics = (*found.diagnostics, *misspelt_in(job, found.diagnostics))
+    asked_for = tuple(one for one in found.diagnostics if one.violation.rule.on_by_default)
+    diagnostics = (*asked_for, *misspelt_in(job, found.diagnostics))
     return LoadedJob(job, robot, found.tasks, diagnostics)
 
 
