@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.equipment import TaskEquipment
 from rapidsim.controller.files import TaskFiles, TaskTexts
 from rapidsim.controller.interrupt_table import InterruptTable
 from rapidsim.controller.interrupts import TaskErrorNumbers, TaskInterrupts
@@ -90,5 +91,6 @@ def virtual_controller(
         tasks=others,
         sync_moves=team,
         honesty=TaskHonesty(clock, journal),
+        equipment=TaskEquipment(clock, cell, resolver, has_robot),
     )
     return VirtualController(clock, motion, others, concerns)

@@ -18,6 +18,7 @@ from rapidsim.jobs.given_options import asked_in_python
 from rapidsim.jobs.job import Job, job
 from rapidsim.jobs.move_checks import CheckMoves, choose_move_check
 from rapidsim.jobs.selection import choose_selection
+from rapidsim.jobs.station_rules import rules_of_station
 from rapidsim.jobs.undriven_inputs import find_never_driven
 from rapidsim.reach.checked_moves import Coverage, ReachReport, UncheckedMove
 from rapidsim.reach.dataflow.written_moves import written_moves
@@ -93,7 +94,7 @@ def check_job(job: Job) -> CheckResult:
     selection = choose_selection(station.check, asked.select, asked.extend_select, asked.ignore)
     result = check_tasks(
         job.tasks,
-        detectors_of(selection.wants),
+        (*detectors_of(selection.wants), *rules_of_station(station)),
         choose_move_check(job),
         even_without_moves=station.check.cycle_budget_s is not None,
     )

@@ -17,6 +17,7 @@ from rapidsim.jobs.given_options import asked_in_python
 from rapidsim.jobs.job import Job, job
 from rapidsim.jobs.load_tasks import LoadedTask, load_tasks
 from rapidsim.jobs.run_options import run_options
+from rapidsim.jobs.station_rules import rules_of_station
 from rapidsim.jobs.task_files import program_name, seen_from_here
 from rapidsim.jobs.task_setups import task_setups
 from rapidsim.motion.robot.robot import Robot
@@ -110,7 +111,7 @@ def run_job(job: Job) -> FinishedRun:
 def loaded(job: Job) -> LoadedJob:
     """Open the robot, parse and check the files; mistakes in them are findings, never raised."""
     robot = job.arm()
-    found = load_tasks(job.tasks)
+    found = load_tasks(job.tasks, rules_of_station(job.station))
     station = job.station
     diagnostics = without_declared(found.diagnostics, station.io, station.units)
     return LoadedJob(job, robot, found.tasks, diagnostics)

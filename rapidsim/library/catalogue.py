@@ -9,6 +9,8 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
 from rapidsim.library.bits import BITS
+from rapidsim.library.configuration import CONFIGURATION
+from rapidsim.library.corrections import CORRECTIONS
 from rapidsim.library.declared import read_declared
 from rapidsim.library.dialogs import DIALOGS
 from rapidsim.library.displacement import DISPLACEMENT
@@ -19,9 +21,11 @@ from rapidsim.library.files import FILES
 from rapidsim.library.fits import FITS
 from rapidsim.library.flow import FLOW
 from rapidsim.library.interrupts import INTERRUPTS
+from rapidsim.library.io_devices import IO_DEVICES
 from rapidsim.library.loading import LOADING
 from rapidsim.library.mathematics import MATHEMATICS
 from rapidsim.library.matrices import MATRICES
+from rapidsim.library.mechanical_units import MECHANICAL_UNITS
 from rapidsim.library.motion import MOTION
 from rapidsim.library.motion_settings import MOTION_SETTINGS
 from rapidsim.library.operator import OPERATOR
@@ -83,6 +87,10 @@ CHAPTERS: Mapping[str, Mapping[str, LibraryRoutine]] = MappingProxyType(
         "Strings": STRINGS,
         "Data by name": SYMBOLS,
         "System data": SYSTEM_DATA,
+        "Configuration": CONFIGURATION,
+        "I/O devices": IO_DEVICES,
+        "Mechanical units": MECHANICAL_UNITS,
+        "Path correction": CORRECTIONS,
     }
 )
 """The routines written in Python, by chapter."""

@@ -17,7 +17,7 @@ from types import MappingProxyType
 from typing import TypedDict, Unpack
 
 from rapidsim.language.annotations import IdentNo, Num, Pers, Switch
-from rapidsim.language.controller import Controller, Honesty
+from rapidsim.language.controller import Controller, Honesty, Motion
 from rapidsim.language.data import (
     WOBJ0,
     JointTarget,
@@ -131,8 +131,7 @@ def move_abs_j(
     **options: Unpack[MoveOptions],
 ) -> None:
     """Move all axes together to axis positions; program displacement has no effect."""
-    offsets = None if options.get("no_eoffs") else controller.motion.settings.axis_offsets
-    to = JointTarget(to_joint_pos.robax, with_axis_offsets(to_joint_pos.extax, offsets))
+    to = with_offsets(controller.motion, to_joint_pos, wanted=not options.get("no_eoffs"))
     how, sync_id = Interpolation.AXES, options.pop("id_", None)
     controller.motion.move(
         asked(controller, "MoveAbsJ", how, to, speed, zone, tool, options, sync_id)
@@ -147,12 +146,17 @@ def move_ext_j(
     **options: Unpack[MoveOptions],
 ) -> None:
     """Move the external axes only; the robot stays where it is on them."""
-    offsets = controller.motion.settings.axis_offsets if options.get("use_eoffs") else None
-    to = JointTarget(to_joint_pos.robax, with_axis_offsets(to_joint_pos.extax, offsets))
+    to = with_offsets(controller.motion, to_joint_pos, wanted=options.get("use_eoffs", False))
     how, sync_id = Interpolation.EXTERNAL_AXES, options.pop("id_", None)
     controller.motion.move(
         asked(controller, "MoveExtJ", how, to, speed, zone, None, options, sync_id)
     )
+
+
+def with_offsets(controller: Motion, to: JointTarget, *, wanted: bool) -> JointTarget:
+    """Axis positions as the program gives them, with the offsets of external axes if wanted."""
+    offsets = controller.settings.axis_offsets if wanted else None
+    return JointTarget(to.robax, with_axis_offsets(to.extax, offsets))
 
 
 def _stop(controller: Honesty, inpos: StopPointData | None) -> StopTime | None:

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.station.check import read_check
+from rapidsim.station.controller import read_controller
 from rapidsim.station.external_axes import read_external_axes
 from rapidsim.station.motion import read_motion
 from rapidsim.station.robot import read_robots
@@ -22,7 +23,7 @@ from rapidsim.station.tasks import read_tasks
 from rapidsim.station.toml_reader import Reader, Table, read_toml
 
 _IO_KEYS = ("signals", "cross", "stimulus", "socket")
-_KEYS = ("robot", "external_axis", "motion", "task", *_IO_KEYS, "clock", "check")
+_KEYS = ("controller", "robot", "external_axis", "motion", "task", *_IO_KEYS, "clock", "check")
 
 
 def read_station(file: Path) -> Station:
@@ -45,6 +46,7 @@ def read_station(file: Path) -> Station:
         model=model,
         tasks=tasks,
         io=_io(reader, table),
+        robotware=read_controller(reader, reader.table(table, "controller")),
         starts_at=_starts_at(reader, reader.table(table, "clock")),
         check=read_check(reader, reader.table(table, "check")),
     )

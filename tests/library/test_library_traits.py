@@ -120,7 +120,7 @@ def test_what_follows_from_parameters_is_not_forgotten() -> None:
     assert {"SyncMoveOn", "UINumTune", "RMQReadWait", "IOEnable"} <= names(Does.WAIT)
     assert {"TPReadFK", "UINumTune"} <= names(Does.ASK)
     assert {"ArcL", "EGMMoveC", "ContactL"} <= names(Does.CARTESIAN) <= names(Does.MOVE)
-    assert names(Does.AXES) == {"MoveAbsJ", "MoveExtJ", "SearchExtJ"}
+    assert names(Does.AXES) == {"MoveAbsJ", "MoveExtJ", "SearchExtJ", "TriggAbsJ"}
     assert ROUTINES["syncmoveon"].limit == "TimeOut"
     # It is given with each call.
     assert ROUTINES["ioenable"].limit is None
@@ -144,7 +144,7 @@ ELSEWHERE = {
     "motion/timing/constraints.py": {"PathAccLim", "WorldAccLim"},
     "plots/look.py": {"round"},
     "report": {"dim", "distance"},
-    "station": {"type", "set", "close"},
+    "station": {"type", "set", "close", "max", "min"},
     "syntax": {"EXP", "open", "close"},
 }
 

@@ -20,6 +20,7 @@ from rapidsim.analysis.tree_walk import data_of
 from rapidsim.diagnostics import Related
 from rapidsim.language import types
 from rapidsim.language.types import Alias, ArrayOf, Atomic, Component, Record, Type
+from rapidsim.library.predefined import OF_OPTIONS
 from rapidsim.syntax import tree
 
 TypeNode = tree.RecordType | tree.AliasType
@@ -117,13 +118,14 @@ class UserTypes:
             for (module, _), node in self._nodes.items()
             if module in (None, context.module)
         ]
-        slip = slip_of(name.text, [*known, *installed_type_names()])
         analysis = context.analysis
+        is_known = name.key in OF_OPTIONS
+        slip = None if is_known else slip_of(name.text, [*known, *installed_type_names()])
         if slip is not None:
             context.report(UndefinedName(name.text, slip), name)
             meant = tree.Name(name.start, name.end, slip)
             return self.named(meant, context)
-        if not analysis.may_be_unread(name.key):
+        if not is_known and not analysis.may_be_unread(name.key):
             context.report(UnknownType(name.text), name)
         analysis.shapeless.add(name.key)
         shape = self._unknown.get(name.key)

@@ -21,6 +21,7 @@ from rapidsim.controller.cell.operator import Operator
 from rapidsim.controller.cell.rendezvous import Meetings
 from rapidsim.controller.cell.signals import SignalTable
 from rapidsim.controller.cell.streams import SocketTable
+from rapidsim.controller.cell.system_parameters import SystemParameters
 from rapidsim.controller.cell.text_tables import TextTables
 from rapidsim.controller.cell.watchdog import Watchdog
 from rapidsim.controller.journal.events import EventKind
@@ -130,6 +131,9 @@ class Cell:
         """None where sockets may not use the network."""
         self.starts_at = inputs.starts_at
         """Date and time of day at time zero."""
+        self.parameters = SystemParameters(inputs.configured)
+        self.disabled_devices: set[str] = set()
+        """Folded names of the I/O devices that the program has switched off."""
         self.meetings = Meetings()
         self.turns: Turns = Alone()
         self.is_shared = False

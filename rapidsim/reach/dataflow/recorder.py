@@ -8,8 +8,11 @@ from __future__ import annotations
 
 from typing import NoReturn
 
-from rapidsim.language.moves import MotionSettings, Move
+from rapidsim.diagnostics import Source, Span
+from rapidsim.language.moves import MotionSettings, Move, Place
 from rapidsim.language.path_events import Trigger
+
+_NOWHERE = Place(Span(Source("", ""), 0, 0), "")
 
 
 class NeedsRunError(Exception):
@@ -24,6 +27,7 @@ class Recorder:
         self.settings = settings
         self.moves: list[Move] = []
         self.left = 0
+        self.place = _NOWHERE
         self.errno = 0.0
         self.intno = 0.0
 

@@ -1,7 +1,8 @@
 """What a controller backup says: its tasks, robots and signals.
 
 `BACKINFO/backinfo.txt` names the task of each folder `RAPID/TASKn`; `SYSPAR/SYS.cfg` has the type
-of each task and `-MotionTask` for those that move. A task without a type is semistatic there.
+of each task and `-MotionTask` for those that move. A task without a type is semistatic there. The
+RobotWare stands in `backinfo.txt`, too.
 """
 
 from __future__ import annotations
@@ -9,7 +10,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 
+from rapidsim.language.equipment import Configured
+from rapidsim.language.robotware import RobotWare, read_robotware
 from rapidsim.station.backup.cfg_file import SWITCHED_ON, read_configuration, text_in
 from rapidsim.station.backup.robots import backup_robots
 from rapidsim.station.backup.signals import backup_io
@@ -18,6 +22,8 @@ from rapidsim.station.task_kind import TaskKind
 from rapidsim.station.tasks import StationTask
 
 _BOUNDS = ("upper_joint_bound", "lower_joint_bound")
+_DOMAINS = ("EIO", "MMC", "MOC", "PROC", "SIO", "SYS")
+_ROBOTWARE = re.compile(r"RobotWare(?: Version)?:?[\s_]*(\d+\.\d+)", re.IGNORECASE)
 _FOLDER = re.compile(r"^>>(TASK\d+):\s*\(\s*([^,)\s]+)", re.MULTILINE | re.IGNORECASE)
 
 
@@ -36,8 +42,22 @@ def backup_station(folders: Sequence[Path]) -> Station:
         unknown_robots=unknown,
         tasks=_tasks_of(root, folders),
         io=io,
+        configured=_configured_in(root),
+        robotware=_robotware(root),
         remarks=(*remarks, *_not_read(root, len(robots))),
     )
+
+
+def _configured_in(root: Path) -> Configured:
+    """What the files of SYSPAR say, by domain."""
+    texts = ((domain, text_in(root, "SYSPAR", f"{domain}.cfg")) for domain in _DOMAINS)
+    return MappingProxyType({domain: read_configuration(text) for domain, text in texts if text})
+
+
+def _robotware(root: Path) -> RobotWare | None:
+    """The version that `backinfo.txt` names; None where it does not."""
+    named = _ROBOTWARE.search(text_in(root, "BACKINFO", "backinfo.txt"))
+    return None if named is None else read_robotware(named[1])
 
 
 def _not_read(root: Path, robots: int) -> Iterator[str]:
