@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.cyclic_bools import TaskCyclicBools
 from rapidsim.controller.equipment import TaskEquipment
 from rapidsim.controller.files import TaskFiles, TaskTexts
 from rapidsim.controller.interrupt_table import InterruptTable
@@ -92,5 +93,6 @@ def virtual_controller(
         sync_moves=team,
         honesty=TaskHonesty(clock, journal),
         equipment=TaskEquipment(clock, cell, resolver, has_robot),
+        cyclic_bools=TaskCyclicBools(clock, cell),
     )
     return VirtualController(clock, motion, others, concerns)

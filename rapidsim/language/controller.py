@@ -17,6 +17,7 @@ from types import MappingProxyType
 from typing import Any, Protocol
 
 from rapidsim.diagnostics import Source
+from rapidsim.language.cyclic_bools import CyclicBools
 from rapidsim.language.data import JointTarget, Pos, RobTarget, ToolData, WobjData
 from rapidsim.language.equipment import Equipment
 from rapidsim.language.error_log import LoggedError
@@ -435,6 +436,7 @@ class Controller:
     sync_moves: SyncMoves
     honesty: Honesty
     equipment: Equipment
+    cyclic_bools: CyclicBools
     symbols: Symbols = field(init=False)
     """The data of the program by name; the interpreter sets it."""
     modules: Modules = field(init=False)
@@ -459,6 +461,7 @@ CONCERNS: Mapping[type, str] = MappingProxyType(
         SyncMoves: "sync_moves",
         Honesty: "honesty",
         Equipment: "equipment",
+        CyclicBools: "cyclic_bools",
     }
 )
 """Under which name a `Controller` has the concern of each protocol."""

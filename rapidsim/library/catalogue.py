@@ -8,9 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
+from rapidsim.library.arc import ARC
 from rapidsim.library.bits import BITS
 from rapidsim.library.configuration import CONFIGURATION
 from rapidsim.library.corrections import CORRECTIONS
+from rapidsim.library.cyclic_bools import CYCLIC_BOOLS
 from rapidsim.library.declared import read_declared
 from rapidsim.library.dialogs import DIALOGS
 from rapidsim.library.displacement import DISPLACEMENT
@@ -91,6 +93,8 @@ CHAPTERS: Mapping[str, Mapping[str, LibraryRoutine]] = MappingProxyType(
         "I/O devices": IO_DEVICES,
         "Mechanical units": MECHANICAL_UNITS,
         "Path correction": CORRECTIONS,
+        "Cyclic bools": CYCLIC_BOOLS,
+        "Arc welding": ARC,
     }
 )
 """The routines written in Python, by chapter."""

@@ -86,8 +86,8 @@ def get_signal_origin(
 
 
 IO_DEVICES = table(
-    routine("IOEnable", io_enable, does=Does.WAIT),
-    routine("IODisable", io_disable, does=Does.WAIT),
+    routine("IOEnable", io_enable),
+    routine("IODisable", io_disable),
     routine("IOUnitState", io_unit_state, r"UnitName \Phys|\Logic", does=Does.READ_CELL),
     routine("IOBusState", io_bus_state, r"BusName State \Phys|\Logic"),
     routine("IOBusStart", io_bus_start),

@@ -217,6 +217,7 @@ def each_way(
     besides: str = "",
     ways: str = "JLC",
     does: Does = NOTHING,
+    treated_as: str | None = None,
 ) -> Iterator[LibraryRoutine]:
     r"""The rows of an instruction that moves to a pose, one a way to move.
 
@@ -227,6 +228,7 @@ def each_way(
         besides: What it does beside, to stand after how it moves.
         ways: The letters.
         does: The same for whoever asks, on all ways.
+        treated_as: What is done instead, where they are not simulated with all they do.
     """
     for letter in ways:
         own = name.replace("*", letter)
@@ -234,12 +236,15 @@ def each_way(
         body = body_of(own, interpolation)
         body.__doc__ = f"{moves}{besides}."
         if interpolation is Interpolation.JOINT:
-            yield routine(own, body, order.replace(r" \Corr", ""), does=does)
+            joint = order.replace(r" \Corr", "")
+            yield routine(own, body, joint, does=does, treated_as=treated_as)
         elif interpolation is Interpolation.CIRCLE:
             to = order.replace("ToPoint", "CirPoint ToPoint")
-            yield routine(own, body, to, does=does | Does.CARTESIAN)
+            led = does | Does.CARTESIAN
+            yield routine(own, body, to, does=led, treated_as=treated_as)
         else:
-            yield routine(own, body, order, does=does | Does.CARTESIAN)
+            led = does | Does.CARTESIAN
+            yield routine(own, body, order, does=led, treated_as=treated_as)
 
 
 _AFTER_POINT = r"Speed \V|\T Zone \Z \Inpos Tool \WObj"

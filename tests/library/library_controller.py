@@ -99,6 +99,7 @@ class RecordingController:
     files: dict[str, bytearray] = field(default_factory=dict)
     text_tables: dict[str, dict[int, str]] = field(default_factory=dict)
     corrections: dict[int, Pos] = field(default_factory=dict)
+    cyclic: dict[str, Callable[[], bool]] = field(default_factory=dict)
     disabled: set[str] = field(default_factory=set)
     number: float = 0.0
     choice: int = 0
@@ -121,7 +122,7 @@ class RecordingController:
         """All concerns in one; mypy holds it against the protocol of each."""
         whole = Controller(
             *(self, self, self, self, self, self),
-            *(self, self, self, self, self, self, self, self, self, self),
+            *(self, self, self, self, self, self, self, self, self, self, self),
         )
         for name in ("symbols", "modules"):
             if hasattr(self, name):
@@ -209,6 +210,17 @@ class RecordingController:
 
     def configure(self, domain: str, of: str, number: int, attribute: str, value: str) -> None:
         raise AssertionError("there are no system parameters here")
+
+    def set_up(
+        self, name: str, flag: Reference[bool], condition: Callable[[], bool], signal: str | None
+    ) -> None:
+        self.cyclic[name] = condition
+
+    def remove(self, name: str) -> None:
+        self.cyclic.pop(name, None)
+
+    def names(self) -> tuple[str, ...]:
+        return tuple(self.cyclic)
 
     def is_enabled(self, device: str) -> bool:
         return device.lower() not in self.disabled

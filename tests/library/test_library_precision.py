@@ -27,7 +27,8 @@ NEEDS_MORE = {
     *("SocketGetStatus", "SocketPeek", "SocketReceive"),
     *("GetTaskName", "TasksInSync"),
     *("MToolTCPCalib", "UIListView", "ReadAnyBin", "ReadBin", "ReadNum", "TextTabGet"),
-    *("ReadErrData", "WZDOSet", "WZLimSup", "ReadStr", "ReadCfgData", "GetNextMechUnit"),
+    *("ReadErrData", "WZDOSet", "WZLimSup", "ReadStr", "ReadCfgData", "WriteCfgData"),
+    "GetNextMechUnit",
     *("GetJointData", "CorrRead"),
 }
 """They want a program, a connection, an open file or a list of things around them."""

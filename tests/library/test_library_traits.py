@@ -35,6 +35,8 @@ OTHERWISE = {
     ("SetAllDataVal", Does.MOVE): "it searches data",
     ("SetAllDataVal", Does.SEARCH): "it searches data",
     ("SocketPeek", Does.WAIT): "it asks for what has arrived, and waits no time",
+    ("IODisable", Does.WAIT): "a device is gone at once here",
+    ("IOEnable", Does.WAIT): "a device is there at once here",
     ("WaitLoad", Does.WAIT): "a run has loaded the module before",
 }
 """Where row and body differ, and why."""

@@ -38,6 +38,9 @@ class Recorder:
     def not_simulated(self, routine: str, treated_as: str) -> None:
         """The run that meets it says so."""
 
+    def wait(self, seconds: float, *, in_position: bool = False) -> None:
+        """Time changes nothing about the moves."""
+
     def write_signal(self, name: str, value: float, *, delay_s: float = 0.0) -> None:
         """Outputs change nothing about the moves."""
 

@@ -2,7 +2,7 @@
 MODULE named_numbers
   VAR iounit_state unit:=IOUNIT_RUNNING;
   VAR busstate bus:=BUSSTATE_RUN;
-  VAR tsp_status task:=TSP_STATUS_ACT;
+  VAR tsp_status of_task:=TSP_STATUS_ACT;
   VAR signalorigin origin:=SIGORIG_CFG;
   VAR cfgdomain domain:=EIO_DOMAIN;
   VAR icondata icon:=iconWarning;
