@@ -44,6 +44,7 @@ from rapidsim.library.strings import STRINGS
 from rapidsim.library.symbols import SYMBOLS
 from rapidsim.library.system_data import SYSTEM_DATA
 from rapidsim.library.table import LibraryRoutine
+from rapidsim.library.tactile_search import TACTILE_SEARCH
 from rapidsim.library.tasks import TASKS
 from rapidsim.library.text_tables import TEXT_TABLES
 from rapidsim.library.timing import TIMING
@@ -95,6 +96,7 @@ CHAPTERS: Mapping[str, Mapping[str, LibraryRoutine]] = MappingProxyType(
         "Path correction": CORRECTIONS,
         "Cyclic bools": CYCLIC_BOOLS,
         "Arc welding": ARC,
+        "Tactile search": TACTILE_SEARCH,
     }
 )
 """The routines written in Python, by chapter."""

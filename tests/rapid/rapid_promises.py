@@ -95,7 +95,8 @@ def promises(source: Source) -> list[Fact]:
 
 def sources(task: Path) -> list[Source]:
     """The modules of a program: one file, or all of a folder; not what lies in its home folder."""
-    inside = sorted(task.iterdir()) if task.is_dir() else [task]
+    inside = sorted(task.rglob("*")) if task.is_dir() else [task]
+    inside = [path for path in inside if task / "home" not in path.parents]
     paths = [path for path in inside if path.is_file() and path.suffix in MODULES]
     return [Source(path.name, decode(path.read_bytes())[0]) for path in paths]
 
