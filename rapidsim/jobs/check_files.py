@@ -7,10 +7,10 @@ from dataclasses import dataclass, field, replace
 from os import PathLike
 from typing import TYPE_CHECKING
 
+from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.passes.checker import Find
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
-from rapidsim.controller.cell.description import without_declared
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import TaskFiles
 from rapidsim.jobs.checked_program import Loaded, load
@@ -18,7 +18,6 @@ from rapidsim.jobs.given_options import asked_in_python
 from rapidsim.jobs.job import Job, job
 from rapidsim.jobs.move_checks import CheckMoves, choose_move_check
 from rapidsim.jobs.selection import choose_selection
-from rapidsim.jobs.station_rules import rules_of_station
 from rapidsim.jobs.undriven_inputs import find_never_driven
 from rapidsim.reach.checked_moves import Coverage, ReachReport, UncheckedMove
 from rapidsim.reach.dataflow.written_moves import written_moves
@@ -94,14 +93,14 @@ def check_job(job: Job) -> CheckResult:
     selection = choose_selection(station.check, asked.select, asked.extend_select, asked.ignore)
     result = check_tasks(
         job.tasks,
-        (*detectors_of(selection.wants), *rules_of_station(station)),
+        detectors_of(selection.wants),
         choose_move_check(job),
         even_without_moves=station.check.cycle_budget_s is not None,
+        cell=job.cell,
     )
-    declared = without_declared(result.diagnostics, station.io, station.units)
     undriven = find_never_driven(result.trees, station.io)
     unsuppressed = without_suppressed(
-        (*declared, *undriven),
+        (*result.diagnostics, *undriven),
         result.trees,
         is_looked_for=lambda code: selection.is_looked_for(code) and result.looked_for(code),
     )
@@ -114,6 +113,7 @@ def check_tasks(
     moves: CheckMoves | None = None,
     *,
     even_without_moves: bool = False,
+    cell: CellNames = NO_CELL,
 ) -> CheckResult:
     """Check tasks that have been read, each on its own.
 
@@ -124,9 +124,10 @@ def check_tasks(
         moves: Checks the moves; None leaves them unchecked.
         even_without_moves: Whether `moves` has something to say of programs that have none, such
             as how long they take.
+        cell: What the configuration declares beside the modules.
     """
     wanted = detectors_of() if rules is None else rules
-    loaded = [(task, load(task.files, wanted)) for task in tasks]
+    loaded = [(task, load(task.files, wanted, cell=cell, unseen=task.unseen)) for task in tasks]
     reports = [
         _moves_checked(one, task.name or DEFAULT_TASK, moves, even_without_moves)
         for task, one in loaded
@@ -158,8 +159,11 @@ def _moves_checked(
     loaded: Loaded, task: str, moves: CheckMoves | None, always: bool
 ) -> ReachReport:
     written = written_moves(loaded.files)
-    if (written or always) and moves is not None and loaded.program is not None:
-        return moves(loaded.program, task)
     why = "nobody asked for it" if moves is None else "the program cannot run as it is"
+    if (written or always) and moves is not None and loaded.program is not None:
+        report = moves(loaded.program, task)
+        if isinstance(report, ReachReport):
+            return report
+        why = report
     unchecked = tuple(UncheckedMove(span, why) for span in written)
     return ReachReport((), Coverage(unchecked=unchecked))

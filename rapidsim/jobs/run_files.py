@@ -8,7 +8,6 @@ from os import PathLike, fspath
 from pathlib import Path
 
 from rapidsim.analysis.program import Program
-from rapidsim.controller.cell.description import without_declared
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import InputError
 from rapidsim.interpreter.limits import NotExecutableError
@@ -17,7 +16,6 @@ from rapidsim.jobs.given_options import asked_in_python
 from rapidsim.jobs.job import Job, job
 from rapidsim.jobs.load_tasks import LoadedTask, load_tasks
 from rapidsim.jobs.run_options import run_options
-from rapidsim.jobs.station_rules import rules_of_station
 from rapidsim.jobs.task_files import program_name, seen_from_here
 from rapidsim.jobs.task_setups import task_setups
 from rapidsim.motion.robot.robot import Robot
@@ -111,10 +109,8 @@ def run_job(job: Job) -> FinishedRun:
 def loaded(job: Job) -> LoadedJob:
     """Open the robot, parse and check the files; mistakes in them are findings, never raised."""
     robot = job.arm()
-    found = load_tasks(job.tasks, rules_of_station(job.station))
-    station = job.station
-    diagnostics = without_declared(found.diagnostics, station.io, station.units)
-    return LoadedJob(job, robot, found.tasks, diagnostics)
+    found = load_tasks(job.tasks, job.cell)
+    return LoadedJob(job, robot, found.tasks, found.diagnostics)
 
 
 def prepared(loaded: LoadedJob) -> PreparedRun:
@@ -127,9 +123,10 @@ def prepared(loaded: LoadedJob) -> PreparedRun:
     if not loaded.tasks:
         raise ProgramRejectedError(loaded.diagnostics)
     job = loaded.job
-    for program in loaded.programs.values():
-        require_entry(program, job.asked.entry)
-    setups = task_setups(loaded.tasks, job.station, loaded.robot, job.open_robot)
+    for name, program in loaded.programs.items():
+        require_entry(program, job.entry(name))
+    bare = task_setups(loaded.tasks, job.station, loaded.robot, job.open_robot)
+    setups = tuple(replace(setup, entry=job.entry(setup.name)) for setup in bare)
     options = replace(run_options(job), home=_home(job.asked.home, job.asked.paths))
     return PreparedRun(setups, options, loaded.diagnostics)
 

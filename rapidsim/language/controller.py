@@ -70,8 +70,11 @@ class Motion(Protocol):
     """The path queue of the task's robot."""
 
     settings: MotionSettings
-    corrections: dict[int, Pos]
-    """What each correction generator that is connected adds to the path [mm]."""
+
+    @property
+    def corrections(self) -> dict[int, Pos]:
+        """What each correction generator that is connected adds to the path [mm]."""
+        ...
 
     def move(self, move: Move, triggers: tuple[Trigger, ...] = ()) -> None:
         """Put a move on the path; returns when the program would go on.

@@ -23,6 +23,7 @@ from rapidsim.language.moves import Interpolation
 from rapidsim.library.honesty import ignored
 from rapidsim.library.motion import MoveOptions, asked, each_way
 from rapidsim.library.table import table
+from rapidsim.library.traits import Does
 
 INSTEAD = "a move with the speed of the weld and the times of the seam, without an arc"
 
@@ -115,6 +116,7 @@ ARC = table(
             _ORDER,
             ", welding",
             ways="LC",
+            does=Does.WAIT,
             treated_as=INSTEAD,
         )
     )

@@ -8,6 +8,8 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 
 from __future__ import annotations
 
+from typing import Any
+
 from rapidsim.language.annotations import Bool, MecUnit, Num, String, Var
 from rapidsim.language.controller import Controller
 from rapidsim.language.data import JointTarget
@@ -43,7 +45,7 @@ def get_next_mech_unit(
     unit = units[number]
     list_number.value, unit_name.value = float(number + 1), unit.name
     inactive = controller.motion.settings.inactive_units
-    told: list[tuple[Reference[object] | None, object]] = [
+    told: list[tuple[Reference[Any] | None, object]] = [
         (mec_ref, unit.name),
         (tcp_rob, unit.is_robot),
         (no_of_axes, float(len(unit.axes))),

@@ -40,9 +40,7 @@ def search_1d(
     """Go to a point and on to another one, and tell how far the part is displaced: not at all."""
     controller.honesty.not_simulated("Search_1D", INSTEAD)
     for point in (start_point, search_point, start_point):
-        move = asked(
-            controller, "Search_1D", Interpolation.LINE, point, speed, FINE, tool, options
-        )
+        move = asked(controller, "Search_1D", Interpolation.LINE, point, speed, FINE, tool, options)
         controller.motion.move(move)
     stop = options.get("search_stop")
     if stop is not None:

@@ -1,14 +1,38 @@
-"""The table [controller]: what runs the program."""
+"""The table [controller]: what runs the program, and what is installed there.
+
+robotware = "7.13"
+stubs = ["stubs/gripper.mod"]
+
+Stub modules declare the routines of libraries that a repository lacks: all tasks have them, and
+each call says that it did what the stub says.
+"""
 
 from __future__ import annotations
+
+from pathlib import Path
 
 from rapidsim.language.robotware import RobotWare, read_robotware
 from rapidsim.station.toml_reader import Reader, Table
 
-_KEYS = ("robotware",)
+_KEYS = ("robotware", "stubs")
 
 
-def read_controller(reader: Reader, controller: Table) -> RobotWare | None:
+def read_stubs(reader: Reader, controller: Table) -> tuple[Path, ...]:
+    """The stub modules; what is wrong is noted."""
+    files = (
+        (name, reader.inside(name, "controller.stubs"))
+        for name in reader.texts(controller, "controller", "stubs")
+    )
+    found = []
+    for name, file in files:
+        if file is not None and file.is_file():
+            found.append(file)
+        elif file is not None:
+            reader.wrong("controller.stubs", f"there is no file {name}")
+    return tuple(found)
+
+
+def read_robotware_of(reader: Reader, controller: Table) -> RobotWare | None:
     """The RobotWare; None where the file does not say."""
     reader.known("controller", controller, _KEYS)
     text = reader.text(controller, "controller", "robotware")

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.station.check import read_check
-from rapidsim.station.controller import read_controller
+from rapidsim.station.controller import read_robotware_of, read_stubs
 from rapidsim.station.external_axes import read_external_axes
 from rapidsim.station.motion import read_motion
 from rapidsim.station.robot import read_robots
@@ -46,7 +46,8 @@ def read_station(file: Path) -> Station:
         model=model,
         tasks=tasks,
         io=_io(reader, table),
-        robotware=read_controller(reader, reader.table(table, "controller")),
+        robotware=read_robotware_of(reader, reader.table(table, "controller")),
+        stubs=read_stubs(reader, reader.table(table, "controller")),
         starts_at=_starts_at(reader, reader.table(table, "clock")),
         check=read_check(reader, reader.table(table, "check")),
     )

@@ -43,6 +43,8 @@ class Station:
     io: CellIo = field(default_factory=CellIo)
     robotware: RobotWare | None = None
     """What the controller has; None where nobody says, and all that any version has is known."""
+    stubs: tuple[Path, ...] = ()
+    """Modules that stand for libraries which the program lacks; all tasks have them."""
     configured: Configured = field(default_factory=lambda: MappingProxyType({}))
     """The system parameters of a backup."""
     starts_at: datetime | None = None
@@ -51,8 +53,8 @@ class Station:
     """What `check` looks for."""
     robot_source: str | None = None
     """What names the robots, in words; None where that is the file."""
-    unknown_robots: tuple[str, ...] = ()
-    """Types of robots that are named there and not in the catalogue."""
+    other_units: tuple[str, ...] = ()
+    """Mechanical units beside the robots of which only the names are known."""
     remarks: tuple[str, ...] = ()
     """What is said of the cell and left out."""
 
@@ -64,16 +66,17 @@ class Station:
             io=backup.io.and_also(self.io),
             configured=backup.configured,
             robotware=self.robotware or backup.robotware,
+            external_axes=self.external_axes or backup.external_axes,
+            other_units=backup.other_units,
             remarks=backup.remarks,
         )
         if self.robot is not None or not backup.robots:
             return whole
-        named = (replace(self.robots[0], name=backup.robot),) if self.robots else backup.robots
+        named = (self.robots[0].armed(backup.robots[0]),) if self.robots else backup.robots
         return replace(
             whole,
             robots=named,
             robot_source=backup.robot_source,
-            unknown_robots=backup.unknown_robots,
         )
 
     @property
@@ -101,6 +104,10 @@ class Station:
         numbers = {one.name.lower(): one.robot_number for one in self.tasks}
         return numbers.get(task.lower()) or 0
 
+    def entry(self, task: str) -> str | None:
+        """The procedure that a task begins with; None where nothing says."""
+        return {one.name.lower(): one.entry for one in self.tasks}.get(task.lower())
+
     @property
     def modules(self) -> tuple[Path, ...]:
         """Modules of the first task, in addition to those a command names."""
@@ -109,7 +116,8 @@ class Station:
     @property
     def units(self) -> tuple[str, ...]:
         """Names of the mechanical units beside the robot."""
-        return tuple(dict.fromkeys(axis.unit for axis in self.external_axes))
+        simulated = (axis.unit for axis in self.external_axes)
+        return tuple(dict.fromkeys((*simulated, *self.other_units)))
 
 
 def find_station(paths: Iterable[str]) -> Path | None:

@@ -123,7 +123,7 @@ def happened_in_cell(folder: Path) -> list[Fact]:
         facts = [_finding(diagnostic) for diagnostic in rejected.diagnostics]
     else:
         facts = _run(run)
-    return _ordered((Path(file).name, *rest) for file, *rest in facts)
+    return _ordered((Path(fact[0]).name, *fact[1:]) for fact in facts)
 
 
 def happened(texts: Sequence[Source], home: Path | None = None) -> list[Fact]:

@@ -6,6 +6,7 @@ Source: RAPID Overview, "Routines", the table of parameter access modes.
 from __future__ import annotations
 
 from rapidsim.analysis.context import Context, TypeOf
+from rapidsim.analysis.names.assumed import is_assumed
 from rapidsim.analysis.names.name_violations import UnknownUnit
 from rapidsim.analysis.names.names import find, kind_of, report_undefined, take_for_signal
 from rapidsim.analysis.parameters import Formal, Wanted
@@ -60,6 +61,8 @@ def check_argument(
         unit = next((of for of in formal.types if _is_configured(of)), None)
         if unit is not None:
             _take_for_unit(plain, unit, context)
+            return None
+        if is_assumed(plain, formal.wanted.type, context):
             return None
         if formal.mode is not Mode.IN:
             report_undefined(plain.name, context)

@@ -1,30 +1,36 @@
 """What a controller backup says: its tasks, robots and signals.
 
 `BACKINFO/backinfo.txt` names the task of each folder `RAPID/TASKn`; `SYSPAR/SYS.cfg` has the type
-of each task and `-MotionTask` for those that move. A task without a type is semistatic there. The
-RobotWare stands in `backinfo.txt`, too.
+of each task and `-MotionTask` for those that move. A task without a type is semistatic there.
+Robots and external axes are those of `MOC.cfg`; the RobotWare stands in `backinfo.txt`, too.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from types import MappingProxyType
 
+from rapidsim.backinfo import listed_tasks
 from rapidsim.language.equipment import Configured
 from rapidsim.language.robotware import RobotWare, read_robotware
-from rapidsim.station.backup.cfg_file import SWITCHED_ON, read_configuration, text_in
+from rapidsim.station.backup.cfg_file import (
+    read_configuration,
+    text_in,
+)
+from rapidsim.station.backup.external_units import ExternalUnits, external_units
+from rapidsim.station.backup.loaded_modules import is_loaded_into, missing_modules
 from rapidsim.station.backup.robots import backup_robots
 from rapidsim.station.backup.signals import backup_io
+from rapidsim.station.backup.tasks import configured_tasks
 from rapidsim.station.station import Station
 from rapidsim.station.task_kind import TaskKind
 from rapidsim.station.tasks import StationTask
 
-_BOUNDS = ("upper_joint_bound", "lower_joint_bound")
+_GROUP = "MECHANICAL_UNIT_GROUP"
 _DOMAINS = ("EIO", "MMC", "MOC", "PROC", "SIO", "SYS")
 _ROBOTWARE = re.compile(r"RobotWare(?: Version)?:?[\s_]*(\d+\.\d+)", re.IGNORECASE)
-_FOLDER = re.compile(r"^>>(TASK\d+):\s*\(\s*([^,)\s]+)", re.MULTILINE | re.IGNORECASE)
 
 
 def backup_station(folders: Sequence[Path]) -> Station:
@@ -34,17 +40,20 @@ def backup_station(folders: Sequence[Path]) -> Station:
         folders: Its task folders, one or more; see `rapidsim.files.backup_folders`.
     """
     root = folders[0].parent.parent
-    robots, unknown = backup_robots(root)
-    io, remarks = backup_io(root)
+    motion = read_configuration(text_in(root, "SYSPAR", "MOC.cfg"))
+    robots = backup_robots(motion)
+    units = external_units(motion)
+    io, remarks = backup_io(read_configuration(text_in(root, "SYSPAR", "EIO.cfg")))
     return Station(
         robots=robots,
+        external_axes=units.axes,
+        other_units=units.others,
         robot_source="the backup's MOC.cfg" if robots else None,
-        unknown_robots=unknown,
-        tasks=_tasks_of(root, folders),
+        tasks=_tasks_of(root, folders, [robot.label for robot in robots]),
         io=io,
         configured=_configured_in(root),
         robotware=_robotware(root),
-        remarks=(*remarks, *_not_read(root, len(robots))),
+        remarks=(*remarks, *_not_simulated(units)),
     )
 
 
@@ -60,51 +69,51 @@ def _robotware(root: Path) -> RobotWare | None:
     return None if named is None else read_robotware(named[1])
 
 
-def _not_read(root: Path, robots: int) -> Iterator[str]:
-    """What the configuration says of robots and is left out, a remark each."""
-    arms = read_configuration(text_in(root, "SYSPAR", "MOC.cfg")).get("ARM", ())
-    if any(bound in arm for arm in arms for bound in _BOUNDS):
+def _not_simulated(units: ExternalUnits) -> Iterator[str]:
+    """What is said of units whose axes no run has."""
+    for unit in units.others:
         yield (
-            "the joint bounds in the backup's MOC.cfg are not read: arms have the limits of the "
-            "catalogue"
-        )
-    groups = read_configuration(text_in(root, "SYSPAR", "SYS.cfg")).get("MECHANICAL_UNIT_GROUP", ())
-    if groups and robots > 1:
-        yield (
-            "the mechanical unit groups in the backup's SYS.cfg are not read: tasks that move get "
-            "the robots in the order of MOC.cfg"
+            f"the unit {unit} of the backup is known by its name alone: MOC.cfg does not say what "
+            "its axes can do, or it is not active at the start; [[external_axis]] tables do"
         )
 
 
-def _tasks_of(root: Path, folders: Sequence[Path]) -> tuple[StationTask, ...]:
+def _tasks_of(
+    root: Path, folders: Sequence[Path], labels: Sequence[str | None]
+) -> tuple[StationTask, ...]:
     """In the order of the folders; none where the backup does not say what its folders are."""
-    names = {
-        folder.upper(): name
-        for folder, name in _FOLDER.findall(text_in(root, "BACKINFO", "backinfo.txt"))
-    }
-    if any(folder.name.upper() not in names for folder in folders):
+    listed = listed_tasks(text_in(root, "BACKINFO", "backinfo.txt"))
+    if any(f.name.upper().startswith("TASK") and f.name.lower() not in listed for f in folders):
         return ()
-    configured = _configured(text_in(root, "SYSPAR", "SYS.cfg"))
+    configuration = read_configuration(text_in(root, "SYSPAR", "SYS.cfg"))
+    configured = configured_tasks(configuration)
+    loaded = configuration.get("CAB_TASK_MODULES", ())
+    groups = {one.get("name"): one.get("robot") for one in configuration.get(_GROUP, ())}
     tasks: list[StationTask] = []
     robots = 0
     for folder in folders:
-        name = names[folder.name.upper()]
-        kind, moves = configured.get(name.lower(), (TaskKind.NORMAL, None))
+        known = listed.get(folder.name.lower())
+        name = folder.name if known is None else known.name
+        settings = configured.get(name.lower())
         # Without a configuration the task that is first is the one that moves.
-        moves = not tasks if moves is None else moves
-        tasks.append(StationTask(name, (), kind, moves, None, robots if moves else None))
+        moves = not tasks and not configured if settings is None else settings.moves
+        wanted = [one for one in loaded if is_loaded_into(one, name, moves=moves)]
+        modules, unseen = missing_modules(wanted, folder)
+        # A group names the robot; the others come in the order of MOC.cfg.
+        robot = groups.get(settings.group) if settings else None
+        number = (labels.index(robot) if robot in labels else robots) if moves else None
+        tasks.append(
+            StationTask(
+                name,
+                modules,
+                TaskKind.NORMAL if settings is None else settings.kind,
+                moves,
+                robot_number=number,
+                entry=None if settings is None else settings.entry,
+                unseen=unseen,
+                # The safety controller has its task, which a configuration does not name.
+                is_system=bool(configured) and settings is None,
+            )
+        )
         robots += moves
     return tuple(tasks)
-
-
-def _configured(text: str) -> Mapping[str, tuple[TaskKind, bool | None]]:
-    """Type of each task by folded name, and whether it moves a robot."""
-    found: dict[str, tuple[TaskKind, bool | None]] = {}
-    for task in read_configuration(text).get("CAB_TASKS", ()):
-        word = task.get("type", "").lower()
-        known = word in [one.value for one in TaskKind]
-        found[task.get("name", "").lower()] = (
-            TaskKind(word) if known else TaskKind.SEMISTATIC,
-            task.get("motiontask", "").lower() == SWITCHED_ON,
-        )
-    return found

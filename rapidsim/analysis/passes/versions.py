@@ -1,35 +1,27 @@
-"""Rule N219: what the station's RobotWare does not have yet."""
+"""What the RobotWare of the cell does not have yet; an error, as its controller refuses it."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rapidsim.analysis.passes.checker import Find
+from rapidsim.analysis.names.name_violations import NotInThisRobotWare
 from rapidsim.analysis.program import DataSymbol, LibrarySymbol, Scope
 from rapidsim.analysis.program_parts import Facts, Part
-from rapidsim.diagnostics import Diagnostic, Violation
-from rapidsim.language.robotware import RobotWare
+from rapidsim.diagnostics import Diagnostic
 from rapidsim.library.versions import SINCE
 from rapidsim.syntax import tree
 
 
-class NotInThisRobotWare(Violation, code="N219"):
-    used: str
-    since: str
-    station: str
-
-
-def find_newer(station: RobotWare) -> Find:
-    """A detector of what came after the RobotWare of a station."""
-
-    def find(facts: Facts) -> Iterator[Diagnostic]:
-        for part in facts.parts:
-            for node, name in _installed_names(part, facts):
-                since = SINCE.get(name.lower())
-                if since is not None and since > station:
-                    yield part.finding(NotInThisRobotWare(name, str(since), str(station)), node)
-
-    return find
+def find_newer(facts: Facts) -> Iterator[Diagnostic]:
+    """What came after the RobotWare of the cell; nothing where that is not known."""
+    has = facts.analysis.cell.robotware
+    if has is None:
+        return
+    for part in facts.parts:
+        for node, name in _installed_names(part, facts):
+            since = SINCE.get(name.lower())
+            if since is not None and since > has:
+                yield part.finding(NotInThisRobotWare(name, str(since), str(has)), node)
 
 
 def _installed_names(part: Part, facts: Facts) -> Iterator[tuple[tree.Node, str]]:
