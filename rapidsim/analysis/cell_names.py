@@ -54,6 +54,7 @@ def cell_names(
     signals: Iterable[tuple[str, Type]],
     units: Iterable[str] = (),
     tasks: Iterable[str] = (),
+    cameras: Iterable[str] = (),
     wired: Iterable[str] = (),
 ) -> CellNames:
     """The names that a configuration declares.
@@ -62,11 +63,13 @@ def cell_names(
         signals: Names and types of signals.
         units: Names of mechanical units.
         tasks: Names of tasks; a program knows each as a `taskid`, as in `T_ROB1Id`.
+        cameras: Names of cameras.
         wired: Names of signals that connections and stimuli mention.
     """
     declared = [
         *((f"{task}Id", TYPES["taskid"]) for task in tasks),
         *((unit, TYPES["mecunit"]) for unit in units),
+        *((camera, TYPES["cameradev"]) for camera in cameras),
         *signals,
     ]
     symbols = {name.lower(): ConfiguredSymbol(name, of) for name, of in declared}

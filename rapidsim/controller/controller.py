@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from rapidsim.controller.cameras import TaskCameras
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.cyclic_bools import TaskCyclicBools
@@ -94,5 +95,6 @@ def virtual_controller(
         honesty=TaskHonesty(clock, journal),
         equipment=TaskEquipment(clock, cell, resolver, has_robot),
         cyclic_bools=TaskCyclicBools(clock, cell),
+        cameras=TaskCameras(clock, cell),
     )
     return VirtualController(clock, motion, others, concerns)

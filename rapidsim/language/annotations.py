@@ -117,6 +117,8 @@ SymNum = Annotated[float, types.Alias("symnum", types.NUM)]
 _OPAQUE = {atom.name: atom for atom in types.OPAQUE}
 TaskId = Annotated[object, _OPAQUE["taskid"]]
 MecUnit = Annotated[object, _OPAQUE["mecunit"]]
+CameraDev = Annotated[Any, _OPAQUE["cameradev"]]
+"""The name of a camera in the configuration; None where the variable is named after it."""
 CorrDescr = Annotated[int | None, _OPAQUE["corrdescr"]]
 """The number of a correction generator; None while it is not connected."""
 TriggData = Annotated[Trigger | None, _OPAQUE["triggdata"]]

@@ -17,6 +17,7 @@ from types import MappingProxyType
 from typing import Any, Protocol
 
 from rapidsim.diagnostics import Source
+from rapidsim.language.cameras import Cameras
 from rapidsim.language.cyclic_bools import CyclicBools
 from rapidsim.language.data import JointTarget, Pos, RobTarget, ToolData, WobjData
 from rapidsim.language.equipment import Equipment
@@ -440,6 +441,7 @@ class Controller:
     honesty: Honesty
     equipment: Equipment
     cyclic_bools: CyclicBools
+    cameras: Cameras
     symbols: Symbols = field(init=False)
     """The data of the program by name; the interpreter sets it."""
     modules: Modules = field(init=False)
@@ -465,6 +467,7 @@ CONCERNS: Mapping[type, str] = MappingProxyType(
         Honesty: "honesty",
         Equipment: "equipment",
         CyclicBools: "cyclic_bools",
+        Cameras: "cameras",
     }
 )
 """Under which name a `Controller` has the concern of each protocol."""

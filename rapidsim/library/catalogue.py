@@ -10,6 +10,7 @@ from types import MappingProxyType
 
 from rapidsim.library.arc import ARC
 from rapidsim.library.bits import BITS
+from rapidsim.library.cameras import CAMERAS
 from rapidsim.library.configuration import CONFIGURATION
 from rapidsim.library.corrections import CORRECTIONS
 from rapidsim.library.cyclic_bools import CYCLIC_BOOLS
@@ -95,6 +96,7 @@ CHAPTERS: Mapping[str, Mapping[str, LibraryRoutine]] = MappingProxyType(
         "Mechanical units": MECHANICAL_UNITS,
         "Path correction": CORRECTIONS,
         "Cyclic bools": CYCLIC_BOOLS,
+        "Cameras": CAMERAS,
         "Arc welding": ARC,
         "Tactile search": TACTILE_SEARCH,
     }

@@ -20,7 +20,6 @@ from rapidsim.language.annotations import (
 from rapidsim.language.controller import Controller
 from rapidsim.language.cyclic_bools import CyclicBools
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
-from rapidsim.language.reference import Reference
 from rapidsim.library.honesty import ignored
 from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
@@ -44,7 +43,7 @@ def setup_cyclic_bool(
     kept.set_up(name, flag, cond, None if signal is None else connected(signal))
 
 
-def remove_cyclic_bool(controller: Controller, flag: Pers[Bool] | String) -> None:
+def remove_cyclic_bool(controller: Controller, flag: Bool | String) -> None:
     """Let a persistent, or that of a name, be as it is."""
     controller.cyclic_bools.remove(_name(controller, flag))
 
@@ -58,7 +57,7 @@ def remove_all_cyclic_bool(controller: Controller, *, all_tasks: Switch = False)
 
 def is_cyclic_bool(
     controller: Controller,
-    flag: Pers[Bool] | String,
+    flag: Bool | String,
     *,
     task_ref: Var[TaskId] | None = None,
     task_name: String | None = None,
@@ -88,8 +87,8 @@ def get_next_cyclic_bool(controller: CyclicBools, list_number: Var[Num], name: V
     return True
 
 
-def _name(controller: Controller, flag: Reference[bool] | str) -> str:
-    """What the program calls a persistent."""
+def _name(controller: Controller, flag: object) -> str:
+    """What the program calls a persistent; a string says it itself."""
     if isinstance(flag, str):
         return flag
     return controller.clock.place.arguments.get("flag", "")

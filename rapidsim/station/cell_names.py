@@ -19,6 +19,7 @@ def declared_names(station: Station) -> CellNames:
         [(signal.name, _TYPE_OF_KIND[signal.kind]) for signal in station.io.signals],
         (*numbered, *labelled, *station.units),
         [task.name for task in station.tasks] or [station.task],
+        [camera.name for camera in station.io.cameras],
         station.io.wired,
     )
     return replace(names, robotware=station.robotware)

@@ -19,17 +19,9 @@ _KEYS = ("robotware", "stubs")
 
 def read_stubs(reader: Reader, controller: Table) -> tuple[Path, ...]:
     """The stub modules; what is wrong is noted."""
-    files = (
-        (name, reader.inside(name, "controller.stubs"))
-        for name in reader.texts(controller, "controller", "stubs")
-    )
-    found = []
-    for name, file in files:
-        if file is not None and file.is_file():
-            found.append(file)
-        elif file is not None:
-            reader.wrong("controller.stubs", f"there is no file {name}")
-    return tuple(found)
+    names = reader.texts(controller, "controller", "stubs")
+    files = (reader.inside(name, "controller.stubs") for name in names)
+    return tuple(file for file in files if file is not None)
 
 
 def read_robotware_of(reader: Reader, controller: Table) -> RobotWare | None:

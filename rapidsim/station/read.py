@@ -10,6 +10,7 @@ from datetime import datetime
 from pathlib import Path
 
 from rapidsim.controller.cell.description import CellIo
+from rapidsim.station.cameras import read_cameras
 from rapidsim.station.check import read_check
 from rapidsim.station.controller import read_robotware_of, read_stubs
 from rapidsim.station.external_axes import read_external_axes
@@ -22,7 +23,7 @@ from rapidsim.station.stimuli import read_stimuli
 from rapidsim.station.tasks import read_tasks
 from rapidsim.station.toml_reader import Reader, Table, read_toml
 
-_IO_KEYS = ("signals", "cross", "stimulus", "socket")
+_IO_KEYS = ("signals", "cross", "stimulus", "socket", "camera")
 _KEYS = ("controller", "robot", "external_axis", "motion", "task", *_IO_KEYS, "clock", "check")
 
 
@@ -85,4 +86,5 @@ def _io(reader: Reader, table: Table) -> CellIo:
         read_crosses(reader, table),
         read_stimuli(reader, table),
         read_sockets(reader, table),
+        read_cameras(reader, table),
     )

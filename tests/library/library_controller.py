@@ -8,6 +8,7 @@ from datetime import datetime, timedelta
 from typing import Any
 
 from rapidsim.diagnostics import Source, Span
+from rapidsim.language.cameras import Camera
 from rapidsim.language.controller import Controller, FileMode
 from rapidsim.language.data import (
     NO_EXTERNAL_AXES,
@@ -32,6 +33,7 @@ from rapidsim.language.error_numbers import (
 )
 from rapidsim.language.modules import Modules
 from rapidsim.language.moves import Flank, MotionSettings, Move, Place, SearchStop
+from rapidsim.language.option_data import CameraTarget
 from rapidsim.language.path_events import Trigger, ZoneShape
 from rapidsim.language.reference import Reference
 from rapidsim.language.sockets import Connection, Listener
@@ -122,7 +124,7 @@ class RecordingController:
         """All concerns in one; mypy holds it against the protocol of each."""
         whole = Controller(
             *(self, self, self, self, self, self),
-            *(self, self, self, self, self, self, self, self, self, self, self),
+            *(self, self, self, self, self, self, self, self, self, self, self, self),
         )
         for name in ("symbols", "modules"):
             if hasattr(self, name):
@@ -221,6 +223,24 @@ class RecordingController:
 
     def names(self) -> tuple[str, ...]:
         return tuple(self.cyclic)
+
+    def camera(self, name: str) -> Camera | None:
+        return None
+
+    def take_picture(self, camera: Camera) -> float:
+        raise AssertionError("there are no cameras here")
+
+    def found(self, camera: Camera) -> int:
+        raise AssertionError("there are no cameras here")
+
+    def fetch(self, camera: Camera) -> CameraTarget | None:
+        raise AssertionError("there are no cameras here")
+
+    def expects(self, camera: Camera) -> bool:
+        raise AssertionError("there are no cameras here")
+
+    def forget(self, camera: Camera) -> None:
+        raise AssertionError("there are no cameras here")
 
     def is_enabled(self, device: str) -> bool:
         return device.lower() not in self.disabled

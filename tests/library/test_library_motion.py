@@ -371,7 +371,7 @@ def test_arc_welding_moves_along_the_seam() -> None:
     seam = SeamData(0.5, 0.3, arc, 0.2, 0, 0, 0, 0, arc, 0.1, 0, arc, 0, 0, arc, 0.4)
     weld = WeldData(10.0, 0.0, arc, arc)
     controller.call("ArcLStart", P10, V100, seam, weld, Z10, TOOL, wobj=Box(TABLE), seam_name="s")
-    controller.call("ArcC", P20, P10, V100, seam, weld, Z10, TOOL)
+    controller.call("ArcC", P10, V100, seam, weld, Z10, TOOL, cir_point=P20)
     controller.call("ArcLEnd", P20, V100, seam, weld, Z10, TOOL, track=())
     start, on, end = controller.moves
     assert (start.instruction, start.to, start.wobj) == ("ArcLStart", P10, TABLE)

@@ -38,8 +38,6 @@ DIFFERENT = {
     "MatrixSolve": "a matrix has two dimensions",
     "MatrixSolveQR": "matrices have two dimensions",
     "ReadStr": "Status came with RobotWare 7",
-    "IsCyclicBool": "a persistent or a name",
-    "RemoveCyclicBool": "a persistent or a name",
     "TaskIsExecuting": "a task by reference or by name, as in TaskIsActive",
     "TriggJIOs": "a tool is persistent",
     "TriggLIOs": "a tool is persistent, and there is a work object",

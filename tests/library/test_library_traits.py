@@ -35,6 +35,8 @@ OTHERWISE = {
     ("SetAllDataVal", Does.MOVE): "it searches data",
     ("SetAllDataVal", Does.SEARCH): "it searches data",
     ("SocketPeek", Does.WAIT): "it asks for what has arrived, and waits no time",
+    ("CamLoadJob", Does.WAIT): "a job is there at once here",
+    ("CamWaitLoadJob", Does.WAIT): "a job is there at once here",
     ("IODisable", Does.WAIT): "a device is gone at once here",
     ("IOEnable", Does.WAIT): "a device is there at once here",
     ("WaitLoad", Does.WAIT): "a run has loaded the module before",

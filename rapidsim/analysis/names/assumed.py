@@ -1,4 +1,4 @@
-"""Tools, work objects and loads that nothing declares, taken for those of the system if asked to."""
+"""Tools, work objects and loads that nothing declares, taken for those of the system if asked."""
 
 from __future__ import annotations
 

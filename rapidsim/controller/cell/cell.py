@@ -14,6 +14,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
+from rapidsim.controller.cell.camera_scripts import CameraState
 from rapidsim.controller.cell.description import CrossConnection, Stimulus
 from rapidsim.controller.cell.home_folder import HomeFolder
 from rapidsim.controller.cell.inputs import CellInputs
@@ -131,6 +132,8 @@ class Cell:
         """None where sockets may not use the network."""
         self.starts_at = inputs.starts_at
         """Date and time of day at time zero."""
+        self.cameras = {one.name.lower(): CameraState(one, one.name) for one in inputs.io.cameras}
+        """By folded name."""
         self.parameters = SystemParameters(inputs.configured)
         self.disabled_devices: set[str] = set()
         """Folded names of the I/O devices that the program has switched off."""

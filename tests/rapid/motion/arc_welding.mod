@@ -14,8 +14,8 @@ MODULE arc_welding
     TPWrite ValToStr(Round(ClkRead(watch)\Dec:=1)); ! -> 1.1
     ClkReset watch;
     ClkStart watch;
-    ArcL Offs(p,0,30,0),v500,seam,weld,z1,tool0; ! warning: R104
-    ArcLEnd Offs(p,0,60,0),v500,seam,weld,fine,tool0; ! warning: R104
+    ArcL Offs(p,0,0,-30),v500,seam,weld,z1,tool0; ! warning: R104
+    ArcLEnd Offs(p,0,0,-60),v500,seam,weld,fine,tool0; ! warning: R104
     TPWrite ValToStr(ClkRead(watch)>4.5 AND ClkRead(watch)<4.9); ! -> TRUE
   ENDPROC
 ENDMODULE

@@ -9,7 +9,7 @@ MODULE arc_welding_left_out
     VAR robtarget p;
     MoveAbsJ home,v500,fine,tool0;
     p:=CRobT();
-    ArcL Offs(p,0,30,0),v500,seam,weld\Weave:=weave,fine,tool0; ! warning: R104, R104
+    ArcL Offs(p,0,0,-30),v500,seam,weld\Weave:=weave,fine,tool0; ! warning: R104, R104
     TPWrite ValToStr(Round(Distance(CPos(),p.trans))); ! -> 30
   ENDPROC
 ENDMODULE
