@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.moves.resolve import Resolver
-from rapidsim.language.equipment import MechanicalUnitFacts
+from rapidsim.language.equipment import Conveyor, MechanicalUnitFacts
 from rapidsim.motion.robot.external_axes import LETTERS
 
 ROBOT_NAME = "ROB_1"
@@ -35,6 +35,11 @@ class TaskEquipment:
             own = tuple(range(len(robot.joints)))
             units.insert(0, MechanicalUnitFacts(ROBOT_NAME, True, own))
         return tuple(units)
+
+    def conveyor(self, unit: str) -> Conveyor | None:
+        """A conveyor of the cell."""
+        self.clock.come_up()
+        return self.cell.conveyors.get(unit.lower())
 
     def instances(self, domain: str, of: str) -> Sequence[Mapping[str, str]] | None:
         """The instances of a type, as they are now."""

@@ -21,8 +21,33 @@ class MechanicalUnitFacts:
     """Positions, from 0, in `robax` of a robot, in `extax` of another unit."""
 
 
+class Conveyor(Protocol):
+    """A conveyor, and which of its objects a program has taken."""
+
+    @property
+    def is_connected(self) -> bool:
+        """Whether a work object is on one of its objects."""
+        ...
+
+    def next_s(self, now_s: float, distance_mm: float) -> float | None:
+        """When [s] the next object will have come so far; None if none ever comes."""
+        ...
+
+    def connect(self) -> None:
+        """Take the next object."""
+        ...
+
+    def drop(self) -> None:
+        """Let go of the object."""
+        ...
+
+
 class Equipment(Protocol):
     """What is installed around a program."""
+
+    def conveyor(self, unit: str) -> Conveyor | None:
+        """A conveyor by the name of its unit, without case; None where there is none."""
+        ...
 
     def mechanical_units(self) -> tuple[MechanicalUnitFacts, ...]:
         """The task's robot, if it has one, and the units of external axes."""

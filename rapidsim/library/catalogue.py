@@ -12,6 +12,7 @@ from rapidsim.library.arc import ARC
 from rapidsim.library.bits import BITS
 from rapidsim.library.cameras import CAMERAS
 from rapidsim.library.configuration import CONFIGURATION
+from rapidsim.library.conveyors import CONVEYORS
 from rapidsim.library.corrections import CORRECTIONS
 from rapidsim.library.cyclic_bools import CYCLIC_BOOLS
 from rapidsim.library.declared import read_declared
@@ -97,6 +98,7 @@ CHAPTERS: Mapping[str, Mapping[str, LibraryRoutine]] = MappingProxyType(
         "Path correction": CORRECTIONS,
         "Cyclic bools": CYCLIC_BOOLS,
         "Cameras": CAMERAS,
+        "Conveyors": CONVEYORS,
         "Arc welding": ARC,
         "Tactile search": TACTILE_SEARCH,
     }

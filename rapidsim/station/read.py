@@ -13,6 +13,7 @@ from rapidsim.controller.cell.description import CellIo
 from rapidsim.station.cameras import read_cameras
 from rapidsim.station.check import read_check
 from rapidsim.station.controller import read_robotware_of, read_stubs
+from rapidsim.station.conveyors import read_conveyors
 from rapidsim.station.external_axes import read_external_axes
 from rapidsim.station.motion import read_motion
 from rapidsim.station.robot import read_robots
@@ -23,7 +24,7 @@ from rapidsim.station.stimuli import read_stimuli
 from rapidsim.station.tasks import read_tasks
 from rapidsim.station.toml_reader import Reader, Table, read_toml
 
-_IO_KEYS = ("signals", "cross", "stimulus", "socket", "camera")
+_IO_KEYS = ("signals", "cross", "stimulus", "socket", "camera", "conveyor")
 _KEYS = ("controller", "robot", "external_axis", "motion", "task", *_IO_KEYS, "clock", "check")
 
 
@@ -87,4 +88,5 @@ def _io(reader: Reader, table: Table) -> CellIo:
         read_stimuli(reader, table),
         read_sockets(reader, table),
         read_cameras(reader, table),
+        read_conveyors(reader, table),
     )

@@ -23,7 +23,7 @@ from rapidsim.language.data import (
     ToolData,
     WobjData,
 )
-from rapidsim.language.equipment import MechanicalUnitFacts
+from rapidsim.language.equipment import Conveyor, MechanicalUnitFacts
 from rapidsim.language.error_log import LoggedError
 from rapidsim.language.error_numbers import (
     ERR_FILEOPEN,
@@ -223,6 +223,9 @@ class RecordingController:
 
     def names(self) -> tuple[str, ...]:
         return tuple(self.cyclic)
+
+    def conveyor(self, unit: str) -> Conveyor | None:
+        return None
 
     def camera(self, name: str) -> Camera | None:
         return None

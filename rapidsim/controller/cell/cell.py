@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from rapidsim.controller.cell.camera_scripts import CameraState
+from rapidsim.controller.cell.conveyors import ConveyorState
 from rapidsim.controller.cell.description import CrossConnection, Stimulus
 from rapidsim.controller.cell.home_folder import HomeFolder
 from rapidsim.controller.cell.inputs import CellInputs
@@ -134,6 +135,8 @@ class Cell:
         """Date and time of day at time zero."""
         self.cameras = {one.name.lower(): CameraState(one, one.name) for one in inputs.io.cameras}
         """By folded name."""
+        self.conveyors = {one.unit.lower(): ConveyorState(one) for one in inputs.io.conveyors}
+        """By folded name of the unit."""
         self.parameters = SystemParameters(inputs.configured)
         self.disabled_devices: set[str] = set()
         """Folded names of the I/O devices that the program has switched off."""

@@ -11,6 +11,7 @@ from enum import StrEnum
 
 from rapidsim.controller.cell.camera_scripts import CameraScript
 from rapidsim.controller.cell.conditions import Condition
+from rapidsim.controller.cell.conveyors import ConveyorScript
 from rapidsim.controller.cell.socket_scripts import SocketScript
 
 
@@ -79,6 +80,7 @@ class CellIo:
     sockets: tuple[SocketScript, ...] = ()
     """Who is at the other end of the program's sockets."""
     cameras: tuple[CameraScript, ...] = ()
+    conveyors: tuple[ConveyorScript, ...] = ()
 
     def and_also(self, other: CellIo) -> CellIo:
         """Both; where both declare a signal, the other's declaration counts."""
@@ -91,6 +93,7 @@ class CellIo:
             stimuli=(*self.stimuli, *other.stimuli),
             sockets=(*self.sockets, *other.sockets),
             cameras=(*self.cameras, *other.cameras),
+            conveyors=(*self.conveyors, *other.conveyors),
         )
 
     @property
