@@ -146,7 +146,7 @@ ELSEWHERE = {
     "interpreter/linking/namespace.py": {"ArgName"},
     "language": {"write", "stop"},
     "motion/timing/constraints.py": {"PathAccLim", "WorldAccLim"},
-    "plots/look.py": {"round"},
+    "plots": {"round"},
     "report": {"dim", "distance"},
     "station": {"type", "set", "close", "max", "min"},
     "syntax": {"EXP", "open", "close"},

@@ -71,7 +71,7 @@ class ModuleNames:
 
     def record_class(self, python: type[tuple[object, ...]]) -> str:
         """The name of a record's class."""
-        return self._bound(python, f"_{python.__name__.lower()}", Fixed(python))
+        return self._bound(python, f"_record_{python.__name__.lower()}", Fixed(python))
 
     def index_table(self, size: int) -> str:
         """The name of the table that checks indices of arrays of a size."""
