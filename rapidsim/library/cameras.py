@@ -1,6 +1,6 @@
 r"""Cameras: pictures whose results the station's [[camera]] tables give.
 
-A camera that the station does not describe finds nothing, and the run says so. Exposure and
+Of a camera that the station does not describe nothing is known: it is skipped, and the run says so. Exposure and
 parameters are not simulated.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "CamReqImage",
@@ -24,7 +24,7 @@ from rapidsim.language.reference import Reference
 from rapidsim.library.table import routine, table
 from rapidsim.library.traits import Does
 
-_NOT_THERE = "the station has no [[camera]] of that name: it finds nothing"
+_NOT_THERE = "skipped: the station has no [[camera]] of that name"
 
 
 def cam_set_program_mode(controller: Controller, camera: Var[CameraDev]) -> None:
@@ -114,7 +114,7 @@ def cam_get_result(
     del scene_id
     found = _camera(controller, "CamGetResult", camera)
     if found is None:
-        raise rapid_error(ERR_CAM_NO_MORE_DATA, _NOT_THERE)
+        return
     cameras = controller.cameras
 
     def is_decided() -> bool:

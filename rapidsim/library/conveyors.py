@@ -21,7 +21,7 @@ from rapidsim.language.error_numbers import (
 from rapidsim.library.table import routine, table
 from rapidsim.library.timing import report_timeout
 
-_NO_CONVEYOR = "the station has no [[conveyor]] for its unit: the program goes on at once"
+_NO_CONVEYOR = "skipped: the station has no [[conveyor]] for its unit"
 
 
 def wait_wobj(

@@ -72,11 +72,15 @@ def _target(reader: Reader, table: Table, path: str, camera: str, scene: float) 
         IDENTITY_POSE.trans if position is None else Pos(*position),
         IDENTITY_POSE.rot if rotation is None else Orient(*rotation),
     )
-    values = (reader.number(table, path, key) or 0.0 for key in _VALUES)
+    val1, val2, val3, val4, val5 = (reader.number(table, path, key) or 0.0 for key in _VALUES)
     return CameraTarget(
         reader.text(table, path, "name") or "",
         frame,
-        *values,
+        val1,
+        val2,
+        val3,
+        val4,
+        val5,
         reader.text(table, path, "string1") or "",
         reader.text(table, path, "string2") or "",
         reader.number(table, path, "type") or 0.0,
