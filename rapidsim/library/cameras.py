@@ -1,7 +1,7 @@
 r"""Cameras: pictures whose results the station's [[camera]] tables give.
 
-Of a camera that the station does not describe nothing is known: it is skipped, and the run says so. Exposure and
-parameters are not simulated.
+Of a camera that the station does not describe nothing is known: it is skipped, and the run says so.
+Exposure and parameters are not simulated.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "CamReqImage",
 "CamGetResult", "CamNumberOfResults", "CamSetRunMode"; Application manual Integrated Vision.
