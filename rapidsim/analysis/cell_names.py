@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
+from rapidsim.language.robotware import RobotWare
 from rapidsim.language.types import Type
 from rapidsim.library.predefined import TYPES
 
@@ -30,6 +31,13 @@ class CellNames:
     wired: frozenset[str] = frozenset()
     """Folded names that drive signals or follow them, so that they are signals; of which kind,
     the use tells."""
+    robotware: RobotWare | None = None
+    """What its controller has; None where nobody says."""
+    assumes: bool = False
+    """Whether tools, work objects and loads that nothing declares are taken for those of the
+    system."""
+    stubs: frozenset[str] = frozenset()
+    """Files whose routines stand for libraries that are not here."""
     unseen: tuple[str, ...] = ()
     """Modules that the task has and nobody can read here: what they declare is not known."""
 
@@ -46,6 +54,7 @@ def cell_names(
     signals: Iterable[tuple[str, Type]],
     units: Iterable[str] = (),
     tasks: Iterable[str] = (),
+    cameras: Iterable[str] = (),
     wired: Iterable[str] = (),
 ) -> CellNames:
     """The names that a configuration declares.
@@ -54,11 +63,13 @@ def cell_names(
         signals: Names and types of signals.
         units: Names of mechanical units.
         tasks: Names of tasks; a program knows each as a `taskid`, as in `T_ROB1Id`.
+        cameras: Names of cameras.
         wired: Names of signals that connections and stimuli mention.
     """
     declared = [
         *((f"{task}Id", TYPES["taskid"]) for task in tasks),
         *((unit, TYPES["mecunit"]) for unit in units),
+        *((camera, TYPES["cameradev"]) for camera in cameras),
         *signals,
     ]
     symbols = {name.lower(): ConfiguredSymbol(name, of) for name, of in declared}

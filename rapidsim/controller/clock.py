@@ -15,7 +15,7 @@ import math
 from collections.abc import Callable
 from contextlib import AbstractContextManager
 from datetime import datetime, timedelta
-from typing import Protocol
+from typing import Protocol, TypeVar
 
 from rapidsim.controller.cell.cell import Cause, Cell
 from rapidsim.controller.interrupt_table import InterruptTable
@@ -27,6 +27,8 @@ from rapidsim.controller.pointer_time import BACKGROUND_TICK_S, PointerTime
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.path_planner import LOOK_AHEAD_SLACK_S
 from rapidsim.language.moves import Place
+
+T = TypeVar("T")
 
 
 class Happening(Protocol):
@@ -74,6 +76,8 @@ class TaskClock:
         self.left = 0
         self.happenings: tuple[Happening, ...] = ()
         """In the order in which they happen at one time; set once, when all are there."""
+        self.observers: list[Callable[[], None]] = []
+        """Who looks at what the program has changed, at each statement that reports."""
         self.times_told = 0
         """How often the program has asked for the time."""
         self._cell = cell
@@ -343,13 +347,17 @@ class TaskClock:
         self._table.look(now_s)
         self.pass_time(now_s)
 
+    def aside(self, now_s: float, look: Callable[[], T]) -> T:
+        """Look at something of the cell as it is at a time [s], without letting time pass."""
+        before, self._looks_at_s = self._looks_at_s, now_s
+        try:
+            return look()
+        finally:
+            self._looks_at_s = before
+
     def _look_aside(self, now_s: float) -> None:
         """Notice which persistents another task has changed, without serving the interrupts."""
-        self._looks_at_s = now_s
-        try:
-            self._table.look(now_s)
-        finally:
-            self._looks_at_s = None
+        self.aside(now_s, lambda: self._table.look(now_s))
 
     def cause(self) -> Cause:
         """The statement that runs, for what it changes."""
@@ -358,6 +366,8 @@ class TaskClock:
     def note_line(self) -> None:
         """Note that the program is at the statement that runs."""
         self._cell.watchdog.look()
+        for look in self.observers:
+            look()
         if self._table.watches:
             self._look_at_persistents()
         self._journal.line(self.moment(), self.place)

@@ -7,8 +7,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from rapidsim.controller.cameras import TaskCameras
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.cyclic_bools import TaskCyclicBools
+from rapidsim.controller.equipment import TaskEquipment
 from rapidsim.controller.files import TaskFiles, TaskTexts
 from rapidsim.controller.interrupt_table import InterruptTable
 from rapidsim.controller.interrupts import TaskErrorNumbers, TaskInterrupts
@@ -90,5 +93,8 @@ def virtual_controller(
         tasks=others,
         sync_moves=team,
         honesty=TaskHonesty(clock, journal),
+        equipment=TaskEquipment(clock, cell, resolver, has_robot),
+        cyclic_bools=TaskCyclicBools(clock, cell),
+        cameras=TaskCameras(clock, cell),
     )
     return VirtualController(clock, motion, others, concerns)

@@ -14,10 +14,12 @@ from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.solo_moves import Put
 from rapidsim.controller.triggers import Triggers
 from rapidsim.frames.transform import Array
-from rapidsim.language.data import JointTarget, RobTarget, ToolData, WobjData
+from rapidsim.language.data import JointTarget, Pos, RobTarget, ToolData, WobjData
 from rapidsim.language.moves import MotionSettings, Move
 from rapidsim.language.path_events import Trigger
 from rapidsim.motion.configurations.targets import rob_joint
+
+_LOOKS_BACK_S = 1e-3
 
 
 @dataclass(slots=True, eq=False)
@@ -31,6 +33,11 @@ class TaskMotion:
     state: MotionState
     triggers: Triggers
     put: Put
+
+    @property
+    def corrections(self) -> dict[int, Pos]:
+        """What each correction generator that is connected adds to the path [mm]."""
+        return self.state.corrections
 
     @property
     def settings(self) -> MotionSettings:
@@ -51,6 +58,20 @@ class TaskMotion:
         joints, external = self._stand_now()
         return JointTarget(rob_joint(joints), self.resolver.ext_joint(external))
 
+    def current_speeds(self) -> JointTarget:
+        """How fast the axes are now [deg/s or mm/s]: their change in the last millisecond."""
+        self.clock.note_line()
+        now_s, queue = self.clock.observe(), self.unit.queue
+        before, now = queue.samples_at(max(0.0, now_s - _LOOKS_BACK_S)), queue.samples_at(now_s)
+        joints = (now.joints[0] - before.joints[0]) / _LOOKS_BACK_S
+        external = (now.external[0] - before.external[0]) / _LOOKS_BACK_S
+        return JointTarget(rob_joint(joints), self.resolver.ext_joint(external))
+
+    def is_moving(self) -> bool:
+        """Whether the robot has moves under way."""
+        queue = self.unit.queue
+        return queue.is_open or queue.trajectory.duration > self.clock.observe()
+
     def current_target(self, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
         """Where the TCP is now; None takes the tool or work object of the last move."""
         self.clock.note_line()
@@ -65,6 +86,17 @@ class TaskMotion:
     def active_wobj(self) -> WobjData:
         """The work object of the last move, wobj0 before the first."""
         return self.state.wobj
+
+    def active_names(self) -> tuple[str, str]:
+        """What the program calls these two."""
+        return self.state.tool_name, self.state.wobj_name
+
+    def activate(self, data: ToolData | WobjData, name: str) -> None:
+        """Let a tool or a work object be that of the last move."""
+        if isinstance(data, ToolData):
+            self.state.tool, self.state.tool_name = data, name
+        else:
+            self.state.wobj, self.state.wobj_name = data, name
 
     def target_at(self, joints: JointTarget, tool: ToolData, wobj: WobjData) -> RobTarget:
         """Where the TCP would be with the axes at given positions."""

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from rapidsim.language.data import TOOL0, WOBJ0, ToolData, WobjData
+from rapidsim.language.data import TOOL0, WOBJ0, Pos, ToolData, WobjData
 from rapidsim.language.moves import MotionSettings, Move
 
 
@@ -18,6 +19,14 @@ class MotionState:
     concurrent: int = 0
     r"""Moves with \Conc since the last without."""
 
-    def use(self, move: Move) -> None:
-        """Keep tool and work object of a move."""
+    corrections: dict[int, Pos] = field(default_factory=dict)
+    """What each correction generator that is connected adds to the path [mm]."""
+    tool_name: str = "tool0"
+    wobj_name: str = "wobj0"
+
+    def use(self, move: Move, arguments: Mapping[str, str]) -> None:
+        """Keep tool and work object of a move, and what its call names them."""
         self.tool, self.wobj = move.tool, move.wobj
+        self.tool_name = arguments.get("tool", self.tool_name)
+        if "tool" in arguments:
+            self.wobj_name = arguments.get("wobj", "wobj0")

@@ -80,7 +80,7 @@ class SoloMoves:
             self.table.error_logged(CORNER_PATH_FAILURE, now_s)
         before(queued)
         self._note_ramp(queued)
-        self.state.use(move)
+        self.state.use(move, self.clock.place.arguments)
         if queued.corner is CornerKind.STOP and wait and not move.concurrent:
             self.clock.drive_to_stop()
             if move.stop and move.stop.program_waits:

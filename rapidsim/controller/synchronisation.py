@@ -151,7 +151,7 @@ class TaskTeam:
                 f"{move.instruction} \\ID with triggers", _NO_TRIGGERS, self.clock.place
             )
         self._say_what_a_team_ignores(move, queued)
-        self.state.use(move)
+        self.state.use(move, self.clock.place.arguments)
         if queued.corner is CornerKind.STOP and wait and not move.concurrent:
             self.clock.drive_to_stop()
             self.clock.pass_time(max(self.clock.observe(), self.unit.queue.trajectory.duration))

@@ -35,6 +35,11 @@ class RoutineNotSimulated(Violation, code="R104"):
     treated_as: str
 
 
+class AcceptedWithoutEffect(Violation, code="R119"):
+    routine: str
+    treated_as: str
+
+
 class ProgramStopped(Violation, code="R107"):
     instruction: str
 

@@ -32,6 +32,8 @@ class Asked:
     io: str | None = None
     """A file of signals and what happens to inputs; adds to the station."""
     entry: str = DEFAULT_ENTRY
+    assume_missing: bool = False
+    """Whether tools, work objects and loads that nothing declares are tool0, wobj0 and load0."""
     answers: Answers | None = None
     answers_are_typed: bool = False
     home: str | None = None

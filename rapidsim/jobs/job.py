@@ -6,6 +6,7 @@ what moves nothing imports no NumPy.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -49,7 +50,13 @@ class Job:
     @property
     def cell(self) -> CellNames:
         """What the station declares that programs may use."""
-        return declared_names(self.station)
+        real = {os.path.realpath(stub) for stub in self.station.stubs}
+        stubs = (file.name for file in self.files if os.path.realpath(file.name) in real)
+        return replace(
+            declared_names(self.station),
+            assumes=self.asked.assume_missing,
+            stubs=frozenset(stubs),
+        )
 
     @property
     def tables(self) -> tuple[Path, ...]:

@@ -38,14 +38,16 @@ def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
     rooms = (*([station.file.parent] if station.file else ()), *_folders(paths))
     for listing in station.tasks:
         require_inside(listing.modules, rooms)
+    require_inside(station.stubs, rooms)
     if len(station.tasks) < 2:
-        everything = (*paths, *_as_typed(station.modules))
+        everything = (*paths, *_as_typed((*station.modules, *station.stubs)))
         unseen = station.tasks[0].unseen if station.tasks else ()
         return tuple(
             replace(task, unseen=(*task.unseen, *unseen))
             for task in named_tasks(read_tasks(everything, rooms), station.task)
         )
     named = read_tasks(paths, rooms)
+    stubs = read_tasks(_as_typed(station.stubs), rooms)[0].files if station.stubs else ()
     listed = [
         read_tasks(_as_typed(task.modules), rooms)[0] if task.modules else TaskFiles(None, ())
         for task in station.tasks
@@ -65,7 +67,7 @@ def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
         replace(
             mine,
             name=task.name,
-            files=(*mine.files, *more.files),
+            files=(*mine.files, *more.files, *stubs),
             unseen=(*mine.unseen, *more.unseen, *task.unseen),
         )
         for task, mine, more in zip(station.tasks, own, listed, strict=True)

@@ -82,7 +82,17 @@ OutputValue = Annotated[
     Any, types.ANYTYPE, Only("num, dnum or bool", (types.NUM, types.DNUM, types.BOOL))
 ]
 
+ConfiguredValue = Annotated[
+    Any,
+    types.ANYTYPE,
+    Only("num, dnum, bool or string", (types.NUM, types.DNUM, types.BOOL, types.STRING)),
+]
+
 AioTrigg = Annotated[float, types.Alias("aiotrigg", types.NUM)]
+BusState = Annotated[float, types.Alias("busstate", types.NUM)]
+CfgDomain = Annotated[float, types.Alias("cfgdomain", types.NUM)]
+IoUnitStateNum = Annotated[float, types.Alias("iounit_state", types.NUM)]
+SignalOriginNum = Annotated[float, types.Alias("signalorigin", types.NUM)]
 BtnRes = Annotated[float, types.Alias("btnres", types.NUM)]
 ButtonData = Annotated[float, types.Alias("buttondata", types.NUM)]
 Byte = Annotated[float, types.Alias("byte", types.NUM)]
@@ -107,6 +117,10 @@ SymNum = Annotated[float, types.Alias("symnum", types.NUM)]
 _OPAQUE = {atom.name: atom for atom in types.OPAQUE}
 TaskId = Annotated[object, _OPAQUE["taskid"]]
 MecUnit = Annotated[object, _OPAQUE["mecunit"]]
+CameraDev = Annotated[Any, _OPAQUE["cameradev"]]
+"""The name of a camera in the configuration; None where the variable is named after it."""
+CorrDescr = Annotated[int | None, _OPAQUE["corrdescr"]]
+"""The number of a correction generator; None while it is not connected."""
 TriggData = Annotated[Trigger | None, _OPAQUE["triggdata"]]
 TrapData = Annotated[LoggedError | None, _OPAQUE["trapdata"]]
 ShapeData = Annotated[ZoneShape | None, _OPAQUE["shapedata"]]

@@ -18,7 +18,10 @@ from types import MappingProxyType
 from typing import Any, Protocol
 
 from rapidsim.diagnostics import Source
-from rapidsim.language.data import JointTarget, RobTarget, ToolData, WobjData
+from rapidsim.language.cameras import Cameras
+from rapidsim.language.cyclic_bools import CyclicBools
+from rapidsim.language.data import JointTarget, Pos, RobTarget, ToolData, WobjData
+from rapidsim.language.equipment import Equipment
 from rapidsim.language.error_log import LoggedError
 from rapidsim.language.modules import Modules
 from rapidsim.language.moves import (
@@ -78,6 +81,11 @@ class Motion(Protocol):
 
     settings: MotionSettings
 
+    @property
+    def corrections(self) -> dict[int, Pos]:
+        """What each correction generator that is connected adds to the path [mm]."""
+        ...
+
     def move(self, move: Move, triggers: tuple[Trigger, ...] = ()) -> None:
         """Put a move on the path; returns when the program would go on.
 
@@ -94,6 +102,14 @@ class Motion(Protocol):
         """Where the axes are now."""
         ...
 
+    def current_speeds(self) -> JointTarget:
+        """How fast the axes are now [deg/s or mm/s]."""
+        ...
+
+    def is_moving(self) -> bool:
+        """Whether the robot has moves under way."""
+        ...
+
     def current_target(self, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
         """Where the TCP is now; None takes the tool or work object of the last move."""
         ...
@@ -104,6 +120,14 @@ class Motion(Protocol):
 
     def active_wobj(self) -> WobjData:
         """The work object of the last move, wobj0 before the first."""
+        ...
+
+    def active_names(self) -> tuple[str, str]:
+        """What the program calls the active tool and the active work object."""
+        ...
+
+    def activate(self, data: ToolData | WobjData, name: str) -> None:
+        """Let a tool or a work object, which the program calls so, be that of the last move."""
         ...
 
     def target_at(self, joints: JointTarget, tool: ToolData, wobj: WobjData) -> RobTarget:
@@ -130,18 +154,21 @@ class Operator(Protocol):
         """Remove all lines."""
         ...
 
-    def ask_number(self, prompt: str) -> float:
-        """The operator's answer to a question; never hangs where nobody sits."""
+    def ask_number(self, prompt: str, *, ends: bool = False) -> float | None:
+        """The operator's answer to a question; never hangs where nobody sits.
+
+        None where nobody sits and the question has another end (`ends`), so here and below.
+        """
         ...
 
-    def ask_choice(self, prompt: str, choices: Sequence[str]) -> int:
+    def ask_choice(self, prompt: str, choices: Sequence[str], *, ends: bool = False) -> int | None:
         """Index from 0 of the key the operator presses; keys with the text "" are not there.
 
         The first key that is there, where nobody sits.
         """
         ...
 
-    def ask_text(self, prompt: str, proposal: str) -> str:
+    def ask_text(self, prompt: str, proposal: str, *, ends: bool = False) -> str | None:
         """A text the operator types; the proposal, where nobody sits."""
         ...
 
@@ -390,6 +417,10 @@ class ErrorNumbers(Protocol):
         ...
 
 
+ACCEPTED = "accepted without effect"
+"""How what is done instead begins, where a routine only changes what no run shows."""
+
+
 class Honesty(Protocol):
     """How a routine says that it did less than the controller would."""
 
@@ -417,6 +448,9 @@ class Controller:
     tasks: TaskService
     sync_moves: SyncMoves
     honesty: Honesty
+    equipment: Equipment
+    cyclic_bools: CyclicBools
+    cameras: Cameras
     symbols: Symbols = field(init=False)
     """The data of the program by name; the interpreter sets it."""
     modules: Modules = field(init=False)
@@ -440,6 +474,9 @@ CONCERNS: Mapping[type, str] = MappingProxyType(
         TaskService: "tasks",
         SyncMoves: "sync_moves",
         Honesty: "honesty",
+        Equipment: "equipment",
+        CyclicBools: "cyclic_bools",
+        Cameras: "cameras",
     }
 )
 """Under which name a `Controller` has the concern of each protocol."""

@@ -318,6 +318,8 @@ class ClockState:
 _MILLI = 0.0010000000474974513
 """0.001 as the single that `num` makes of it."""
 
+MAX_TCP_SPEED_MM_S = 5000.0
+"""TCP speed of `vmax`; a controller may replace it by what its robot can do."""
 NO_EXTERNAL_AXES = ExtJoint(*(UNUSED_AXIS,) * 6)
 IDENTITY_POSE = Pose(Pos(0.0, 0.0, 0.0), Orient(1.0, 0.0, 0.0, 0.0))
 LOAD0 = LoadData(_MILLI, Pos(0.0, 0.0, _MILLI), Orient(1.0, 0.0, 0.0, 0.0), 0.0, 0.0, 0.0)

@@ -24,6 +24,10 @@ class RapidError(Exception):
         self.cf = cf
 
 
+class RaisedError(RapidError):
+    """An error that an instruction raises on purpose: out of an ERROR clause it goes on up."""
+
+
 class Stopped(BaseException):
     """Execution ends and no ERROR clause runs: EXIT, Stop, a limit of the run."""
 

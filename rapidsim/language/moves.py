@@ -11,17 +11,31 @@ from enum import Enum
 
 from rapidsim.diagnostics import Span
 from rapidsim.language.data import (
+    IDENTITY_POSE,
+    MAX_TCP_SPEED_MM_S,
+    AccData,
+    ConfSupData,
     ExtJoint,
     JointTarget,
+    LoadData,
+    MotSetData,
     Pose,
+    ProgDisp,
     RobTarget,
+    SingData,
     SpeedData,
     ToolData,
+    VelData,
     WobjData,
     ZoneData,
 )
 
 LEAST_RAMP_PERCENT = 10.0
+CONFIGURATION_LIMITS_DEG = (30.0, 180.0, 90.0)
+"""How far axes 1, 4 and 6 may turn with ConfJ and ConfL on, as C_MOTSET tells it."""
+NO_LIMIT = -1.0
+"""What C_MOTSET tells of a limit that is off."""
+NO_OFFSETS = ExtJoint(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,13 +121,17 @@ class MotionSettings:
     """What VelSet, AccSet, ConfL and their like have set; these are the values after PP to main."""
 
     speed_override_percent: float = 100.0
+    speed_refresh_percent: float = 100.0
+    """SpeedRefresh: the operator's override."""
     max_speed_mm_s: float | None = None
     acceleration_percent: float = 100.0
     ramp_percent: float = 100.0
     fine_ramp_percent: float = 100.0
     """AccSet: how quickly the arm brakes at stop points, of what `ramp_percent` leaves."""
-    grip_load_kg: float = 0.0
-    """GripLoad: what the gripper holds."""
+    grip_load: LoadData | None = None
+    """GripLoad: what the gripper holds; None before the first."""
+    grip_load_name: str = "load0"
+    """What the program calls it."""
     tcp_acceleration_m_s2: float | None = None
     """PathAccLim: along the path."""
     tcp_deceleration_m_s2: float | None = None
@@ -129,6 +147,53 @@ class MotionSettings:
     """PDispOn, PDispSet: moves reach the controller with it applied already."""
     axis_offsets: ExtJoint | None = None
     """EOffsOn, EOffsSet: moves reach the controller with them applied already."""
+    path_resolution_percent: float = 100.0
+    motion_supervision: bool = True
+    supervision_tune_percent: float = 100.0
+    """PathResol and MotionSup: kept for whoever reads them, without effect."""
+
+    @property
+    def speed_share(self) -> float:
+        """What both overrides leave of programmed speeds."""
+        return self.speed_override_percent * self.speed_refresh_percent / 1e4
+
+    @property
+    def grip_load_kg(self) -> float:
+        """The mass of what the gripper holds."""
+        return 0.0 if self.grip_load is None else self.grip_load.mass
+
+    @property
+    def c_motset(self) -> MotSetData:
+        """RAPID's C_MOTSET."""
+        fastest = MAX_TCP_SPEED_MM_S if self.max_speed_mm_s is None else self.max_speed_mm_s
+        area, modes = self.singular_area, tuple(CirclePathMode)
+        return MotSetData(
+            VelData(self.speed_override_percent, fastest),
+            AccData(self.acceleration_percent, self.ramp_percent, self.fine_ramp_percent),
+            SingData(
+                area is SingularArea.WRIST,
+                area is SingularArea.LOCK_AXIS_4,
+                False,
+                area is SingularArea.OFF,
+            ),
+            ConfSupData(self.conf_j, self.conf_l, *CONFIGURATION_LIMITS_DEG),
+            self.path_resolution_percent,
+            self.motion_supervision,
+            self.supervision_tune_percent,
+            self.tcp_acceleration_m_s2 is not None,
+            NO_LIMIT if self.tcp_acceleration_m_s2 is None else self.tcp_acceleration_m_s2,
+            self.tcp_deceleration_m_s2 is not None,
+            NO_LIMIT if self.tcp_deceleration_m_s2 is None else self.tcp_deceleration_m_s2,
+            float(modes.index(self.circle_path)),
+            self.world_acceleration_m_s2 is not None,
+            NO_LIMIT if self.world_acceleration_m_s2 is None else self.world_acceleration_m_s2,
+            True,
+        )
+
+    @property
+    def c_progdisp(self) -> ProgDisp:
+        """RAPID's C_PROGDISP."""
+        return ProgDisp(self.displacement or IDENTITY_POSE, self.axis_offsets or NO_OFFSETS)
 
 
 class Flank(Enum):

@@ -1,7 +1,7 @@
 """Records of routines that are not simulated: known so that programs with them are checked and run.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "cameratarget",
-"restartdata"; compared with declarations of programs from controllers.
+"restartdata", "sensor"; compared with declarations of programs from controllers.
 """
 
 from __future__ import annotations
@@ -46,3 +46,35 @@ class RestartData(NamedTuple):
     preshadowval: float
     shadowflanks: float
     postshadowval: float
+
+
+class Sensor(NamedTuple):
+    """A device that data are exchanged with: its number, its last error, its state."""
+
+    id: float
+    error: float
+    state: float
+
+
+class SensorVarData(NamedTuple):
+    """One variable of a sensor, and what it is scaled by."""
+
+    type: float
+    scale: float
+    value: float
+
+
+class MenuData(NamedTuple):
+    """A line of the Production Manager's menu, and the procedure behind it."""
+
+    text: str
+    image: str
+    proc: str
+    plccode: float
+    task: str
+    users: float
+    enabled: bool
+    type: float
+    station: float
+    blocking: bool
+    order: float

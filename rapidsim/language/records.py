@@ -48,6 +48,9 @@ RECORD_CLASSES: tuple[type[tuple[object, ...]], ...] = (
     arc_data.TrackData,
     option_data.CameraTarget,
     option_data.RestartData,
+    option_data.Sensor,
+    option_data.SensorVarData,
+    option_data.MenuData,
 )
 """Every record type RAPID predefines."""
 

@@ -8,7 +8,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
+from rapidsim.library.arc import ARC
 from rapidsim.library.bits import BITS
+from rapidsim.library.cameras import CAMERAS
+from rapidsim.library.configuration import CONFIGURATION
+from rapidsim.library.conveyors import CONVEYORS
+from rapidsim.library.corrections import CORRECTIONS
+from rapidsim.library.cyclic_bools import CYCLIC_BOOLS
 from rapidsim.library.declared import read_declared
 from rapidsim.library.dialogs import DIALOGS
 from rapidsim.library.displacement import DISPLACEMENT
@@ -19,9 +25,11 @@ from rapidsim.library.files import FILES
 from rapidsim.library.fits import FITS
 from rapidsim.library.flow import FLOW
 from rapidsim.library.interrupts import INTERRUPTS
+from rapidsim.library.io_devices import IO_DEVICES
 from rapidsim.library.loading import LOADING
 from rapidsim.library.mathematics import MATHEMATICS
 from rapidsim.library.matrices import MATRICES
+from rapidsim.library.mechanical_units import MECHANICAL_UNITS
 from rapidsim.library.motion import MOTION
 from rapidsim.library.motion_settings import MOTION_SETTINGS
 from rapidsim.library.operator import OPERATOR
@@ -38,6 +46,7 @@ from rapidsim.library.strings import STRINGS
 from rapidsim.library.symbols import SYMBOLS
 from rapidsim.library.system_data import SYSTEM_DATA
 from rapidsim.library.table import LibraryRoutine
+from rapidsim.library.tactile_search import TACTILE_SEARCH
 from rapidsim.library.tasks import TASKS
 from rapidsim.library.text_tables import TEXT_TABLES
 from rapidsim.library.timing import TIMING
@@ -83,6 +92,15 @@ CHAPTERS: Mapping[str, Mapping[str, LibraryRoutine]] = MappingProxyType(
         "Strings": STRINGS,
         "Data by name": SYMBOLS,
         "System data": SYSTEM_DATA,
+        "Configuration": CONFIGURATION,
+        "I/O devices": IO_DEVICES,
+        "Mechanical units": MECHANICAL_UNITS,
+        "Path correction": CORRECTIONS,
+        "Cyclic bools": CYCLIC_BOOLS,
+        "Cameras": CAMERAS,
+        "Conveyors": CONVEYORS,
+        "Arc welding": ARC,
+        "Tactile search": TACTILE_SEARCH,
     }
 )
 """The routines written in Python, by chapter."""

@@ -1,9 +1,10 @@
 r"""Routines that are known but not simulated: `declared.txt`, read when first needed.
 
-The file gives each its header as RAPID would write it, after `=>` what is done instead. Without
-`=>` an instruction is skipped and a function returns the value data of its type start with. After
-`@` stands what the header does not say of what it does, in the words of `Does`, or what puts back
-what it sets. Each use is reported to the controller.
+The file gives each its header as RAPID would write it, or `...` for parameters that no source
+gives; after `=>` what is done instead. Without `=>` an instruction is skipped and a function
+returns the value data of its type start with. After `@` stands what the header does not say of what
+it does, in the words of `Does`, or what puts back what it sets. Each use is reported to the
+controller.
 """
 
 from __future__ import annotations
@@ -31,6 +32,8 @@ BUILT_IN = "built in"
 """What stands after `=>` for routines that the interpreter itself carries out."""
 
 _HEADING = "! == "
+_OPEN = "..."
+"""Stands for the parameters where no source gives them."""
 _LINE = re.compile(
     r"(?:PROC|FUNC (?P<result>\w+)) (?P<name>\w+)\((?P<parameters>[^)]*)\)"
     r"(?: => (?P<instead>[^@]+?))?(?: @ (?:back: (?P<back>\w+)|(?P<does>[A-Z_ ]+)))?"
@@ -68,10 +71,12 @@ class DeclaredRoutine(LibraryRoutine):
     @cached_property
     def signature(self) -> Signature:
         """The signature, read from the header."""
+        is_open = self.parameters == _OPEN
         return Signature(
-            tuple(_read_parameters(self.parameters)),
+            () if is_open else tuple(_read_parameters(self.parameters)),
             None if self.result is None else TYPES[self.result],
             "" if self.simulated else WHOLE,
+            is_open=is_open,
         )
 
 

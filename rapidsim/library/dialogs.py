@@ -1,9 +1,9 @@
 r"""Dialogs of the FlexPendant: message boxes, entries, lists.
 
-As all questions they are answered at once. Icons, images and line wrapping are looks only.
+Answered as all questions are, see `operator`. Icons, images and line wrapping are looks only.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "UIMsgBox",
-"UIMessageBox", "UINumEntry", "UIAlphaEntry", "UIListView".
+"UIMessageBox", "UINumEntry", "UINumTune", "UIAlphaEntry", "UIListView".
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from __future__ import annotations
 from typing import TypedDict, Unpack
 
 from rapidsim.language.annotations import (
+    Bool,
     BtnRes,
     ButtonData,
     Dnum,
@@ -22,13 +23,16 @@ from rapidsim.language.annotations import (
     Switch,
     Var,
 )
-from rapidsim.language.controller import Controller, Honesty, Operator
+from rapidsim.language.controller import Controller, Honesty
 from rapidsim.language.data import ListItem
 from rapidsim.language.error_numbers import ERR_UI_INITVALUE, ERR_UI_MAXMIN, rapid_error
 from rapidsim.library.honesty import ignored
-from rapidsim.library.operator import Breaks, no_breaks
+from rapidsim.library.questions import BREAKS, Breaks, answered
 from rapidsim.library.table import routine, table
+from rapidsim.library.traits import Does
 
+NO_RESULT, OK_RESULT = 0.0, 1.0
+"""The constants resUnkwn and resOK."""
 NO_BUTTONS = -1.0
 """The constant btnNone."""
 OK_BUTTON = 0.0
@@ -88,7 +92,7 @@ def ui_msg_box(
     if buttons == NO_BUTTONS:
         controller.operator.show(prompt)
         return
-    pressed = _pressed(controller.operator, prompt, buttons, None)
+    pressed = _pressed(controller, "UIMsgBox", options, prompt, buttons, None)
     if result is not None:
         result.value = pressed
 
@@ -107,8 +111,8 @@ def ui_message_box(
     _report(controller.honesty, "UIMessageBox", asked)
     if buttons == NO_BUTTONS:
         controller.operator.show(_prompt(asked))
-        return 0.0
-    return _pressed(controller.operator, _prompt(asked), buttons, btn_array)
+        return NO_RESULT
+    return _pressed(controller, "UIMessageBox", asked, _prompt(asked), buttons, btn_array)
 
 
 def ui_num_entry(
@@ -144,7 +148,12 @@ def ui_alpha_entry(
 ) -> String:
     """Ask for a text."""
     _report(controller.honesty, "UIAlphaEntry", asked)
-    return controller.operator.ask_text(_prompt(asked), init_string or "")
+    proposal = init_string or ""
+
+    def ask(ends: bool) -> str | None:
+        return controller.operator.ask_text(_prompt(asked), proposal, ends=ends)
+
+    return answered(controller, "UIAlphaEntry", asked, ask, proposal)
 
 
 def ui_list_view(
@@ -159,21 +168,98 @@ def ui_list_view(
     **options: Unpack[Options],
 ) -> Num:
     """Ask for one line of a list; its number. The first button ends the choice."""
-    del default_index
     _report(controller.honesty, "UIListView", options)
-    chosen = controller.operator.ask_choice(header or "", [item.text for item in list_items])
+
+    def ask(ends: bool) -> int | None:
+        lines = [item.text for item in list_items]
+        return controller.operator.ask_choice(header or "", lines, ends=ends)
+
+    chosen = answered(controller, "UIListView", options, ask, None)
+    first = OK_RESULT if btn_array or buttons is None else _buttons(buttons)[0][1]
     if result is not None:
-        result.value = 1.0 if btn_array or buttons is None else _buttons(buttons)[0][1]
-    return float(chosen + 1)
+        result.value = NO_RESULT if chosen is None else first
+    return (default_index or 0.0) if chosen is None else float(chosen + 1)
+
+
+def ui_num_tune(
+    controller: Controller,
+    init_value: Num,
+    increment: Num,
+    *,
+    min_value: Num | None = None,
+    max_value: Num | None = None,
+    **asked: Unpack[Asked],
+) -> Num:
+    """Let the operator change a number step by step, within limits."""
+    return _tuned(controller, "UINumTune", asked, init_value, increment, min_value, max_value)
+
+
+def ui_dnum_tune(
+    controller: Controller,
+    init_value: Dnum,
+    increment: Dnum,
+    *,
+    min_value: Dnum | None = None,
+    max_value: Dnum | None = None,
+    **asked: Unpack[Asked],
+) -> Dnum:
+    """Let the operator change a number step by step, within limits, in double precision."""
+    return _tuned(controller, "UIDnumTune", asked, init_value, increment, min_value, max_value)
+
+
+def ui_msg_write(
+    controller: Controller,
+    header: String,
+    message: String | list[String],
+    *,
+    wrap: Switch = False,
+    icon: IconData | None = None,
+    image: String | None = None,
+    pers_bool: Bool | None = None,
+    pers_bool_name: String | None = None,
+    abort_value: Bool | None = None,
+    ui_active_signal: Var[SignalDo] | None = None,
+) -> None:
+    """Show a message and go on; nobody looks when it is taken away."""
+    del wrap, icon, image, pers_bool, pers_bool_name, abort_value
+    ignored(controller.honesty, "UIMsgWrite", {r"\UIActiveSignal": ui_active_signal})
+    lines = message if isinstance(message, list) else [message]
+    controller.operator.show(" / ".join(line for line in (header, *lines) if line))
+
+
+def ui_msg_write_abort() -> None:
+    """Take a message of UIMsgWrite away."""
+
+
+def _tuned(
+    controller: Controller,
+    name: str,
+    asked: Asked,
+    initial: float,
+    step: float,
+    least: float | None,
+    most: float | None,
+) -> float:
+    del step
+    _report(controller.honesty, name, asked)
+    return _number(controller, name, asked, initial, least, most, False)
 
 
 def _pressed(
-    controller: Operator, prompt: str, buttons: float | None, own: list[str] | None
+    controller: Controller,
+    name: str,
+    options: Breaks,
+    prompt: str,
+    buttons: float | None,
+    own: list[str] | None,
 ) -> float:
-    if own is not None:
-        return float(controller.ask_choice(prompt, own) + 1)
-    keys = _buttons(buttons)
-    return keys[controller.ask_choice(prompt, [text for text, _ in keys])][1]
+    keys = _buttons(buttons) if own is None else [(text, n) for n, text in enumerate(own, 1)]
+
+    def ask(ends: bool) -> int | None:
+        return controller.operator.ask_choice(prompt, [text for text, _ in keys], ends=ends)
+
+    pressed = answered(controller, name, options, ask, None)
+    return NO_RESULT if pressed is None else float(keys[pressed][1])
 
 
 def _buttons(buttons: float | None) -> tuple[tuple[str, float], ...]:
@@ -196,7 +282,13 @@ def _number(
         raise rapid_error(ERR_UI_MAXMIN, f"{name}: the least value {low:g} is above {high:g}")
     if initial is not None and not low <= initial <= high:
         raise rapid_error(ERR_UI_INITVALUE, f"{name}: {initial:g} is not within {low:g}..{high:g}")
-    answer = controller.operator.ask_number(_prompt(asked))
+
+    def ask(ends: bool) -> float | None:
+        return controller.operator.ask_number(_prompt(asked), ends=ends)
+
+    answer = answered(controller, name, asked, ask, None)
+    if answer is None:
+        return initial or 0.0
     taken = min(max(float(round(answer)) if whole else answer, low), high)
     if taken != answer:
         # The operator could not have pressed OK with such a number.
@@ -210,14 +302,10 @@ def _prompt(asked: Asked) -> str:
 
 
 def _report(controller: Honesty, name: str, options: Options) -> None:
-    no_breaks(controller, name, options)
     ignored(controller, name, {r"\UIActiveSignal": options.get("ui_active_signal")})
 
 
-_BREAKS = (
-    r"\MaxTime \DIBreak \DIPassive \DOBreak \DOPassive \PersBoolBreak \PersBoolPassive \BreakFlag "
-    r"\UIActiveSignal"
-)
+_BREAKS = rf"{BREAKS} \UIActiveSignal"
 _TEXT = r"\Header \Message|\MsgArray \Wrap"
 _LIMITS = r"\Icon \InitValue \MinValue \MaxValue \AsInteger"
 
@@ -236,6 +324,23 @@ DIALOGS = table(
     routine("UINumEntry", ui_num_entry, rf"{_TEXT} {_LIMITS} {_BREAKS}"),
     routine("UIDnumEntry", ui_dnum_entry, rf"{_TEXT} {_LIMITS} {_BREAKS}"),
     routine("UIAlphaEntry", ui_alpha_entry, rf"{_TEXT} \Icon \InitString {_BREAKS}"),
+    routine(
+        "UINumTune",
+        ui_num_tune,
+        rf"{_TEXT} \Icon InitValue Increment \MinValue \MaxValue {_BREAKS}",
+    ),
+    routine(
+        "UIDnumTune",
+        ui_dnum_tune,
+        rf"{_TEXT} \Icon InitValue Increment \MinValue \MaxValue {_BREAKS}",
+    ),
+    routine(
+        "UIMsgWrite",
+        ui_msg_write,
+        r"Header Message \Wrap \Icon \Image \PersBool|\PersBoolName \AbortValue \UIActiveSignal",
+        does=Does.TELL,
+    ),
+    routine("UIMsgWriteAbort", ui_msg_write_abort, does=Does.TELL),
     routine(
         "UIListView",
         ui_list_view,

@@ -5,6 +5,8 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from rapidsim.language.annotations import ErrNum, ErrStr, Num, String, Switch, Var
 from rapidsim.language.controller import Controller, ErrorNumbers
 from rapidsim.language.error_log import (
@@ -15,6 +17,8 @@ from rapidsim.language.error_log import (
     WARNING,
     LoggedError,
 )
+from rapidsim.language.errors import RaisedError
+from rapidsim.library.predefined import ERRSTR_CONTEXT, ERRSTR_TASK, TYPES
 from rapidsim.library.table import routine, table
 from rapidsim.library.text import number_text
 from rapidsim.library.traits import Does
@@ -59,10 +63,50 @@ def err_log(
     i: Switch = False,
 ) -> None:
     """Show a message of the program's own text file by its number, with what fills its blanks."""
-    arguments = [a for a in (argument1, argument2, argument3, argument4, argument5) if a]
+    given = (argument1, argument2, argument3, argument4, argument5)
+    arguments = error_texts(controller, given)
     controller.operator.show(f"{_kind(w, i)} {number_text(error_id)}: {' / '.join(arguments)}")
     entry = LoggedError(PROCESS_DOMAIN, error_id, _type(w, i), texts=tuple(arguments))
     controller.interrupts.log_error(entry)
+
+
+def err_raise(
+    controller: Controller,
+    error_name: String,
+    error_id: Num,
+    argument1: ErrStr,
+    argument2: ErrStr,
+    argument3: ErrStr,
+    argument4: ErrStr,
+    argument5: ErrStr,
+) -> None:
+    """Log a warning as ErrLog does, and raise an error that the program has booked, by its name.
+
+    In an ERROR clause it goes on to the caller, as with RAISE.
+    """
+    number = controller.symbols.read(error_name, TYPES["errnum"], None)
+    given = (argument1, argument2, argument3, argument4, argument5)
+    texts = error_texts(controller, given)
+    controller.operator.show(f"warning {number_text(error_id)}: {' / '.join(texts)}")
+    entry = LoggedError(PROCESS_DOMAIN, error_id, WARNING, error_name, tuple(texts))
+    controller.interrupts.log_error(entry)
+    assert isinstance(number, float)
+    told = f"{error_name}, which ErrRaise raised: {' / '.join(texts)}"
+    raise RaisedError(number, told)
+
+
+def skip_warn() -> None:
+    """Take back the warning that was logged last; the run goes on telling all that it has told."""
+
+
+def error_texts(controller: Controller, given: Sequence[str]) -> list[str]:
+    """The texts of an error; the task and the place in the program where they are asked for."""
+    place = controller.clock.place
+    meant = {
+        ERRSTR_TASK: controller.tasks.task_name,
+        ERRSTR_CONTEXT: f"{place.routine}, {place.span.file}:{place.span.line}",
+    }
+    return [meant.get(text, text) for text in given if text]
 
 
 def _kind(warning: bool, information: bool) -> str:
@@ -76,6 +120,8 @@ def _type(warning: bool, information: bool) -> float:
 ERRORS = table(
     routine("BookErrNo", book_err_no),
     routine("ErrWrite", err_write, r"\W|\I Header Reason \RL2 \RL3 \RL4", does=Does.TELL),
+    routine("SkipWarn", skip_warn, does=Does.TELL),
+    routine("ErrRaise", err_raise, does=Does.LEAVE),
     routine(
         "ErrLog",
         err_log,

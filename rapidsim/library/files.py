@@ -11,8 +11,8 @@ from __future__ import annotations
 
 import math
 
-from rapidsim.language.annotations import Bool, Dnum, IoDev, Num, String, Switch, Var
-from rapidsim.language.controller import FileMode, Files, OpenFile
+from rapidsim.language.annotations import Bool, Dnum, InOut, IoDev, Num, String, Switch, Var
+from rapidsim.language.controller import FileMode, Files, Honesty, OpenFile
 from rapidsim.language.data import Orient, Pos
 from rapidsim.language.error_numbers import (
     ERR_ARGVALERR,
@@ -115,6 +115,7 @@ def write_str_bin(io_device: Var[IoDev], str_: String) -> None:
 
 
 def read_str(
+    controller: Honesty,
     io_device: Var[IoDev],
     *,
     delim: String | None = None,
@@ -122,13 +123,28 @@ def read_str(
     discard_headers: Switch = False,
     time: Num | None = None,
     line: Num | None = None,
+    status: InOut[Num] | None = None,
 ) -> String:
     r"""The text up to the end of the line or a delimiter; EOF at the end of the file.
 
-    \Time limits a wait that a file never causes.
+    \Time limits a wait that a file never causes; \Status becomes 0, and the run says so.
     """
     del time
+    if status is not None:
+        controller.not_simulated(r"ReadStr \Status", "0")
+        status.value = 0.0
     file = opened_device(io_device)
+    return _text_from(file, delim, line, remove_cr=remove_cr, discard_headers=discard_headers)
+
+
+def _text_from(
+    file: OpenFile,
+    delim: str | None,
+    line: float | None,
+    *,
+    remove_cr: bool = False,
+    discard_headers: bool = False,
+) -> str:
     if line is not None:
         for _ in range(max(0, int(line) - 1)):
             file.read_line()
@@ -155,7 +171,8 @@ def read_num(
 ) -> Num:
     """The number on the next line, or before the next delimiter; EOF_NUM at the end of the file."""
     del time
-    text = read_str(io_device, delim=delim, discard_headers=delim is not None)
+    file = opened_device(io_device)
+    text = _text_from(file, delim, None, discard_headers=delim is not None)
     if text == END_OF_FILE:
         return END_OF_NUMBERS
     value = parsed_number(text)
@@ -204,7 +221,7 @@ FILES = table(
     routine("Write", write, r"IODevice String \Num|\Bool|\Pos|\Orient|\Dnum \NoNewLine"),
     routine("WriteBin", write_bin),
     routine("WriteStrBin", write_str_bin, "IODevice Str"),
-    routine("ReadStr", read_str, r"IODevice \Delim \RemoveCR \DiscardHeaders \Time \Line"),
+    routine("ReadStr", read_str, r"IODevice \Delim \RemoveCR \DiscardHeaders \Time \Line \Status"),
     routine("ReadNum", read_num),
     routine("ReadBin", read_bin),
     routine("ReadStrBin", read_str_bin),

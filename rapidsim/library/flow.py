@@ -73,6 +73,10 @@ def non_motion_mode(*, main: Switch = False) -> Bool:
     return False
 
 
+def linked_m_exe() -> None:
+    """What the controller's system module runs when it starts: nothing that a program sees."""
+
+
 FLOW = table(
     routine("Stop", stop, does=Does.WAIT),
     routine("Break", break_),
@@ -83,4 +87,5 @@ FLOW = table(
     routine("RobOS", rob_os),
     routine("RobName", rob_name),
     routine("NonMotionMode", non_motion_mode),
+    routine("Linked_m_exe", linked_m_exe),
 )

@@ -163,6 +163,16 @@ def trunc_dnum(val: Dnum, *, dec: Num | None = None) -> Dnum:
     return _to_decimals(val, dec, math.floor)
 
 
+def max_(value1: Num, value2: Num) -> Num:
+    """The larger of two numbers."""
+    return max(value1, value2)
+
+
+def min_(value1: Num, value2: Num) -> Num:
+    """The smaller of two numbers."""
+    return min(value1, value2)
+
+
 def num_to_dnum(value: Num) -> Dnum:
     """The same number."""
     return value
@@ -278,6 +288,8 @@ MATHEMATICS = table(
     routine("RoundDnum", round_dnum),
     routine("Trunc", trunc),
     routine("TruncDnum", trunc_dnum),
+    routine("Max", max_),
+    routine("Min", min_),
     routine("NumToDnum", num_to_dnum),
     routine("DnumToNum", dnum_to_num),
     routine("TryInt", try_int),

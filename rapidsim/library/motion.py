@@ -17,7 +17,7 @@ from types import MappingProxyType
 from typing import TypedDict, Unpack
 
 from rapidsim.language.annotations import IdentNo, Num, Pers, Switch
-from rapidsim.language.controller import Controller, Honesty
+from rapidsim.language.controller import Controller, Honesty, Motion
 from rapidsim.language.data import (
     WOBJ0,
     JointTarget,
@@ -131,8 +131,7 @@ def move_abs_j(
     **options: Unpack[MoveOptions],
 ) -> None:
     """Move all axes together to axis positions; program displacement has no effect."""
-    offsets = None if options.get("no_eoffs") else controller.motion.settings.axis_offsets
-    to = JointTarget(to_joint_pos.robax, with_axis_offsets(to_joint_pos.extax, offsets))
+    to = with_offsets(controller.motion, to_joint_pos, wanted=not options.get("no_eoffs"))
     how, sync_id = Interpolation.AXES, options.pop("id_", None)
     controller.motion.move(
         asked(controller, "MoveAbsJ", how, to, speed, zone, tool, options, sync_id)
@@ -147,12 +146,17 @@ def move_ext_j(
     **options: Unpack[MoveOptions],
 ) -> None:
     """Move the external axes only; the robot stays where it is on them."""
-    offsets = controller.motion.settings.axis_offsets if options.get("use_eoffs") else None
-    to = JointTarget(to_joint_pos.robax, with_axis_offsets(to_joint_pos.extax, offsets))
+    to = with_offsets(controller.motion, to_joint_pos, wanted=options.get("use_eoffs", False))
     how, sync_id = Interpolation.EXTERNAL_AXES, options.pop("id_", None)
     controller.motion.move(
         asked(controller, "MoveExtJ", how, to, speed, zone, None, options, sync_id)
     )
+
+
+def with_offsets(controller: Motion, to: JointTarget, *, wanted: bool) -> JointTarget:
+    """Axis positions as the program gives them, with the offsets of external axes if wanted."""
+    offsets = controller.settings.axis_offsets if wanted else None
+    return JointTarget(to.robax, with_axis_offsets(to.extax, offsets))
 
 
 def _stop(controller: Honesty, inpos: StopPointData | None) -> StopTime | None:
@@ -213,6 +217,7 @@ def each_way(
     besides: str = "",
     ways: str = "JLC",
     does: Does = NOTHING,
+    treated_as: str | None = None,
 ) -> Iterator[LibraryRoutine]:
     r"""The rows of an instruction that moves to a pose, one a way to move.
 
@@ -223,6 +228,7 @@ def each_way(
         besides: What it does beside, to stand after how it moves.
         ways: The letters.
         does: The same for whoever asks, on all ways.
+        treated_as: What is done instead, where they are not simulated with all they do.
     """
     for letter in ways:
         own = name.replace("*", letter)
@@ -230,12 +236,15 @@ def each_way(
         body = body_of(own, interpolation)
         body.__doc__ = f"{moves}{besides}."
         if interpolation is Interpolation.JOINT:
-            yield routine(own, body, order.replace(r" \Corr", ""), does=does)
+            joint = order.replace(r" \Corr", "")
+            yield routine(own, body, joint, does=does, treated_as=treated_as)
         elif interpolation is Interpolation.CIRCLE:
             to = order.replace("ToPoint", "CirPoint ToPoint")
-            yield routine(own, body, to, does=does | Does.CARTESIAN)
+            led = does | Does.CARTESIAN
+            yield routine(own, body, to, does=led, treated_as=treated_as)
         else:
-            yield routine(own, body, order, does=does | Does.CARTESIAN)
+            led = does | Does.CARTESIAN
+            yield routine(own, body, order, does=led, treated_as=treated_as)
 
 
 _AFTER_POINT = r"Speed \V|\T Zone \Z \Inpos Tool \WObj"

@@ -8,15 +8,20 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rapidsim.language.annotations import Bool, MecUnit, Num, Pers, Switch, Var
-from rapidsim.language.controller import ClockService, Controller, Honesty, Motion
-from rapidsim.language.data import LoadData
-from rapidsim.language.error_numbers import ERR_ACC_TOO_LOW, ERR_ARGVALERR, rapid_error
+from rapidsim.language.controller import ACCEPTED, ClockService, Controller, Honesty, Motion
+from rapidsim.language.data import MAX_TCP_SPEED_MM_S, LoadData
+from rapidsim.language.error_numbers import (
+    ERR_ACC_TOO_LOW,
+    ERR_ARGVALERR,
+    ERR_SPEED_REFRESH_LIM,
+    rapid_error,
+)
 from rapidsim.language.moves import LEAST_RAMP_PERCENT, CirclePathMode, SingularArea
-from rapidsim.library.predefined import MAX_TCP_SPEED_MM_S
 from rapidsim.library.table import routine, table
 
 LEAST_ACCELERATION_PERCENT = 20.0
 LEAST_LIMIT_M_S2 = 0.1
+LEAST_REFRESH_PERCENT = 1.0
 
 
 def vel_set(controller: Motion, override: Num, max_: Num) -> None:
@@ -40,6 +45,60 @@ def acc_set(controller: Motion, acc: Num, ramp: Num, *, fine_point_ramp: Num | N
         ramp_percent=min(max(ramp, LEAST_RAMP_PERCENT), 100.0),
         fine_ramp_percent=min(max(fine_ramp, LEAST_RAMP_PERCENT), 100.0),
     )
+
+
+def speed_refresh(controller: Controller, override: Num) -> None:
+    """Scale the speed of the moves to come [%]; those under way keep theirs, and the run says so.
+
+    Beside VelSet, as the operator's override.
+    """
+    if not 0.0 <= override <= 100.0:
+        raise rapid_error(
+            ERR_SPEED_REFRESH_LIM, f"a speed override of {override:g} %; 0..100 are possible"
+        )
+    if override < LEAST_REFRESH_PERCENT:
+        controller.honesty.not_simulated(
+            f"SpeedRefresh {override:g}", f"{LEAST_REFRESH_PERCENT:g} %, so that the run goes on"
+        )
+    if controller.motion.is_moving():
+        controller.honesty.not_simulated(
+            "SpeedRefresh while the robot moves", "the moves under way keep their speed"
+        )
+    controller.motion.settings = replace(
+        controller.motion.settings,
+        speed_refresh_percent=max(override, LEAST_REFRESH_PERCENT),
+    )
+
+
+def path_resol(controller: Controller, path_sample_time: Num) -> None:
+    """Change how finely the path is computed: kept for whoever reads it, without effect."""
+    _without_effect(controller, "PathResol", "the path is exact")
+    controller.motion.settings = replace(
+        controller.motion.settings, path_resolution_percent=path_sample_time
+    )
+
+
+def motion_sup(
+    controller: Controller,
+    *,
+    on: Switch = False,
+    off: Switch = False,
+    tunevalue: Num | None = None,
+    no_backoff: Switch = False,
+) -> None:
+    """Switch the supervision of collisions: kept for whoever reads it, without effect."""
+    del on, no_backoff
+    _without_effect(controller, "MotionSup", "nothing is hit")
+    before = controller.motion.settings.supervision_tune_percent
+    controller.motion.settings = replace(
+        controller.motion.settings,
+        motion_supervision=not off,
+        supervision_tune_percent=before if tunevalue is None else tunevalue,
+    )
+
+
+def _without_effect(controller: Controller, name: str, why: str) -> None:
+    controller.honesty.not_simulated(name, f"{ACCEPTED}: {why}")
 
 
 def conf_j(controller: Motion, *, on: Switch = False, off: Switch = False) -> None:
@@ -153,12 +212,16 @@ def _unit_name(controller: ClockService) -> str:
     return controller.place.arguments.get("mechunit", "").lower()
 
 
-def grip_load(controller: Motion, load: Pers[LoadData]) -> None:
+def grip_load(controller: Controller, load: Pers[LoadData]) -> None:
     """Tell the controller the load in the gripper.
 
     It slows accelerations as far as the motion model says; by default loads change nothing.
     """
-    controller.settings = replace(controller.settings, grip_load_kg=load.value.mass)
+    controller.motion.settings = replace(
+        controller.motion.settings,
+        grip_load=load.value,
+        grip_load_name=controller.clock.place.arguments.get("load", ""),
+    )
 
 
 def max_rob_speed(controller: Honesty) -> Num:
@@ -206,6 +269,20 @@ MOTION_SETTINGS = table(
         r"\PathFrame|\ObjectFrame|\CirPointOri|\Wrist45|\Wrist46|\Wrist56",
         sets=("circle_path",),
     ),
-    routine("GripLoad", grip_load, sets=("grip_load_kg",)),
+    routine("SpeedRefresh", speed_refresh, sets=("speed_refresh_percent",)),
+    routine(
+        "PathResol",
+        path_resol,
+        treated_as=f"{ACCEPTED}: the path is exact",
+        sets=("path_resolution_percent",),
+    ),
+    routine(
+        "MotionSup",
+        motion_sup,
+        r"\On|\Off \Tunevalue \NoBackoff",
+        treated_as=f"{ACCEPTED}: nothing is hit",
+        sets=("motion_supervision", "supervision_tune_percent"),
+    ),
+    routine("GripLoad", grip_load, sets=("grip_load", "grip_load_name")),
     routine("MaxRobSpeed", max_rob_speed, treated_as="the speed of vmax"),
 )

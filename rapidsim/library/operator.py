@@ -1,48 +1,24 @@
 r"""The FlexPendant: writing lines, asking for numbers, keys and texts.
 
-A question never waits: it is answered from the run's answers, or with a default, at once. Options
-that end a wait (\MaxTime, \DIBreak and their like) therefore never act and are reported.
+A question is answered from the run's answers at once. Where nobody answers, it is a default with a
+warning, or what `questions` says where the question has an end of its own.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types.
 """
 
 from __future__ import annotations
 
-from typing import TypedDict, Unpack
+from typing import Unpack
 
-from rapidsim.language.annotations import (
-    Bool,
-    Dnum,
-    ErrNum,
-    InOut,
-    Num,
-    Pers,
-    SignalDi,
-    SignalDo,
-    String,
-    Switch,
-    Var,
-)
-from rapidsim.language.controller import Controller, Honesty, Operator
+from rapidsim.language.annotations import Bool, Dnum, InOut, Num, String
+from rapidsim.language.controller import Controller, Operator
 from rapidsim.language.data import Orient, Pos
 from rapidsim.language.records import record_of
-from rapidsim.library.honesty import ignored
+from rapidsim.language.reference import Reference
+from rapidsim.library.questions import BREAKS, Breaks, answered
 from rapidsim.library.table import routine, table
 from rapidsim.library.text import dnum_text, number_text, value_text
 from rapidsim.library.traits import Does
-
-
-class Breaks(TypedDict, total=False):
-    """What may end a question before the operator answers."""
-
-    max_time: Num
-    di_break: Var[SignalDi]
-    di_passive: Switch
-    do_break: Var[SignalDo]
-    do_passive: Switch
-    pers_bool_break: Pers[Bool]
-    pers_bool_passive: Switch
-    break_flag: InOut[ErrNum]
 
 
 def tp_write(
@@ -71,8 +47,7 @@ def tp_read_num(
     **breaks: Unpack[Breaks],
 ) -> None:
     """Ask for a number."""
-    no_breaks(controller.honesty, "TPReadNum", breaks)
-    tp_answer.value = controller.operator.ask_number(tp_text)
+    _read_number(controller, "TPReadNum", tp_answer, tp_text, breaks)
 
 
 def tp_read_dnum(
@@ -82,8 +57,7 @@ def tp_read_dnum(
     **breaks: Unpack[Breaks],
 ) -> None:
     """Ask for a number in double precision."""
-    no_breaks(controller.honesty, "TPReadDnum", breaks)
-    tp_answer.value = controller.operator.ask_number(tp_text)
+    _read_number(controller, "TPReadDnum", tp_answer, tp_text, breaks)
 
 
 def tp_read_fk(
@@ -98,9 +72,24 @@ def tp_read_fk(
     **breaks: Unpack[Breaks],
 ) -> None:
     """Ask for one of five keys; the answer is its number."""
-    no_breaks(controller.honesty, "TPReadFK", breaks)
     keys = (tpfk1, tpfk2, tpfk3, tpfk4, tpfk5)
-    tp_answer.value = float(controller.operator.ask_choice(tp_text, keys) + 1)
+
+    def ask(ends: bool) -> int | None:
+        return controller.operator.ask_choice(tp_text, keys, ends=ends)
+
+    before = int(tp_answer.value) - 1
+    tp_answer.value = float(answered(controller, "TPReadFK", breaks, ask, before) + 1)
+
+
+def _read_number(
+    controller: Controller, name: str, answer: Reference[float], prompt: str, breaks: Breaks
+) -> None:
+    """The number stays what it was where nobody gives one."""
+
+    def ask(ends: bool) -> float | None:
+        return controller.operator.ask_number(prompt, ends=ends)
+
+    answer.value = answered(controller, name, breaks, ask, answer.value)
 
 
 def option_text(
@@ -122,28 +111,10 @@ def option_text(
     return "" if dnum is None else dnum_text(dnum)
 
 
-def no_breaks(controller: Honesty, name: str, breaks: Breaks) -> None:
-    """Report what would end a question early, and say that nothing did."""
-    given = {
-        r"\MaxTime": breaks.get("max_time"),
-        r"\DIBreak": breaks.get("di_break"),
-        r"\DOBreak": breaks.get("do_break"),
-        r"\PersBoolBreak": breaks.get("pers_bool_break"),
-    }
-    ignored(controller, name, given)
-    flag = breaks.get("break_flag")
-    if flag is not None:
-        flag.value = 0.0
-
-
-_BREAKS = (
-    r"\MaxTime \DIBreak \DIPassive \DOBreak \DOPassive \PersBoolBreak \PersBoolPassive \BreakFlag"
-)
-
 OPERATOR = table(
     routine("TPWrite", tp_write, r"TPText \Num|\Bool|\Pos|\Orient|\Dnum", does=Does.TELL),
     routine("TPErase", tp_erase, does=Does.TELL),
-    routine("TPReadNum", tp_read_num, rf"TPAnswer TPText {_BREAKS}"),
-    routine("TPReadDnum", tp_read_dnum, rf"TPAnswer TPText {_BREAKS}"),
-    routine("TPReadFK", tp_read_fk, rf"TPAnswer TPText TPFK1 TPFK2 TPFK3 TPFK4 TPFK5 {_BREAKS}"),
+    routine("TPReadNum", tp_read_num, rf"TPAnswer TPText {BREAKS}"),
+    routine("TPReadDnum", tp_read_dnum, rf"TPAnswer TPText {BREAKS}"),
+    routine("TPReadFK", tp_read_fk, rf"TPAnswer TPText TPFK1 TPFK2 TPFK3 TPFK4 TPFK5 {BREAKS}"),
 )

@@ -4,8 +4,7 @@ All names are folded. Numbers of data of type `num` are rounded to single, as li
 are, so that `z0.pzone_tcp = 0.3` holds.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "Data types"; the
-values a RobotWare controller declares in its base and user modules. ABB publishes no numbers for
-the named constants of the operator interface and the like: they keep their usual order.
+values a RobotWare controller declares in its base and user modules.
 """
 
 from __future__ import annotations
@@ -19,6 +18,7 @@ from rapidsim.language import error_numbers, types
 from rapidsim.language.data import (
     FINE,
     LOAD0,
+    MAX_TCP_SPEED_MM_S,
     TOOL0,
     WOBJ0,
     InPosData,
@@ -30,13 +30,21 @@ from rapidsim.language.initial import initial_value
 from rapidsim.language.records import RECORD_CLASSES, record_of
 from rapidsim.language.single import single
 from rapidsim.language.types import Alias, Type
+from rapidsim.library.named_numbers import ENUMERATIONS
 
-MAX_TCP_SPEED_MM_S: Final = 5000.0
-"""TCP speed of `vmax`; a controller may replace it by what its robot can do."""
+ERRSTR_TASK: Final = "ERRSTR_TASK"
+ERRSTR_CONTEXT: Final = "ERRSTR_CONTEXT"
+"""What the texts of errors have their task, and the place in the program, written for."""
+
+SET_BY_INSTRUCTIONS: Final[Mapping[str, str]] = MappingProxyType(
+    {"C_MOTSET": "motsetdata", "C_PROGDISP": "progdisp"}
+)
+"""Variables that programs read and only instructions such as VelSet change; their types."""
 
 _ALIASES = {
     types.NUM: (
-        "aiotrigg btnres busstate buttondata byte cfgdomain dionum egmframetype egmstate "
+        "aiotrigg btnres busstate buttondata byte cfgdomain css_offset_dir css_ref_frame "
+        "css_soft_dir dionum egmframetype egmstate "
         "egmstopmode errdomain errnum errtype event_type exec_level handler_type icondata identno "
         "intnum inttypes iounit_state loadidnum motionprocessmode opcalc opnum paridnum "
         "paridvalidnum sensorstate signalorigin socketstatus stoppoint symnum testsignal tpnum "
@@ -59,6 +67,15 @@ TYPES: Mapping[str, Type] = MappingProxyType(
     }
 )
 """Every predefined type by folded name."""
+
+
+OF_OPTIONS: Final = frozenset(
+    {
+        *("capdata", "captrackdata", "capweavedata", "daintdata", "forcedata", "gundata"),
+        *("simdata", "spotdata", "weavestartdata"),
+    }
+)
+"""Types of options that differ from site to site: their data are what their values show."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,38 +115,6 @@ _ZONES = (
     (200, 200.0, 300.0, 30.0),
 )
 
-# Type, value of the first name, names in order of their values.
-_ENUMERATIONS = (
-    ("aiotrigg", 1, "AIO_ABOVE_HIGH AIO_BELOW_HIGH AIO_ABOVE_LOW AIO_BELOW_LOW AIO_BETWEEN"),
-    ("aiotrigg", 6, "AIO_OUTSIDE AIO_ALWAYS"),
-    ("btnres", 0, "resUnkwn resOK resAbort resRetry resIgnore resCancel resYes resNo"),
-    ("buttondata", -1, "btnNone btnOK btnAbrtRtryIgn btnOKCancel btnRetryCancel btnYesNo"),
-    ("buttondata", 5, "btnYesNoCancel"),
-    ("dionum", 0, "low high edge"),
-    ("egmframetype", 0, "EGM_FRAME_BASE EGM_FRAME_TOOL EGM_FRAME_WOBJ EGM_FRAME_WORLD"),
-    ("egmframetype", 4, "EGM_FRAME_JOINT"),
-    ("egmstate", 0, "EGM_STATE_DISCONNECTED EGM_STATE_CONNECTED EGM_STATE_RUNNING"),
-    ("egmstopmode", 0, "EGM_STOP_HOLD EGM_STOP_RAMP_DOWN"),
-    ("errdomain", 0, "COMMON_ERR OP_STATE SYSTEM_ERR HARDWARE_ERR PROGRAM_ERR MOTION_ERR"),
-    ("errdomain", 6, "OPERATOR_ERR IO_COM_ERR USER_DEF_ERR SAFETY_ERR"),
-    ("errdomain", 11, "PROCESS_ERR CFG_ERR"),
-    ("errtype", 0, "TYPE_ALL TYPE_STATE TYPE_WARN TYPE_ERR"),
-    ("event_type", 0, "EVENT_NONE EVENT_POWERON EVENT_START EVENT_STOP EVENT_QSTOP"),
-    ("event_type", 5, "EVENT_RESTART EVENT_RESET EVENT_STEP"),
-    ("exec_level", 0, "LEVEL_NORMAL LEVEL_TRAP LEVEL_SERVICE"),
-    ("handler_type", 0, "HANDLER_NONE HANDLER_BWD HANDLER_ERR HANDLER_UNDO"),
-    ("icondata", 0, "iconNone iconInfo iconWarning iconError"),
-    ("opcalc", 1, "OpAdd OpSub OpMult OpDiv OpMod"),
-    ("opnum", 1, "LT LTEQ EQ NOTEQ GT GTEQ"),
-    ("socketstatus", 1, "SOCKET_CREATED SOCKET_CONNECTED SOCKET_BOUND SOCKET_LISTENING"),
-    ("socketstatus", 5, "SOCKET_CLOSED"),
-    ("stoppoint", 1, "inpos stoptime fllwtime"),
-    ("symnum", 0, "OP_UNDEF OP_AUTO OP_MAN_PROG OP_MAN_TEST"),
-    ("symnum", 0, "RUN_UNDEF RUN_CONT_CYCLE RUN_INSTR_FWD RUN_INSTR_BWD RUN_SIM RUN_STEP_MOVE"),
-    ("tpnum", 1, "TP_LATEST TP_PROGRAM TP_SCREENVIEWER"),
-    ("triggmode", 1, "TRIGG_MODE1 TRIGG_MODE2 TRIGG_MODE3"),
-)
-
 _INTEGER_TYPES = {
     **{"USINT": 1.0, "UINT": 2.0, "UDINT": 4.0, "ULINT": 8.0},
     **{"SINT": -1.0, "INT": -2.0, "DINT": -4.0, "LINT": -8.0},
@@ -153,7 +138,13 @@ _CONSTANTS: tuple[tuple[str, str, object], ...] = (
     ("string", "stSpace", " "),
     ("string", "diskhome", "HOME:"),
     ("string", "disktemp", "TEMP:"),
+    ("string", "diskram", "RAMDISK:"),
+    ("string", "flp1", "flp1:"),
     *(("string", f"usbdisk{n}", f"RemovableDisk{n}:") for n in range(1, 11)),
+    ("errstr", "ERRSTR_EMPTY", ""),
+    ("errstr", "ERRSTR_UNUSED", ""),
+    ("errstr", "ERRSTR_TASK", ERRSTR_TASK),
+    ("errstr", "ERRSTR_CONTEXT", ERRSTR_CONTEXT),
     # Sizes in bytes, negative with a sign.
     *(("inttypes", name, size) for name, size in _INTEGER_TYPES.items()),
 )
@@ -165,14 +156,16 @@ def _all_data() -> Iterator[PredefinedData]:
     for type_name, name, value in _CONSTANTS:
         rounded = single(value) if isinstance(value, float) else value
         yield PredefinedData(name, TYPES[type_name], rounded)
-    for type_name, first, names in _ENUMERATIONS:
+    for type_name, first, names in ENUMERATIONS:
         for offset, name in enumerate(names.split()):
             yield PredefinedData(name, TYPES[type_name], float(first + offset))
     for name, number in error_numbers.NUMBERS.items():
         yield PredefinedData(name, TYPES["errnum"], number)
-    # The interpreter keeps the values of these two.
+    # The controller keeps the values of these; see `codegen.data_access`.
     yield PredefinedData("ERRNO", TYPES["errnum"], 0.0, constant=False)
     yield PredefinedData("INTNO", TYPES["intnum"], 0.0, constant=False)
+    for name, of in SET_BY_INSTRUCTIONS.items():
+        yield PredefinedData(name, TYPES[of], initial_value(TYPES[of]), constant=False)
     yield PredefinedData("tool0", TYPES["tooldata"], TOOL0, constant=False, persistent=True)
     yield PredefinedData("wobj0", TYPES["wobjdata"], WOBJ0, constant=False, persistent=True)
     yield PredefinedData("load0", TYPES["loaddata"], LOAD0, constant=False, persistent=True)

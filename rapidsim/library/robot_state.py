@@ -142,10 +142,10 @@ def calc_joint_t(
     return joints._replace(extax=without_axis_offsets(joints.extax, offsets))
 
 
-def c_speed_override(*, c_task: Switch = False) -> Num:
-    """The speed override of the operator [%]; nobody turns it here."""
+def c_speed_override(controller: Motion, *, c_task: Switch = False) -> Num:
+    """The speed override of the operator [%]: that of SpeedRefresh."""
     del c_task
-    return 100.0
+    return controller.settings.speed_refresh_percent
 
 
 def _other_task(
@@ -179,5 +179,5 @@ ROBOT_STATE = table(
         r"\UseCurWObjPos Rob_target Tool \WObj \ErrorNumber",
         does=Does.READ_TASK,
     ),
-    routine("CSpeedOverride", c_speed_override),
+    routine("CSpeedOverride", c_speed_override, does=Does.READ_TASK),
 )

@@ -8,6 +8,7 @@ halves and what StrMatch finds for an empty pattern was measured on RobotStudio'
 from __future__ import annotations
 
 import math
+import re
 
 from rapidsim.language.annotations import (
     AnyType,
@@ -34,6 +35,7 @@ from rapidsim.language.types import NUM
 from rapidsim.library.table import routine, table
 from rapidsim.library.text import checked, parsed_value, value_text
 
+_PLACE = re.compile(r"\{(\d+)\}")
 _LATIN_1 = "iso-8859-1"
 _MAX_DECIMALS = 15
 _MAX_DIGITS_VALUE = 2**32 - 1
@@ -51,6 +53,31 @@ def dnum_to_str(val: Dnum, dec: Num, *, exp: Switch = False) -> String:
     if not 0 <= decimals <= _MAX_DECIMALS:
         raise rapid_error(ERR_ARGVALERR, f"{decimals} decimals; 0 to {_MAX_DECIMALS} are possible")
     return checked(f"{val:.{decimals}{'E' if exp else 'f'}}")
+
+
+def str_format(
+    str_: String,
+    *,
+    arg1: String | None = None,
+    arg2: String | None = None,
+    arg3: String | None = None,
+    arg4: String | None = None,
+    arg5: String | None = None,
+    arg6: String | None = None,
+    arg7: String | None = None,
+    arg8: String | None = None,
+) -> String:
+    """A text with arguments in the places of {1} to {8}; a place without one is refused."""
+    given = (arg1, arg2, arg3, arg4, arg5, arg6, arg7, arg8)
+
+    def argument(place: re.Match[str]) -> str:
+        number = int(place[1])
+        found = given[number - 1] if 1 <= number <= len(given) else None
+        if found is None:
+            raise rapid_error(ERR_ARGVALERR, rf"StrFormat: there is no \Arg{number} for {place[0]}")
+        return found
+
+    return checked(_PLACE.sub(argument, str_))
 
 
 def val_to_str(val: AnyType, *, of: ArgumentType = NUM) -> String:
@@ -236,6 +263,11 @@ def _choice(value: float, count: int, what: str) -> int:
 _BASES = r"\Hex|\Okt|\Bin|\Char"
 
 STRINGS = table(
+    routine(
+        "StrFormat",
+        str_format,
+        r"Str \Arg1 \Arg2 \Arg3 \Arg4 \Arg5 \Arg6 \Arg7 \Arg8",
+    ),
     routine("NumToStr", num_to_str),
     routine("DnumToStr", dnum_to_str),
     routine("ValToStr", val_to_str),

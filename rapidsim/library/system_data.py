@@ -1,10 +1,12 @@
 r"""What a program asks about the controller and the tool that is active.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "GetSysInfo",
-"GetSysData", "EventType", "UIClientExist".
+"GetSysData", "SetSysData", "EventType", "UIClientExist".
 """
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 from rapidsim.language.annotations import (
     AnyType,
@@ -21,7 +23,9 @@ from rapidsim.language.annotations import (
     Var,
 )
 from rapidsim.language.controller import Controller, Interrupts
+from rapidsim.language.data import LOAD0, LoadData, ToolData, WobjData
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
+from rapidsim.language.errors import RapidError
 from rapidsim.language.types import NUM
 from rapidsim.library.honesty import ignored
 from rapidsim.library.table import routine, table
@@ -66,18 +70,49 @@ def get_sys_data(
     object_name: InOut[String] | None = None,
     of: ArgumentType = NUM,
 ) -> None:
-    r"""Copy the active tool or the active work object; their names are not kept."""
-    options = {r"\TaskRef": task_ref, r"\TaskName": task_name, r"\ObjectName": object_name}
-    ignored(controller.honesty, "GetSysData", options)
+    """Copy the active tool, work object or load of the gripper, and tell its name."""
+    ignored(controller.honesty, "GetSysData", {r"\TaskRef": task_ref, r"\TaskName": task_name})
+    motion = controller.motion
+    tool, wobj = motion.active_names()
     match of.name:
         case "tooldata":
-            dest_object.value = controller.motion.active_tool()
+            dest_object.value, name = motion.active_tool(), tool
         case "wobjdata":
-            dest_object.value = controller.motion.active_wobj()
-        case name:
-            raise rapid_error(
-                ERR_ARGVALERR, f"there is no active {name}; tooldata and wobjdata are possible"
+            dest_object.value, name = motion.active_wobj(), wobj
+        case "loaddata":
+            name = motion.settings.grip_load_name
+            dest_object.value = motion.settings.grip_load or LOAD0
+        case other:
+            raise _no_active(other)
+    if object_name is not None:
+        object_name.value = name
+
+
+def set_sys_data(
+    controller: Controller,
+    source_object: Pers[AnyType],
+    *,
+    object_name: String | None = None,
+    of: ArgumentType = NUM,
+) -> None:
+    """Let a tool, a work object or a load be the active one, as a move or GripLoad does."""
+    written = controller.clock.place.arguments.get("sourceobject", "")
+    name = written if object_name is None else object_name
+    match source_object.value:
+        case ToolData() | WobjData() as data:
+            controller.motion.activate(data, name)
+        case LoadData() as load:
+            controller.motion.settings = replace(
+                controller.motion.settings, grip_load=load, grip_load_name=name
             )
+        case _:
+            raise _no_active(of.name)
+
+
+def _no_active(of: str) -> RapidError:
+    return rapid_error(
+        ERR_ARGVALERR, f"there is no active {of}; tooldata, wobjdata and loaddata are possible"
+    )
 
 
 def event_type() -> EventTypeNum:
@@ -128,6 +163,12 @@ SYSTEM_DATA = table(
         r"\SerialNo|\SWVersion|\SWVersionName|\RobotType|\CtrlId|\LanIp|\CtrlLang|\SystemName",
     ),
     routine("GetSysData", get_sys_data, r"\TaskRef|\TaskName DestObject \ObjectName"),
+    routine(
+        "SetSysData",
+        set_sys_data,
+        r"SourceObject \ObjectName",
+        sets=("grip_load", "grip_load_name"),
+    ),
     routine("EventType", event_type),
     routine("UIClientExist", ui_client_exist),
     routine("ExecLevel", exec_level),

@@ -77,6 +77,8 @@ class Signature:
     """The Python function wants the type of this parameter's argument, as keyword `type_keyword`.
     """
     type_keyword: str = ""
+    is_open: bool = False
+    """Nobody knows its parameters: it is given none, whatever the call holds."""
 
     @property
     def takes_controller(self) -> bool:

@@ -33,6 +33,8 @@ class Does(Flag):
     """The next statement is never reached."""
     RETRY = auto()
     """Ends an ERROR clause as RETRY does."""
+    NEXT_TURN = auto()
+    """Begins the next turn of the loop around it."""
     CALL_BY_NAME = auto()
     """Calls a procedure whose name it puts together."""
     CALL_ON_THE_WAY = auto()

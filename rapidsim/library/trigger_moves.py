@@ -1,4 +1,4 @@
-r"""Moves with places where something happens: TriggJ, TriggL, TriggC.
+r"""Moves with places where something happens: TriggJ, TriggL, TriggC, TriggAbsJ.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "TriggL".
 """
@@ -10,13 +10,13 @@ from typing import Annotated, Unpack
 
 from rapidsim.language.annotations import Mode, Pers, TriggData, Var
 from rapidsim.language.controller import Controller
-from rapidsim.language.data import RobTarget, SpeedData, ToolData, ZoneData
+from rapidsim.language.data import JointTarget, RobTarget, SpeedData, ToolData, ZoneData
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.moves import Interpolation
 from rapidsim.language.path_events import Trigger
 from rapidsim.language.reference import Reference
-from rapidsim.library.motion import MoveOptions, asked, each_way
-from rapidsim.library.table import table
+from rapidsim.library.motion import MoveOptions, asked, each_way, with_offsets
+from rapidsim.library.table import routine, table
 
 Triggers = Var[TriggData] | Annotated[list[TriggData], Mode.VAR]
 
@@ -50,6 +50,23 @@ def _trigg(name: str, way: Interpolation) -> Callable[..., None]:
     return body
 
 
+def trigg_abs_j(
+    controller: Controller,
+    to_joint_pos: JointTarget,
+    speed: SpeedData,
+    trigg_1: Triggers,
+    zone: ZoneData,
+    tool: Pers[ToolData],
+    **options: Unpack[TriggerOptions],
+) -> None:
+    """Move all axes together to axis positions, with triggers on the way."""
+    name, way = "TriggAbsJ", Interpolation.AXES
+    triggers = _triggers(name, trigg_1, options)
+    to = with_offsets(controller.motion, to_joint_pos, wanted=not options.get("no_eoffs"))
+    move = asked(controller, name, way, to, speed, zone, tool, options)
+    controller.motion.move(move, triggers)
+
+
 def _triggers(
     name: str,
     first: Reference[Trigger | None] | list[Trigger | None],
@@ -80,5 +97,10 @@ TRIGGER_MOVES = table(
         _trigg,
         rf"\Conc ToPoint \ID Speed \T {_TRIGGERS} \Corr \TLoad",
         ", with triggers on the way",
-    )
+    ),
+    routine(
+        "TriggAbsJ",
+        trigg_abs_j,
+        rf"\Conc ToJointPos \ID \NoEOffs Speed \T {_TRIGGERS} \TLoad",
+    ),
 )

@@ -265,7 +265,7 @@ class WayFinder:
             )
         if hold_up.share > _SLOWER:
             return None
-        programmed = known.move.speed.v_tcp * known.settings.speed_override_percent / 100.0
+        programmed = known.move.speed.v_tcp * known.settings.speed_share
         return AxisSpeedLimits(
             name, hold_up.axis, programmed, hold_up.share * programmed, 100.0 * hold_up.fraction
         )

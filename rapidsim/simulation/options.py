@@ -5,11 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
+from types import MappingProxyType
 
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.controller.cell.inputs import START_OF_TIME, Answers, CellInputs
 from rapidsim.controller.cell.network import Network
 from rapidsim.frames.transform import Transform
+from rapidsim.language.equipment import Configured
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.external_axes import ExternalAxis
 
@@ -37,6 +39,8 @@ class RunOptions:
     """The folder HOME: stands for; None makes file instructions fail with a clear error."""
     network: Network | None = None
     """What sockets may use of the network; None lets them reach the station's scripts only."""
+    configured: Configured = field(default_factory=lambda: MappingProxyType({}))
+    """The system parameters that ReadCfgData reads."""
     starts_at: datetime = START_OF_TIME
     """Date and time of day that the controller's clock shows when the run begins."""
     max_time_s: float = 3600.0
@@ -59,6 +63,7 @@ class RunOptions:
             io=self.io,
             home=self.home,
             network=self.network,
+            configured=self.configured,
             starts_at=self.starts_at,
             max_time_s=self.max_time_s,
             max_wall_s=self.max_wall_s,

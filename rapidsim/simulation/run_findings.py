@@ -18,6 +18,7 @@ from rapidsim.controller.moves.move_request import MoveRefusedError
 from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.diagnostics import Diagnostic, Related, Span
 from rapidsim.findings.runs import (
+    AcceptedWithoutEffect,
     BackwardNotExecuted,
     CutOff,
     EndlessWait,
@@ -28,6 +29,7 @@ from rapidsim.findings.runs import (
     WorldZoneReached,
 )
 from rapidsim.interpreter.runtime.call_stack import FatalError, Frame, rapid_stack
+from rapidsim.language.controller import ACCEPTED
 from rapidsim.language.errors import Stopped
 from rapidsim.language.moves import Place
 from rapidsim.syntax import tree
@@ -111,11 +113,13 @@ def motion_finding(error: MotionError) -> Diagnostic:
 
 
 def not_simulated_findings(journal: Journal) -> tuple[Diagnostic, ...]:
-    """One warning for each routine that was met and not simulated, where it was met first."""
+    """One finding for each routine that was met and not simulated, where it was met first."""
     findings = []
     for one in journal.not_simulated():
         place = journal.first_met(one)
-        violation = RoutineNotSimulated(one.name, one.treated_as)
+        without_effect = one.treated_as.startswith(ACCEPTED)
+        kind = AcceptedWithoutEffect if without_effect else RoutineNotSimulated
+        violation = kind(one.name, one.treated_as)
         findings.append(Diagnostic(violation, place.span, routine=place.routine))
     return tuple(findings)
 

@@ -10,7 +10,10 @@ from datetime import datetime
 from pathlib import Path
 
 from rapidsim.controller.cell.description import CellIo
+from rapidsim.station.cameras import read_cameras
 from rapidsim.station.check import read_check
+from rapidsim.station.controller import read_robotware_of, read_stubs
+from rapidsim.station.conveyors import read_conveyors
 from rapidsim.station.external_axes import read_external_axes
 from rapidsim.station.motion import read_motion
 from rapidsim.station.robot import read_robots
@@ -21,8 +24,8 @@ from rapidsim.station.stimuli import read_stimuli
 from rapidsim.station.tasks import read_tasks
 from rapidsim.station.toml_reader import Reader, Table, read_toml
 
-_IO_KEYS = ("signals", "cross", "stimulus", "socket")
-_KEYS = ("robot", "external_axis", "motion", "task", *_IO_KEYS, "clock", "check")
+_IO_KEYS = ("signals", "cross", "stimulus", "socket", "camera", "conveyor")
+_KEYS = ("controller", "robot", "external_axis", "motion", "task", *_IO_KEYS, "clock", "check")
 
 
 def read_station(file: Path) -> Station:
@@ -45,6 +48,8 @@ def read_station(file: Path) -> Station:
         model=model,
         tasks=tasks,
         io=_io(reader, table),
+        robotware=read_robotware_of(reader, reader.table(table, "controller")),
+        stubs=read_stubs(reader, reader.table(table, "controller")),
         starts_at=_starts_at(reader, reader.table(table, "clock")),
         check=read_check(reader, reader.table(table, "check")),
     )
@@ -82,4 +87,6 @@ def _io(reader: Reader, table: Table) -> CellIo:
         read_crosses(reader, table),
         read_stimuli(reader, table),
         read_sockets(reader, table),
+        read_cameras(reader, table),
+        read_conveyors(reader, table),
     )

@@ -9,10 +9,13 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from datetime import datetime
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.files import require_inside
+from rapidsim.language.equipment import Configured
+from rapidsim.language.robotware import RobotWare
 from rapidsim.motion.model import MotionModel
 from rapidsim.station.check import CheckSettings
 from rapidsim.station.tasks import DEFAULT_TASK, StationTask
@@ -38,6 +41,12 @@ class Station:
     tasks: tuple[StationTask, ...] = ()
     """In the order of the file; without any there is one, with the first robot."""
     io: CellIo = field(default_factory=CellIo)
+    robotware: RobotWare | None = None
+    """What the controller has; None where nobody says, and all that any version has is known."""
+    stubs: tuple[Path, ...] = ()
+    """Modules that stand for libraries which the program lacks; all tasks have them."""
+    configured: Configured = field(default_factory=lambda: MappingProxyType({}))
+    """The system parameters of a backup."""
     starts_at: datetime | None = None
     """Date and time of day at which a run begins; None where the file does not say."""
     check: CheckSettings = field(default_factory=CheckSettings)
@@ -55,6 +64,8 @@ class Station:
             self,
             tasks=self.tasks or backup.tasks,
             io=backup.io.and_also(self.io),
+            configured=backup.configured,
+            robotware=self.robotware or backup.robotware,
             external_axes=self.external_axes or backup.external_axes,
             other_units=backup.other_units,
             remarks=backup.remarks,

@@ -9,6 +9,7 @@ from datetime import datetime, timedelta
 from typing import Any
 
 from rapidsim.diagnostics import Source, Span
+from rapidsim.language.cameras import Camera
 from rapidsim.language.controller import Controller, FileMode
 from rapidsim.language.data import (
     NO_EXTERNAL_AXES,
@@ -23,6 +24,7 @@ from rapidsim.language.data import (
     ToolData,
     WobjData,
 )
+from rapidsim.language.equipment import Conveyor, MechanicalUnitFacts
 from rapidsim.language.error_log import LoggedError
 from rapidsim.language.error_numbers import (
     ERR_FILEOPEN,
@@ -32,6 +34,7 @@ from rapidsim.language.error_numbers import (
 )
 from rapidsim.language.modules import Modules
 from rapidsim.language.moves import Flank, MotionSettings, Move, Place, SearchStop
+from rapidsim.language.option_data import CameraTarget
 from rapidsim.language.path_events import Trigger, ZoneShape
 from rapidsim.language.reference import Reference
 from rapidsim.language.sockets import Connection, Listener
@@ -98,9 +101,14 @@ class RecordingController:
     signals: dict[str, float] = field(default_factory=dict)
     files: dict[str, bytearray] = field(default_factory=dict)
     text_tables: dict[str, dict[int, str]] = field(default_factory=dict)
+    corrections: dict[int, Pos] = field(default_factory=dict)
+    cyclic: dict[str, Callable[[], bool]] = field(default_factory=dict)
+    disabled: set[str] = field(default_factory=set)
     number: float = 0.0
     choice: int = 0
     text: str = ""
+    nobody: bool = False
+    """Whether nobody answers a question that ends by itself."""
     booked: float = 20500.0
     in_reach: bool = True
 
@@ -117,7 +125,7 @@ class RecordingController:
         """All concerns in one; mypy holds it against the protocol of each."""
         whole = Controller(
             *(self, self, self, self, self, self),
-            *(self, self, self, self, self, self, self, self, self),
+            *(self, self, self, self, self, self, self, self, self, self, self, self),
         )
         for name in ("symbols", "modules"):
             if hasattr(self, name):
@@ -194,6 +202,59 @@ class RecordingController:
     def current_joints(self) -> JointTarget:
         return JOINTS
 
+    def current_speeds(self) -> JointTarget:
+        return JOINTS
+
+    def is_moving(self) -> bool:
+        return False
+
+    def mechanical_units(self) -> tuple[MechanicalUnitFacts, ...]:
+        return (MechanicalUnitFacts("ROB_1", True, (0, 1, 2, 3, 4, 5)),)
+
+    def instances(self, domain: str, of: str) -> Sequence[Mapping[str, str]] | None:
+        return None
+
+    def configure(self, domain: str, of: str, number: int, attribute: str, value: str) -> None:
+        raise AssertionError("there are no system parameters here")
+
+    def set_up(
+        self, name: str, flag: Reference[bool], condition: Callable[[], bool], signal: str | None
+    ) -> None:
+        self.cyclic[name] = condition
+
+    def remove(self, name: str) -> None:
+        self.cyclic.pop(name, None)
+
+    def names(self) -> tuple[str, ...]:
+        return tuple(self.cyclic)
+
+    def conveyor(self, unit: str) -> Conveyor | None:
+        return None
+
+    def camera(self, name: str) -> Camera | None:
+        return None
+
+    def take_picture(self, camera: Camera) -> float:
+        raise AssertionError("there are no cameras here")
+
+    def found(self, camera: Camera) -> int:
+        raise AssertionError("there are no cameras here")
+
+    def fetch(self, camera: Camera) -> CameraTarget | None:
+        raise AssertionError("there are no cameras here")
+
+    def expects(self, camera: Camera) -> bool:
+        raise AssertionError("there are no cameras here")
+
+    def forget(self, camera: Camera) -> None:
+        raise AssertionError("there are no cameras here")
+
+    def is_enabled(self, device: str) -> bool:
+        return device.lower() not in self.disabled
+
+    def enable(self, device: str, *, enabled: bool) -> None:
+        (self.disabled.discard if enabled else self.disabled.add)(device.lower())
+
     def current_target(self, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
         return HOME
 
@@ -202,6 +263,12 @@ class RecordingController:
 
     def active_wobj(self) -> WobjData:
         return WOBJ0
+
+    def active_names(self) -> tuple[str, str]:
+        return "tool0", "wobj0"
+
+    def activate(self, data: ToolData | WobjData, name: str) -> None:
+        self.log.append(f"active {name}")
 
     def target_at(self, joints: JointTarget, tool: ToolData, wobj: WobjData) -> RobTarget:
         return HOME
@@ -217,17 +284,17 @@ class RecordingController:
     def clear_screen(self) -> None:
         self.log.append("clear")
 
-    def ask_number(self, prompt: str) -> float:
+    def ask_number(self, prompt: str, *, ends: bool = False) -> float | None:
         self.log.append(f"number? {prompt}")
-        return self.number
+        return None if ends and self.nobody else self.number
 
-    def ask_choice(self, prompt: str, choices: Sequence[str]) -> int:
+    def ask_choice(self, prompt: str, choices: Sequence[str], *, ends: bool = False) -> int | None:
         self.log.append(f"{prompt} {'|'.join(choices)}")
-        return self.choice
+        return None if ends and self.nobody else self.choice
 
-    def ask_text(self, prompt: str, proposal: str) -> str:
+    def ask_text(self, prompt: str, proposal: str, *, ends: bool = False) -> str | None:
         self.log.append(f"text? {prompt}")
-        return self.text or proposal
+        return None if ends and self.nobody else self.text or proposal
 
     def read_module(self, path: str, most: int) -> Source:
         if path not in self.files:

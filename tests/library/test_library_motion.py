@@ -8,6 +8,7 @@ from library_controller import CONF, HOME, JOINTS, RecordingController
 
 from rapidsim.frames.quaternion import angle_between
 from rapidsim.language import error_numbers as errors
+from rapidsim.language.arc_data import ArcData, SeamData, WeldData
 from rapidsim.language.data import (
     FINE,
     LOAD0,
@@ -366,9 +367,20 @@ def test_searches_and_moves_with_outputs_give_the_controller_all_it_needs() -> N
 
 def test_arc_welding_moves_along_the_seam() -> None:
     controller = RecordingController()
-    controller.call("ArcLStart", P10, V100, (), (), FINE, TOOL, wobj=Box(TABLE), seamname="s")
-    controller.call("ArcC", P20, P10, V100, (), (), Z10, TOOL, v=20.0)
-    start, arc = controller.moves
-    assert (start.instruction, start.to, start.wobj) == ("MoveL", P10, TABLE)
-    assert (arc.instruction, arc.circle_point, arc.speed.v_tcp) == ("MoveC", P20, 20.0)
-    assert controller.unsimulated == [("ArcLStart", "MoveL"), ("ArcC", "MoveC")]
+    arc = ArcData(*(0.0,) * 9)
+    seam = SeamData(0.5, 0.3, arc, 0.2, 0, 0, 0, 0, arc, 0.1, 0, arc, 0, 0, arc, 0.4)
+    weld = WeldData(10.0, 0.0, arc, arc)
+    controller.call("ArcLStart", P10, V100, seam, weld, Z10, TOOL, wobj=Box(TABLE), seam_name="s")
+    controller.call("ArcC", P10, V100, seam, weld, Z10, TOOL, cir_point=P20)
+    controller.call("ArcLEnd", P20, V100, seam, weld, Z10, TOOL, track=())
+    start, on, end = controller.moves
+    assert (start.instruction, start.to, start.wobj) == ("ArcLStart", P10, TABLE)
+    assert [one.speed.v_tcp for one in controller.moves] == [100.0, 10.0, 10.0]
+    assert [one.zone.finep for one in controller.moves] == [True, False, True]
+    assert on.circle_point == P20
+    assert end.to == P20
+    assert controller.log == ["wait 0.5 in position", "wait 0.5 in position"]
+    assert [name for name, _ in controller.unsimulated] == [
+        *("ArcLStart", "ArcC", "ArcLEnd"),
+        r"ArcLEnd \Track",
+    ]

@@ -27,7 +27,9 @@ NEEDS_MORE = {
     *("SocketGetStatus", "SocketPeek", "SocketReceive"),
     *("GetTaskName", "TasksInSync"),
     *("MToolTCPCalib", "UIListView", "ReadAnyBin", "ReadBin", "ReadNum", "TextTabGet"),
-    *("ReadErrData", "WZDOSet", "WZLimSup"),
+    *("ReadErrData", "WZDOSet", "WZLimSup", "ReadStr", "ReadCfgData", "WriteCfgData"),
+    "GetNextMechUnit",
+    *("GetJointData", "CorrRead"),
 }
 """They want a program, a connection, an open file or a list of things around them."""
 WHOLE = {"BitPos", "ShiftSteps", "TargetsInList", "ChPos"}
@@ -98,7 +100,7 @@ class Uneven(RecordingController):
     def read_signal(self, name: str) -> float:
         return THIRD
 
-    def ask_number(self, prompt: str) -> float:
+    def ask_number(self, prompt: str, *, ends: bool = False) -> float | None:
         return THIRD
 
 

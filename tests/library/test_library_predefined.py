@@ -11,7 +11,9 @@ from rapidsim.language.initial import initial_value
 from rapidsim.language.records import RECORD_CLASSES, record_of
 from rapidsim.language.single import single
 from rapidsim.language.types import Alias, ArrayOf, Kind, Record, resolved
+from rapidsim.library.catalogue import ROUTINES
 from rapidsim.library.predefined import DATA, TYPES
+from rapidsim.library.versions import SINCE
 
 REFERENCE = Path(__file__).parents[2].parent / "shared" / "reference" / "rapid_predefined.json"
 
@@ -57,6 +59,22 @@ def test_constants_have_their_values() -> None:
         assert data.constant
 
 
+def test_every_routine_is_at_least_declared() -> None:
+    for row in _reference()["routines"]:
+        routine = ROUTINES[row["name"].lower()]
+        is_function = routine.signature.result is not None
+        assert is_function == (row["kind"] == "function"), row["name"]
+
+
+def test_names_of_a_version_are_known_names() -> None:
+    for name in SINCE:
+        routine, _, option = name.partition("\\")
+        assert routine in ROUTINES or routine in DATA, name
+        if option:
+            parameters = ROUTINES[routine].signature.parameters
+            assert option in {parameter.name.lower() for parameter in parameters}, name
+
+
 def test_every_error_name_is_there() -> None:
     for error in _reference()["error_constants"]:
         assert DATA[error["name"].lower()].type.name == "errnum"
@@ -91,7 +109,7 @@ def test_only_what_the_controller_lets_change_is_no_constant() -> None:
     variables = {d.name for d in DATA.values() if not d.constant and not d.persistent}
     assert variables == {
         *("vmax", "reg1", "reg2", "reg3", "reg4", "reg5", "clock1", "ERRNO", "INTNO"),
-        *("ROB_ID", "ROB_1"),
+        *("ROB_ID", "ROB_1", "C_MOTSET", "C_PROGDISP"),
     }
     assert {d.name for d in DATA.values() if d.persistent} == {"tool0", "wobj0", "load0"}
     assert DATA["tool0"].value == TOOL0

@@ -35,6 +35,10 @@ OTHERWISE = {
     ("SetAllDataVal", Does.MOVE): "it searches data",
     ("SetAllDataVal", Does.SEARCH): "it searches data",
     ("SocketPeek", Does.WAIT): "it asks for what has arrived, and waits no time",
+    ("CamLoadJob", Does.WAIT): "a job is there at once here",
+    ("CamWaitLoadJob", Does.WAIT): "a job is there at once here",
+    ("IODisable", Does.WAIT): "a device is gone at once here",
+    ("IOEnable", Does.WAIT): "a device is there at once here",
     ("WaitLoad", Does.WAIT): "a run has loaded the module before",
 }
 """Where row and body differ, and why."""
@@ -120,7 +124,7 @@ def test_what_follows_from_parameters_is_not_forgotten() -> None:
     assert {"SyncMoveOn", "UINumTune", "RMQReadWait", "IOEnable"} <= names(Does.WAIT)
     assert {"TPReadFK", "UINumTune"} <= names(Does.ASK)
     assert {"ArcL", "EGMMoveC", "ContactL"} <= names(Does.CARTESIAN) <= names(Does.MOVE)
-    assert names(Does.AXES) == {"MoveAbsJ", "MoveExtJ", "SearchExtJ"}
+    assert names(Does.AXES) == {"MoveAbsJ", "MoveExtJ", "SearchExtJ", "TriggAbsJ"}
     assert ROUTINES["syncmoveon"].limit == "TimeOut"
     # It is given with each call.
     assert ROUTINES["ioenable"].limit is None
@@ -144,7 +148,7 @@ ELSEWHERE = {
     "motion/timing/constraints.py": {"PathAccLim", "WorldAccLim"},
     "plots": {"round"},
     "report": {"dim", "distance"},
-    "station": {"type", "set", "close"},
+    "station": {"type", "set", "close", "max", "min"},
     "syntax": {"EXP", "open", "close"},
 }
 

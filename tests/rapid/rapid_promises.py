@@ -5,7 +5,8 @@
     n:=1/zero;          ! stops: division by zero
     EXIT;               ! ends: stopped     how the run ends, where it is not by reaching the end
 
-A comment on a line of its own belongs to the line of code above it.
+A comment on a line of its own belongs to the line of code above it. A folder with a station file is
+run in that cell; its `answers.txt` holds what the operator answers.
 """
 
 from __future__ import annotations
@@ -16,10 +17,14 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
+from rapidsim.cli.options.answers import answers_from
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.diagnostics import Diagnostic, Severity, Source
 from rapidsim.files import SourceFile, decode
+from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.job import job
+from rapidsim.jobs.run_files import ProgramRejectedError, run_job
 from rapidsim.motion.robot.robot import Robot, load_robot
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import Simulation
@@ -34,6 +39,8 @@ _PROMISE = re.compile(
     r" ?(?P<text>.*)"
 )
 _NEXT = re.compile(r"\s*(?=! (?:->|error:|warning:|note:|stops:|ends:))")
+
+MODULES = frozenset({".mod", ".modx", ".sys", ".sysx", ".prg"})
 
 Fact = tuple[str, int, str, str]
 """File, line (0 for none), kind, text; facts of one line keep their order."""
@@ -88,14 +95,35 @@ def promises(source: Source) -> list[Fact]:
 
 def sources(task: Path) -> list[Source]:
     """The modules of a program: one file, or all of a folder; not what lies in its home folder."""
-    inside = sorted(task.iterdir()) if task.is_dir() else [task]
-    paths = [path for path in inside if path.is_file()]
+    inside = sorted(task.rglob("*")) if task.is_dir() else [task]
+    inside = [path for path in inside if task / "home" not in path.parents]
+    paths = [path for path in inside if path.is_file() and path.suffix in MODULES]
     return [Source(path.name, decode(path.read_bytes())[0]) for path in paths]
 
 
 def promised(texts: Iterable[Source]) -> list[Fact]:
     """What the comments of a program say must happen, by file and line."""
     return _ordered(fact for source in texts for fact in promises(source))
+
+
+def happened_in_cell(folder: Path) -> list[Fact]:
+    """What happens when a folder with a station file is checked and, if it can be, run."""
+    answers = folder / "answers.txt"
+    home = folder / "home"
+    asked = Asked(
+        paths=(str(folder),),
+        robot=robot(),
+        answers=answers_from(str(answers)) if answers.exists() else None,
+        home=str(home) if home.is_dir() else None,
+        max_time_s=MAX_TIME_S,
+    )
+    try:
+        run = run_job(job(asked)).simulation
+    except ProgramRejectedError as rejected:
+        facts = [_finding(diagnostic) for diagnostic in rejected.diagnostics]
+    else:
+        facts = _run(run)
+    return _ordered((Path(fact[0]).name, *fact[1:]) for fact in facts)
 
 
 def happened(texts: Sequence[Source], home: Path | None = None) -> list[Fact]:

@@ -4,7 +4,9 @@ import re
 from pathlib import Path
 
 import pytest
-from rapid_promises import happened, promised, sources
+from rapid_promises import happened, happened_in_cell, promised, sources
+
+from rapidsim.station.station import FILE_NAME
 
 BOOK = Path(__file__).parent
 CHAPTERS = (
@@ -20,11 +22,16 @@ CHAPTERS = (
     "waiting",
     "motion",
     "modules",
+    "operator",
+    "system",
+    "newer",
     "oddities",
     "broken",
 )
 PROGRAMS = [program for chapter in CHAPTERS for program in sorted((BOOK / chapter).iterdir())]
-TITLE = re.compile(r"^\s*! (RAPID (Kernel|Overview|Instructions|Functions)|Field practice), \w")
+TITLE = re.compile(
+    r"^\s*! (RAPID (Kernel|Overview|Instructions|Functions|Data types)|Field practice), \w"
+)
 
 
 def name(program: Path) -> str:
@@ -34,6 +41,9 @@ def name(program: Path) -> str:
 @pytest.mark.parametrize("program", PROGRAMS, ids=name)
 def test_what_a_program_promises_is_what_happens(program: Path) -> None:
     texts = sources(program)
+    if (program / FILE_NAME).exists():
+        assert happened_in_cell(program) == promised(texts)
+        return
     home = program / "home"
     assert happened(texts, home if home.is_dir() else None) == promised(texts)
 

@@ -1,4 +1,4 @@
-"""Which modules the tasks of a controller backup have, and what is said of those nobody reads."""
+"""Modules of the tasks of a controller backup, and what is said of those nobody can read."""
 
 from collections.abc import Callable
 from pathlib import Path

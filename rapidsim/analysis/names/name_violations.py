@@ -132,3 +132,15 @@ class MisplacedScope(Violation, code="N213"):
 class UnknownUnit(Violation, code="N214"):
     unit: str
     type: str
+
+
+class NotInThisRobotWare(Violation, code="N219"):
+    used: str
+    since: str
+    station: str
+
+
+class AssumedData(Violation, code="N220"):
+    missing: str
+    type: str
+    taken: str

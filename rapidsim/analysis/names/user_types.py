@@ -20,6 +20,7 @@ from rapidsim.analysis.tree_walk import data_of
 from rapidsim.diagnostics import Related
 from rapidsim.language import types
 from rapidsim.language.types import Alias, ArrayOf, Atomic, Component, Kind, Record, Type
+from rapidsim.library.predefined import OF_OPTIONS
 from rapidsim.syntax import tree
 
 TypeNode = tree.RecordType | tree.AliasType
@@ -118,7 +119,7 @@ class UserTypes:
             if module in (None, context.module)
         ]
         analysis = context.analysis
-        if not analysis.may_be_unread(name.key):
+        if name.key not in OF_OPTIONS and not analysis.may_be_unread(name.key):
             compares = analysis.may_compare(name.key)
             meant = closest(name.text, [*known, *installed_type_names()]) if compares else None
             context.report(UnknownType(name.text, meant), name)

@@ -23,6 +23,7 @@ from rapidsim.analysis.passes.declarations import declare_locals, declare_task, 
 from rapidsim.analysis.passes.initial_values import check_circles, check_initial_value
 from rapidsim.analysis.passes.statements import check_routine_body
 from rapidsim.analysis.passes.undeclared import decide_undeclared
+from rapidsim.analysis.passes.versions import find_newer
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Scope, does
 from rapidsim.analysis.program_parts import Facts
 from rapidsim.analysis.tolerated_syntax import check_lenient_marks
@@ -93,6 +94,7 @@ def check(
         check_circles(data)
         decide_undeclared(analysis)
         facts = Facts(tuple(files), analysis)
+        analysis.diagnostics += find_newer(facts)
         for rule in rules:
             analysis.diagnostics += rule(facts)
     diagnostics = _in_order(analysis.diagnostics, files)

@@ -9,6 +9,7 @@ from typing import TypeAlias
 from rapidsim.analysis.context import Context
 from rapidsim.analysis.names.name_violations import DuplicateName
 from rapidsim.analysis.passes.flow_violations import (
+    ContinueOutsideLoop,
     GotoTarget,
     MissingReturn,
     RaiseRetryPlacement,
@@ -33,6 +34,7 @@ def check_flow(routine: tree.Routine, context: Context) -> None:
     _check_returns(routine, context)
     _check_labels(routine, context)
     for body in clauses(routine):
+        _check_next_turns(body, context)
         _check_reached(body, context, is_resumed=body is routine.body and _resumes(routine))
 
 
@@ -71,6 +73,19 @@ def _check_answers(routine: tree.Routine, context: Context) -> None:
                 context.report(RaiseRetryPlacement("RAISE without a number"), node)
             case _:
                 pass
+
+
+def _check_next_turns(body: tree.Body, context: Context) -> None:
+    """CONTINUE has a loop around it."""
+    for statement in body:
+        if isinstance(statement, tree.For | tree.While):
+            continue
+        symbol = context.analysis.symbol_of.get(statement)
+        if Does.NEXT_TURN in does(symbol):
+            assert symbol is not None
+            context.report(ContinueOutsideLoop(symbol.name), statement)
+        for block in blocks(statement):
+            _check_next_turns(block, context)
 
 
 def _is_handler(body: tree.Body, routine: tree.Routine) -> bool:

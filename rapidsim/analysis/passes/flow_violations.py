@@ -35,6 +35,10 @@ class RaiseRetryPlacement(Violation, code="F406"):
         return None
 
 
+class ContinueOutsideLoop(Violation, code="F419"):
+    statement: str
+
+
 class ReturnValue(Violation, code="F415"):
     problem: str
     cure: str

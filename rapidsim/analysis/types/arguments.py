@@ -6,14 +6,15 @@ Source: RAPID Overview, "Routines", the table of parameter access modes.
 from __future__ import annotations
 
 from rapidsim.analysis.context import Context, TypeOf
+from rapidsim.analysis.names.assumed import is_assumed
 from rapidsim.analysis.names.name_violations import UnknownUnit
 from rapidsim.analysis.names.names import find, kind_of, report_undefined, take_for_signal
 from rapidsim.analysis.parameters import Formal, Wanted
-from rapidsim.analysis.program import CounterSymbol, DataSymbol, ParameterSymbol, Storage, Symbol
+from rapidsim.analysis.program import DataSymbol, ParameterSymbol, Storage, Symbol
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.analysis.types.argument_violations import BadArgumentMode, PersistentElement
 from rapidsim.analysis.types.assignability import agrees, report_mismatch, require_value
-from rapidsim.analysis.types.data_paths import root_of
+from rapidsim.analysis.types.data_paths import is_read_only, root_of
 from rapidsim.analysis.types.operators import is_literal_number, value_type
 from rapidsim.language import types
 from rapidsim.language.annotations import Mode
@@ -60,6 +61,8 @@ def check_argument(
         unit = next((of for of in formal.types if _is_configured(of)), None)
         if unit is not None:
             _take_for_unit(plain, unit, context)
+            return None
+        if is_assumed(plain, formal.wanted.type, context):
             return None
         if formal.mode is not Mode.IN:
             report_undefined(plain.name, context)
@@ -140,7 +143,7 @@ def _check_mode(value: tree.Expression, formal: Formal, context: Context) -> Non
 def _may_refer(symbol: Symbol, mode: Mode) -> bool:
     """Whether a parameter of a mode may be bound to data."""
     match symbol:
-        case CounterSymbol() | DataSymbol(storage=Storage.CONST):
+        case _ if is_read_only(symbol):
             return mode is Mode.REF
         case ParameterSymbol(mode=Mode.INOUT):
             # What it is bound to is not known here.

@@ -13,7 +13,8 @@ from rapidsim.language.annotations import Mode
 def callee_of(symbol: Symbol | None, context: Context) -> Callee | None:
     """What a symbol is when called; None for what is not known."""
     if isinstance(symbol, LibrarySymbol):
-        return callee_of_installed(symbol)
+        is_open = symbol.routine.signature.is_open
+        return None if is_open else callee_of_installed(symbol)
     if not isinstance(symbol, RoutineSymbol):
         return None
     callee = context.analysis.callees.get(symbol)

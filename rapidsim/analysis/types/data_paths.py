@@ -14,7 +14,7 @@ from rapidsim.analysis.names.names import (
     type_of_undeclared,
 )
 from rapidsim.analysis.parameters import Wanted
-from rapidsim.analysis.program import CounterSymbol, DataSymbol, Storage
+from rapidsim.analysis.program import CounterSymbol, DataSymbol, Storage, Symbol
 from rapidsim.analysis.suggestions import closest
 from rapidsim.analysis.types.assignability import is_unknown, require
 from rapidsim.analysis.types.constant_folding import constant_number
@@ -26,6 +26,7 @@ from rapidsim.analysis.types.type_violations import (
 )
 from rapidsim.language import types
 from rapidsim.language.types import ArrayOf, Record, Type, resolved
+from rapidsim.library.predefined import SET_BY_INSTRUCTIONS
 from rapidsim.syntax import tree
 
 
@@ -48,13 +49,22 @@ def type_of_target(path: tree.DataPath, context: Context, type_of: TypeOf) -> Ty
     data = as_data(symbol, root, context)
     if data is None:
         return None
-    if isinstance(data, CounterSymbol) or (
-        isinstance(data, DataSymbol) and data.storage is Storage.CONST
-    ):
+    if is_read_only(data):
         name = root.name.text
         violation = WriteToReadOnly(name, kind_of(data))
         context.report(violation, path, *context.declaration(data))
     return type_of_path(path, context, type_of)
+
+
+def is_read_only(symbol: Symbol | None) -> bool:
+    """Whether the program cannot write data: constants, counters, what the controller tells."""
+    match symbol:
+        case CounterSymbol() | DataSymbol(storage=Storage.CONST):
+            return True
+        case DataSymbol(module=None, name=name):
+            return name in SET_BY_INSTRUCTIONS
+        case _:
+            return False
 
 
 def root_of(path: tree.DataPath) -> tree.Reference:

@@ -31,6 +31,7 @@ _RESULTS = MappingProxyType(
         ("*", "orient", "orient"): _ORIENT,
         ("/", "num", "num"): types.NUM,
         ("/", "dnum", "dnum"): types.DNUM,
+        ("/", "pos", "num"): _POS,
         ("DIV", "num", "num"): types.NUM,
         ("DIV", "dnum", "dnum"): types.DNUM,
         ("MOD", "num", "num"): types.NUM,
@@ -51,8 +52,20 @@ def binary_result(operator: str, left: Type, right: Type) -> Type | None:
     if operator in ORDERING:
         return types.BOOL if a == b and a in (types.NUM, types.DNUM) else None
     if operator in EQUALITY:
-        return types.BOOL if a == b and has_value(a) and not isinstance(a, ArrayOf) else None
+        return types.BOOL if _comparable(a, b) and has_value(a) else None
     return _RESULTS.get((operator, a.name.lower(), b.name.lower()))
+
+
+def _comparable(a: Type, b: Type) -> bool:
+    """Whether two types are one, or arrays that may have the same sizes."""
+    if not isinstance(a, ArrayOf) or not isinstance(b, ArrayOf):
+        return a == b
+    sizes = zip(a.dimensions, b.dimensions, strict=False)
+    return (
+        resolved(a.element) == resolved(b.element)
+        and len(a.dimensions) == len(b.dimensions)
+        and all(m == n or None in (m, n) for m, n in sizes)
+    )
 
 
 def unary_result(operator: str, operand: Type) -> Type | None:

@@ -52,6 +52,11 @@ _INPUTS = (
         help="Another address that sockets may use.",
     ),
     click.option(
+        "--assume-missing",
+        is_flag=True,
+        help="Take tool0, wobj0 and load0 for tools, work objects and loads that are missing.",
+    ),
+    click.option(
         "--start-time",
         metavar="DATE",
         type=Date(),
@@ -98,6 +103,7 @@ def program_options(command: Callable[..., int]) -> Callable[..., int]:
         home: str | None,
         allow_network: bool,
         network_hosts: tuple[str, ...],
+        assume_missing: bool,
         start_time: datetime | None,
         max_time: float,
         max_wall: float | None,
@@ -117,6 +123,7 @@ def program_options(command: Callable[..., int]) -> Callable[..., int]:
             answers_are_typed=answers is None,
             home=home,
             network=Network(frozenset(network_hosts)) if allow_network else None,
+            assume_missing=assume_missing,
             starts_at=start_time,
             max_time_s=max_time,
             max_wall_s=max_wall,

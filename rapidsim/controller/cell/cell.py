@@ -14,6 +14,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
+from rapidsim.controller.cell.camera_scripts import CameraState
+from rapidsim.controller.cell.conveyors import ConveyorState
 from rapidsim.controller.cell.description import CrossConnection, Status, Stimulus
 from rapidsim.controller.cell.home_folder import HomeFolder
 from rapidsim.controller.cell.inputs import CellInputs
@@ -21,6 +23,7 @@ from rapidsim.controller.cell.operator import Operator
 from rapidsim.controller.cell.rendezvous import Meetings
 from rapidsim.controller.cell.signals import SignalTable
 from rapidsim.controller.cell.streams import SocketTable
+from rapidsim.controller.cell.system_parameters import SystemParameters
 from rapidsim.controller.cell.text_tables import TextTables
 from rapidsim.controller.cell.watchdog import Watchdog
 from rapidsim.controller.journal.events import EventKind
@@ -130,6 +133,13 @@ class Cell:
         """None where sockets may not use the network."""
         self.starts_at = inputs.starts_at
         """Date and time of day at time zero."""
+        self.cameras = {one.name.lower(): CameraState(one, one.name) for one in inputs.io.cameras}
+        """By folded name."""
+        self.conveyors = {one.unit.lower(): ConveyorState(one) for one in inputs.io.conveyors}
+        """By folded name of the unit."""
+        self.parameters = SystemParameters(inputs.configured)
+        self.disabled_devices: set[str] = set()
+        """Folded names of the I/O devices that the program has switched off."""
         self.meetings = Meetings()
         self.turns: Turns = Alone()
         self.is_shared = False

@@ -9,7 +9,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
+from rapidsim.controller.cell.camera_scripts import CameraScript
 from rapidsim.controller.cell.conditions import Condition
+from rapidsim.controller.cell.conveyors import ConveyorScript
 from rapidsim.controller.cell.socket_scripts import SocketScript
 
 
@@ -104,6 +106,8 @@ class CellIo:
     stimuli: tuple[Stimulus, ...] = ()
     sockets: tuple[SocketScript, ...] = ()
     """Who is at the other end of the program's sockets."""
+    cameras: tuple[CameraScript, ...] = ()
+    conveyors: tuple[ConveyorScript, ...] = ()
 
     def and_also(self, other: CellIo) -> CellIo:
         """Both; where both declare a signal, the other's declaration counts."""
@@ -115,6 +119,8 @@ class CellIo:
             crosses=(*self.crosses, *other.crosses),
             stimuli=(*self.stimuli, *other.stimuli),
             sockets=(*self.sockets, *other.sockets),
+            cameras=(*self.cameras, *other.cameras),
+            conveyors=(*self.conveyors, *other.conveyors),
         )
 
     @property

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.controller.cell.network import Network
+from rapidsim.language.equipment import Configured
 
 Answers = Callable[[str], str | None]
 """Answers an operator's question by its prompt; None where nobody answers."""
@@ -32,6 +33,8 @@ class CellInputs:
     """The folder HOME: stands for; None makes file instructions fail with a clear error."""
     network: Network | None
     """What sockets may use of the network; None lets them reach the station's scripts only."""
+    configured: Configured
+    """The system parameters."""
     starts_at: datetime
     """Date and time of day that the controller's clock shows when the run begins."""
     max_time_s: float

@@ -1,6 +1,7 @@
 """The person at the FlexPendant: answers from a file, a terminal, or nobody.
 
-A run in CI must never hang on a question, so where nobody answers a default is taken and said.
+A run in CI must never hang on a question, so where nobody answers a default is taken and said; but
+of a question that ends by itself nobody answers nothing.
 """
 
 from __future__ import annotations
@@ -36,8 +37,8 @@ class Operator:
     can_be_asked_again: bool = False
     """Whether somebody sits there who can mend an answer; lines of a file cannot."""
 
-    def number(self, prompt: str) -> Answer[float]:
-        """The answer to a question for a number."""
+    def number(self, prompt: str, *, ends: bool = False) -> Answer[float] | None:
+        """The answer to a question for a number; None if nobody answers one that `ends`."""
         text = self._ask(prompt)
         default = f"{DEFAULT_NUMBER:g}"
         while text is not None:
@@ -47,9 +48,13 @@ class Operator:
             if not self.can_be_asked_again:
                 return Answer(DEFAULT_NUMBER, (AnswerNotANumber(prompt, text, default),))
             text = self._ask(f"`{text}` is no number, such as 12 or -0.5. {prompt}")
+        if ends:
+            return None
         return Answer(DEFAULT_NUMBER, (QuestionUnanswered(prompt, default),))
 
-    def choice(self, prompt: str, choices: Sequence[str]) -> Answer[int]:
+    def choice(
+        self, prompt: str, choices: Sequence[str], *, ends: bool = False
+    ) -> Answer[int] | None:
         """The index of a key, answered by its text or by its number from 1; "" is no key."""
         keys = [index for index, text in enumerate(choices) if text]
         first = keys[0] if keys else 0
@@ -62,11 +67,15 @@ class Operator:
             if not self.can_be_asked_again:
                 return Answer(first, (AnswerNotAChoice(prompt, text, choices[first]),))
             text = self._ask(f"`{text}` is none of the keys. {offered}")
+        if ends:
+            return None
         return Answer(first, (QuestionUnanswered(prompt, choices[first]),))
 
-    def text(self, prompt: str, proposal: str) -> Answer[str]:
+    def text(self, prompt: str, proposal: str, *, ends: bool = False) -> Answer[str] | None:
         """A text; the proposal where nobody answers."""
         text = self._ask(prompt)
+        if text is None and ends:
+            return None
         if text is None:
             return Answer(proposal, (QuestionUnanswered(prompt, proposal),))
         return Answer(text)

@@ -51,7 +51,7 @@ _UNHURRIED_M_S = 1.0
 
 def speed_of(move: Move, settings: MotionSettings) -> Speed:
     """Programmed speeds of TCP and tool with VelSet applied."""
-    share = settings.speed_override_percent / 100.0
+    share = settings.speed_share
     if move.interpolation is Interpolation.EXTERNAL_AXES:
         return Speed(_UNHURRIED_M_S, math.inf)
     tcp_mm_s = move.speed.v_tcp * share
@@ -133,7 +133,7 @@ def external_speeds_of(
 
     Speeds for one kind of axis, such as vlin100, have 0 for the other kind: it says nothing of it.
     """
-    share = settings.speed_override_percent / 100.0
+    share = settings.speed_share
     return tuple(
         min((move.speed.v_leax if axis.linear else move.speed.v_reax) * share / axis.scale, top)
         or top

@@ -247,7 +247,8 @@ class Calls:
 
     def _instruction(self, routine: LibraryRoutine, call: tree.Call, at: At) -> list[ast.stmt]:
         signature = routine.signature
-        given = match_arguments(call.arguments, signature.parameters)
+        arguments = () if signature.is_open else call.arguments
+        given = match_arguments(arguments, signature.parameters)
         function = at.name(self._names.module.library(routine))
         values, options, calls = self._library_arguments(signature, given, at)
         if not signature.takes_controller:

@@ -31,8 +31,15 @@ from rapidsim.language.annotations import Mode
 from rapidsim.language.types import NUM, SIGNAL_DI, ArrayOf, Record, Type, resolved
 from rapidsim.syntax import tree
 
-_KEPT_BY = MappingProxyType({"errno": "_error_numbers", "intno": "_interrupts"})
-"""The concerns of the controller that keep predefined data."""
+_KEPT_BY = MappingProxyType(
+    {
+        "errno": ("_error_numbers", "errno"),
+        "intno": ("_interrupts", "intno"),
+        "c_motset": ("_motion", "settings", "c_motset"),
+        "c_progdisp": ("_motion", "settings", "c_progdisp"),
+    }
+)
+"""Where the controller keeps predefined data: a concern, and the way in it."""
 
 
 class Home(Enum):
@@ -45,7 +52,7 @@ class Home(Enum):
     ARRAY = "array"
     """In the list that the name holds."""
     CONTROLLER = "controller"
-    """ERRNO and INTNO, which the controller keeps."""
+    """ERRNO, INTNO and the settings of the motion, which the controller keeps."""
     SIGNAL = "signal"
     """Behind a reference to a signal, whose value the controller keeps."""
 
@@ -241,8 +248,10 @@ class Paths:
             case DataSymbol(storage=Storage.CONST, type=of):
                 return Whole(Home.PLAIN, self._expressions.constant_data(symbol, at), of)
             case DataSymbol(type=of) if symbol.node is None and symbol.name.lower() in _KEPT_BY:
-                key = symbol.name.lower()
-                node = at.attribute(_KEPT_BY[key], key)
+                concern, *way = _KEPT_BY[symbol.name.lower()]
+                node: ast.expr = at.name(concern)
+                for name_of_part in way:
+                    node = at.attribute(node, name_of_part)
                 return Whole(Home.CONTROLLER, node, of)
             case DataSymbol(type=of):
                 in_reference = name is None or symbol in self._names.in_cell

@@ -49,6 +49,7 @@ _POSITIONS = {
     ("-", "pos", "pos"): "_subtract_positions",
     ("*", "pos", "pos"): "_cross_product",
     ("*", "pos", "num"): "_scale_position",
+    ("/", "pos", "num"): "_divide_position",
     ("*", "orient", "orient"): "_compose_orientations",
 }
 

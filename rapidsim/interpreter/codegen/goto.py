@@ -8,8 +8,8 @@
         break
 
 A GOTO sets the section to go on with and continues that loop; from within inner loops it first
-breaks out of each. A GOTO reaches labels of its own and of enclosing lists only, so every jump ends
-at a loop that encloses it.
+breaks out of each. CONTINUE goes the same way to the next turn of its loop. A GOTO reaches labels
+of its own and of enclosing lists only, so every jump ends at a loop that encloses it.
 
 Source: Technical reference manual RAPID Overview, "GOTO"; ABB event 40023.
 """
@@ -20,10 +20,14 @@ import ast
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from itertools import takewhile
 
 from rapidsim.analysis.tree_walk import statements
 from rapidsim.interpreter.codegen.ast_builder import At
 from rapidsim.syntax import tree
+
+_NEXT_TURN = -1
+"""What `_jump` is on the way to the next turn of a FOR or WHILE; else the number of a machine."""
 
 
 @dataclass(slots=True)
@@ -36,6 +40,8 @@ class Loop:
     """Of a state machine, the section behind each label."""
     crossed: bool = False
     """Whether a GOTO inside jumps out of it."""
+    continued: bool = False
+    """Whether a CONTINUE inside does."""
 
 
 @dataclass(slots=True)
@@ -98,12 +104,25 @@ class Jumps:
             crossed.crossed = True
         return [go, at.set("_jump", at.constant(loop.number)), at.stop()]
 
+    def next_turn(self, at: At) -> list[ast.stmt]:
+        """CONTINUE: the next turn of the FOR or WHILE around, out of the machines in between."""
+        crossed = list(takewhile(lambda loop: loop.number, reversed(self._loops)))
+        if not crossed:
+            return [at.go_on()]
+        for machine in crossed:
+            machine.crossed = machine.continued = True
+        return [at.set("_jump", at.constant(_NEXT_TURN)), at.stop()]
+
     def after(self, loop: Loop, at: At) -> list[ast.stmt]:
         """What follows a loop: where a GOTO broke out of it, pass that on."""
         if not loop.crossed or not self._loops:
             return []
         outer = self._loops[-1]
         pass_on: list[ast.stmt] = [at.stop()]
+        if loop.continued and not outer.number:
+            next_turn = at.compare(at.name("_jump"), (ast.Eq(), at.constant(_NEXT_TURN)))
+            turn = at.when(next_turn, [at.set("_jump", at.constant(0)), at.go_on()])
+            pass_on = [turn, *pass_on]
         if outer.number:
             here = at.compare(at.name("_jump"), (ast.Eq(), at.constant(outer.number)))
             arrive = at.when(here, [at.set("_jump", at.constant(0)), at.go_on()])

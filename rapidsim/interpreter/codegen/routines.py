@@ -43,6 +43,7 @@ from rapidsim.interpreter.codegen.names import ArrayDimension, LocalNames, Modul
 from rapidsim.interpreter.codegen.rounds import Callees, callees, tick
 from rapidsim.interpreter.codegen.statements import Statements
 from rapidsim.interpreter.limits import NotExecutableError
+from rapidsim.language.moves import Place
 from rapidsim.syntax import tree
 
 
@@ -56,6 +57,10 @@ class TranslatedRoutine:
     callees: Callees
     tick: list[ast.stmt]
     """What the function begins with if its calls take a tick."""
+
+
+STUB = "what its stub says"
+"""What is done instead of a routine of a stub module."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,6 +154,8 @@ class _RoutineTranslation:
     def _prologue(self) -> Iterator[ast.stmt]:
         """Cells for parameters that are lent on, tables for arrays sized by the caller."""
         at = self._header
+        if self._symbol.module.source.file in self._context.program.cell.stubs:
+            yield self._stub(at)
         for symbol in self._symbol.parameters:
             name = self._names.get(symbol)
             if symbol in self._names.in_cell and name is not None:
@@ -165,6 +172,13 @@ class _RoutineTranslation:
                 yield at.set(name, at.call("_index_table_of", arguments))
             else:
                 yield at.set(name, at.item("_index_tables", _size(dimension, at)))
+
+    def _stub(self, at: At) -> ast.stmt:
+        """Say that the routine stands for another one."""
+        span = self._symbol.module.span(self._node.name)
+        place = self._context.names.place(Place(span, self._symbol.name))
+        said = [at.constant(self._symbol.name), at.constant(STUB), at.constant(None)]
+        return at.do(at.call("_stand_in", [at.name(place), *said]))
 
     def _statements(
         self, body: tree.Body, *, is_protected: bool = False, in_handler: bool = False

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NoReturn, assert_never
 
-from rapidsim.analysis.program import DataSymbol, RoutineSymbol
+from rapidsim.analysis.program import DataSymbol, RoutineSymbol, does
 from rapidsim.interpreter.codegen.ast_builder import At
 from rapidsim.interpreter.codegen.error_handling import protected
 from rapidsim.interpreter.codegen.expression_code import Code, Interval, finished
@@ -29,6 +29,7 @@ from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER
 from rapidsim.interpreter.runtime.values import literal
 from rapidsim.language.initial import initial_value
 from rapidsim.language.types import NUM, ArrayOf, resolved
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
 
@@ -118,6 +119,8 @@ class Statements:
 
     def _call(self, statement: tree.Call, at: At) -> list[ast.stmt]:
         program = self.expressions.program
+        if Does.NEXT_TURN in does(program.symbol_of[statement]):
+            return self.jumps.next_turn(at)
         variable = assigned_in_place(statement, program)
         if variable is None:
             called = self._guard(self.expressions.calls.procedure(statement, at), at)

@@ -59,6 +59,7 @@ FUNCTIONS: Mapping[str, object] = MappingProxyType(
         "_count": arithmetic.count,
         "_cross_product": arithmetic.cross_product,
         "_dimension": arrays.dimension,
+        "_divide_position": arithmetic.divide_position,
         "_index_table_of": arrays.index_table_of,
         "_index_tables": arrays.INDEX_TABLES,
         "_is_persistent": is_persistent,

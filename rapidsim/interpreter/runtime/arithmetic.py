@@ -92,6 +92,13 @@ def scaled_position(factor: float, a: Pos) -> Pos:
     return scale_position(a, factor)
 
 
+def divide_position(a: Pos, divisor: float) -> Pos:
+    """The position divided by a number, each component a single."""
+    if not divisor:
+        raise rapid_error(ERR_DIVZERO, "a position divided by 0")
+    return Pos(single(a[0] / divisor), single(a[1] / divisor), single(a[2] / divisor))
+
+
 def cross_product(a: Pos, b: Pos) -> Pos:
     """The vector product, each component a single."""
     return Pos(*(single(component) for component in crossed(a, b)))

@@ -27,7 +27,7 @@ from rapidsim.language.error_numbers import (
     NUMBERS,
     rapid_error,
 )
-from rapidsim.language.errors import RapidError, Stopped
+from rapidsim.language.errors import RaisedError, RapidError, Stopped
 
 ERRORS: Final = (RapidError, ZeroDivisionError)
 """What a program can catch. Python divides by zero on its own; any other exception is a defect."""
@@ -104,6 +104,8 @@ class Recovery:
             retry = handler(rapid)
         except Propagated as propagated:
             raise propagated.error from None
+        except RaisedError as inside:
+            raise inside from None
         except ERRORS as inside:
             raise Unrecoverable(as_rapid_error(inside)) from inside
         if not retry:

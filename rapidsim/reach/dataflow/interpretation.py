@@ -103,6 +103,8 @@ class _Walker:
     _entered: set[RoutineSymbol] = field(default_factory=set)
     _constants: dict[Symbol, Known] = field(default_factory=dict)
     _body_effects: dict[int, Effects] = field(default_factory=dict)
+    _turns: list[list[State]] = field(default_factory=list)
+    """For each loop that is walked, what was known where CONTINUE ended its turn."""
     _ghosts: set[int] = field(default_factory=set)
     _as_ghost: int = 0
     """Above 0 while statements are walked that this way through the program does not reach."""
@@ -397,7 +399,7 @@ class _Walker:
                 self._forget_effects(effects, _IN_LOOP)
                 break
             self.state.values[counter] = value
-            self._execute(loop.body)
+            self._turn(loop.body)
 
     def _while(self, condition: tree.Expression, body: tree.Body) -> None:
         known = self._evaluator.value(condition)
@@ -413,18 +415,24 @@ class _Walker:
         entry = self.state.copy()
         after_first: int | None = entry.last
         if effects.moves:
-            self._execute(body)
+            self._turn(body)
             after_first = self.state.last if self.state.alive else None
         self.state = entry.copy()
         self._forget_effects(effects, _IN_LOOP)
         self.state.last = after_first
-        self._execute(body)
+        self._turn(body)
         after = self.state
         self.state = entry
         self._forget_effects(effects, _IN_LOOP)
         if effects.moves and surely and after.alive:
             self.state.last = after.last
         self.state.alive = not endless
+
+    def _turn(self, body: tree.Body) -> None:
+        """Walk the body of a loop once, up to its end or to a CONTINUE."""
+        self._turns.append([])
+        self._execute(body)
+        self.state = joined([*self._turns.pop(), self.state])
 
     # --- instructions
 
@@ -434,6 +442,10 @@ class _Walker:
                 self.call(symbol, call.arguments)
             case LibrarySymbol(routine=routine) if Does.CALL_BY_NAME in routine.does:
                 self._forget_effects(self.effects.everything, _BY_CALL)
+            case LibrarySymbol(routine=routine) if Does.NEXT_TURN in routine.does:
+                if self._turns and not self._as_ghost:
+                    self._turns[-1].append(self.state.copy())
+                self.state.alive = False
             case LibrarySymbol(routine=routine):
                 self._instruction(call, routine)
             case _:

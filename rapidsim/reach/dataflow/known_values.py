@@ -62,6 +62,7 @@ _ON_POSITIONS: Mapping[tuple[str, type, type], Callable[[Any, Any], Any]] = {
     ("+", Pos, Pos): arithmetic.add_positions,
     ("-", Pos, Pos): arithmetic.subtract_positions,
     ("*", Pos, float): arithmetic.scale_position,
+    ("/", Pos, float): arithmetic.divide_position,
     ("*", float, Pos): arithmetic.scaled_position,
     ("*", Pos, Pos): arithmetic.cross_product,
     ("*", Orient, Orient): arithmetic.compose_orientations,
@@ -202,6 +203,9 @@ class Evaluator:
             if isinstance(found, Unknown):
                 return found
         if operator in ("=", "<>"):
+            if isinstance(a, list):
+                # Elements may be unknown.
+                return _NOT_TOLD
             return (a == b) is (operator == "=")
         if operator in _COMPARISONS:
             return _COMPARISONS[operator](a, b)

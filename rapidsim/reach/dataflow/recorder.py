@@ -8,8 +8,11 @@ from __future__ import annotations
 
 from typing import NoReturn
 
-from rapidsim.language.moves import MotionSettings, Move
+from rapidsim.diagnostics import Source, Span
+from rapidsim.language.moves import MotionSettings, Move, Place
 from rapidsim.language.path_events import Trigger
+
+_NOWHERE = Place(Span(Source("", ""), 0, 0), "")
 
 
 class NeedsRunError(Exception):
@@ -24,6 +27,7 @@ class Recorder:
         self.settings = settings
         self.moves: list[Move] = []
         self.left = 0
+        self.place = _NOWHERE
         self.errno = 0.0
         self.intno = 0.0
 
@@ -33,6 +37,9 @@ class Recorder:
 
     def not_simulated(self, routine: str, treated_as: str) -> None:
         """The run that meets it says so."""
+
+    def wait(self, seconds: float, *, in_position: bool = False) -> None:
+        """Time changes nothing about the moves."""
 
     def write_signal(self, name: str, value: float, *, delay_s: float = 0.0) -> None:
         """Outputs change nothing about the moves."""

@@ -42,7 +42,7 @@ def signature_text(row: LibraryRoutine) -> str:
     r"""The head of a routine as RAPID writes it: `PROC SetDO(\num SDelay | switch Sync, ...)`."""
     signature = row.signature
     kind = "PROC" if signature.result is None else f"FUNC {signature.result.name}"
-    text = ""
+    text = "..." if signature.is_open else ""
     group = 0
     for parameter in signature.parameters:
         if not parameter.optional:

@@ -2,15 +2,19 @@
 
 `BACKINFO/backinfo.txt` names the task of each folder `RAPID/TASKn`; `SYSPAR/SYS.cfg` has the type
 of each task and `-MotionTask` for those that move. A task without a type is semistatic there.
-Robots and external axes are those of `MOC.cfg`.
+Robots and external axes are those of `MOC.cfg`; the RobotWare stands in `backinfo.txt`, too.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from types import MappingProxyType
 
 from rapidsim.backinfo import listed_tasks
+from rapidsim.language.equipment import Configured
+from rapidsim.language.robotware import RobotWare, read_robotware
 from rapidsim.station.backup.cfg_file import (
     read_configuration,
     text_in,
@@ -25,6 +29,8 @@ from rapidsim.station.task_kind import TaskKind
 from rapidsim.station.tasks import StationTask
 
 _GROUP = "MECHANICAL_UNIT_GROUP"
+_DOMAINS = ("EIO", "MMC", "MOC", "PROC", "SIO", "SYS")
+_ROBOTWARE = re.compile(r"RobotWare(?: Version)?:?[\s_]*(\d+\.\d+)", re.IGNORECASE)
 
 
 def backup_station(folders: Sequence[Path]) -> Station:
@@ -45,8 +51,22 @@ def backup_station(folders: Sequence[Path]) -> Station:
         robot_source="the backup's MOC.cfg" if robots else None,
         tasks=_tasks_of(root, folders, [robot.label for robot in robots]),
         io=io,
+        configured=_configured_in(root),
+        robotware=_robotware(root),
         remarks=(*remarks, *_not_simulated(units)),
     )
+
+
+def _configured_in(root: Path) -> Configured:
+    """What the files of SYSPAR say, by domain."""
+    texts = ((domain, text_in(root, "SYSPAR", f"{domain}.cfg")) for domain in _DOMAINS)
+    return MappingProxyType({domain: read_configuration(text) for domain, text in texts if text})
+
+
+def _robotware(root: Path) -> RobotWare | None:
+    """The version that `backinfo.txt` names; None where it does not."""
+    named = _ROBOTWARE.search(text_in(root, "BACKINFO", "backinfo.txt"))
+    return None if named is None else read_robotware(named[1])
 
 
 def _not_simulated(units: ExternalUnits) -> Iterator[str]:

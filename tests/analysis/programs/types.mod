@@ -37,7 +37,7 @@ MODULE types
     n:=n+d;                                 ! error: T313
     p:=p*2;
     p:=2*p+p;
-    p:=p/2;                                 ! error: T313
+    p:=2/p;                                 ! error: T313
     p:=p*p;
     q:=q*q;
     q:=q+q;                                 ! error: T313

@@ -14,10 +14,10 @@ MODULE unlike
     n:=scan.width;                      ! warning: N215
     take scan,"a";
     take 4,"a";
-    n:=Min(3,4)+1;                      ! warning: N209
+    n:=Sim(3,4)+1;                      ! warning: N209
     sums{N_MAX}:=2;                     ! error: N201
     table{2}:=2;
-    SiClose "a";                        ! warning: N209
+    SaClose "a";                        ! warning: N209
     Moev pPick,scan;                    ! warning: N209
     SetDO doTPWrit,1;                   ! warning: I801
   ENDPROC

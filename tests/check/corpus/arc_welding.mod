@@ -12,6 +12,7 @@ MODULE arc_welding
   TASK PERS welddata weld1:=[10,0,[5,0,24,180,0,0,0,0,0],[0,0,0,0,0,0,0,0,0]];
   TASK PERS weavedata weave1:=[1,0,2,3,0,0,0,0,0,0,0,0,0,0,0];
   PERS tooldata tTorch:=[TRUE,[[-12.1,0,355.2],[0.92388,0,0.382683,0]],[4.5,[-10,0,120],[1,0,0,0],0,0,0]];
+  PERS pose peOffset:=[[0,0,0],[1,0,0,0]];
   PROC main()
     MoveJ Offs(pA10,0,0,100),vmax,z20,tTorch;
     ArcLStart pA10,v100,seam1,weld1\Weave:=weave1,fine,tTorch\WObj:=wobj0;

@@ -10,7 +10,7 @@ MODULE operands_wrong
     b:=n AND b;                   ! error: T313
     b:=NOT n;                     ! error: T313
     b:=s<"a";                     ! error: T313
-    p:=p/2;                       ! error: T313
+    p:=2/p;                       ! error: T313
     q:=q+q;                       ! error: T313
     n:=b+1;                       ! error: T313
     s:=-s;                        ! error: T313

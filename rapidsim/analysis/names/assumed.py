@@ -1,0 +1,30 @@
+"""Tools, work objects and loads that nothing declares, taken for those of the system if asked."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from rapidsim.analysis.context import Context
+from rapidsim.analysis.installed import installed_symbol
+from rapidsim.analysis.names.name_violations import AssumedData
+from rapidsim.language.types import Type
+from rapidsim.syntax import tree
+
+_OF_SYSTEM: Mapping[str, str] = MappingProxyType(
+    {"tooldata": "tool0", "wobjdata": "wobj0", "loaddata": "load0"}
+)
+"""By type, the data that every controller has."""
+
+
+def is_assumed(reference: tree.Reference, of: Type, context: Context) -> bool:
+    """Take a name that nothing declares for data of the system; whether that was asked for."""
+    taken = _OF_SYSTEM.get(of.name)
+    if taken is None or not context.analysis.cell.assumes:
+        return False
+    symbol = installed_symbol(taken)
+    assert symbol is not None
+    context.analysis.symbol_of[reference] = symbol
+    context.analysis.type_of[reference] = of
+    context.report(AssumedData(reference.name.text, of.name, taken), reference)
+    return True

@@ -1,0 +1,57 @@
+"""The cameras of the cell, as one task asks them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rapidsim.controller.cell.camera_scripts import CameraState
+from rapidsim.controller.cell.cell import Cell
+from rapidsim.controller.clock import TaskClock
+from rapidsim.language.cameras import Camera
+from rapidsim.language.option_data import CameraTarget
+
+
+@dataclass(frozen=True, slots=True)
+class TaskCameras:
+    """Implements `language.cameras.Cameras`."""
+
+    clock: TaskClock
+    cell: Cell
+
+    def camera(self, name: str) -> CameraState | None:
+        """A camera by its name without case."""
+        return self.cell.cameras.get(name.lower())
+
+    def take_picture(self, camera: Camera) -> float:
+        """Take the next picture of the script."""
+        now_s, state = self.clock.come_up(), self._state(camera)
+        script, number = state.script, state.taken
+        state.taken += 1
+        if script.repeats and script.pictures:
+            number %= len(script.pictures)
+        shown = script.pictures[number] if number < len(script.pictures) else ()
+        there_s = now_s + script.after_s
+        state.results += ((there_s, target) for target in shown)
+        return script.after_s
+
+    def found(self, camera: Camera) -> int:
+        """How many results can be fetched now."""
+        now_s = self.clock.come_up()
+        return sum(there_s <= now_s for there_s, _ in self._state(camera).results)
+
+    def fetch(self, camera: Camera) -> CameraTarget | None:
+        """The next result."""
+        if not self.found(camera):
+            return None
+        return self._state(camera).results.pop(0)[1]
+
+    def expects(self, camera: Camera) -> bool:
+        """Whether results of a picture are still to come."""
+        return len(self._state(camera).results) > self.found(camera)
+
+    def forget(self, camera: Camera) -> None:
+        """Throw away the results that nobody has fetched."""
+        self._state(camera).results.clear()
+
+    def _state(self, camera: Camera) -> CameraState:
+        return self.cell.cameras[camera.name.lower()]

@@ -1,0 +1,56 @@
+"""Conveyors of a cell: objects that pass, and which of them a program has taken."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+MM_BEHIND = 1e-6
+
+
+@dataclass(frozen=True, slots=True)
+class ConveyorScript:
+    """How objects come on a conveyor; plain data, read from the station file."""
+
+    unit: str
+    """Name of its mechanical unit."""
+    speed_mm_s: float
+    first_s: float
+    """When the first object passes the synchronisation switch."""
+    every_s: float | None = None
+    """Time from one object to the next; None where there is one only."""
+    length_mm: float = math.inf
+    """An object that nobody has taken within so much is lost."""
+
+
+@dataclass(slots=True, eq=False)
+class ConveyorState:
+    """A conveyor while a run lasts; implements `language.equipment.Conveyor`."""
+
+    script: ConveyorScript
+    is_connected: bool = False
+    _next: int = 0
+    """The object that is taken next."""
+
+    def next_s(self, now_s: float, distance_mm: float) -> float | None:
+        """When the next object will have come so far; None if none ever comes."""
+        script = self.script
+        late_s = (script.length_mm + MM_BEHIND) / script.speed_mm_s
+        while (passed_s := self._passes_s()) is not None and passed_s + late_s < now_s:
+            self._next += 1
+        return None if passed_s is None else passed_s + distance_mm / script.speed_mm_s
+
+    def connect(self) -> None:
+        """Take the next object."""
+        self.is_connected, self._next = True, self._next + 1
+
+    def drop(self) -> None:
+        """Let go of the object."""
+        self.is_connected = False
+
+    def _passes_s(self) -> float | None:
+        """When the next object passes the switch."""
+        every_s = self.script.every_s
+        if self._next and every_s is None:
+            return None
+        return self.script.first_s + self._next * (every_s or 0.0)

@@ -1,0 +1,27 @@
+"""The system parameters of a run: those of the station, and what the program has changed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from rapidsim.language.equipment import Configured
+
+
+class SystemParameters:
+    """A copy that the program may change; a controller takes changes up when it is restarted."""
+
+    def __init__(self, configured: Configured) -> None:
+        """Begin with what the station says."""
+        self._types = {
+            (domain.upper(), of.upper()): [dict(one) for one in found]
+            for domain, types in configured.items()
+            for of, found in types.items()
+        }
+
+    def instances(self, domain: str, of: str) -> Sequence[Mapping[str, str]] | None:
+        """The instances of a type; None where there is no such type."""
+        return self._types.get((domain.upper(), of.upper()))
+
+    def change(self, domain: str, of: str, number: int, attribute: str, value: str) -> None:
+        """Give an instance, by its position, another value of an attribute."""
+        self._types[domain.upper(), of.upper()][number][attribute.lower()] = value

@@ -1,0 +1,44 @@
+"""Cameras of the cell: what a program asks of them."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from rapidsim.language.option_data import CameraTarget
+
+
+class Camera(Protocol):
+    """One camera, in the state it is in."""
+
+    name: str
+    job: str
+    runs: bool
+    """Whether it is in run mode; only then it takes pictures."""
+
+
+class Cameras(Protocol):
+    """The cameras that the station describes."""
+
+    def camera(self, name: str) -> Camera | None:
+        """A camera by its name without case; None where the station has none of that name."""
+        ...
+
+    def take_picture(self, camera: Camera) -> float:
+        """Take the next picture of the script; how long until its results are there [s]."""
+        ...
+
+    def found(self, camera: Camera) -> int:
+        """How many results can be fetched now."""
+        ...
+
+    def fetch(self, camera: Camera) -> CameraTarget | None:
+        """The next result; None while there is none."""
+        ...
+
+    def expects(self, camera: Camera) -> bool:
+        """Whether results of a picture are still to come."""
+        ...
+
+    def forget(self, camera: Camera) -> None:
+        """Throw away the results that nobody has fetched."""
+        ...

@@ -1,0 +1,70 @@
+"""What is installed around a program: mechanical units, the configuration, I/O devices."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Protocol, TypeAlias
+
+Configured: TypeAlias = Mapping[str, Mapping[str, Sequence[Mapping[str, str]]]]
+"""System parameters: by domain and type in upper case, the instances of each; attributes in lower
+case. An attribute that is a switch is "true"."""
+
+
+@dataclass(frozen=True, slots=True)
+class MechanicalUnitFacts:
+    """What a program may ask of a mechanical unit."""
+
+    name: str
+    is_robot: bool
+    axes: tuple[int, ...]
+    """Positions, from 0, in `robax` of a robot, in `extax` of another unit."""
+
+
+class Conveyor(Protocol):
+    """A conveyor, and which of its objects a program has taken."""
+
+    @property
+    def is_connected(self) -> bool:
+        """Whether a work object is on one of its objects."""
+        ...
+
+    def next_s(self, now_s: float, distance_mm: float) -> float | None:
+        """When [s] the next object will have come so far; None if none ever comes."""
+        ...
+
+    def connect(self) -> None:
+        """Take the next object."""
+        ...
+
+    def drop(self) -> None:
+        """Let go of the object."""
+        ...
+
+
+class Equipment(Protocol):
+    """What is installed around a program."""
+
+    def conveyor(self, unit: str) -> Conveyor | None:
+        """A conveyor by the name of its unit, without case; None where there is none."""
+        ...
+
+    def mechanical_units(self) -> tuple[MechanicalUnitFacts, ...]:
+        """The task's robot, if it has one, and the units of external axes."""
+        ...
+
+    def instances(self, domain: str, of: str) -> Sequence[Mapping[str, str]] | None:
+        """The instances of a type of system parameters; None where there is no such type."""
+        ...
+
+    def configure(self, domain: str, of: str, number: int, attribute: str, value: str) -> None:
+        """Change an attribute of an instance, by its position."""
+        ...
+
+    def is_enabled(self, device: str) -> bool:
+        """Whether an I/O device takes part; names without case."""
+        ...
+
+    def enable(self, device: str, *, enabled: bool) -> None:
+        """Let an I/O device take part, or not."""
+        ...

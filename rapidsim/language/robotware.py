@@ -1,0 +1,26 @@
+"""Which RobotWare a controller has."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+_VERSION = re.compile(r"(\d{1,3})\.(\d{1,3})(?:\.\d+)*")
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class RobotWare:
+    """A version, as far as the language depends on it."""
+
+    major: int
+    minor: int = 0
+
+    def __str__(self) -> str:
+        """As ABB writes it: `6.15`, `7.0`."""
+        return f"{self.major}.{self.minor}"
+
+
+def read_robotware(text: str) -> RobotWare | None:
+    """The version that a text such as "6.15" or "7.13.0" says; None if it says none."""
+    match = _VERSION.fullmatch(text.strip())
+    return None if match is None else RobotWare(int(match[1]), int(match[2]))

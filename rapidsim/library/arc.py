@@ -1,0 +1,123 @@
+r"""Arc welding: lines and arcs at the speed of the weld, with the times of the seam.
+
+ArcLStart comes to the seam with its own speed and stands for as long as gas, ignition and heating
+take; ArcL and ArcLEnd weld with `weld_speed`, where the weld data give one, and ArcLEnd stands for
+as long as filling and cooling take. There is no arc: weaving, tracking and corrections do not move
+the torch, and the run says so. Speeds of weld data are taken for mm/s.
+
+Source: Application manual Arc and Arc Sensor, "ArcL", "ArcLStart", "ArcLEnd", "seamdata",
+"welddata".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from enum import Enum
+from typing import Unpack
+
+from rapidsim.language.annotations import Num, Pers, String, Switch, TriggData, Var
+from rapidsim.language.arc_data import SeamData, TrackData, WeaveData, WeldData
+from rapidsim.language.controller import Controller
+from rapidsim.language.data import FINE, RobTarget, SpeedData, ToolData, ZoneData
+from rapidsim.language.moves import Interpolation
+from rapidsim.library.honesty import ignored
+from rapidsim.library.motion import MoveOptions, asked, each_way
+from rapidsim.library.table import table
+from rapidsim.library.traits import Does
+
+INSTEAD = "a move with the speed of the weld and the times of the seam, without an arc"
+
+
+class Phase(Enum):
+    """Where in the seam an instruction stands."""
+
+    START = "Start"
+    ON = ""
+    END = "End"
+
+
+class ArcOptions(MoveOptions, total=False):
+    """What weld instructions may have beside what other moves have."""
+
+    weave: WeaveData
+    track: TrackData
+    pre_process_tracking: Switch
+    seam_name: String
+    time: Num
+    t1: Var[TriggData]
+    t2: Var[TriggData]
+    t3: Var[TriggData]
+    t4: Var[TriggData]
+    t5: Var[TriggData]
+    t6: Var[TriggData]
+    t7: Var[TriggData]
+
+
+def _arc(phase: Phase) -> Callable[[str, Interpolation], Callable[..., None]]:
+    def body_of(name: str, way: Interpolation) -> Callable[..., None]:
+        def body(
+            controller: Controller,
+            to_point: RobTarget,
+            speed: SpeedData,
+            seam: SeamData,
+            weld: WeldData,
+            zone: ZoneData,
+            tool: Pers[ToolData],
+            **options: Unpack[ArcOptions],
+        ) -> None:
+            controller.honesty.not_simulated(name, INSTEAD)
+            _report(controller, name, options)
+            stands_s = _stands_s(phase, seam)
+            if phase is not Phase.START and weld.weld_speed > 0.0:
+                speed = SpeedData(weld.weld_speed, *speed[1:])
+            stops = phase is Phase.END or stands_s > 0.0
+            to = FINE if stops else zone
+            controller.motion.move(asked(controller, name, way, to_point, speed, to, tool, options))
+            if stands_s > 0.0:
+                controller.clock.wait(stands_s, in_position=True)
+
+        return body
+
+    return body_of
+
+
+def _stands_s(phase: Phase, seam: SeamData) -> float:
+    """How long the torch stands at the end of a move [s]."""
+    if phase is Phase.START:
+        return seam.preflow_time + seam.ign_move_delay + seam.heat_time
+    if phase is Phase.END:
+        return seam.cool_time + seam.fill_time + seam.bback_time + seam.postflow_time
+    return 0.0
+
+
+def _report(controller: Controller, name: str, options: ArcOptions) -> None:
+    left_out = {
+        r"\Weave": options.get("weave"),
+        r"\Track": options.get("track"),
+        r"\PreProcessTracking": options.get("pre_process_tracking"),
+        r"\Time": options.get("time"),
+        r"\T1": options.get("t1"),
+    }
+    ignored(controller.honesty, name, left_out)
+
+
+_ORDER = (
+    r"ToPoint \ID Speed \V|\T Seam Weld \Weave Zone \Z \Inpos Tool \WObj \Corr \Track "
+    r"\PreProcessTracking \SeamName \Time \T1 \T2 \T3 \T4 \T5 \T6 \T7 \TLoad"
+)
+
+ARC = table(
+    *(
+        row
+        for phase in Phase
+        for row in each_way(
+            f"Arc*{phase.value}",
+            _arc(phase),
+            _ORDER,
+            ", welding",
+            ways="LC",
+            does=Does.WAIT,
+            treated_as=INSTEAD,
+        )
+    )
+)

@@ -1,0 +1,204 @@
+r"""Cameras: pictures whose results the station's [[camera]] tables give.
+
+Of a camera that the station does not describe nothing is known: it is skipped, and the run says so.
+Exposure and parameters are not simulated.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types, "CamReqImage",
+"CamGetResult", "CamNumberOfResults", "CamSetRunMode"; Application manual Integrated Vision.
+"""
+
+from __future__ import annotations
+
+from rapidsim.language.annotations import CameraDev, Num, String, Switch, Var
+from rapidsim.language.cameras import Camera
+from rapidsim.language.controller import ClockService, Controller
+from rapidsim.language.error_numbers import (
+    ERR_CAM_MAXTIME,
+    ERR_CAM_NO_MORE_DATA,
+    ERR_CAM_NO_PROGMODE,
+    ERR_CAM_NO_RUNMODE,
+    rapid_error,
+)
+from rapidsim.language.option_data import CameraTarget
+from rapidsim.language.reference import Reference
+from rapidsim.library.table import routine, table
+from rapidsim.library.traits import Does
+
+_NOT_THERE = "skipped: the station has no [[camera]] of that name"
+
+
+def cam_set_program_mode(controller: Controller, camera: Var[CameraDev]) -> None:
+    """Let a camera be programmed: it takes no pictures."""
+    if (found := _camera(controller, "CamSetProgramMode", camera)) is not None:
+        found.runs = False
+
+
+def cam_set_run_mode(controller: Controller, camera: Var[CameraDev]) -> None:
+    """Let a camera take pictures."""
+    if (found := _camera(controller, "CamSetRunMode", camera)) is not None:
+        found.runs = True
+
+
+def cam_load_job(
+    controller: Controller,
+    camera: Var[CameraDev],
+    job_name: String,
+    *,
+    keep_targets: Switch = False,
+    max_time: Num | None = None,
+) -> None:
+    """Load a job into a camera; no time passes."""
+    del max_time
+    _load(controller, "CamLoadJob", camera, job_name, keep_targets)
+
+
+def cam_start_load_job(
+    controller: Controller,
+    camera: Var[CameraDev],
+    name: String,
+    *,
+    keep_targets: Switch = False,
+) -> None:
+    """Begin to load a job into a camera: it is there at once."""
+    _load(controller, "CamStartLoadJob", camera, name, keep_targets)
+
+
+def cam_wait_load_job(camera: Var[CameraDev]) -> None:
+    """Wait until a job is loaded: it is there already."""
+    del camera
+
+
+def cam_get_loaded_job(controller: Controller, camera: Var[CameraDev]) -> String:
+    """The job that a camera has."""
+    found = _camera(controller, "CamGetLoadedJob", camera)
+    return "" if found is None else found.job
+
+
+def cam_get_name(controller: Controller, camera: Var[CameraDev]) -> String:
+    """The name of a camera in the configuration."""
+    return _name(controller, camera)
+
+
+def cam_req_image(
+    controller: Controller,
+    camera: Var[CameraDev],
+    *,
+    scene_id: Var[Num] | None = None,
+    keep_targets: Switch = False,
+    await_complete: Switch = False,
+) -> None:
+    """Take a picture; its results are there after the time of the script."""
+    found = _camera(controller, "CamReqImage", camera)
+    if found is None:
+        return
+    if not found.runs:
+        raise rapid_error(ERR_CAM_NO_RUNMODE, f"the camera {found.name} is not in run mode")
+    if not keep_targets:
+        controller.cameras.forget(found)
+    takes_s = controller.cameras.take_picture(found)
+    if scene_id is not None:
+        scene_id.value += 1.0
+    if await_complete:
+        controller.clock.wait(takes_s)
+
+
+def cam_get_result(
+    controller: Controller,
+    camera: Var[CameraDev],
+    cam_target: Var[CameraTarget],
+    *,
+    scene_id: Num | None = None,
+    max_time: Num | None = None,
+) -> None:
+    """Fetch the next result, waiting for it while a picture is being looked at."""
+    del scene_id
+    found = _camera(controller, "CamGetResult", camera)
+    if found is None:
+        return
+    cameras = controller.cameras
+
+    def is_decided() -> bool:
+        return bool(cameras.found(found)) or not cameras.expects(found)
+
+    if not controller.signals.wait_until(is_decided, max_time=max_time, poll_s=_LOOKS_EVERY_S):
+        raise rapid_error(ERR_CAM_MAXTIME, f"no result of {found.name} in {max_time or 0.0:g} s")
+    target = cameras.fetch(found)
+    if target is None:
+        raise rapid_error(ERR_CAM_NO_MORE_DATA, f"the camera {found.name} has no more results")
+    cam_target.value = target
+
+
+def cam_number_of_results(
+    controller: Controller, camera: Var[CameraDev], *, scene_id: Num | None = None
+) -> Num:
+    """How many results can be fetched."""
+    del scene_id
+    found = _camera(controller, "CamNumberOfResults", camera)
+    return 0.0 if found is None else float(controller.cameras.found(found))
+
+
+def cam_flush(controller: Controller, camera: Var[CameraDev]) -> None:
+    """Throw away the results that nobody has fetched."""
+    if (found := _camera(controller, "CamFlush", camera)) is not None:
+        controller.cameras.forget(found)
+
+
+_LOOKS_EVERY_S = 0.01
+
+
+def _load(
+    controller: Controller, name: str, camera: Reference[object], job: str, keep_targets: bool
+) -> None:
+    found = _camera(controller, name, camera)
+    if found is None:
+        return
+    if found.runs:
+        raise rapid_error(ERR_CAM_NO_PROGMODE, f"the camera {found.name} is not in program mode")
+    found.job = job
+    if not keep_targets:
+        controller.cameras.forget(found)
+
+
+def _camera(controller: Controller, routine: str, camera: Reference[object]) -> Camera | None:
+    """The camera that is meant; None, and said, where the station has none of that name."""
+    found = controller.cameras.camera(_name(controller, camera))
+    if found is None:
+        controller.honesty.not_simulated(routine, _NOT_THERE)
+    return found
+
+
+def _name(controller: Controller, camera: Reference[object]) -> str:
+    """The name that a camera has in the configuration: what AliasCamera gave, or its own."""
+    written = controller.clock.place.arguments.get("camera", "")
+    return camera.value if isinstance(camera.value, str) else written
+
+
+def alias_camera(
+    controller: ClockService, camera_name: String | CameraDev, to_camera: Var[CameraDev]
+) -> None:
+    """Let a variable stand for a camera, which is named by a string or is one itself."""
+    written = controller.place.arguments.get("cameraname", "")
+    to_camera.value = camera_name if isinstance(camera_name, str) else written
+
+
+CAMERAS = table(
+    routine("AliasCamera", alias_camera),
+    routine("CamFlush", cam_flush),
+    routine("CamGetLoadedJob", cam_get_loaded_job),
+    routine("CamGetName", cam_get_name),
+    routine(
+        "CamGetResult", cam_get_result, r"Camera CamTarget \SceneId \MaxTime", does=Does.GIVE_UP
+    ),
+    routine("CamLoadJob", cam_load_job, r"Camera JobName \KeepTargets \MaxTime", does=Does.GIVE_UP),
+    routine("CamNumberOfResults", cam_number_of_results),
+    routine(
+        "CamReqImage",
+        cam_req_image,
+        r"Camera \SceneId \KeepTargets \AwaitComplete",
+        does=Does.WAIT,
+    ),
+    routine("CamSetProgramMode", cam_set_program_mode),
+    routine("CamSetRunMode", cam_set_run_mode),
+    routine("CamStartLoadJob", cam_start_load_job),
+    routine("CamWaitLoadJob", cam_wait_load_job, does=Does.WAIT),
+)

@@ -1,0 +1,72 @@
+r"""Conveyors: waiting for the next object, and letting go of it.
+
+When objects come, [[conveyor]] tables of the station say. The robot does not follow the conveyor:
+moves in a work object that one carries say so.
+
+Source: Application manual Conveyor tracking, "WaitWObj", "DropWObj".
+"""
+
+from __future__ import annotations
+
+import math
+
+from rapidsim.language.annotations import Bool, Num, Pers, Var
+from rapidsim.language.controller import Controller
+from rapidsim.language.data import WobjData
+from rapidsim.language.error_numbers import (
+    ERR_CNV_CONNECT,
+    ERR_CNV_NOT_ACT,
+    rapid_error,
+)
+from rapidsim.library.table import routine, table
+from rapidsim.library.timing import report_timeout
+
+_NO_CONVEYOR = "skipped: the station has no [[conveyor]] for its unit"
+
+
+def wait_wobj(
+    controller: Controller,
+    wobj: Pers[WobjData],
+    *,
+    rel_dist: Num | None = None,
+    max_time: Num | None = None,
+    time_flag: Var[Bool] | None = None,
+) -> None:
+    """Wait until the next object has come, or come so far [mm], and connect the work object."""
+    unit = wobj.value.ufmec
+    conveyor = controller.equipment.conveyor(unit)
+    if conveyor is None:
+        controller.honesty.not_simulated("WaitWObj", _NO_CONVEYOR)
+        return
+    if unit.lower() in controller.motion.settings.inactive_units:
+        raise rapid_error(ERR_CNV_NOT_ACT, f"the conveyor {unit} is not active")
+    if conveyor.is_connected:
+        raise rapid_error(ERR_CNV_CONNECT, f"the work object of {unit} is connected already")
+    now_s = controller.clock.now()
+    comes_s = conveyor.next_s(now_s, rel_dist or 0.0)
+    wait_s = math.inf if comes_s is None else max(0.0, comes_s - now_s)
+    limit_s = math.inf if max_time is None else max_time
+    if wait_s > limit_s:
+        controller.clock.wait(limit_s)
+        report_timeout(False, time_flag, f"WaitWObj {unit}", max_time)
+        return
+    if comes_s is None:
+        controller.signals.wait_until(lambda: False)
+    controller.clock.wait(wait_s)
+    conveyor.connect()
+    report_timeout(True, time_flag, f"WaitWObj {unit}", max_time)
+
+
+def drop_wobj(controller: Controller, wobj: Pers[WobjData]) -> None:
+    """Let go of the object, so that the next can be waited for."""
+    conveyor = controller.equipment.conveyor(wobj.value.ufmec)
+    if conveyor is None:
+        controller.honesty.not_simulated("DropWObj", _NO_CONVEYOR)
+        return
+    conveyor.drop()
+
+
+CONVEYORS = table(
+    routine("WaitWObj", wait_wobj, r"WObj \RelDist \MaxTime \TimeFlag"),
+    routine("DropWObj", drop_wobj),
+)

@@ -1,0 +1,76 @@
+r"""Correction generators: what a sensor adds to paths with \Corr.
+
+Generators are connected, written and read as on a controller; they do not move the path, and each
+move with \Corr says so.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types, "CorrCon",
+"CorrWrite", "CorrRead", "CorrDiscon", "CorrClear".
+"""
+
+from __future__ import annotations
+
+from rapidsim.language.annotations import CorrDescr, Var
+from rapidsim.language.controller import Motion
+from rapidsim.language.data import Pos
+from rapidsim.language.error_numbers import (
+    CORR_NOFREE,
+    CORR_NOOBJECT,
+    CORR_NOTCONN,
+    rapid_error,
+)
+from rapidsim.language.reference import Reference
+from rapidsim.language.single import single
+from rapidsim.library.table import routine, table
+
+MOST_GENERATORS = 5
+"""So many can be connected at a time."""
+_NOTHING = Pos(0.0, 0.0, 0.0)
+
+
+def corr_con(controller: Motion, descr: Var[CorrDescr]) -> None:
+    """Connect a correction generator."""
+    used = controller.corrections
+    if len(used) >= MOST_GENERATORS:
+        raise rapid_error(CORR_NOFREE, f"all {MOST_GENERATORS} correction generators are connected")
+    descr.value = next(number for number in range(1, MOST_GENERATORS + 1) if number not in used)
+    used[descr.value] = _NOTHING
+
+
+def corr_discon(controller: Motion, descr: Var[CorrDescr]) -> None:
+    """Disconnect a correction generator; what it corrects is taken back."""
+    del controller.corrections[_connected(controller, descr)]
+    descr.value = None
+
+
+def corr_clear(controller: Motion) -> None:
+    """Disconnect all correction generators."""
+    controller.corrections.clear()
+
+
+def corr_write(controller: Motion, descr: Var[CorrDescr], data: Pos) -> None:
+    """Let a generator correct the path by so much [mm], in the path coordinate system."""
+    controller.corrections[_connected(controller, descr)] = data
+
+
+def corr_read(controller: Motion) -> Pos:
+    """What all generators correct together [mm]."""
+    if not controller.corrections:
+        raise rapid_error(CORR_NOOBJECT, "no correction generator is connected")
+    columns = zip(*controller.corrections.values(), strict=True)
+    return Pos(*(single(sum(column)) for column in columns))
+
+
+def _connected(controller: Motion, descr: Reference[int | None]) -> int:
+    number = descr.value
+    if number is None or number not in controller.corrections:
+        raise rapid_error(CORR_NOTCONN, "the correction generator is not connected; CorrCon is")
+    return number
+
+
+CORRECTIONS = table(
+    routine("CorrCon", corr_con),
+    routine("CorrDiscon", corr_discon),
+    routine("CorrClear", corr_clear),
+    routine("CorrWrite", corr_write),
+    routine("CorrRead", corr_read),
+)

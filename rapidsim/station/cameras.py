@@ -1,0 +1,89 @@
+"""The tables [[camera]]: what a camera finds in one picture after the other.
+
+[[camera]]
+name = "cam1"
+after = 0.2
+repeat = true
+pictures = [[{ name = "part", position = [120, 30, 0], quaternion = [1, 0, 0, 0], val1 = 98 }], []]
+"""
+
+from __future__ import annotations
+
+from rapidsim.controller.cell.camera_scripts import CameraScript
+from rapidsim.language.data import IDENTITY_POSE, Orient, Pos, Pose
+from rapidsim.language.option_data import CameraTarget
+from rapidsim.station.toml_reader import Reader, Table
+
+_KEYS = ("name", "after", "repeat", "pictures")
+_VALUES = ("val1", "val2", "val3", "val4", "val5")
+_FOUND_KEYS = ("name", "position", "quaternion", *_VALUES, "string1", "string2", "type")
+
+
+def read_cameras(reader: Reader, tables: Table) -> tuple[CameraScript, ...]:
+    """Read the list; what is wrong is noted."""
+    scripts = []
+    for path, table in reader.tables(tables, "camera"):
+        reader.known(path, table, _KEYS)
+        name = reader.text(table, path, "name")
+        if not name:
+            reader.wrong(f"{path}.name", "is missing")
+            continue
+        repeats = table.get("repeat", False)
+        if not isinstance(repeats, bool):
+            reader.wrong(f"{path}.repeat", "true or false is needed")
+        scripts.append(
+            CameraScript(
+                name,
+                _pictures(reader, table, path, name),
+                reader.not_negative(table, path, "after") or 0.0,
+                repeats is True,
+            )
+        )
+    return tuple(scripts)
+
+
+def _pictures(
+    reader: Reader, table: Table, path: str, camera: str
+) -> tuple[tuple[CameraTarget, ...], ...]:
+    pictures = table.get("pictures", [])
+    if not isinstance(pictures, list) or not all(isinstance(one, list) for one in pictures):
+        reader.wrong(
+            f"{path}.pictures", 'a list of lists is needed, as in [[{ name = "part" }], []]'
+        )
+        return ()
+    found = []
+    for number, picture in enumerate(pictures, start=1):
+        here = f"{path}.pictures {number}"
+        targets = []
+        for one in picture:
+            if isinstance(one, dict):
+                targets.append(_target(reader, one, here, camera, float(number)))
+            else:
+                reader.wrong(here, 'what is found is written as { name = "part" }')
+        found.append(tuple(targets))
+    return tuple(found)
+
+
+def _target(reader: Reader, table: Table, path: str, camera: str, scene: float) -> CameraTarget:
+    reader.known(path, table, _FOUND_KEYS)
+    position = reader.numbers(table, path, "position", 3)
+    rotation = reader.numbers(table, path, "quaternion", 4)
+    frame = Pose(
+        IDENTITY_POSE.trans if position is None else Pos(*position),
+        IDENTITY_POSE.rot if rotation is None else Orient(*rotation),
+    )
+    val1, val2, val3, val4, val5 = (reader.number(table, path, key) or 0.0 for key in _VALUES)
+    return CameraTarget(
+        reader.text(table, path, "name") or "",
+        frame,
+        val1,
+        val2,
+        val3,
+        val4,
+        val5,
+        reader.text(table, path, "string1") or "",
+        reader.text(table, path, "string2") or "",
+        reader.number(table, path, "type") or 0.0,
+        camera,
+        scene,
+    )

@@ -1,0 +1,10 @@
+! RAPID Instructions, TPReadFK: RETRY asks again, four times at most.
+MODULE key_timeout_again
+  PROC main()
+    VAR num key;
+    TPReadFK key,"?","a","b","c","d","e"\MaxTime:=2; ! -> ? ! -> ? ! -> ? ! -> ? ! -> ?
+    ! stops: 4 retries did not help: TPReadFK: nobody answered within 2 s
+  ERROR
+    RETRY;
+  ENDPROC
+ENDMODULE
