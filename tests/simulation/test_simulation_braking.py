@@ -61,7 +61,7 @@ def test_stopmove_in_a_row_of_fly_by_moves(stop: str) -> None:
 @pytest.mark.parametrize(
     ("then", "end"),
     [
-        ("WHILE TRUE DO p:=CRobT(); ENDWHILE", "time_limit"),
+        ("WHILE TRUE DO WaitTime 0.05; p:=CRobT(); ENDWHILE", "time_limit"),
         ("n:=1/n;", "error"),
         ("MoveL Offs(a,5000,0,0),v500,z10,tool0;", "error"),
         ("EXIT;", "stopped"),
