@@ -124,13 +124,10 @@ class TaskMotion:
 
     def abandon(self) -> None:
         """Let the robot make the moves it has before the program stopped with an error."""
-        limit_s, queue = self.cell.max_time_s, self.unit.queue
+        queue = self.unit.queue
         if queue.is_open and not queue.is_halted:
             with suppress(MotionError):
-                if queue.preview().duration > limit_s:
-                    queue.halt(limit_s)
-                else:
-                    queue.close()
+                queue.close()
 
     def end_with_the_run(self) -> None:
         """Stop the robot at the time limit if it still moves then: what follows is not part of it.

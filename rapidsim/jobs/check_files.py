@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from os import PathLike
@@ -13,6 +14,7 @@ from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import TaskFiles
+from rapidsim.jobs.baseline import Key, read_baseline, told_apart
 from rapidsim.jobs.checked_program import Loaded, load
 from rapidsim.jobs.given_options import asked_in_python
 from rapidsim.jobs.job import Job, job
@@ -40,16 +42,23 @@ class CheckResult:
     files: tuple[str, ...]
     """The files that were read."""
     diagnostics: tuple[Diagnostic, ...]
-    """Findings in order of file and place."""
+    """Findings in order of file and place, but for those that a baseline knows."""
     trees: tuple[tree.File, ...]
     """The files as they were parsed, with their comments."""
     coverage: Coverage = field(default_factory=Coverage)
     """How many moves were checked for reach, limits and path, and why others were not."""
+    known: tuple[Diagnostic, ...] = ()
+    """Findings that a baseline knows."""
 
     @property
     def accepted(self) -> bool:
-        """Whether the program could run: there is no error among the findings."""
-        return all(d.severity is not Severity.ERROR for d in self.diagnostics)
+        """Whether the program could run: there is no error among the findings, known or new."""
+        return all(d.severity is not Severity.ERROR for d in (*self.diagnostics, *self.known))
+
+    def against(self, known: Counter[Key]) -> CheckResult:
+        """The same where the findings of a baseline are known."""
+        new, old = told_apart(self.diagnostics, known)
+        return replace(self, diagnostics=new, known=old)
 
     def looked_for(self, selector: str) -> bool:
         """Whether all that a selector may mean was looked for.
@@ -85,7 +94,9 @@ def check(
         InputError: If something is missing, unreadable, or no RAPID.
         RobotError: If the catalogue has no such robot.
     """
-    return check_job(job(replace(asked_in_python(paths, robot, options), trial_run=run)))
+    asked = job(replace(asked_in_python(paths, robot, options), trial_run=run))
+    result, baseline = check_job(asked), asked.station.check.baseline
+    return result if baseline is None else result.against(read_baseline(baseline))
 
 
 def check_job(job: Job) -> CheckResult:

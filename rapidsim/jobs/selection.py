@@ -49,7 +49,7 @@ class Selection:
         return any(
             any(diagnostic.violation.rule.matches(one) for one in selectors)
             and _fits(file, pattern, self.settings.file)
-            for pattern, selectors in self.settings.per_file_ignores.items()
+            for pattern, selectors in self.settings.per_file_ignores
         )
 
 
@@ -74,7 +74,7 @@ def choose_selection(
     selected = tuple(select) or settings.select
     widened = (*also, *settings.extend_select)
     ignored = (*ignore, *settings.ignore)
-    for_files = [one for codes in settings.per_file_ignores.values() for one in codes]
+    for_files = [one for _, codes in settings.per_file_ignores for one in codes]
     if everything := (*selected, *widened, *ignored, *for_files):
         expect_rules(everything)
     return Selection(settings, selected, widened, ignored)

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable
+from dataclasses import dataclass
 from pathlib import Path
-from types import MappingProxyType
 
 from rapidsim.diagnostics import Severity
 from rapidsim.files import input_bytes, require_inside
@@ -31,10 +30,9 @@ class CheckSettings:
     """Rules besides."""
     ignore: tuple[str, ...] = ()
     """Rules that are left out."""
-    per_file_ignores: Mapping[str, tuple[str, ...]] = field(
-        default_factory=lambda: MappingProxyType({})
-    )
-    """Rules that are left out in files whose name or path fits a pattern such as `*Data.mod`."""
+    per_file_ignores: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    """Patterns such as `*Data.mod`, and the rules that are left out in files whose name or path
+    fits."""
     fail_on: Severity | None = None
     """The least severity that makes the exit code 1."""
     baseline: Path | None = None
@@ -53,11 +51,9 @@ def read_check(reader: Reader, check: Table, path: str = "check") -> CheckSettin
         select=reader.texts(check, path, "select"),
         extend_select=reader.texts(check, path, "extend-select"),
         ignore=reader.texts(check, path, "ignore"),
-        per_file_ignores=MappingProxyType(
-            {
-                pattern: reader.texts(ignores, f"{path}.per-file-ignores", pattern)
-                for pattern in ignores
-            }
+        per_file_ignores=tuple(
+            (pattern, reader.texts(ignores, f"{path}.per-file-ignores", pattern))
+            for pattern in ignores
         ),
         fail_on=_severity(reader, check, path),
         baseline=None if baseline is None else reader.inside(baseline, f"{path}.baseline"),

@@ -10,7 +10,7 @@ PROGRAM = """MODULE short
   CONST robtarget a:=[[600,-100,600],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
   PROC main()
     MoveJ a, v500, fine, tool0;
-    FOR i FROM 1 TO 2 DO
+    FOR i FROM 1 TO 1 DO
       MoveL Offs(a, 0, 30*i, 0), v200, fine, tool0;
     ENDFOR
   ENDPROC

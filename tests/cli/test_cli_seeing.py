@@ -13,6 +13,9 @@ import pytest
 from cli_helper import rapidsim
 from rerun.chunk import RrdReader
 
+from rapidsim.plots import write
+from rapidsim.plots.path_picture import path_picture
+
 PROGRAM = """MODULE Short
   CONST robtarget p:=[[600,-200,700],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
   PROC main()
@@ -34,7 +37,11 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def test_everything_asked_for_is_written_and_named(folder: Path) -> None:
+def test_everything_asked_for_is_written_and_named(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # One of the pictures; tests of pictures draw them all.
+    monkeypatch.setattr(write, "PICTURES", {"path": path_picture})
     ended = rapidsim(
         "run", "Short.mod", "--report", "s.html", "--plots", "plots", "--trace", "s.ros.json",
         cwd=folder,

@@ -15,6 +15,9 @@ from fuzzing.sending import send
 from fuzzing.shrinking import shrunk
 from laws import cases
 
+from rapidsim.plots import write
+from rapidsim.plots.path_picture import path_picture
+
 GENERATED = Path(__file__).parent / "generated"
 FAILED_ONCE = sorted(path for path in GENERATED.iterdir() if path.is_dir() or path.suffix == ".mod")
 SEED = 13
@@ -51,7 +54,9 @@ def test_a_trace_ends_with_the_run(name: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("first", range(FIRST, FIRST + cases(90), AT_ONCE))
-def test_a_sample_of_programs(first: int) -> None:
+def test_a_sample_of_programs(first: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    # All pictures would take as long as ten programs.
+    monkeypatch.setattr(write, "PICTURES", {"path": path_picture})
     tally = Tally()
     for number in range(first, first + AT_ONCE):
         try_program(SEED, number, tally)

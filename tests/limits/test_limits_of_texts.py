@@ -45,11 +45,11 @@ TEXTS: dict[str, tuple[int, Callable[[int], str]]] = {
     "unclosed blocks": (400, lambda n: module(lines(n, "IF x=1 THEN"))),
     "unclosed blocks with bodies": (400, lambda n: module(lines(n, "IF x=1 THEN\n  x:=2;"))),
     "unclosed blocks of a few": (60, lambda n: module(lines(n, "IF x=1 THEN"))),
-    "unclosed loops": (400, lambda n: module(lines(n, "WHILE x=1 DO"))),
+    "unclosed loops": (200, lambda n: module(lines(n, "WHILE x=1 DO"))),
     "unopened blocks": (400, lambda n: module(lines(n, "ENDIF"))),
-    "unclosed routines": (250, lambda n: module(routines=lines(n, "PROC p{n}()\nx:=1;"))),
+    "unclosed routines": (125, lambda n: module(routines=lines(n, "PROC p{n}()\nx:=1;"))),
     "unclosed blocks of routines": (
-        250,
+        125,
         lambda n: module(routines=lines(n, "PROC p{n}()\nIF TRUE THEN\nx:=1;\nENDPROC")),
     ),
     "branches": (300, lambda n: module(f"IF x=0 THEN\n{lines(n, 'ELSEIF x={n} THEN')}\nENDIF")),
@@ -84,7 +84,7 @@ TEXTS: dict[str, tuple[int, Callable[[int], str]]] = {
         lambda n: module(lines(n, "x:=yz{n};"), data=lines(n, "VAR num y{n};")),
     ),
     "undeclared routines": (
-        250,
+        125,
         lambda n: module(lines(n, "q{n};"), routines=lines(n, "PROC p{n}()\nENDPROC")),
     ),
     "comments": (400, lambda n: module(lines(n, "! hello"))),

@@ -28,7 +28,7 @@ SAME_WHERE_ELBOWS_MEET = 1e-5
 BENT = 0.3
 """Least |sin| of axis 5 [rad] where the wrist shall not blow up what the elbow has lost."""
 VECTORS = cases(20_000)
-SINGULAR_VECTORS = 200
+SINGULAR_VECTORS = cases(200)
 NUDGES = (0.0, 1e-12, -1e-12, 1e-9, -1e-9)
 CLOSED_FORM = [name for name in robot_names() if told_apart(load_robot(name).kinematics)]
 SEARCHED = [name for name in robot_names() if name not in CLOSED_FORM]
@@ -118,7 +118,7 @@ def test_arms_without_a_closed_form_are_searched(name: str) -> None:
     robot = load_robot(name)
     assert "searched for step by step" in robot.notices[0]
     rng = np.random.default_rng(6)
-    joints = well_bent(robot, random_joints(robot, 12, rng), rng)
+    joints = well_bent(robot, random_joints(robot, cases(12), rng), rng)
     pose = robot.forward(joints)
     branches = robot.inverse(pose)
     assert branches.exists[:, 0].all()

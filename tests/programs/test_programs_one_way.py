@@ -2,6 +2,7 @@
 
 import io
 import json
+import pickle
 import shutil
 from pathlib import Path
 from unittest.mock import patch
@@ -13,6 +14,9 @@ import rapidsim
 from rapidsim.cli.tools.check_output import checked_text
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Transform
+from rapidsim.jobs.asked import Asked
+from rapidsim.jobs.check_files import check_job
+from rapidsim.jobs.job import job
 from rapidsim.jobs.run_files import ProgramRejectedError
 from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.text import diagnostic_json
@@ -128,6 +132,29 @@ def test_a_station_above_the_program_counts(
         (place / "tiny.mod").write_text(MODULE)
     assert_one_way("below/tiny.mod", tmp_path / "one", tmp_path / "other", monkeypatch)
     assert (tmp_path / "other" / "tiny.home" / "said.txt").read_text() == "2024-05-06\n"
+
+
+def test_a_baseline_of_the_station_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for copy in ("one", "other"):
+        (tmp_path / copy).mkdir()
+        (tmp_path / copy / "rapidsim.toml").write_text('[check]\nbaseline = "known.json"\n')
+        (tmp_path / copy / "tiny.mod").write_text(MODULE)
+        call("check", "tiny.mod", "--baseline", "known.json", cwd=tmp_path / copy)
+        text = MODULE.replace("VAR num unused;", "VAR num unused; VAR num late;")
+        (tmp_path / copy / "tiny.mod").write_text(text)
+    assert_one_way("tiny.mod", tmp_path / "one", tmp_path / "other", monkeypatch)
+    result = rapidsim.check(["tiny.mod"])
+    assert result.known
+    assert all(one not in result.diagnostics for one in result.known)
+
+
+def test_a_job_can_be_sent_to_another_process(tmp_path: Path) -> None:
+    (tmp_path / "rapidsim.toml").write_text('[check.per-file-ignores]\n"*.sys" = ["N2"]\n')
+    (tmp_path / "tiny.mod").write_text(MODULE)
+    asked = job(Asked(paths=(str(tmp_path),)))
+    sent = pickle.loads(pickle.dumps(asked))
+    assert (sent.station, sent.robot) == (asked.station, asked.robot)
+    assert check_job(sent).diagnostics
 
 
 def test_standard_input_is_a_program_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

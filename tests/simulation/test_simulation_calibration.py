@@ -27,7 +27,7 @@ SHORT_STOPS = """
       MoveL Offs(home, 0, 30*i, 0), v200, fine, tool0;
     ENDFOR"""
 FAST_CORNERS = """
-    FOR i FROM 1 TO 2 DO
+    FOR i FROM 1 TO 1 DO
       MoveL Offs(home, 0, 60*i, 60), vmax, z5, tool0;
       MoveL Offs(home, 0, 60*i+30, 0), vmax, z5, tool0;
     ENDFOR

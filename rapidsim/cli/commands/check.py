@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import time
-from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import click
@@ -15,15 +14,14 @@ from rapidsim.cli.options.asked import asked_job
 from rapidsim.cli.terminal import current_terminal, say, terminal_options
 from rapidsim.cli.tools.check_output import FORMATS, SPOKEN_FORMATS, checked_text
 from rapidsim.cli.tools.fixes import cured, difference, harmless_fixes
-from rapidsim.diagnostics import Diagnostic, Severity
+from rapidsim.diagnostics import Severity
 from rapidsim.export.text_edits import write_edits
-from rapidsim.files import InputError, input_text
 from rapidsim.jobs.asked import Asked
-from rapidsim.jobs.check_files import check_job
-from rapidsim.jobs.job import read_again
+from rapidsim.jobs.baseline import baseline_text, read_baseline
+from rapidsim.jobs.check_files import CheckResult, check_job
+from rapidsim.jobs.job import Job, read_again
 from rapidsim.jobs.task_files import missing_neighbours
 from rapidsim.output_files import whole_file
-from rapidsim.report.findings.baseline import Key, baseline_text, read_baseline, without_known
 from rapidsim.report.findings.checked_moves import coverage_lines
 from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.statistics import statistics
@@ -116,37 +114,24 @@ def check(
         chosen = harmless_fixes(result.diagnostics, job.tasks, unsafe=unsafe_fixes)
         say(difference(chosen.edits, job.tasks), nl=False)
         return ExitCode.FINDINGS if chosen.edits else ExitCode.CLEAN
-    fixed = left_out = 0
-    if fix:
-        cure = cured(
-            job.tasks,
-            result.diagnostics,
-            lambda new: check_job(replace(job, tasks=tuple(new))).diagnostics,
-            unsafe=unsafe_fixes,
-        )
-        fixed, left_out = cure.count, cure.left_out
-        if fixed:
-            write_edits(cure.edits_of(job.tasks), job.files, what="fixes")
-            job = read_again(job)
-            result = check_job(job)
-    kept = result.diagnostics
-    new, known, made = kept, 0, None
+    mended = _mended(job, result, unsafe=unsafe_fixes) if fix else _Mended(result)
+    result, made = mended.result, None
     if known_file is not None:
         # A setting alone writes nothing: the repository that holds it is not trusted.
-        anew = update_baseline or (baseline is not None and not known_file.exists())
-        made = known_file if anew else None
-        new, known = without_known(kept, _baseline(known_file, kept, anew=made is not None))
-    findings = merged(new, merge=not no_merge)
+        if update_baseline or (baseline is not None and not known_file.exists()):
+            made = known_file
+            _write_baseline(made, result)
+        result = result.against(read_baseline(known_file))
+    findings = merged(result.diagnostics, merge=not no_merge)
     if counted:
-        say(statistics(new, terminal.palette), palette=terminal.palette, nl=False)
+        say(statistics(result.diagnostics, terminal.palette), palette=terminal.palette, nl=False)
     else:
         text = checked_text(output_format, findings, result, terminal.palette, terminal.width)
         say(text, palette=terminal.palette, nl=False)
     if output_format in SPOKEN_FORMATS and not terminal.quiet:
-        seconds = time.perf_counter() - started
-        files = len(result.files)
+        seconds, files, known = time.perf_counter() - started, len(result.files), len(result.known)
         say(summary_line(findings, files=files, seconds=seconds, known=known))
-        for line in _remarks(paths, kept, fixed=fixed, left_out=left_out, known=known):
+        for line in _remarks(paths, result, mended):
             say(line)
         if made is not None:
             say(f"Written: {made} (baseline)")
@@ -156,7 +141,7 @@ def check(
             say(line)
     least = Severity(fail_on) if fail_on else settings.fail_on or Severity.WARNING
     failing = _SEVERITIES[: _SEVERITIES.index(least) + 1]
-    failed = any(diagnostic.severity in failing for diagnostic in new)
+    failed = any(diagnostic.severity in failing for diagnostic in result.diagnostics)
     return ExitCode.FINDINGS if failed else ExitCode.CLEAN
 
 
@@ -164,37 +149,48 @@ def _listed(option: str | None) -> tuple[str, ...]:
     return tuple(code.strip() for code in (option or "").split(",") if code.strip())
 
 
-def _baseline(file: Path, found: Sequence[Diagnostic], *, anew: bool) -> Counter[Key]:
-    """The findings that are known; what was found now, where the baseline is written anew."""
-    if anew:
-        if file.exists():
-            # What is no baseline is not written over.
-            read_baseline(input_text(file), str(file))
-        text = baseline_text(found)
-        with whole_file(file) as temporary:
-            temporary.write_text(text, encoding="utf-8")
-        return read_baseline(text, str(file))
-    if not file.exists():
-        raise InputError(f"the baseline {file} does not exist", "`--update-baseline` writes it")
-    return read_baseline(input_text(file), str(file))
+@dataclass(frozen=True, slots=True)
+class _Mended:
+    """What a check finds when the fixes it found are applied."""
+
+    result: CheckResult
+    fixed: int = 0
+    left_out: int = 0
+    """Fixes that would leave more errors."""
 
 
-def _remarks(
-    paths: Sequence[str],
-    found: Sequence[Diagnostic],
-    *,
-    fixed: int,
-    left_out: int,
-    known: int,
-) -> Iterator[str]:
+def _mended(job: Job, result: CheckResult, *, unsafe: bool) -> _Mended:
+    """Write the fixes into the files and check again."""
+    cure = cured(
+        job.tasks,
+        result.diagnostics,
+        lambda new: check_job(replace(job, tasks=tuple(new))).diagnostics,
+        unsafe=unsafe,
+    )
+    if cure.count:
+        write_edits(cure.edits_of(job.tasks), job.files, what="fixes")
+        result = check_job(read_again(job))
+    return _Mended(result, cure.count, cure.left_out)
+
+
+def _write_baseline(file: Path, found: CheckResult) -> None:
+    """Make all that was found known; what is no baseline is not written over."""
+    if file.exists():
+        read_baseline(file)
+    with whole_file(file) as temporary:
+        temporary.write_text(baseline_text(found.diagnostics), encoding="utf-8")
+
+
+def _remarks(paths: Sequence[str], result: CheckResult, mended: _Mended) -> Iterator[str]:
     """What a person wants to know besides the findings, one line each."""
-    if fixed:
-        yield f"Fixed {fixed}."
+    found = mended.result.diagnostics
+    if mended.fixed:
+        yield f"Fixed {mended.fixed}."
     elif "-" not in paths and (curable := sum(bool(one.fix and one.fix.safe) for one in found)):
         yield f"`--fix` cures {curable} of them."
-    if left_out:
-        yield f"Fixes left out, because they would leave more errors: {left_out}."
-    if known:
-        yield f"{known} more are in the baseline."
+    if mended.left_out:
+        yield f"Fixes left out, because they would leave more errors: {mended.left_out}."
+    if result.known:
+        yield f"{len(result.known)} more are in the baseline."
     if hint := missing_neighbours(paths, found):
         yield hint

@@ -292,11 +292,19 @@ class BlockPlanner:
         self.block.plan = None
         return time_s
 
-    def advance(self, now_s: float) -> None:
-        """Fix what has been travelled by now; too late for the corner, and it becomes a stop."""
+    def advance(self, now_s: float, slack_s: float = LOOK_AHEAD_SLACK_S) -> None:
+        """Fix what has been travelled by now; too late for the corner, and it becomes a stop.
+
+        Args:
+            now_s: Command time [s].
+            slack_s: So little [s] need not be fixed.
+
+        Raises:
+            MotionError: See `append`.
+        """
         if not self.is_open or self.block.is_halted:
             return
-        if now_s <= self.block.commit.time_s + LOOK_AHEAD_SLACK_S:
+        if now_s <= self.block.commit.time_s + slack_s:
             return
         tentative = self._to_travel()
         last = self.block.moves[-1].segment

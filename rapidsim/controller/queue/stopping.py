@@ -6,10 +6,12 @@ end, until the next one begins, so that its rest can be planned again.
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
 
+from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.controller.queue.block import Commit, Plan
 from rapidsim.controller.queue.path_planner import BlockPlanner
 from rapidsim.motion.timing.braking import stop_at
@@ -25,14 +27,20 @@ def halt(planner: BlockPlanner, now_s: float) -> float:
     Raises:
         MotionError: See `BlockPlanner.append`.
     """
-    planner.advance(now_s)
+    planner.advance(now_s, slack_s=0.0)
     planner.version += 1
     block = planner.block
     block.is_halted = True
-    if not block.moves or now_s >= planner.trajectory.command_end:
+    # On its way, although nothing is fixed from now on.
+    flying = block.is_open and block.commit.time_s == now_s and block.commit.speed_m_s > 0.0
+    if not flying and (not block.moves or now_s >= planner.trajectory.command_end):
         return now_s
     while block.driven and block.driven[-1].start_s >= now_s:
         block.driven.pop()
+    if flying:
+        # Where the moves that came since cannot be made, the arm brakes on the path it had.
+        with suppress(MotionError):
+            block.driven.append(planner.planned())
     planner.trajectory.cut(now_s)
     block.is_closed, block.plan = False, None
     if not block.driven:

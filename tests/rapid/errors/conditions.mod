@@ -10,6 +10,19 @@ MODULE conditions
       TPWrite "other";
     ENDIF
     divisor:=0;
+    IF 6/divisor=1 THEN
+      TPWrite "never";
+    ELSEIF 6/divisor=6 THEN
+      TPWrite "never";
+    ELSE
+      TPWrite "neither";                  ! -> neither
+    ENDIF
+    IF 6/divisor=1 THEN
+      TPWrite "never";
+    ELSE
+      TPWrite "nor without an error";     ! -> nor without an error
+    ENDIF
+    divisor:=0;
     TEST 6/divisor
     CASE 3:
       TPWrite "case";                     ! -> case

@@ -9,9 +9,10 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Iterable
+from pathlib import Path
 
 from rapidsim.diagnostics import Diagnostic
-from rapidsim.files import InputError
+from rapidsim.files import InputError, input_text
 
 _SCHEMA = 1
 Key = tuple[str, str, str]
@@ -36,14 +37,16 @@ def baseline_text(diagnostics: Iterable[Diagnostic]) -> str:
     return f'{{\n  "schema": {_SCHEMA},\n  "findings": [\n{lines}\n  ]\n}}\n'
 
 
-def read_baseline(text: str, file: str) -> Counter[Key]:
+def read_baseline(file: Path) -> Counter[Key]:
     """The findings of a baseline with how many there are of each.
 
     Raises:
-        InputError: If the text is no baseline.
+        InputError: If there is no such file, or it is no baseline.
     """
+    if not file.exists():
+        raise InputError(f"the baseline {file} does not exist", "`--update-baseline` writes it")
     try:
-        table = json.loads(text)
+        table = json.loads(input_text(file))
         if table["schema"] != _SCHEMA:
             raise InputError(f"{file} is a baseline of another version of rapidsim")
         rows = table["findings"]
@@ -59,21 +62,19 @@ def read_baseline(text: str, file: str) -> Counter[Key]:
         raise InputError(f"{file} is no baseline of rapidsim: {reason}", help) from error
 
 
-def without_known(
+def told_apart(
     diagnostics: Iterable[Diagnostic], known: Counter[Key]
-) -> tuple[tuple[Diagnostic, ...], int]:
-    """Findings that are new, and how many others there are in the baseline still.
+) -> tuple[tuple[Diagnostic, ...], tuple[Diagnostic, ...]]:
+    """Findings that are new, and those that are known.
 
     Of equal findings the first ones are the known ones.
     """
     left = Counter(known)
     new: list[Diagnostic] = []
-    old = 0
+    old: list[Diagnostic] = []
     for diagnostic in sorted(diagnostics, key=lambda one: one.order):
         key = finding_key(diagnostic)
-        if left[key] > 0:
-            left[key] -= 1
-            old += 1
-        else:
-            new.append(diagnostic)
-    return tuple(new), old
+        is_known = left[key] > 0
+        left[key] -= is_known
+        (old if is_known else new).append(diagnostic)
+    return tuple(new), tuple(old)
