@@ -172,3 +172,22 @@ def test_points_for_an_arm_are_reached_by_it() -> None:
     far = rapidsim("points", "--robot", "rvm1", "--shell", "2000,3000", "--count", "1")
     assert far.code == 1
     assert "reached 0 of them" in far.err
+
+
+def test_an_arm_with_tags_out_of_place_is_recorded_with_its_shapes(tmp_path: Path) -> None:
+    odd = tmp_path / "odd.urdf"
+    joints = "".join(
+        f'<joint name="j{k}" type="revolute"><parent link="l{k - 1}"/><child link="l{k}"/>'
+        f'<origin xyz="{0.3 * (k > 2)} 0 0.2"/><axis xyz="0 {int(k > 1)} {int(k == 1)}"/>'
+        '<limit lower="-3" upper="3" velocity="2" effort="1"/></joint>'
+        for k in (1, 2, 3)
+    )
+    shape = '<visual><geometry><origin xyz="0 0 0"/><box size="0.1 0.1 0.3"/></geometry></visual>'
+    links = f'<link name="l0"/><link name="l1">{shape}</link><link name="l2"/><link name="l3"/>'
+    odd.write_text(f'<robot name="odd">\n{links}{joints}</robot>\n')
+    recording = tmp_path / "odd.rrd"
+    arguments = ("--robot", odd, "--joints", "10,20,30", "--record", recording)
+    ended = rapidsim("kin", "fk", *arguments)
+    assert ended.code == 0, ended.err
+    assert "odd.urdf:2: `origin` has no place inside `geometry` and is left out" in ended.err
+    assert any("visual_geometries/l1" in entity for entity in entities(recording))
