@@ -218,13 +218,15 @@ def follow(
         # With longer steps a jump could not be told from a fast axis.
         if not SHORTEST_DT <= step <= LONGEST_DT:
             raise InputError(f"--dt {step:g}: it must be {SHORTEST_DT:g} to {LONGEST_DT:g} s")
-    if compare and (starts or len(dt) > 1):
-        raise InputError("--compare, --starts and several --dt exclude each other")
-    several = compare or starts or len(dt) > 1
-    if several and (recording or trace_file or pictures):
-        raise InputError(
-            "--compare, --starts and several --dt write no files", "leave them out, or the files"
-        )
+    comparing = {"--compare": compare, "--starts": starts, "several --dt": len(dt) > 1}
+    asked = [name for name, given in comparing.items() if given]
+    if len(asked) > 1:
+        raise InputError(f"{' and '.join(asked)} exclude each other")
+    if asked and (recording or trace_file or pictures):
+        (name,) = asked
+        verb = "write" if name.startswith("several") else "writes"
+        raise InputError(f"{name} {verb} no files", f"leave out {name}, or the files")
+    several = bool(asked)
     if avoid and not min_radius:
         raise InputError("--avoid needs to know the sphere", "name its radius with --min-radius")
     arm = open_robot(robot, scale)
