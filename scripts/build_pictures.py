@@ -28,7 +28,7 @@ COVER_WIDTH = 1600
 COVER_TIME_S = 6.2
 """The pen is on the sheet, in the middle of the first figure."""
 REPORT_SIZE = (1280, 2400)
-PLOTS = ("path", "speed")
+PLOTS = ("path", "speed", "movej-movel", "arm")
 
 
 @dataclass(frozen=True, slots=True)

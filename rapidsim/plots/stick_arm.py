@@ -68,11 +68,14 @@ def draw_triads(
             axes.plot(*ends.T, color=theme.joints[axis], linewidth=1.3, zorder=4)
 
 
-def draw_floor(axes: Axes3D, size_mm: float, theme: Theme) -> None:
-    """The ground around the foot, so that one sees where down is."""
+def draw_floor(
+    axes: Axes3D, size_mm: float, theme: Theme, world_from_base: Transform | None = None
+) -> None:
+    """A ring around the foot, so that one sees what the arm stands on."""
     angle = np.linspace(0.0, 2.0 * np.pi, 61)
-    x, y = size_mm * np.cos(angle), size_mm * np.sin(angle)
-    axes.plot(x, y, np.zeros_like(x), color=theme.rule, linewidth=1.0)
+    ring = np.stack([np.cos(angle), np.sin(angle), np.zeros_like(angle)], axis=1)
+    placed = (world_from_base or Transform.identity()).apply(size_mm / MM * ring)
+    axes.plot(*(MM * placed).T, color=theme.programmed, linewidth=1.0)
 
 
 def as_cube(axes: Axes3D, points: Array, zoom: float = 1.05) -> None:

@@ -209,6 +209,63 @@ def test_files_that_are_not_understood_are_refused(tmp_path: Path, text: str, re
         load_robot(written(tmp_path, text))
 
 
+def test_tags_out_of_place_are_told_with_their_lines_and_left_out(tmp_path: Path) -> None:
+    """As exporters write them: an origin inside a geometry, a colour on a link, notes of others."""
+    odd = (
+        '<link name="extra">\n'
+        '  <visual>\n    <geometry>\n      <origin xyz="0 0 0"/>\n'
+        '      <box size="0.1 0.1 0.1"/>\n    </geometry>\n  </visual>\n'
+        "  <colour><red/></colour>\n</link>\n<gazebo><anything/></gazebo>\n</robot>"
+    )
+    text = odd_arm().replace("</robot>", odd)
+    file = written(tmp_path, text)
+    robot = load_robot(file)
+    lines = text.splitlines()
+    origin = 1 + next(k for k, line in enumerate(lines) if '<origin xyz="0 0 0"/>' in line)
+    colour = 1 + next(k for k, line in enumerate(lines) if "<colour>" in line)
+    assert robot.notices[:2] == (
+        f"{file}:{origin}: `origin` has no place inside `geometry` and is left out",
+        f"{file}:{colour}: `colour` has no place inside `link` and is left out",
+    )
+    plain = load_robot(written(tmp_path, odd_arm()))
+    joints = np.full(6, 0.3)
+    assert robot.forward(joints).matrix == pytest.approx(plain.forward(joints).matrix)
+
+
+def in_millimetres(text: str) -> str:
+    """The same arm with all lengths of its joints a thousand times as long."""
+
+    def longer(found: re.Match[str]) -> str:
+        return f'xyz="{" ".join(str(1000.0 * float(x)) for x in found[1].split())}"'
+
+    return re.sub(r'(?<=<origin )xyz="([^"]*)"', longer, text)
+
+
+def test_lengths_in_millimetres_are_told_and_can_be_scaled(tmp_path: Path) -> None:
+    plain = load_robot(written(tmp_path, odd_arm()))
+    file = written(tmp_path, in_millimetres(odd_arm()))
+    joints = np.linspace(-0.5, 0.5, 6)
+    huge = load_robot(file)
+    assert any("must be in mm; `--scale 0.001` reads it so" in said for said in huge.notices)
+    scaled = load_robot(file, scale=0.001)
+    assert not any("--scale" in said for said in scaled.notices)
+    assert scaled.forward(joints).matrix == pytest.approx(plain.forward(joints).matrix)
+    # Its shapes would have the size that the file says.
+    assert scaled.urdf is None
+    with pytest.raises(RobotError, match="only lengths of a URDF file are scaled"):
+        load_robot("irb120", scale=0.001)
+
+
+def test_xacro_is_named_as_what_it_is(tmp_path: Path) -> None:
+    macro = '<robot name="a" xmlns:xacro="http://ros.org/wiki/xacro">\n<xacro:include/>\n</robot>'
+    file = tmp_path / "arm.xacro"
+    file.write_text(macro)
+    with pytest.raises(RobotError, match=r"arm.xacro:2: this is xacro.*`xacro arm.xacro >"):
+        load_robot(str(file))
+    with pytest.raises(RobotError, match="this is xacro"):
+        load_robot(written(tmp_path, odd_arm().replace('"0.12 0.05 0.2"', '"${reach} 0 0"')))
+
+
 @pytest.mark.parametrize(
     ("said", "instead"),
     [

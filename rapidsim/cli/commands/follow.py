@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from math import radians
 from pathlib import Path
 
@@ -11,6 +12,14 @@ import click
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.numbers import POSITIVE, Number, numbers
 from rapidsim.cli.options.outputs import new_file, new_plots
+from rapidsim.cli.options.poses import (
+    base_option,
+    convention_option,
+    line_option,
+    line_points,
+    scale_option,
+    world_from_base,
+)
 from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
 from rapidsim.files import InputError, decode, input_bytes, standard_input
 from rapidsim.jobs.choices import DEFAULT_ROBOT
@@ -18,10 +27,20 @@ from rapidsim.jobs.choices import DEFAULT_ROBOT
 _WAYS = ("line", "spline", "joint", "joint-quintic")
 _PROFILES = ("trapezoid", "scurve", "sigmoid", "quintic")
 _TRACES = (".csv", ".parquet", ".json")
+SHORTEST_DT, LONGEST_DT = 0.0001, 0.05
+"""[s]"""
 
 
 @click.command()
-@click.argument("points_file", metavar="POINTS.csv")
+@click.argument("points_file", metavar="[POINTS.csv]", required=False)
+@line_option
+@click.option(
+    "--count",
+    type=click.IntRange(2, 20_000),
+    default=11,
+    show_default=True,
+    help="Points on the --line.",
+)
 @click.option(
     "--robot",
     metavar="NAME|FILE.urdf",
@@ -36,6 +55,9 @@ _TRACES = (".csv", ".parquet", ".json")
     metavar="X,Y,Z[,Q1,Q2,Q3,Q4]",
     help="The TCP in the flange [mm]; without it, the flange itself.",
 )
+@base_option
+@convention_option
+@scale_option
 @click.option(
     "--path",
     "way",
@@ -116,12 +138,16 @@ _TRACES = (".csv", ".parquet", ".json")
 )
 @click.option(
     "--dt",
-    metavar="SECONDS",
-    # With longer steps a jump could not be told from a fast axis.
-    type=Number(0.0001, 0.05),
-    default=0.012,
+    metavar="SECONDS[,SECONDS...]",
+    type=numbers(),
+    default="0.012",
     show_default=True,
-    help="Between samples [s].",
+    help="Between samples [s]; several show how poses and time of the solver grow.",
+)
+@click.option(
+    "--starts",
+    is_flag=True,
+    help="Numerical solvers at the poses of the path: from joints of the pose before, or from 0.",
 )
 @click.option("--trace", metavar="FILE.csv|.parquet|.json", help="Write joints and TCP over time.")
 @click.option("--record", metavar="FILE.rrd", help="Write a recording for the rerun viewer.")
@@ -129,9 +155,14 @@ _TRACES = (".csv", ".parquet", ".json")
 @table_or_json
 @terminal_options
 def follow(
-    points_file: str,
+    points_file: str | None,
+    line: tuple[float, ...] | None,
+    count: int,
     robot: str,
     tool: tuple[float, ...],
+    base: str,
+    convention: str,
+    scale: float | None,
     way: str,
     profile: str,
     speed: float,
@@ -145,7 +176,8 @@ def follow(
     start: tuple[float, ...] | None,
     skip_unreachable: bool,
     compare: bool,
-    dt: float,
+    dt: tuple[float, ...],
+    starts: bool,
     trace: str | None,
     record: str | None,
     plots: str | None,
@@ -153,26 +185,57 @@ def follow(
 ) -> int:
     """Follow the points of a table, and say how well the arm can.
 
-    POINTS.csv names its columns in the first line: x, y, z in mm in the robot's base frame, and
-    q1 to q4 or pitch [deg] for the tool. `-` reads it from standard input. The exit code is 1 if a
-    point or the way between is out of reach, or a joint would have to be too fast.
+    POINTS.csv names its columns in the first line: x, y, z in mm in the robot's base frame, or with
+    --base in the world, and q1 to q4, e1 to e3 (Euler angles) or pitch [deg] for the tool. `-`
+    reads it from standard input; --line needs no file. The exit code is 1 if a point or the way
+    between is out of reach, or a joint would have to be too fast.
     """
     from rapidsim.cli.options.robot_choice import open_robot
-    from rapidsim.cli.tools.follow_steps import Given, attempt_all, prepared, shown, unused, written
+    from rapidsim.cli.tools.follow_steps import (
+        Given,
+        attempt,
+        attempt_all,
+        prepared,
+        shown,
+        started,
+        unused,
+        written,
+    )
+    from rapidsim.frames.euler import Convention
     from rapidsim.motion.waypoints.plan import Plan, Way
+    from rapidsim.motion.waypoints.points import Points
     from rapidsim.motion.waypoints.points_file import points_from_text
     from rapidsim.motion.waypoints.velocity_profiles import Profile
-    from rapidsim.report.tables.follow_json import compared_json, follow_json
+    from rapidsim.report.tables.follow_json import compared_json, follow_json, starts_json
+    from rapidsim.report.tables.follow_tables import starts_page
 
     recording = new_file(record, (".rrd",)) if record else None
     trace_file = new_file(trace, _TRACES) if trace else None
     pictures = new_plots(plots) if plots else None
-    if compare and (recording or trace_file or pictures):
-        raise InputError("--compare writes no files", "leave out --compare, or the files")
+    if (points_file is None) == (line is None):
+        raise InputError("points come from a file or from --line X,Y,Z,X,Y,Z, one of them")
+    for step in dt:
+        # With longer steps a jump could not be told from a fast axis.
+        if not SHORTEST_DT <= step <= LONGEST_DT:
+            raise InputError(f"--dt {step:g}: it must be {SHORTEST_DT:g} to {LONGEST_DT:g} s")
+    comparing = {"--compare": compare, "--starts": starts, "several --dt": len(dt) > 1}
+    asked = [name for name, given in comparing.items() if given]
+    if len(asked) > 1:
+        raise InputError(f"{' and '.join(asked)} exclude each other")
+    if asked and (recording or trace_file or pictures):
+        (name,) = asked
+        verb = "write" if name.startswith("several") else "writes"
+        raise InputError(f"{name} {verb} no files", f"leave out {name}, or the files")
+    several = bool(asked)
     if avoid and not min_radius:
         raise InputError("--avoid needs to know the sphere", "name its radius with --min-radius")
-    arm = open_robot(robot)
-    points = points_from_text(_text(points_file), points_file, len(arm.joints))
+    arm = open_robot(robot, scale)
+    if points_file is not None:
+        text, euler = _text(points_file), Convention(convention)
+        points = points_from_text(text, points_file, len(arm.joints), euler)
+    else:
+        assert line is not None
+        points = Points(line_points(line, count) / 1000.0, None)
     plan = Plan(
         Way(way),
         Profile(profile),
@@ -183,18 +246,30 @@ def follow(
         least_radius=min_radius / 1000.0,
         avoid=avoid,
     )
-    given = Given(arm, tool, plan, via_speed, start, conf, dt, skip_unreachable)
+    stands = world_from_base(base)
+    given = Given(arm, tool, stands, plan, via_speed, start, conf, dt[0], skip_unreachable)
     task = prepared(given, points)
     if not (current_terminal().quiet or compare):
         for remark in unused(task, plan):
             say(f"note: {remark}", err=True)
-    attempts = attempt_all(task, plan, tuple(Way) if compare else (plan.way,))
-    files = written(attempts[0].result, points_file, recording, trace_file, pictures)
+    if len(dt) > 1:
+        attempts = tuple(attempt(replace(task, dt=step), plan) for step in dt)
+    else:
+        attempts = attempt_all(task, plan, tuple(Way) if compare else (plan.way,))
+    title = "line" if points_file in (None, "-") else str(points_file)
+    files = written(attempts[0].result, title, recording, trace_file, pictures, stands)
+    tried = started(attempts[0].result) if starts else ()
     if output_format == "json":
-        json_of = compared_json if compare else follow_json
-        say(json.dumps(json_of(task.asked, attempts), indent=2, allow_nan=False))
+        if several and not starts:
+            report = compared_json(task.asked, attempts)
+        else:
+            report = follow_json(task.asked, attempts) | starts_json(tried)
+        say(json.dumps(report, indent=2, allow_nan=False))
     elif not current_terminal().quiet:
         current_terminal().show(shown(task, attempts, files, compare=compare))
+        if tried:
+            say("")
+            current_terminal().show(starts_page(tried))
     clean = task.all_reached and all(attempt.possible for attempt in attempts)
     return ExitCode.CLEAN if clean else ExitCode.FINDINGS
 

@@ -10,7 +10,14 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.options.numbers import numbers
+from rapidsim.cli.options import poses
+from rapidsim.cli.options.numbers import Number, numbers
+from rapidsim.cli.options.poses import (
+    base_option,
+    convention_option,
+    euler_option,
+    posture_options,
+)
 from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
 from rapidsim.files import InputError
 from rapidsim.jobs.choices import DEFAULT_ROBOT
@@ -21,7 +28,6 @@ if TYPE_CHECKING:
     from rapidsim.report.tables.kin_json import Searched
 
 SEARCHES = ("lm", "bfgs", "trf")
-_UNIT_TOLERANCE = 1e-3
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
@@ -31,6 +37,9 @@ def _common(command: Command) -> Command:
     for option in (
         terminal_options,
         table_or_json,
+        base_option,
+        convention_option,
+        posture_options,
         click.option(
             "--tool",
             type=numbers(3, 7),
@@ -55,7 +64,8 @@ def _common(command: Command) -> Command:
 def kin(context: click.Context) -> int | None:
     """Forward and inverse kinematics and the Jacobian of one pose.
 
-    Positions are in mm in the robot's base frame, angles in degrees, quaternions scalar first.
+    Positions are in mm in the robot's base frame, or with --base in the world; angles in degrees,
+    quaternions scalar first.
     """
     if context.invoked_subcommand is None:
         say(context.get_help())
@@ -65,22 +75,43 @@ def kin(context: click.Context) -> int | None:
 
 @kin.command()
 @click.option("--joints", type=numbers(), required=True, metavar="A,B,...", help="Joints [deg].")
+@click.option("--tables", is_flag=True, help="Also the matrix of each link, and the arm's tables.")
 @_common
 def fk(
-    joints: tuple[float, ...], robot: str, tool: tuple[float, ...] | None, output_format: str
+    joints: tuple[float, ...],
+    tables: bool,
+    robot: str,
+    tool: tuple[float, ...] | None,
+    base: str,
+    convention: str,
+    record: str | None,
+    plots: str | None,
+    view: bool,
+    output_format: str,
 ) -> int:
     """Show where the flange is, or the TCP, and every link."""
     from rapidsim.cli.options.robot_choice import open_robot
+    from rapidsim.cli.tools import kin_steps
+    from rapidsim.frames.euler import Convention
+    from rapidsim.motion.configurations.postures import Posture, Postures
     from rapidsim.report.tables.kin_json import forward_json
     from rapidsim.report.tables.kin_tables import forward_page
 
     arm = open_robot(robot)
+    files = kin_steps.outputs(record, plots, view, f"{arm.name}-fk.rrd")
     angles = _joints(arm, joints)
-    flange_from_tcp = _tool(tool)
+    shown = Postures(
+        arm,
+        poses.world_from_base(base),
+        poses.tool(tool),
+        (Posture(angles, "joints"),),
+        f"{arm.title} at {_list(joints)} deg",
+    )
     if output_format == "json":
-        _print_json(forward_json(arm, angles, flange_from_tcp))
+        _print_json(forward_json(shown, Convention(convention)))
     else:
-        current_terminal().show(forward_page(arm, angles, flange_from_tcp))
+        current_terminal().show(forward_page(shown, Convention(convention), tables=tables))
+    kin_steps.write(shown, files, quiet=output_format == "json")
     return ExitCode.CLEAN
 
 
@@ -88,8 +119,16 @@ def fk(
 @click.option(
     "--position", type=numbers(3), required=True, metavar="X,Y,Z", help="Of the TCP in base [mm]."
 )
+@click.option("--quaternion", type=numbers(4), metavar="Q1,Q2,Q3,Q4", help="Scalar first.")
+@euler_option
 @click.option(
-    "--quaternion", type=numbers(4), required=True, metavar="Q1,Q2,Q3,Q4", help="Scalar first."
+    "--pitch",
+    type=Number(),
+    metavar="DEG",
+    help="Instead: the tool in the upright plane through axis 1, so far above level.",
+)
+@click.option(
+    "--roll", type=Number(), metavar="DEG", default=0.0, help="With --pitch: about the tool."
 )
 @click.option(
     "--conf",
@@ -110,12 +149,20 @@ def fk(
 @_common
 def ik(
     position: tuple[float, ...],
-    quaternion: tuple[float, ...],
+    quaternion: tuple[float, ...] | None,
+    euler: tuple[float, ...] | None,
+    pitch: float | None,
+    roll: float,
     conf: tuple[float, ...] | None,
     everything: bool,
     solver: str,
     robot: str,
     tool: tuple[float, ...] | None,
+    base: str,
+    convention: str,
+    record: str | None,
+    plots: str | None,
+    view: bool,
     output_format: str,
 ) -> int:
     """Show the joints that bring the TCP to a pose.
@@ -124,14 +171,19 @@ def ik(
     code is 1 if there is none.
     """
     from rapidsim.cli.options.robot_choice import open_robot
+    from rapidsim.cli.tools import kin_steps
     from rapidsim.motion.configurations.confdata import told_apart
     from rapidsim.motion.configurations.pose_solutions import solve_pose, solve_pose_as
+    from rapidsim.motion.configurations.postures import Postures
     from rapidsim.report.tables.kin_json import inverse_json
     from rapidsim.report.tables.kin_tables import inverse_page
 
     arm = open_robot(robot)
+    files = kin_steps.outputs(record, plots, view, f"{arm.name}-ik.rrd")
     closed_form = told_apart(arm.kinematics)
-    pose = _pose(position, quaternion, "--quaternion") @ _tool(tool).inverse()
+    stands, flange_from_tcp = poses.world_from_base(base), poses.tool(tool)
+    asked = poses.asked_pose(position, quaternion, euler, convention, pitch, roll)
+    pose = stands.inverse() @ asked @ flange_from_tcp.inverse()
     searched: Searched | None = None
     if solver in SEARCHES:
         if conf is not None or everything:
@@ -154,7 +206,12 @@ def ik(
     if output_format == "json":
         _print_json(inverse_json(arm, name, found, searched))
     else:
-        current_terminal().show(inverse_page(arm, name, found, searched))
+        current_terminal().show(inverse_page(arm, name, asked, found, searched))
+    if found.solutions:
+        title = f"{arm.title} with the TCP at {_list(position)} mm"
+        rows = kin_steps.solved_postures(found)
+        shown = Postures(arm, stands, flange_from_tcp, rows, title)
+        kin_steps.write(shown, files, quiet=output_format == "json")
     return ExitCode.CLEAN if found.why is None else ExitCode.FINDINGS
 
 
@@ -172,18 +229,28 @@ def jacobian(
     twist: tuple[float, ...] | None,
     robot: str,
     tool: tuple[float, ...] | None,
+    base: str,
+    convention: str,
+    record: str | None,
+    plots: str | None,
+    view: bool,
     output_format: str,
 ) -> int:
     """Show how joint speeds move the TCP, and which singularity is near."""
     import numpy as np
 
     from rapidsim.cli.options.robot_choice import open_robot
+    from rapidsim.cli.tools import kin_steps
+    from rapidsim.motion.configurations.postures import Posture, Postures
     from rapidsim.motion.configurations.singularities import differential
     from rapidsim.report.tables.kin_json import jacobian_json
     from rapidsim.report.tables.kin_tables import jacobian_page
 
+    del convention
     arm = open_robot(robot)
-    found = differential(arm.kinematics, _joints(arm, joints), _tool(tool))
+    files = kin_steps.outputs(record, plots, view, f"{arm.name}-jacobian.rrd")
+    angles, flange_from_tcp = _joints(arm, joints), poses.tool(tool)
+    found = differential(arm.kinematics, angles, flange_from_tcp)
     wanted: Array | None = None
     if twist is not None:
         wanted = np.array([*(v / 1000.0 for v in twist[:3]), *np.radians(twist[3:])])
@@ -191,6 +258,15 @@ def jacobian(
         _print_json(jacobian_json(arm, found, wanted))
     else:
         current_terminal().show(jacobian_page(arm, found, wanted))
+    shown = Postures(
+        arm,
+        poses.world_from_base(base),
+        flange_from_tcp,
+        (Posture(angles, "joints"),),
+        f"{arm.title} at {_list(joints)} deg",
+        found,
+    )
+    kin_steps.write(shown, files, quiet=output_format == "json")
     return ExitCode.CLEAN
 
 
@@ -212,24 +288,8 @@ def _joints(arm: Robot, degrees: tuple[float, ...]) -> Array:
     return angles
 
 
-def _tool(given: tuple[float, ...] | None) -> Transform:
-    """flange_from_tcp."""
-    given = given or (0.0, 0.0, 0.0)
-    return _pose(given[:3], given[3:] or (1.0, 0.0, 0.0, 0.0), "--tool")
-
-
-def _pose(position: tuple[float, ...], quaternion: tuple[float, ...], option: str) -> Transform:
-    import numpy as np
-
-    from rapidsim.frames.transform import Transform
-
-    length = float(np.linalg.norm(quaternion))
-    if abs(length - 1.0) > _UNIT_TOLERANCE:
-        raise InputError(
-            f"{option}: the quaternion has length {length:.4g}, not 1",
-            "the scalar part comes first, as RAPID writes it",
-        )
-    return Transform.from_quaternion(quaternion, [value / 1000.0 for value in position])
+def _list(values: tuple[float, ...]) -> str:
+    return f"({', '.join(f'{value:g}' for value in values)})"
 
 
 def _whole(conf: tuple[float, ...]) -> tuple[int, ...]:

@@ -1,23 +1,31 @@
-"""`rapidsim points`: a table of points for `rapidsim follow`, drawn by lot."""
+"""`rapidsim points`: a table of points for `rapidsim follow`, random or on a line."""
 
 from __future__ import annotations
+
+from typing import TYPE_CHECKING
 
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
+from rapidsim.cli.options import poses
 from rapidsim.cli.options.numbers import numbers
-from rapidsim.cli.terminal import say, terminal_options
+from rapidsim.cli.options.poses import base_option, line_option, line_points
+from rapidsim.cli.terminal import current_terminal, say, terminal_options
 from rapidsim.files import InputError
+
+if TYPE_CHECKING:
+    from rapidsim.frames.transform import Array
 
 
 @click.command()
 @click.option(
     "--shell",
     type=numbers(2),
-    required=True,
     metavar="R1,R2",
     help="Radii of the spheres around the base between which they lie [mm].",
 )
+@click.option("--postures", is_flag=True, help="Instead: where random joints put the tool.")
+@line_option
 @click.option(
     "--count", type=click.IntRange(1, 20_000), default=8, show_default=True, help="How many."
 )
@@ -28,15 +36,117 @@ from rapidsim.files import InputError
     show_default=True,
     help="Another number gives other points; the same gives the same.",
 )
+@click.option(
+    "--robot", metavar="NAME|FILE.urdf", help="Only points that this arm reaches in its limits."
+)
+@click.option(
+    "--attitude",
+    type=click.Choice(["down", "random"]),
+    help="With --robot: the tool straight down (default), or any way round.",
+)
+@click.option(
+    "--tool", type=numbers(3, 7), metavar="X,Y,Z[,Q1,Q2,Q3,Q4]", help="The TCP in the flange [mm]."
+)
+@base_option
+@click.option(
+    "--euler",
+    "convention",
+    type=click.Choice(poses.CONVENTIONS),
+    help="Attitudes as Euler angles e1,e2,e3 of this convention, not as quaternions.",
+)
 @terminal_options
-def points(shell: tuple[float, ...], count: int, seed: int) -> int:
-    """Print points in a shell around the base, evenly in its volume, as a table for `follow`."""
-    from rapidsim.motion.waypoints.random_points import shell_points
+def points(
+    shell: tuple[float, ...] | None,
+    postures: bool,
+    line: tuple[float, ...] | None,
+    count: int,
+    seed: int,
+    robot: str | None,
+    attitude: str | None,
+    tool: tuple[float, ...] | None,
+    base: str,
+    convention: str | None,
+) -> int:
+    """Print points as a table for `follow`.
 
-    inner, outer = shell
+    They lie in a shell around the base, evenly in its volume; or are those of random joints; or
+    stand evenly on a line. With --base they are in the world. The exit code is 1 if an arm reaches
+    fewer of a shell than were asked for.
+    """
+    from rapidsim.motion.waypoints.random_points import (
+        posture_points,
+        reached_points,
+        shell_points,
+    )
+
+    ways = [name for name, given in (("--shell", shell), ("--postures", postures), ("--line", line))
+            if given]  # fmt: skip
+    if len(ways) != 1:
+        raise InputError("points are those of one of --shell, --postures and --line")
+    if robot is None and (postures or tool or attitude or base != "floor"):
+        raise InputError("--postures, --attitude, --tool and --base need --robot")
+    if attitude and not shell:
+        raise InputError("--attitude is for points of a --shell")
+    if line is not None:
+        if robot is not None:
+            raise InputError("--line takes no robot", "`rapidsim follow --line` has one")
+        _print(line_points(line, count), None, convention)
+        return ExitCode.CLEAN
+    inner, outer = shell or (0.0, 1.0)
     if not 0.0 <= inner < outer:
         raise InputError(f"--shell {inner:g},{outer:g}: the first radius must be the smaller one")
-    say("x,y,z")
-    for place in shell_points(inner, outer, count, seed).tolist():
-        say(",".join(f"{value:.3f}" for value in place))
-    return ExitCode.CLEAN
+    if robot is None:
+        _print(1000.0 * shell_points(inner / 1000.0, outer / 1000.0, count, seed), None, convention)
+        return ExitCode.CLEAN
+
+    from rapidsim.cli.options.robot_choice import open_robot
+    from rapidsim.frames.transform import Transform, matrix_from_quaternion
+
+    arm, stands, flange_from_tcp = open_robot(robot), poses.world_from_base(base), poses.tool(tool)
+    if postures:
+        _, base_from_tcp = posture_points(arm, flange_from_tcp, count, seed)
+    else:
+        places, quaternions, drawn = reached_points(
+            arm,
+            flange_from_tcp,
+            (inner / 1000.0, outer / 1000.0),
+            count,
+            seed,
+            any_attitude=attitude == "random",
+        )
+        if not current_terminal().quiet:
+            say(f"note: {drawn} points were looked at", err=True)
+        base_from_tcp = Transform(matrix_from_quaternion(quaternions), places)
+        if len(places) < count:
+            say(
+                f"note: {arm.title} reached {len(places)} of them, not {count}; "
+                "take another shell or --attitude random",
+                err=True,
+            )
+    world_from_tcp = stands @ base_from_tcp
+    _print(1000.0 * world_from_tcp.translation, world_from_tcp.rotation, convention)
+    return ExitCode.CLEAN if len(world_from_tcp) == count else ExitCode.FINDINGS
+
+
+def _print(places: Array, rotations: Array | None, convention: str | None) -> None:
+    """A table of places (k, 3) [mm], and attitudes (k, 3, 3) where they are known."""
+    import numpy as np
+
+    from rapidsim.frames.euler import Convention, euler_from_rotation
+    from rapidsim.frames.transform import quaternion_from_matrix
+
+    rows = [[f"{value + 0.0:.3f}" for value in place] for place in places.tolist()]
+    names = ["x", "y", "z"]
+    if rotations is not None:
+        if convention is None:
+            names += ["q1", "q2", "q3", "q4"]
+            attitudes = [[f"{q + 0.0:.9f}" for q in one]
+                         for one in quaternion_from_matrix(rotations).tolist()]  # fmt: skip
+        else:
+            names += ["e1", "e2", "e3"]
+            angles = np.degrees(euler_from_rotation(rotations, Convention(convention)))
+            attitudes = [[f"{angle + 0.0:.6f}" for angle in one] for one in angles.tolist()]
+        rows = [row + attitude for row, attitude in zip(rows, attitudes, strict=True)]
+    say(",".join(names))
+    for row in rows:
+        say(",".join(row))

@@ -8,30 +8,79 @@ from math import degrees
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
+from rapidsim.cli.options.outputs import new_plots
+from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.options.robot_choice import open_robot
 from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
+from rapidsim.files import InputError
 from rapidsim.motion.robot.catalogue import aliases_of, robot_names
 from rapidsim.motion.robot.robot import Robot, load_robot
-from rapidsim.report.tables.robot_tables import catalogue_table, robot_page
+from rapidsim.motion.waypoints.workspace import workspace_of
+from rapidsim.report.run.summary import Written, files_text
+from rapidsim.report.tables.kin_json import axis_tables_json
+from rapidsim.report.tables.kin_tables import axis_tables_page
+from rapidsim.report.tables.robot_tables import (
+    catalogue_table,
+    robot_page,
+    workspace_json,
+    workspace_page,
+)
 
 
 @click.command()
 @click.argument("name", required=False)
+@click.option("--table", is_flag=True, help="Also the DH table of the arm and its screws.")
+@click.option(
+    "--workspace", is_flag=True, help="Also the volume that the arm reaches, and a section of it."
+)
+@click.option("--plots", metavar="DIR", help="With --workspace: a picture of the section.")
+@scale_option
 @table_or_json
 @terminal_options
-def robots(name: str | None, output_format: str) -> int:
+def robots(
+    name: str | None,
+    table: bool,
+    workspace: bool,
+    plots: str | None,
+    scale: float | None,
+    output_format: str,
+) -> int:
     """List the robots, or show one with limits, speeds, reach and source.
 
     NAME is a name or alias of the catalogue, or a URDF file.
     """
     terminal = current_terminal()
+    if name is None and (table or workspace or scale):
+        raise InputError("--table, --workspace and --scale are of one robot", "name it")
+    if plots and not workspace:
+        raise InputError("--plots needs --workspace", "there is no other picture of a robot")
     if name is not None:
-        robot = open_robot(name)
+        folder = new_plots(plots) if plots else None
+        robot = open_robot(name, scale)
         short = aliases_of(robot.name)
+        reached = workspace_of(robot) if workspace else None
         if output_format == "json":
-            say(json.dumps(_as_json(robot, short), indent=2, allow_nan=False))
+            one = _as_json(robot, short)
+            one |= axis_tables_json(robot) if table else {}
+            one |= {} if reached is None else {"workspace": workspace_json(reached)}
+            say(json.dumps(one, indent=2, allow_nan=False))
         else:
             terminal.show(robot_page(robot, short))
+            for page in (
+                axis_tables_page(robot) if table else None,
+                None if reached is None else workspace_page(reached),
+            ):
+                if page is not None:
+                    say("")
+                    terminal.show(page)
+        if isinstance(reached, str):
+            return ExitCode.FINDINGS
+        if folder and reached is not None:
+            from rapidsim.plots.workspace_picture import write_workspace_plots
+
+            write_workspace_plots(reached, folder)
+            if output_format != "json" and not terminal.quiet:
+                terminal.show(files_text([Written(folder, "plots")]))
         return ExitCode.CLEAN
     # How each is solved is told where one is used, not in a list of all.
     listed = [(load_robot(robot), aliases_of(robot)) for robot in robot_names()]

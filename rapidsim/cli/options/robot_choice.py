@@ -8,14 +8,18 @@ from rapidsim.motion.robot.catalogue import RobotError
 from rapidsim.motion.robot.robot import Robot, load_robot
 
 
-def open_robot(name: str) -> Robot:
+def open_robot(name: str, scale: float | None = None) -> Robot:
     """A robot of the catalogue or of a URDF file; what is special about it is said on stderr.
+
+    Args:
+        name: As the user named it.
+        scale: What lengths of a URDF file are multiplied by.
 
     Raises:
         InputError: If it is unknown, unreadable, or not supported.
     """
     try:
-        robot = load_robot(name)
+        robot = load_robot(name, scale=scale)
     except RobotError as error:
         raise InputError(str(error), "`rapidsim robots` lists the catalogue") from error
     for notice in robot.notices:

@@ -11,8 +11,14 @@ import numpy as np
 from rich.console import Group, RenderableType
 from rich.text import Text
 
+from rapidsim.cli.options.poses import tool
 from rapidsim.files import InputError
-from rapidsim.frames.transform import Array, Transform
+from rapidsim.frames.transform import (
+    Array,
+    Transform,
+    matrix_from_quaternion,
+    quaternion_from_matrix,
+)
 from rapidsim.motion.configurations.pose_solutions import solve_pose_as
 from rapidsim.motion.kinematics.closed_form.five_axis import FiveAxis
 from rapidsim.motion.robot.robot import Robot
@@ -20,7 +26,9 @@ from rapidsim.motion.waypoints.follow import Followed, follow
 from rapidsim.motion.waypoints.keep_out_sphere import ThroughBaseError, pushed_out
 from rapidsim.motion.waypoints.plan import Plan, Refused, Way
 from rapidsim.motion.waypoints.points import Points, posed
+from rapidsim.motion.waypoints.random_points import DOWN
 from rapidsim.motion.waypoints.reachability import reach
+from rapidsim.motion.waypoints.solver_starts import Started
 from rapidsim.report.run.summary import Written, files_text
 from rapidsim.report.tables.follow_tables import (
     Asked,
@@ -28,13 +36,12 @@ from rapidsim.report.tables.follow_tables import (
     compare_page,
     over_speed,
     points_page,
+    scaling_page,
     trajectory_page,
     turns_page,
 )
 
-_DOWN = (0.0, 1.0, 0.0, 0.0)
-"""The tool straight down, its x axis forward."""
-_UNIT_TOLERANCE = 1e-3
+_QUATERNION = 4
 _METRES = 10.0
 """Points that are all nearer to the origin than this [mm] were hardly meant in mm."""
 
@@ -45,6 +52,7 @@ class Given:
 
     robot: Robot
     tool: tuple[float, ...]
+    world_from_base: Transform
     plan: Plan
     via_speed: tuple[float, ...] | None
     start: tuple[float, ...] | None
@@ -82,9 +90,10 @@ def prepared(given: Given, points: Points) -> Task:
     Raises:
         InputError: If options do not fit the arm.
     """
-    robot = given.robot
-    flange_from_tcp = _tool(given.tool)
+    robot, base_from_world = given.robot, given.world_from_base.inverse()
+    flange_from_tcp = tool(given.tool)
     remarks = []
+    points = _in_base(points, base_from_world)
     if given.plan.avoid:
         outside = _moved_out(points, given.plan.least_radius)
         moved = int(np.any(outside.positions != points.positions, axis=1).sum())
@@ -93,7 +102,9 @@ def prepared(given: Given, points: Points) -> Task:
     if points.attitudes is None and isinstance(robot.kinematics, FiveAxis):
         remarks.append("no column gives the pitch of the tool: it is chosen point by point")
     elif points.attitudes is None:
-        points = replace(points, attitudes=np.tile(_DOWN, (len(points), 1)))
+        down = base_from_world.rotation @ matrix_from_quaternion(np.array(DOWN))
+        attitudes_down = np.tile(quaternion_from_matrix(down), (len(points), 1))
+        points = replace(points, attitudes=attitudes_down)
         remarks.append("no column gives the attitude of the tool: it points straight down")
     if given.via_speed is not None:
         points = replace(points, speeds=_via_speeds(robot, points, given.via_speed))
@@ -108,7 +119,7 @@ def prepared(given: Given, points: Points) -> Task:
         pose = posed(some.positions[:1], some_attitudes[:1])[0] @ flange_from_tcp.inverse()
         first = _first(robot, pose, given.conf)
     return Task(
-        asked=Asked(robot, points, reached, attitudes, given.plan),
+        asked=Asked(robot, points, reached, attitudes, given.plan, given.world_from_base),
         points=some,
         attitudes=some_attitudes,
         flange_from_tcp=flange_from_tcp,
@@ -122,7 +133,16 @@ def prepared(given: Given, points: Points) -> Task:
 
 def attempt_all(task: Task, plan: Plan, ways: Sequence[Way]) -> tuple[Attempt, ...]:
     """Solve the trajectory in some ways, and take the time that it costs."""
-    return tuple(_attempt(task, replace(plan, way=way)) for way in ways)
+    return tuple(attempt(task, replace(plan, way=way)) for way in ways)
+
+
+def started(result: Followed | Refused) -> tuple[Started, ...]:
+    """The numerical solvers at poses of a trajectory, from cold and from warm starts."""
+    if isinstance(result, Refused):
+        return ()
+    from rapidsim.motion.waypoints.solver_starts import compared_starts
+
+    return compared_starts(result)
 
 
 def unused(task: Task, plan: Plan) -> tuple[str, ...]:
@@ -152,6 +172,7 @@ def written(
     recording: Path | None,
     trace: Path | None,
     plots: Path | None,
+    world_from_base: Transform,
 ) -> tuple[Written, ...]:
     """Write the files asked for, if there is a trajectory."""
     if isinstance(result, Refused):
@@ -160,7 +181,7 @@ def written(
     if recording:
         from rapidsim.recording.layout.waypoint_recording import record_followed
 
-        record_followed(result, Path(title).name, recording)
+        record_followed(result, Path(title).name, recording, world_from_base)
         files.append(Written(recording, "recording"))
     if trace:
         from rapidsim.export.trace import write_samples
@@ -180,6 +201,8 @@ def shown(
 ) -> RenderableType:
     """Everything a person is told."""
     parts: list[RenderableType] = [points_page(task.asked), Text()]
+    if not compare and len(attempts) > 1:
+        return Group(*parts, scaling_page(attempts))
     if compare:
         parts.append(compare_page(attempts))
         turns = turns_page(task.attitudes)
@@ -200,7 +223,8 @@ def shown(
     return Group(*parts)
 
 
-def _attempt(task: Task, plan: Plan) -> Attempt:
+def attempt(task: Task, plan: Plan) -> Attempt:
+    """Solve a trajectory, and take the time that it costs."""
     if task.missing:
         count = len(task.asked.points)
         refused = Refused(
@@ -222,16 +246,15 @@ def _attempt(task: Task, plan: Plan) -> Attempt:
     return Attempt(plan, result, perf_counter() - began)
 
 
-def _tool(given: tuple[float, ...]) -> Transform:
-    """flange_from_tcp."""
-    quaternion = given[3:] or (1.0, 0.0, 0.0, 0.0)
-    length = float(np.linalg.norm(quaternion))
-    if abs(length - 1.0) > _UNIT_TOLERANCE:
-        raise InputError(
-            f"--tool: the quaternion has length {length:.4g}, not 1",
-            "the scalar part comes first, as RAPID writes it",
-        )
-    return Transform.from_quaternion(quaternion, [value / 1000.0 for value in given[:3]])
+def _in_base(points: Points, base_from_world: Transform) -> Points:
+    """Points of the world as the robot sees them; a pitch counts against its base."""
+    if np.array_equal(base_from_world.matrix, np.eye(4)):
+        return points
+    attitudes = points.attitudes
+    if attitudes is not None and attitudes.shape[1] == _QUATERNION:
+        turned = base_from_world.rotation @ matrix_from_quaternion(attitudes)
+        attitudes = quaternion_from_matrix(turned)
+    return replace(points, positions=base_from_world.apply(points.positions), attitudes=attitudes)
 
 
 def _joints(robot: Robot, degrees: tuple[float, ...], option: str) -> Array:

@@ -44,7 +44,9 @@ class Search:
     """Steps of all starts; for `lm` SciPy counts evaluations only, and they stand here."""
 
 
-def search(robot: Robot, base_from_flange: Transform, method: str) -> Search:
+def search(
+    robot: Robot, base_from_flange: Transform, method: str, start: Array | None = None
+) -> Search:
     """Search for the joints of one pose from several starts until one is within the limits.
 
     Args:
@@ -52,12 +54,15 @@ def search(robot: Robot, base_from_flange: Transform, method: str) -> Search:
         base_from_flange: One pose.
         method: `lm`, `trf` or `bfgs`. Only `trf` heeds the limits on its way; what the others
             find is turned by whole turns and then compared with them.
+        start: Joints (n,) [rad] to begin from, before others are tried.
     """
     run = METHODS[method]
     target = _Target(robot.kinematics, base_from_flange)
     best: Search | None = None
     iterations = 0
     starts = spread_starts(robot.lower, robot.upper, MOST_STARTS)
+    if start is not None:
+        starts = np.concatenate([start[None], starts])
     for number, start in enumerate(starts, start=1):
         found, steps = run(target, start, robot.lower, robot.upper)
         iterations += steps

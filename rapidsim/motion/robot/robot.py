@@ -107,19 +107,24 @@ class Robot:
         return self.kinematics.inverse(base_from_flange)
 
 
-def load_robot(name_or_path: str | Path) -> Robot:
+def load_robot(name_or_path: str | Path, scale: float | None = None) -> Robot:
     """Load a robot from the catalogue by name or alias, or from a URDF by path.
+
+    Args:
+        name_or_path: Which.
+        scale: What the lengths of a URDF are multiplied by, 0.001 for one in mm. Its links are
+            drawn as bars then.
 
     Raises:
         RobotError: If the name is not known, the file cannot be read, or the arm is of a kind
             that is not supported; the message says which.
     """
     text = str(name_or_path)
-    if isinstance(name_or_path, Path) or text.lower().endswith((".urdf", ".xml")):
+    if isinstance(name_or_path, Path) or text.lower().endswith((".urdf", ".xml", ".xacro")):
         # yourdfpy takes two seconds to import, which a robot of the catalogue need not pay.
         from rapidsim.motion.robot.urdf import robot_parts_from_urdf  # noqa: PLC0415
 
-        parts = robot_parts_from_urdf(Path(text))
+        parts = robot_parts_from_urdf(Path(text), 1.0 if scale is None else scale)
         joints = tuple(
             Joint(name, lower, upper, speed)
             for name, (lower, upper), speed in zip(
@@ -131,10 +136,13 @@ def load_robot(name_or_path: str | Path) -> Robot:
             title=parts.name,
             joints=joints,
             kinematics=parts.kinematics,
-            urdf=Path(text),
+            # Shapes of a scaled description would have the size that the file says.
+            urdf=Path(text) if scale is None else None,
             sources=(text,),
             notices=parts.notices,
         )
+    if scale is not None:
+        raise RobotError(f"`{text}` is in the catalogue: only lengths of a URDF file are scaled")
     return _from_entry(find_entry(text))
 
 

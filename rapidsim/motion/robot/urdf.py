@@ -6,12 +6,10 @@ for a file.
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, replace
 from io import BytesIO
 from math import inf
 from pathlib import Path
-from xml.parsers import expat
 
 import numpy as np
 import yourdfpy
@@ -28,16 +26,15 @@ from rapidsim.motion.kinematics.numerical.seeds import MOST_JOINTS
 from rapidsim.motion.kinematics.numerical.solver import Numerical
 from rapidsim.motion.kinematics.serial_chain import AxesAtZero, SerialChain
 from rapidsim.motion.robot.catalogue import RobotError
+from rapidsim.motion.robot.urdf_text import plain_urdf
 
 FLANGE_NAMES = ("tool0", "flange")
 """Links that are the flange, the first that the file has; else the link of the last axis."""
 FEWEST_JOINTS = 2
 TURNING = ("revolute", "continuous")
-_DEEPEST = 100
-"""Tags within tags; a description needs six."""
-_FARTHEST_M = 1000.0
-_MOST_CHARACTERS = 10_000_000
-_DECLARATION = re.compile(r"\s*<\?xml\b.*?\?>", re.DOTALL)
+_FARTHEST_M = 10_000.0
+_LONGEST_LINK_M = 20.0
+"""Arms that one can buy have links of 2 m; what is longer was meant in mm."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -55,13 +52,17 @@ class RobotParts:
     """What the user should know of how this arm is solved."""
 
 
-def robot_parts_from_urdf(file: Path) -> RobotParts:
+def robot_parts_from_urdf(file: Path, scale: float = 1.0) -> RobotParts:
     """Read a URDF.
+
+    Args:
+        file: The description.
+        scale: What its lengths are multiplied by, so that they are m.
 
     Raises:
         RobotError: If the file is no URDF, or its moving joints are not one row of turning axes.
     """
-    robot = _read(file)
+    robot, remarks = _read(file, scale)
     _require_tree(file, robot)
     joints = _moving_joints(file, robot)
     axes = _axes_at_zero(robot, joints)
@@ -96,19 +97,36 @@ def robot_parts_from_urdf(file: Path) -> RobotParts:
         limits=limits,
         max_speeds=tuple(_max_speed(joint) for joint in joints),
         kinematics=arm,
-        notices=notices,
+        notices=(*remarks, *_length_notices(file, robot), *notices),
     )
 
 
-def _read(file: Path) -> yourdfpy.Robot:
+def _length_notices(file: Path, robot: yourdfpy.Robot) -> tuple[str, ...]:
+    """What lengths say that cannot be m."""
+    longest = max(
+        (joint for joint in robot.joints if joint.origin is not None),
+        key=lambda joint: float(np.abs(joint.origin[:3, 3]).max()),
+        default=None,
+    )
+    if longest is None:
+        return ()
+    length = float(np.abs(longest.origin[:3, 3]).max())
+    if length <= _LONGEST_LINK_M:
+        return ()
+    return (
+        f"{file}: joint `{longest.name}` is {length:g} m from the one before: a URDF is in m, "
+        "this one must be in mm; `--scale 0.001` reads it so",
+    )
+
+
+def _read(file: Path, scale: float) -> tuple[yourdfpy.Robot, tuple[str, ...]]:
+    """The description with its lengths in m, and what of it has no place in a URDF."""
     try:
-        # What was decoded is what is read: whatever encoding the declaration names, none is left.
-        text = _DECLARATION.sub("", input_text(file), count=1)
+        text, remarks = plain_urdf(file, input_text(file))
     except InputError as mistake:
         raise RobotError(mistake.message) from None
-    _require_plain(file, text)
     try:
-        return yourdfpy.URDF.load(
+        robot = yourdfpy.URDF.load(
             BytesIO(text.encode()),
             mesh_dir="",
             load_meshes=False,
@@ -118,6 +136,10 @@ def _read(file: Path) -> yourdfpy.Robot:
     except (AttributeError, LookupError, SyntaxError, TypeError, ValueError) as mistake:
         # yourdfpy has no error of its own: it fails wherever a tag or attribute is missing.
         raise RobotError(f"{file}: not a readable URDF: {_reason(mistake)}") from None
+    for joint in robot.joints:
+        if joint.origin is not None:
+            joint.origin[:3, 3] *= scale
+    return robot, remarks
 
 
 def _reason(mistake: Exception) -> str:
@@ -129,36 +151,6 @@ def _reason(mistake: Exception) -> str:
             return "a tag is missing"
         case _:
             return str(mistake)
-
-
-def _require_plain(file: Path, text: str) -> None:
-    """Refuse what is no XML, declares entities, is too large, or is nested too deeply."""
-    if len(text) > _MOST_CHARACTERS:
-        raise RobotError(f"{file}: more than {_MOST_CHARACTERS:g} characters")
-    depth = 0
-
-    def start(*_: object) -> None:
-        nonlocal depth
-        depth += 1
-        if depth > _DEEPEST:
-            raise RobotError(f"{file}: nested too deeply")
-
-    def end(_: str) -> None:
-        nonlocal depth
-        depth -= 1
-
-    def document_type(*_: object) -> None:
-        # Entities can blow a small file up to gigabytes or read others; a URDF needs none.
-        raise RobotError(f"{file}: a robot description must not declare XML entities")
-
-    parser = expat.ParserCreate()
-    parser.StartElementHandler = start
-    parser.EndElementHandler = end
-    parser.StartDoctypeDeclHandler = document_type
-    try:
-        parser.Parse(text, True)
-    except expat.ExpatError as mistake:
-        raise RobotError(f"{file}: not a readable URDF: {mistake}") from None
 
 
 def _require_tree(file: Path, robot: yourdfpy.Robot) -> None:

@@ -69,6 +69,8 @@ class Followed:
     """Of the TCP [m/s]."""
     poses_solved: int
     """How often inverse kinematics was asked for a pose."""
+    dt: float
+    """Time [s] between samples."""
 
     @property
     def duration(self) -> float:
@@ -140,7 +142,7 @@ def follow(
         joints = joints_of_tcp(robot, points, motion, times, tcp_from_flange, start, first)
         if isinstance(joints, Refused):
             return joints
-        return _of_tcp(robot, points, attitudes, flange_from_tcp, plan, motion, times, joints)
+        return _of_tcp(robot, points, attitudes, flange_from_tcp, plan, motion, times, joints, dt)
 
     at_points = posed(points.positions, attitudes)
     knots = solved(robot, at_points @ tcp_from_flange, start, first)
@@ -158,7 +160,7 @@ def follow(
     times = _times(made.trajectory.breaks, dt)
     if isinstance(times, Refused):
         return times
-    return _of_joints(robot, points, attitudes, flange_from_tcp, plan, made, knots, times)
+    return _of_joints(robot, points, attitudes, flange_from_tcp, plan, made, knots, times, dt)
 
 
 def _joint_ways(robot: Robot, knots: Array, flange_from_tcp: Transform) -> Array:
@@ -179,6 +181,7 @@ def _of_tcp(
     motion: TcpMotion,
     times: Array,
     joints: Array,
+    dt: float,
 ) -> Followed | Refused:
     wanted, segment = motion.at(times)
     step = np.abs(np.diff(joints, axis=0))
@@ -206,6 +209,7 @@ def _of_tcp(
         path_length=motion.travel,
         peak_speed=motion.peak_speed,
         poses_solved=len(times),
+        dt=dt,
     )
 
 
@@ -218,6 +222,7 @@ def _of_joints(
     motion: JointMotion,
     knots: Array,
     times: Array,
+    dt: float,
 ) -> Followed | Refused:
     joints = motion.trajectory.at(times)
     segment = np.searchsorted(motion.passed, times, side="right") - 1
@@ -256,6 +261,7 @@ def _of_joints(
         path_length=float(travel.sum()),
         peak_speed=float(speed.max()),
         poses_solved=len(points),
+        dt=dt,
     )
 
 

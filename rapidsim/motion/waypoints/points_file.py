@@ -13,26 +13,34 @@ from math import isfinite
 import numpy as np
 
 from rapidsim.files import InputError, did_you_mean
-from rapidsim.frames.transform import Array
+from rapidsim.frames.euler import Convention, rotation_from_euler
+from rapidsim.frames.transform import Array, quaternion_from_matrix
 from rapidsim.motion.waypoints.points import Points
 
 MOST_POINTS = 20_000
 _PLACE = ("x", "y", "z")
 _QUATERNION = ("q1", "q2", "q3", "q4")
+_EULER = ("e1", "e2", "e3")
 _PITCH, _KNOT, _TIME = "pitch", "knot", "time"
 _OF_JOINT = re.compile(r"[va][1-9]")
 _UNIT = re.compile(r"_(mm|deg|s|deg_s|deg_s2)$")
 _UNIT_TOLERANCE = 1e-3
-_KNOWN = "x, y, z in mm; q1 to q4 or pitch in degrees; knot; time in s; v1, v2, ... in deg/s; a1, "
+_KNOWN = (
+    "x, y, z in mm; q1 to q4, or e1 to e3 or pitch in degrees; knot; time in s; v1, v2, ... in "
+    "deg/s; a1, "
+)
 
 
-def points_from_text(text: str, file: str, joint_count: int) -> Points:
+def points_from_text(
+    text: str, file: str, joint_count: int, convention: Convention = Convention.ZYX
+) -> Points:
     """Read the text of a table.
 
     Args:
         text: Lines; empty ones and those that begin with `#` say nothing.
         file: What messages call it.
         joint_count: How many joints the arm has, for speeds and accelerations at the points.
+        convention: Of the Euler angles e1, e2, e3.
 
     Raises:
         InputError: If something is missing, unknown, or no number.
@@ -70,6 +78,9 @@ def points_from_text(text: str, file: str, joint_count: int) -> Points:
         _check_unit(quaternions, numbers, file)
         quaternions = quaternions / np.linalg.norm(quaternions, axis=1, keepdims=True)
     pitches = together((_PITCH,))
+    angles = together(_EULER)
+    if angles is not None:
+        quaternions = quaternion_from_matrix(rotation_from_euler(np.radians(angles), convention))
     for rising in (_KNOT, _TIME):
         if rising in columns:
             _check_rising(columns[rising], rising, numbers, file)
@@ -95,7 +106,7 @@ def _names(header: str, line: int, delimiter: str, file: str, joint_count: int) 
             f"{where}: the first line must name the columns", "such as x,y,z or x,y,z,q1,q2,q3,q4"
         )
     names = tuple(_UNIT.sub("", field) for field in fields)
-    known = (*_PLACE, *_QUATERNION, _PITCH, _KNOT, _TIME)
+    known = (*_PLACE, *_QUATERNION, *_EULER, _PITCH, _KNOT, _TIME)
     for name in names:
         if name not in known and not _OF_JOINT.fullmatch(name):
             help = did_you_mean(name, known) or f"columns are {_KNOWN}a2, ... in deg/s2"
@@ -105,10 +116,12 @@ def _names(header: str, line: int, delimiter: str, file: str, joint_count: int) 
     _need(where, names, _PLACE, "a point has x, y and z")
     if any(name in names for name in _QUATERNION):
         _need(where, names, _QUATERNION, "a quaternion has q1 to q4, the scalar first")
-        if _PITCH in names:
-            raise InputError(
-                f"{where}: there are both a quaternion and a pitch", "leave one of them out"
-            )
+    if any(name in names for name in _EULER):
+        _need(where, names, _EULER, "Euler angles are e1, e2, e3, in the order of --convention")
+    given = [what for what, name in (("a quaternion", _QUATERNION[0]), ("Euler angles", _EULER[0]),
+                                     ("a pitch", _PITCH)) if name in names]  # fmt: skip
+    if len(given) > 1:
+        raise InputError(f"{where}: there are both {' and '.join(given)}", "leave one of them out")
     for letter, what in (("v", "speeds"), ("a", "accelerations")):
         given = [name for name in names if re.fullmatch(f"{letter}[1-9]", name)]
         wanted = tuple(f"{letter}{joint}" for joint in range(1, joint_count + 1))

@@ -12,7 +12,7 @@ import numpy as np
 import rerun as rr
 import rerun.blueprint as rrb
 
-from rapidsim.frames.transform import Array
+from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.motion.waypoints.attitudes import attitude_rates, unbroken
@@ -71,13 +71,16 @@ class FollowedArm:
         return name
 
 
-def record_followed(followed: Followed, title: str, path: Path) -> Path:
+def record_followed(
+    followed: Followed, title: str, path: Path, world_from_base: Transform | None = None
+) -> Path:
     """Write a recording of a trajectory.
 
     Args:
         followed: The trajectory.
         title: What the viewer calls it.
         path: Where to write; the file appears only when it is complete.
+        world_from_base: Where the robot stands; without it, upright in the origin.
 
     Returns:
         The path written.
@@ -85,13 +88,13 @@ def record_followed(followed: Followed, title: str, path: Path) -> Path:
     Raises:
         InputError: When nothing can be written there.
     """
-    samples = followed.samples
+    samples, stands = followed.samples, world_from_base or BASE_FROM_WORLD.inverse()
     _, first = np.unique(samples.move, return_index=True)
     arm = FollowedArm(followed.robot, samples, Clock(samples.times[np.sort(first)]))
-    with recording_file(path, _content_id(followed), _blueprint(followed)) as stream:
+    with recording_file(path, _content_id(followed), _blueprint(followed, stands)) as stream:
         stream.send_recording_name(title)
         stream.log("/", rr.ViewCoordinates.RIGHT_HAND_Z_UP, rr.CoordinateFrame(WORLD), static=True)
-        stream.log("base", static_frame(WORLD, BASE, BASE_FROM_WORLD.inverse()), static=True)
+        stream.log("base", static_frame(WORLD, BASE, stands), static=True)
         remarks = log_arm(stream, arm)
         _log_tool(stream, followed)
         _log_path(stream, followed)
@@ -214,16 +217,17 @@ def _figures(followed: Followed, title: str, remarks: tuple[str, ...]) -> str:
     return f"### {title}\n\n| | |\n|---|---|\n{table}{said}\n"
 
 
-def _blueprint(followed: Followed) -> rrb.Blueprint:
+def _blueprint(followed: Followed, world_from_base: Transform) -> rrb.Blueprint:
     time = rrb.TimeAxis(link="LinkToGlobal")
     samples, mm = followed.samples, followed.deviation_max * 1000.0
-    tcp = samples.base_from_tcp.translation
-    x, y, _ = tcp.mean(axis=0)
+    tcp = world_from_base.apply(samples.base_from_tcp.translation)
+    x, y, _ = tcp.mean(axis=0) - world_from_base.translation
     azimuth = float(np.arctan2(y, x))
-    cell = looking_at(_cell_points(followed), azimuth - _SIDE_RAD, _HEIGHT_RAD, air=1.25)
+    seen = world_from_base.apply(_cell_points(followed))
+    cell = looking_at(seen, azimuth - _SIDE_RAD, _HEIGHT_RAD, air=1.25)
     # Towards the robot, a little aside: the arm is not in this view, and y goes to the right.
     near = looking_at(
-        np.concatenate([tcp, followed.points.positions]),
+        np.concatenate([tcp, world_from_base.apply(followed.points.positions)]),
         azimuth - 0.3 * _SIDE_RAD,
         _NEAR_HEIGHT_RAD,
         air=1.15,

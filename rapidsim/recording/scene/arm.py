@@ -8,15 +8,20 @@ is shown beyond its limit.
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Protocol
 
 import numpy as np
 import rerun as rr
 from rerun.urdf import UrdfTree
 
+from rapidsim.files import input_text
 from rapidsim.frames.transform import Transform
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.robot.urdf_text import plain_urdf
 from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.recording.scene.link_shapes import log_shapes
 from rapidsim.recording.scene.stick_figure import log_bar
@@ -77,16 +82,13 @@ def log_arm(stream: rr.RecordingStream, run: MovingArm) -> tuple[str, ...]:
     """
     robot = run.robot
     prefix = run.frame(f"{robot.name}/")
-    tree = (
-        UrdfTree.from_file_path(robot.urdf, entity_path_prefix=_shapes(run), frame_prefix=prefix)
-        if robot.urdf is not None
-        else None
-    )
+    tree = None if robot.urdf is None else _description(robot.urdf, _shapes(run), prefix)
     chain = _chain(robot, tree, prefix)
     _log_motion(stream, run, chain)
     if tree is None:
         _log_skeleton(stream, run, chain, frozenset((run.frame(BASE), *chain.link_frames)))
-        return (f"{robot.name} has no description with link shapes: links are drawn as bars",)
+        why = "has no description with link shapes" if robot.urdf is None else "cannot be drawn"
+        return (f"{robot.name} {why}: links are drawn as bars",)
     _log_other_frames(stream, run, tree, prefix, chain)
     shapes = log_shapes(stream, tree)
     if not shapes.drawn:
@@ -100,6 +102,30 @@ def log_arm(stream: rr.RecordingStream, run: MovingArm) -> tuple[str, ...]:
         names = ", ".join(sorted(frame.removeprefix(prefix) for frame in shapes.missing))
         return (f"{robot.name}: cannot read the shape of {names}: drawn as bars",)
     return ()
+
+
+def _description(file: Path, entity: str, prefix: str) -> UrdfTree | None:
+    """The description as rerun reads it, without what has no place in a URDF; None if it cannot."""
+    try:
+        return UrdfTree.from_file_path(file, entity_path_prefix=entity, frame_prefix=prefix)
+    except RuntimeError:
+        text, _ = plain_urdf(file, input_text(file))
+    with TemporaryDirectory() as folder:
+        plain = Path(folder) / file.name
+        plain.write_text(_with_whole_paths(text, file.parent.absolute()), encoding="utf-8")
+        try:
+            return UrdfTree.from_file_path(plain, entity_path_prefix=entity, frame_prefix=prefix)
+        except RuntimeError:
+            return None
+
+
+def _with_whole_paths(text: str, folder: Path) -> str:
+    """A description whose shapes are found from anywhere."""
+
+    def whole(found: re.Match[str]) -> str:
+        return found[0] if "://" in found[1] else f'filename="{folder / found[1]}"'
+
+    return re.sub(r'filename="([^"]*)"', whole, text)
 
 
 def _entity(run: MovingArm, *parts: str) -> str:

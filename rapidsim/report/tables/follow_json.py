@@ -13,6 +13,7 @@ import numpy as np
 from rapidsim.motion.waypoints.follow import Followed
 from rapidsim.motion.waypoints.plan import Refused, Way
 from rapidsim.motion.waypoints.reachability import PointReach
+from rapidsim.motion.waypoints.solver_starts import Started
 from rapidsim.report.tables.follow_tables import Asked, Attempt
 
 
@@ -22,6 +23,24 @@ def follow_json(asked: Asked, attempts: Sequence[Attempt]) -> dict[str, object]:
     profile = None if asked.plan.way is Way.JOINT_QUINTIC else asked.plan.profile.value
     said = {"path": asked.plan.way.value, "profile": profile}
     return {**_asked(asked), **said, **_result(attempt.result)}
+
+
+def starts_json(tried: Sequence[Started]) -> dict[str, object]:
+    """What numerical solvers needed, from cold and from warm starts; nothing without them."""
+    if not tried:
+        return {}
+    rows = [
+        {
+            "solver": one.solver,
+            "start": "warm" if one.warm else "cold",
+            "poses": one.poses,
+            "found": one.found,
+            "starts": one.starts,
+            "iterations": one.iterations,
+        }
+        for one in tried
+    ]
+    return {"starts": rows}
 
 
 def compared_json(asked: Asked, attempts: Sequence[Attempt]) -> dict[str, object]:
@@ -39,7 +58,7 @@ def _asked(asked: Asked) -> dict[str, object]:
         "acceleration_mm_s2": asked.plan.acceleration * 1000.0,
         "points": [
             _point(position, point)
-            for position, point in zip(asked.points.positions.tolist(), asked.reached, strict=True)
+            for position, point in zip(asked.positions_mm.tolist(), asked.reached, strict=True)
         ],
     }
 
@@ -64,6 +83,7 @@ def _trajectory(followed: Followed) -> dict[str, object]:
     """One trajectory: how long, how far off, how fast."""
     joints = followed.samples.joints
     return {
+        "dt_s": followed.dt,
         "duration_s": followed.duration,
         "path_mm": followed.path_length * 1000.0,
         "peak_tcp_speed_mm_s": followed.peak_speed * 1000.0,
@@ -103,7 +123,7 @@ def _point(position: Sequence[float], reached: PointReach) -> dict[str, object]:
     if reached.pitches is not None:
         ranges = [degrees(pitch) for pitch in reached.pitches]
     return {
-        "position_mm": [value * 1000.0 for value in position],
+        "position_mm": list(position),
         "reachable": reached.reachable,
         "why": reached.message,
         "shortfall_mm": 0.0 if why is None else why.shortfall * 1000.0,

@@ -10,12 +10,13 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from rapidsim.frames.transform import Array
+from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.waypoints.follow import Followed
 from rapidsim.motion.waypoints.plan import Plan, Refused, Way
 from rapidsim.motion.waypoints.points import Points, linear_turn_rates, turn
 from rapidsim.motion.waypoints.reachability import PointReach
+from rapidsim.motion.waypoints.solver_starts import Started
 from rapidsim.report.uncut_table import WholeTable
 
 _MOST_ROWS = 30
@@ -34,6 +35,12 @@ class Asked:
     attitudes: Array
     """Shape (k, 4) or (k, 1); chosen where they are free."""
     plan: Plan
+    world_from_base: Transform
+
+    @property
+    def positions_mm(self) -> Array:
+        """Where the points are in the world (k, 3)."""
+        return 1000.0 * self.world_from_base.apply(self.points.positions) + 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +60,7 @@ class Attempt:
 
 def points_page(asked: Asked) -> RenderableType:
     """A row a point: where, and whether the arm gets there, or what is missing."""
-    reached, points = asked.reached, asked.points
+    reached, positions = asked.reached, asked.positions_mm
     count = len(reached)
     missing = [number for number, point in enumerate(reached) if not point.reachable]
     facts = Text(f"{count - len(missing)} of {count} points reached", "red" if missing else "green")
@@ -61,13 +68,15 @@ def points_page(asked: Asked) -> RenderableType:
     parts: list[RenderableType] = [Text(asked.robot.title, "bold"), facts]
     if shown:
         free = any(point.pitch is not None for point in reached)
-        table = _table("point", "x", "y", "z", *(("pitch", "possible") if free else ()))
+        table = _table(
+            "point", "x [mm]", "y [mm]", "z [mm]", *(("pitch [deg]", "possible") if free else ())
+        )
         table.add_column("", no_wrap=False)
         for number in shown:
             point = reached[number]
             table.add_row(
                 str(number + 1),
-                *(f"{value:.1f}" for value in (points.positions[number] * 1000.0 + 0.0).tolist()),
+                *(f"{value:.1f}" for value in positions[number].tolist()),
                 *(_pitch(point) if free else ()),
                 point.message or "reached",
                 style="" if point.reachable else "red",
@@ -131,6 +140,44 @@ def compare_page(attempts: Sequence[Attempt]) -> RenderableType:
         "its limit"
     )
     return Group(table, *refused, Text(said, "dim"))
+
+
+def scaling_page(attempts: Sequence[Attempt]) -> RenderableType:
+    """A row a step in time: how poses and time of the solver grow with them."""
+    table = _table("dt", "poses", "solver", "a pose")
+    refused = []
+    for attempt in attempts:
+        result = attempt.result
+        if isinstance(result, Refused):
+            refused.append(refused_text(result))
+            break
+        table.add_row(
+            f"{result.dt:g} s",
+            str(result.poses_solved),
+            f"{attempt.seconds * 1000.0:.1f} ms",
+            f"{attempt.seconds * 1e6 / result.poses_solved:.1f} µs",
+        )
+    said = "solver: time of this computer"
+    return Group(table, *refused, Text(said, "dim"))
+
+
+def starts_page(tried: Sequence[Started]) -> RenderableType:
+    """A row a solver and start: how often it found the pose, what that took."""
+    table = _table("solver", "start", "found", "starts", "steps a pose", "time a pose")
+    for one in tried:
+        table.add_row(
+            one.solver,
+            "warm" if one.warm else "cold",
+            f"{one.found} of {one.poses}",
+            f"{one.starts / one.poses:.2f}",
+            f"{one.iterations / one.poses:.1f}",
+            f"{one.seconds * 1000.0 / one.poses:.1f} ms",
+        )
+    said = (
+        "cold: from joints at 0 at every pose; warm: from the joints of the pose before; where a "
+        "start fails, others spread over the limits follow; time of this computer"
+    )
+    return Group(table, Text(said, "dim"))
 
 
 def turns_page(attitudes: Array) -> RenderableType | None:

@@ -7,10 +7,13 @@ from math import degrees
 
 import numpy as np
 
+from rapidsim.frames.euler import Convention, euler_from_rotation
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.confdata import confdata_of
 from rapidsim.motion.configurations.pose_solutions import PoseSolutions
+from rapidsim.motion.configurations.postures import Postures
 from rapidsim.motion.configurations.singularities import Differential, joint_speeds
+from rapidsim.motion.kinematics.axis_tables import dh_table_of, screws_of
 from rapidsim.motion.robot.robot import Robot
 
 _DIGITS = 12
@@ -29,18 +32,23 @@ class Searched:
     """By the clock on the wall; nothing depends on it."""
 
 
-def forward_json(robot: Robot, joints: Array, flange_from_tcp: Transform) -> dict[str, object]:
-    """Where the TCP and the links are."""
-    tcp = robot.forward(joints) @ flange_from_tcp
-    links = robot.kinematics.link_frames(joints)
-    matrix = tcp.matrix
-    matrix[:3, 3] *= 1000.0
+def forward_json(shown: Postures, convention: Convention) -> dict[str, object]:
+    """Where the TCP and the links are; in the world, where the base is placed in it."""
+    robot, joints, stands = shown.robot, shown.rows[0].joints, shown.world_from_base
+    tcp = shown.world_from_tcp
+    links = stands @ robot.kinematics.link_frames(joints)
     return {
         "schema": 1,
         "robot": robot.name,
         "joints_deg": _plain(np.degrees(joints).round(_DIGITS)),
         **_pose(tcp),
-        "matrix": _plain(matrix),
+        "euler": {
+            "convention": convention.value,
+            "names": list(convention.names),
+            "degrees": _plain(np.degrees(euler_from_rotation(tcp.rotation, convention))),
+        },
+        "matrix": _plain(_in_mm(tcp)),
+        "base": _pose(stands),
         "links": [
             {"name": f"link_{number}", **_pose(links[number - 1])}
             for number in range(1, len(links) + 1)
@@ -105,6 +113,44 @@ def jacobian_json(robot: Robot, found: Differential, twist: Array | None) -> dic
             "turning_deg_s": _plain(np.degrees(missed[3:])),
         }
     return report
+
+
+def axis_tables_json(robot: Robot) -> dict[str, object]:
+    """The DH table and the screws of an arm; null where rods couple its joints."""
+    dh, screws = dh_table_of(robot.kinematics), screws_of(robot.kinematics)
+    if dh is None or screws is None:
+        return {"dh": None, "screws": None}
+    return {
+        "dh": {
+            "form": "standard",
+            "base": _plain(_in_mm(dh.base)),
+            "rows": [
+                {"theta_deg": degrees(t), "d_mm": 1000.0 * d, "a_mm": 1000.0 * a,
+                 "alpha_deg": degrees(alpha)}
+                for t, d, a, alpha in np.column_stack([dh.theta, dh.d, dh.a, dh.alpha]).tolist()
+            ],
+            "flange": _plain(_in_mm(dh.flange)),
+        },
+        "screws": {
+            "frame": "base",
+            "axes": [
+                {"direction": turn, "moment_mm": moment, "point_mm": point}
+                for turn, moment, point in zip(
+                    _plain(screws.directions),
+                    _plain(1000.0 * screws.moments),
+                    _plain(1000.0 * screws.points),
+                    strict=True,
+                )
+            ],
+            "flange_at_zero": _plain(_in_mm(screws.base_from_flange)),
+        },
+    }  # fmt: skip
+
+
+def _in_mm(frame: Transform) -> Array:
+    matrix = frame.matrix
+    matrix[:3, 3] *= 1000.0
+    return matrix
 
 
 def _pose(base_from_frame: Transform) -> dict[str, object]:

@@ -10,38 +10,134 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
+from rapidsim.frames.euler import Convention, euler_from_rotation
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.confdata import confdata_of
 from rapidsim.motion.configurations.pose_solutions import PoseSolutions
+from rapidsim.motion.configurations.postures import Postures
 from rapidsim.motion.configurations.singularities import Differential, joint_speeds
+from rapidsim.motion.kinematics.axis_tables import dh_table_of, screws_of
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.report.tables.kin_json import Searched
 from rapidsim.report.uncut_table import WholeTable
 
 _ROWS = ("vx", "vy", "vz", "wx", "wy", "wz")
 _USUAL_JOINTS = 6
+_SMALL = 1e-9
 
 
-def forward_page(robot: Robot, joints: Array, flange_from_tcp: Transform) -> RenderableType:
-    """Pose of the TCP, configuration, links."""
-    tcp = robot.forward(joints) @ flange_from_tcp
-    links = robot.kinematics.link_frames(joints)
-    table = _table("frame", "x", "y", "z", "q1", "q2", "q3", "q4")
+def forward_page(shown: Postures, convention: Convention, *, tables: bool) -> RenderableType:
+    """Pose of the TCP as matrix, quaternion and Euler angles, configuration, links.
+
+    Args:
+        shown: One posture.
+        convention: Of the Euler angles.
+        tables: Also the matrix of each link, and the screws and the DH table of the arm.
+    """
+    robot, joints = shown.robot, shown.rows[0].joints
+    tcp = shown.world_from_tcp
+    links = shown.world_from_base @ robot.kinematics.link_frames(joints)
+    table = _table("frame", "x [mm]", "y [mm]", "z [mm]", "q1", "q2", "q3", "q4")
     for number in range(1, len(links) + 1):
         table.add_row(f"link_{number}", *_pose(links[number - 1]))
     table.add_row("TCP", *_pose(tcp), style="bold")
     conf = ",".join(map(str, confdata_of(robot.kinematics, joints).tolist()))
-    facts = Text.assemble(("joints ", "cyan"), _list(np.degrees(joints)), " deg")
-    return Group(
-        _title(robot), facts, Text.assemble(("conf   ", "cyan"), f"[{conf}]"), Text(), table
+    angles = np.degrees(euler_from_rotation(tcp.rotation, convention))
+    named = ", ".join(
+        f"{name} {_number(angle, 3)}"
+        for name, angle in zip(convention.names, angles.tolist(), strict=True)
     )
+    parts: list[RenderableType] = [
+        _title(robot),
+        Text.assemble(("joints ", "cyan"), _list(np.degrees(joints)), " deg"),
+        Text.assemble(("conf   ", "cyan"), f"[{conf}]"),
+        Text.assemble(("euler  ", "cyan"), f"{convention.value}: {named} deg"),
+        Text.assemble(("frame  ", "cyan"), "base" if _is_unit(shown.world_from_base) else "world"),
+        Text(),
+        table,
+        Text(),
+        _matrix("TCP", tcp),
+    ]
+    if tables:
+        for number in range(1, len(links) + 1):
+            parts += [Text(), _matrix(f"link_{number}", links[number - 1])]
+        parts += [Text(), axis_tables_page(robot)]
+    return Group(*parts)
+
+
+def axis_tables_page(robot: Robot) -> RenderableType:
+    """The DH table and the screws of an arm."""
+    dh, screws = dh_table_of(robot.kinematics), screws_of(robot.kinematics)
+    if dh is None or screws is None:
+        return Text(
+            f"{robot.title} has no DH table and no screws: rods carry its links, so that a joint "
+            "turns more than one axis",
+            "dim",
+        )
+    table = _table("joint", "theta [deg]", "d [mm]", "a [mm]", "alpha [deg]")
+    for number, row in enumerate(zip(dh.theta, dh.d, dh.a, dh.alpha, strict=True), start=1):
+        theta, d, a, alpha = (float(value) for value in row)
+        added = degrees(theta)
+        sign = "-" if added < -_SMALL else "+"
+        joint = f"q{number}" if abs(added) < _SMALL else f"q{number} {sign} {abs(added):g}"
+        table.add_row(
+            str(number), joint, _number(1000.0 * d, 3), _number(1000.0 * a, 3),
+            _number(degrees(alpha), 3),
+        )  # fmt: skip
+    parts: list[RenderableType] = [Text("DH, standard form", "bold"), table]
+    for name, frame in (("base, before row 1", dh.base), ("flange, behind the last", dh.flange)):
+        if not _is_unit(frame):
+            parts += [Text(), _matrix(name, frame)]
+    poe = _table("joint", "wx", "wy", "wz", "vx [mm]", "vy [mm]", "vz [mm]")
+    for number, (turn, moment) in enumerate(
+        zip(screws.directions.tolist(), (1000.0 * screws.moments).tolist(), strict=True), start=1
+    ):
+        poe.add_row(str(number), *(_number(w, 6) for w in turn), *(_number(v, 3) for v in moment))
+    parts += [
+        Text(),
+        Text("screws of the product of exponentials, in the base frame", "bold"),
+        poe,
+        Text(),
+        _matrix("M, joints at 0", screws.base_from_flange),
+    ]
+    return Group(*parts)
+
+
+def posture_markdown(shown: Postures) -> str:
+    """Joints, pose and matrix as Markdown, for the recording."""
+    rows = [
+        f"| {posture.name} | {', '.join(_number(a, 2) for a in np.degrees(posture.joints))} |"
+        for posture in shown.rows
+    ]
+    matrix = shown.world_from_tcp.matrix
+    matrix[:3, 3] *= 1000.0
+    lines = [
+        [*(_number(value, 5) for value in row[:3]), _number(row[3], 3)] for row in matrix.tolist()
+    ]
+    cells = "\n".join(f"| {' | '.join(line)} |" for line in lines)
+    place = ", ".join(_number(value, 3) for value in matrix[:3, 3].tolist())
+    quaternion = ", ".join(_number(q, 6) for q in shown.world_from_tcp.quaternion.tolist())
+    text = (
+        "| posture | joints [deg] |\n|---|---|\n" + "\n".join(rows)
+        + f"\n\nTCP at ({place}) mm, [{quaternion}]\n\n"
+        + "| x | y | z | position [mm] |\n|---|---|---|---|\n" + cells
+    )  # fmt: skip
+    if shown.differential is not None:
+        values = ", ".join(f"{value:.4g}" for value in shown.differential.singular_values)
+        near = ", ".join(shown.differential.near) or "none"
+        text += f"\n\nsingular values {values}\n\nnear: {near}"
+    return text
 
 
 def inverse_page(
-    robot: Robot, solver: str, found: PoseSolutions, searched: Searched | None
+    robot: Robot,
+    solver: str,
+    asked: Transform,
+    found: PoseSolutions,
+    searched: Searched | None,
 ) -> RenderableType:
-    """One row a solution, and why there is none."""
-    parts: list[RenderableType] = [_title(robot)]
+    """The pose asked for, one row a solution, and why there is none."""
+    parts: list[RenderableType] = [_title(robot), Text(), _matrix("TCP", asked)]
     if found.why is not None:
         parts.append(Text.assemble(("unreachable: ", "red"), found.why))
     if found.solutions:
@@ -54,7 +150,7 @@ def inverse_page(
                 "within" if solution.within_limits else "outside",
                 style="" if solution.within_limits else "dim",
             )
-        parts += [Text(), table]
+        parts += [Text(), Text("joints in deg", "dim"), table]
     said = f"solver {solver}"
     if searched:
         said += (
@@ -101,6 +197,20 @@ def jacobian_page(robot: Robot, found: Differential, twist: Array | None) -> Ren
         short = f"missed: {_list(missed[:3] * 1000.0)} mm/s, {_list(np.degrees(missed[3:]))} deg/s"
         parts += [Text(), table, Text(short, "dim")]
     return Group(*parts)
+
+
+def _is_unit(frame: Transform) -> bool:
+    return bool(np.abs(frame.matrix - np.eye(4)).max() <= _SMALL)
+
+
+def _matrix(name: str, frame: Transform) -> Table:
+    """A 4 x 4 matrix, lengths in mm."""
+    table = _table(name, "x", "y", "z", "position [mm]")
+    matrix = frame.matrix
+    matrix[:3, 3] *= 1000.0
+    for words, row in zip(("", "", "", ""), matrix.tolist(), strict=True):
+        table.add_row(words, *(_number(value, 6) for value in row[:3]), _number(row[3], 3))
+    return table
 
 
 def _title(robot: Robot) -> Text:

@@ -12,6 +12,7 @@ from rich.table import Table
 from rich.text import Text
 
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.waypoints.workspace import Workspace
 from rapidsim.report.uncut_table import WholeTable
 
 _UNKNOWN = "?"
@@ -46,6 +47,37 @@ def catalogue_table(robots: Sequence[tuple[Robot, Sequence[str]]]) -> Renderable
     if any(_lacks_something(robot) for robot, _ in robots):
         return Group(table, Padding(Text(_MEANING, "dim"), (1, 0, 0, 0)))
     return table
+
+
+def workspace_page(found: Workspace | str) -> RenderableType:
+    """Volume and extents of what the flange reaches."""
+    if isinstance(found, str):
+        return Text(f"no workspace: {found}", "dim")
+    near, far, low, high = (f"{1000.0 * value:.0f} mm" for value in found.extent)
+    facts = Table.grid(padding=(0, 2))
+    facts.add_column(style="cyan", no_wrap=True)
+    facts.add_column()
+    facts.add_row("workspace", f"{found.volume:.2f} m3, of the flange in any attitude")
+    facts.add_row("from axis 1", f"{near} to {far}")
+    facts.add_row("height", f"{low} to {high}")
+    facts.add_row("around", f"{degrees(found.swept):.0f} deg")
+    facts.add_row("found", f"by trying postures, in cells of {1000.0 * found.cell:.1f} mm")
+    return facts
+
+
+def workspace_json(found: Workspace | str) -> dict[str, object] | None:
+    """The same; null where there is none."""
+    if isinstance(found, str):
+        return None
+    near, far, low, high = (1000.0 * value for value in found.extent)
+    return {
+        "of": "flange",
+        "volume_m3": found.volume,
+        "from_axis_1_mm": [near, far],
+        "height_mm": [low, high],
+        "around_deg": degrees(found.swept),
+        "cell_mm": 1000.0 * found.cell,
+    }
 
 
 def robot_page(robot: Robot, aliases: Sequence[str]) -> RenderableType:

@@ -1,0 +1,165 @@
+"""Where a robot stands and how a tool is turned, as options; read late, for that imports NumPy."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import radians
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+
+from rapidsim.cli.options.numbers import POSITIVE, numbers
+from rapidsim.files import InputError
+
+if TYPE_CHECKING:
+    from rapidsim.frames.transform import Array, Transform
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+CONVENTIONS = ("zyx", "xyz", "zyz", "rpy")
+UNIT_TOLERANCE = 1e-3
+
+convention_option = click.option(
+    "--convention",
+    type=click.Choice(CONVENTIONS),
+    default="zyx",
+    show_default=True,
+    help="Euler angles: zyx as in OrientZYX and KUKA's A,B,C; rpy about axes that stand still.",
+)
+euler_option = click.option(
+    "--euler", type=numbers(3), metavar="A,B,C", help="Euler angles [deg] by --convention."
+)
+base_option = click.option(
+    "--base",
+    metavar="floor|wall|ceiling|X,Y,Z[,Q1..Q4]",
+    default="floor",
+    show_default=True,
+    help="How the robot stands in the world; positions are in the world then.",
+)
+
+line_option = click.option(
+    "--line",
+    type=numbers(6),
+    metavar="X,Y,Z,X,Y,Z",
+    help="Start and end of a line [mm]; --count points on it.",
+)
+
+scale_option = click.option(
+    "--scale",
+    type=POSITIVE,
+    metavar="FACTOR",
+    help="Lengths of a URDF file times this: 0.001 for one in mm.",
+)
+
+_STANDS = {
+    "floor": (1.0, 0.0, 0.0, 0.0),
+    # Out of a wall the base looks along x of the world, its own x axis down.
+    "wall": (0.5**0.5, 0.0, 0.5**0.5, 0.0),
+    "ceiling": (0.0, 1.0, 0.0, 0.0),
+}
+
+
+def posture_options(command: Command) -> Command:
+    """Give a command the options of its files."""
+    for option in (
+        click.option("--view", is_flag=True, help="Open the recording in the rerun viewer."),
+        click.option("--plots", metavar="DIR", help="Write pictures of arm, frames and matrix."),
+        click.option("--record", metavar="FILE.rrd", help="Write a recording of the arm."),
+    ):
+        command = option(command)
+    return command
+
+
+def world_from_base(text: str) -> Transform:
+    """Where the robot stands.
+
+    Raises:
+        InputError: If the option says neither a place nor how it is mounted.
+    """
+    if text.lower() in _STANDS:
+        return pose((0.0, 0.0, 0.0), _STANDS[text.lower()], "--base")
+    try:
+        given = numbers(3, 7)(text)
+    except click.BadParameter as error:
+        raise InputError(
+            f"--base: {error.message}",
+            "floor, wall, ceiling, or where it stands: X,Y,Z,Q1,Q2,Q3,Q4",
+        ) from None
+    return pose(given[:3], given[3:] or _STANDS["floor"], "--base")
+
+
+def pose(position: tuple[float, ...], quaternion: tuple[float, ...], option: str) -> Transform:
+    """A frame at a position [mm] with an attitude.
+
+    Raises:
+        InputError: If the quaternion is not one of a rotation.
+    """
+    import numpy as np
+
+    from rapidsim.frames.transform import Transform
+
+    length = float(np.linalg.norm(quaternion))
+    if abs(length - 1.0) > UNIT_TOLERANCE:
+        raise InputError(
+            f"{option}: the quaternion has length {length:.4g}, not 1",
+            "the scalar part comes first, as RAPID writes it",
+        )
+    return Transform.from_quaternion(quaternion, [value / 1000.0 for value in position])
+
+
+def tool(given: tuple[float, ...] | None) -> Transform:
+    """flange_from_tcp of `--tool`."""
+    given = given or (0.0, 0.0, 0.0)
+    return pose(given[:3], given[3:] or _STANDS["floor"], "--tool")
+
+
+def asked_pose(
+    position: tuple[float, ...],
+    quaternion: tuple[float, ...] | None,
+    euler: tuple[float, ...] | None,
+    convention: str,
+    pitch: float | None,
+    roll: float,
+) -> Transform:
+    """The pose of the TCP that the options of `kin ik` name, in the base or the world.
+
+    Raises:
+        InputError: If they name none, or several.
+    """
+    import numpy as np
+
+    from rapidsim.frames.euler import Convention, rotation_from_euler
+    from rapidsim.frames.transform import Transform
+    from rapidsim.motion.waypoints.points import posed
+
+    given = [name for name, value in (("--quaternion", quaternion), ("--euler", euler),
+                                      ("--pitch", pitch)) if value is not None]  # fmt: skip
+    if len(given) != 1:
+        named = " and ".join(given) or "none"
+        raise InputError(
+            f"the attitude is given by one of --quaternion, --euler and --pitch, not by {named}"
+        )
+    place = np.array([value / 1000.0 for value in position])
+    if quaternion is not None:
+        return pose(position, quaternion, "--quaternion")
+    if euler is not None:
+        angles = np.radians(np.array(euler))
+        return Transform(rotation_from_euler(angles, Convention(convention)), place)
+    assert pitch is not None
+    about_tool = rotation_from_euler(np.array([radians(roll), 0.0, 0.0]), Convention.ZYX)
+    upright = posed(place[None], np.array([[radians(pitch)]]))[0]
+    return upright @ Transform(about_tool, np.zeros(3))
+
+
+def line_points(line: tuple[float, ...], count: int) -> Array:
+    """Places (count, 3) [mm] evenly from the first three numbers of `--line` to the last three.
+
+    Raises:
+        InputError: If there is only one.
+    """
+    import numpy as np
+
+    if count < 2:
+        raise InputError("a line has two points or more", "give their number with --count")
+    places: Array = np.linspace(line[:3], line[3:], count)
+    return places

@@ -1,0 +1,77 @@
+"""What the commands of `rapidsim kin` do with a posture: show it, record it, draw it."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from rapidsim.cli.options.outputs import new_file, new_plots
+from rapidsim.cli.terminal import current_terminal, say
+from rapidsim.cli.viewer import leave_open, require_screen
+from rapidsim.motion.configurations.confdata import distinct
+from rapidsim.motion.configurations.pose_solutions import PoseSolutions
+from rapidsim.motion.configurations.postures import Posture, Postures
+from rapidsim.report.run.summary import Written, files_text
+from rapidsim.report.tables.kin_tables import posture_markdown
+
+
+@dataclass(frozen=True, slots=True)
+class Outputs:
+    """Files to write of a posture; None is not written."""
+
+    recording: Path | None
+    plots: Path | None
+    view: bool
+
+
+def outputs(record: str | None, plots: str | None, view: bool, default: str) -> Outputs:
+    """The places to write to, refused before anything is computed.
+
+    Raises:
+        InputError: If something cannot be written or there is no screen to look at it.
+    """
+    if view:
+        require_screen()
+        record = record or default
+    return Outputs(
+        new_file(record, (".rrd",)) if record else None, new_plots(plots) if plots else None, view
+    )
+
+
+def write(shown: Postures, asked: Outputs, *, quiet: bool) -> tuple[Written, ...]:
+    """Write what was asked for and open the viewer; unless `quiet` what was written is said."""
+    files = []
+    if asked.recording:
+        # rerun would repeat on stderr, in its own words, what our messages say.
+        os.environ.setdefault("RUST_LOG", "off")
+        from rapidsim.recording.layout.posture_recording import record_postures
+
+        record_postures(shown, posture_markdown(shown), asked.recording)
+        files.append(Written(asked.recording, "recording"))
+    if asked.plots:
+        from rapidsim.plots.posture_pictures import write_posture_plots
+
+        write_posture_plots(shown, asked.plots)
+        files.append(Written(asked.plots, "plots"))
+    if files and not quiet and not current_terminal().quiet:
+        say("")
+        current_terminal().show(files_text(files))
+    if asked.view and asked.recording:
+        leave_open(asked.recording)
+    return tuple(files)
+
+
+def solved_postures(found: PoseSolutions) -> tuple[Posture, ...]:
+    """The solutions of a pose to be looked at side by side: whole turns look alike."""
+    postures = []
+    for looks in distinct(np.array([solution.joints for solution in found.solutions])):
+        turns = [
+            one for one in found.solutions if len(distinct(np.array([looks, one.joints]))) == 1
+        ]
+        shown = min(turns, key=lambda one: float(np.abs(one.joints).sum()))
+        name = f"[{','.join(map(str, shown.confdata))}]"
+        postures.append(Posture(shown.joints, name, shown.within_limits))
+    return tuple(postures)

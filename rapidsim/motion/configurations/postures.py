@@ -1,0 +1,80 @@
+"""Postures of an arm to be looked at: one at given joints, or all that reach a pose."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.configurations.singularities import Differential
+from rapidsim.motion.robot.robot import Robot
+
+_MOVES = 0.2
+"""Share [m/rad] of a direction that is velocity, above which it is shown as one."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Posture:
+    """One way to stand."""
+
+    joints: Array
+    """Shape (n,) [rad]."""
+    name: str
+    within_limits: bool = True
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Postures:
+    """An arm in one posture or several."""
+
+    robot: Robot
+    world_from_base: Transform
+    flange_from_tcp: Transform
+    rows: tuple[Posture, ...]
+    """One at least."""
+    title: str
+    differential: Differential | None = None
+    """At the first posture, where that is asked for."""
+
+    @property
+    def world_from_tcp(self) -> Transform:
+        """Where the TCP is in the first posture."""
+        return self.world_from_base @ self.robot.forward(self.rows[0].joints) @ self.flange_from_tcp
+
+    def frames(self, row: int) -> Transform:
+        """world_from_frame (n + 2,): the links, the flange and the TCP of a posture."""
+        joints = self.rows[row].joints
+        links = self.robot.kinematics.link_frames(joints)
+        flange = self.robot.forward(joints)
+        tcp = flange @ self.flange_from_tcp
+        base_from_frames = Transform(
+            np.concatenate([links.rotation, flange.rotation[None], tcp.rotation[None]]),
+            np.concatenate([links.translation, flange.translation[None], tcp.translation[None]]),
+        )
+        return self.world_from_base @ base_from_frames
+
+    @property
+    def size(self) -> float:
+        """About how large the arm is [m]."""
+        places = [self.frames(row).translation for row in range(len(self.rows))]
+        foot = self.world_from_base.translation
+        return max(float(np.linalg.norm(np.concatenate(places) - foot, axis=1).max()), 0.05)
+
+    @property
+    def weakest(self) -> tuple[Array, str] | None:
+        """The direction (3,) in the world that joints move the TCP least along, or turn it about.
+
+        With words for it; None where no Jacobian was asked for.
+        """
+        if self.differential is None:
+            return None
+        directions, values, _ = np.linalg.svd(self.differential.jacobian)
+        rank = min(self.differential.jacobian.shape)
+        # With fewer than six joints some directions are never moved: the weakest of the others.
+        velocity, turning = np.split(directions[:, rank - 1], 2)
+        moves = float(np.linalg.norm(velocity)) >= _MOVES
+        direction = velocity if moves else turning
+        said = "moved least" if moves else "turned least about this"
+        along: Array = self.world_from_base.rotation @ (direction / np.linalg.norm(direction))
+        return along, f"{said}: singular value {values[rank - 1]:.3g}"

@@ -1,0 +1,191 @@
+"""The axes of an arm as tables that textbooks have: screws of the product of exponentials, and DH.
+
+Both come from where the axes stand at joint values 0, so they hold for any arm in which each joint
+turns one axis and carries the next. Where rods hold a link level there is no such table.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from rapidsim.frames.rotation_vectors import rotation_from_vector
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.kinematics.arm import Kinematics
+
+_TOLERANCE = 1e-9
+_TRIALS = 5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Screws:
+    """base_from_flange = exp(S1 q1) ... exp(Sn qn) M.
+
+    Source:
+        Lynch, Park (2017), Modern Robotics, section 4.1.
+    """
+
+    directions: Array
+    """Unit vectors (n, 3) of the axes in base, joints at 0."""
+    points: Array
+    """The point (n, 3) [m] of each axis that is nearest to the base."""
+    base_from_flange: Transform
+    """M: joints at 0."""
+
+    @property
+    def moments(self) -> Array:
+        """The velocities (n, 3) [m/rad] of S: direction and moment are the screw."""
+        moments: Array = -np.cross(self.directions, self.points)
+        return moments
+
+    def forward(self, joints: Array) -> Transform:
+        """base_from_flange of joints (n,) [rad]."""
+        moved = Transform.identity()
+        for direction, point, angle in zip(
+            self.directions, self.points, joints.tolist(), strict=True
+        ):
+            turn = rotation_from_vector(angle * direction)
+            moved = moved @ Transform(turn, point - turn @ point)
+        return moved @ self.base_from_flange
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class DhTable:
+    """Each row turns by theta about z, goes d along z and a along x, turns by alpha about x.
+
+    Source:
+        Denavit, Hartenberg (1955), in the standard form.
+    """
+
+    base: Transform
+    """From the base frame to frame 0; the unit matrix where axis 1 is the z axis of the base."""
+    theta: Array
+    """What is added to each joint (n,) [rad]."""
+    d: Array
+    """Shape (n,) [m]."""
+    a: Array
+    alpha: Array
+    """Shape (n,) [rad]."""
+    flange: Transform
+    """From the last frame to the flange; mostly the unit matrix."""
+
+    def forward(self, joints: Array) -> Transform:
+        """base_from_flange of joints (n,) [rad]."""
+        moved = self.base
+        for theta, d, a, alpha in zip(joints + self.theta, self.d, self.a, self.alpha, strict=True):
+            about_z = rotation_from_vector(np.array([0.0, 0.0, theta]))
+            about_x = rotation_from_vector(np.array([alpha, 0.0, 0.0]))
+            along = about_z @ np.array([a, 0.0, 0.0]) + np.array([0.0, 0.0, d])
+            moved = moved @ Transform(about_z @ about_x, along)
+        return moved @ self.flange
+
+
+def screws_of(kinematics: Kinematics) -> Screws | None:
+    """The screws of an arm; None where its joints do not each turn one axis."""
+    zero = np.zeros(kinematics.joint_count)
+    flange = kinematics.forward(zero)
+    jacobian = kinematics.jacobian(zero)
+    directions = jacobian[3:].T
+    lengths = np.linalg.norm(directions, axis=1)
+    if np.abs(lengths - 1.0).max() > _TOLERANCE:
+        return None
+    # The velocity of the flange is the direction crossed with the way from the axis to it.
+    points = flange.translation + np.cross(directions, jacobian[:3].T)
+    points = points - np.sum(points * directions, axis=1, keepdims=True) * directions
+    screws = Screws(directions, points, flange)
+    return screws if _agrees(screws, kinematics) else None
+
+
+def dh_table_of(kinematics: Kinematics) -> DhTable | None:
+    """The standard DH table of an arm; None where it has no screws."""
+    screws = screws_of(kinematics)
+    if screws is None:
+        return None
+    directions, points = screws.directions, screws.points
+    frames = [_first_frame(directions[0], points[0])]
+    for (z, _), (following, point) in pairwise(zip(directions, points, strict=True)):
+        frames.append(_next_frame(frames[-1], z, following, point))
+    frames.append(_last_frame(frames[-1], directions[-1], screws.base_from_flange))
+    rows = np.array([_row(before, after) for before, after in pairwise(frames)])
+    theta, d, a, alpha = rows.T
+    flange = frames[-1].inverse() @ screws.base_from_flange
+    table = DhTable(frames[0], theta, d, a, alpha, flange)
+    return table if _agrees(table, kinematics) else None
+
+
+def _agrees(table: Screws | DhTable, kinematics: Kinematics) -> bool:
+    """Whether a table says the same as the arm, tried at some joints."""
+    for joints in np.random.default_rng(0).uniform(-1.0, 1.0, (_TRIALS, kinematics.joint_count)):
+        said, right = table.forward(joints).matrix, kinematics.forward(joints).matrix
+        if np.abs(said - right).max() > _TOLERANCE:
+            return False
+    return True
+
+
+def _first_frame(z: Array, point: Array) -> Transform:
+    """Frame 0: on axis 1 near the base, x as near to that of the base as z allows."""
+    return Transform(_axes(_across(z, np.array([1.0, 0.0, 0.0])), z), point)
+
+
+def _next_frame(before: Transform, z: Array, following: Array, point: Array) -> Transform:
+    """The frame on the following axis, x along the common normal of both axes."""
+    origin = before.translation
+    normal = np.cross(z, following)
+    sine = float(np.linalg.norm(normal))
+    if sine < _TOLERANCE:
+        # Parallel: of all common normals that through the frame before.
+        foot = point + float((origin - point) @ following) * following
+        aside = foot - origin - float((foot - origin) @ z) * z
+        length = float(np.linalg.norm(aside))
+        x = aside / length if length > _TOLERANCE else before.rotation[:, 0]
+        return Transform(_axes(x, following), foot)
+    x = normal / sine
+    # Where the following axis meets the common normal.
+    foot = point + float(np.cross(point - origin, z) @ normal) / sine**2 * following
+    away = float((foot - origin) @ x)
+    if away < -_TOLERANCE:
+        x = -x
+    elif abs(away) <= _TOLERANCE and float(x @ before.rotation[:, 0]) < -_TOLERANCE:
+        # Axes that meet: of both normals that on the side of x before.
+        x = -x
+    return Transform(_axes(x, following), foot)
+
+
+def _last_frame(before: Transform, z: Array, base_from_flange: Transform) -> Transform:
+    """The flange itself where its z axis is the last axis; else as near as DH can come."""
+    x = _across(z, base_from_flange.rotation[:, 0])
+    origin = before.translation
+    way = float((base_from_flange.translation - origin) @ z)
+    aside = base_from_flange.translation - origin - way * z
+    if float(np.linalg.norm(aside)) > _TOLERANCE:
+        x = aside / np.linalg.norm(aside)
+    return Transform(_axes(x, z), base_from_flange.translation)
+
+
+def _row(before: Transform, after: Transform) -> tuple[float, float, float, float]:
+    """Theta, d, a and alpha from one frame to the next."""
+    x, z = before.rotation[:, 0], before.rotation[:, 2]
+    y = before.rotation[:, 1]
+    new_x, new_z, new_y = after.rotation[:, 0], after.rotation[:, 2], after.rotation[:, 1]
+    way = after.translation - before.translation
+    theta = float(np.arctan2(new_x @ y, new_x @ x))
+    alpha = float(np.arctan2(new_y @ z, new_z @ z))
+    return theta, float(way @ z), float(way @ new_x), alpha
+
+
+def _across(z: Array, wanted: Array) -> Array:
+    """The unit vector across z nearest to a direction; another where that is along z."""
+    for direction in (wanted, *np.eye(3)):
+        aside = direction - float(direction @ z) * z
+        length = float(np.linalg.norm(aside))
+        if length > 1e-6:
+            unit: Array = aside / length
+            return unit
+    raise AssertionError("some axis of three lies across any direction")
+
+
+def _axes(x: Array, z: Array) -> Array:
+    """The rotation (3, 3) with two axes given."""
+    return np.stack([x, np.cross(z, x), z], axis=1)

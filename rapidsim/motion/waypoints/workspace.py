@@ -1,0 +1,128 @@
+"""What an arm reaches: the volume of its flange, and a section through it.
+
+Of any attitude: a place counts if the flange gets there in some posture within the joint limits.
+Found by trying postures, seen in cells; so places between two postures may be missed, and the
+volume is too small rather than too large.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.kinematics.axis_tables import screws_of
+from rapidsim.motion.robot.robot import Robot
+
+_CELLS = 120
+"""From the axis to the furthest place, and half as many again upwards and downwards."""
+_POSTURES = 400_000
+_BATCH = 50_000
+_AT_END = 0.1
+"""How often a joint is tried at one of its ends."""
+_UPRIGHT = 1e-6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Workspace:
+    """Where the flange of an arm gets."""
+
+    robot: Robot
+    cell: float
+    """Size of a cell [m]."""
+    lowest: float
+    """Height [m] of the lowest row of cells in base."""
+    section: npt.NDArray[np.bool_]
+    """Shape (rows, columns): heights and distances from axis 1 that are reached."""
+    turn: tuple[float, float]
+    """How far axis 1 turns [rad]."""
+
+    @property
+    def radii(self) -> Array:
+        """Distances (columns,) [m] from axis 1 of the middles of cells."""
+        return self.cell * (np.arange(self.section.shape[1], dtype=np.float64) + 0.5)
+
+    @property
+    def heights(self) -> Array:
+        """Heights (rows,) [m] of the middles of cells."""
+        rows = np.arange(self.section.shape[0], dtype=np.float64)
+        return self.lowest + self.cell * (rows + 0.5)
+
+    @property
+    def swept(self) -> float:
+        """The angle [rad] around axis 1 in which the arm reaches, at most a whole turn."""
+        return min(self.turn[1] - self.turn[0], 2.0 * np.pi)
+
+    @property
+    def volume(self) -> float:
+        """[m3]: the section turned about axis 1 as far as that goes."""
+        area = self.section.sum(axis=0) * self.cell**2
+        return float(self.swept * np.sum(area * self.radii))
+
+    @property
+    def extent(self) -> tuple[float, float, float, float]:
+        """Least and greatest distance from axis 1, lowest and highest place [m]."""
+        rows, columns = np.nonzero(self.section)
+        half = 0.5 * self.cell
+        return (
+            float(self.radii[columns.min()] - half),
+            float(self.radii[columns.max()] + half),
+            float(self.heights[rows.min()] - half),
+            float(self.heights[rows.max()] + half),
+        )
+
+
+def workspace_of(robot: Robot, flange_from_point: Transform | None = None) -> Workspace | str:
+    """Try postures evenly spread over the joints, axis 1 aside, which only turns what is found.
+
+    Args:
+        robot: The arm.
+        flange_from_point: The point on the flange whose places count; without it the flange itself.
+
+    Returns:
+        The workspace, or why none is told of.
+    """
+    screws = screws_of(robot.kinematics)
+    if screws is not None and (
+        abs(screws.directions[0, 2]) < 1.0 - _UPRIGHT or np.abs(screws.points[0]).max() > _UPRIGHT
+    ):
+        return "axis 1 does not stand upright in the origin of the base"
+    point = flange_from_point or Transform.identity()
+    lower, upper = robot.lower.copy(), robot.upper.copy()
+    endless = ~np.isfinite(lower) | ~np.isfinite(upper)
+    lower[endless], upper[endless] = -np.pi, np.pi
+    places = []
+    rng = np.random.default_rng(0)
+    for _ in range(_POSTURES // _BATCH):
+        joints = rng.uniform(lower, upper, (_BATCH, len(lower)))
+        # Every joint also at its ends: edges of the workspace are made there.
+        at_end = rng.random(joints.shape) < _AT_END
+        joints = np.where(at_end, np.where(rng.random(joints.shape) < 0.5, lower, upper), joints)
+        joints[:, 0] = 0.0 if lower[0] <= 0.0 <= upper[0] else lower[0]
+        place = robot.forward(joints).apply(point.translation)
+        places.append(np.stack([np.hypot(place[:, 0], place[:, 1]), place[:, 2]], axis=1))
+    found = np.concatenate(places)
+    cell = float(max(found[:, 0].max(), 0.5 * np.ptp(found[:, 1]))) / _CELLS
+    lowest = float(found[:, 1].min())
+    column = np.floor(found[:, 0] / cell).astype(np.int64)
+    row = np.floor((found[:, 1] - lowest) / cell).astype(np.int64)
+    section = np.zeros((row.max() + 1, column.max() + 1), dtype=np.bool_)
+    section[row, column] = True
+    return Workspace(
+        robot, cell, lowest, _closed(section), (float(robot.lower[0]), float(robot.upper[0]))
+    )
+
+
+def _closed(section: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
+    """The same with lone cells filled that most of their neighbours surround."""
+    padded = np.pad(section.astype(np.int64), 1)
+    rows, columns = section.shape
+    around = sum(
+        padded[1 + down : 1 + down + rows, 1 + right : 1 + right + columns]
+        for down in (-1, 0, 1)
+        for right in (-1, 0, 1)
+    )
+    filled: npt.NDArray[np.bool_] = section | (np.asarray(around) >= 5)
+    return filled

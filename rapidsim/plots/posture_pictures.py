@@ -1,0 +1,185 @@
+"""Postures of an arm as pictures: the arm with its frames, and matrices as heat maps."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import LinearSegmentedColormap
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+from mpl_toolkits.mplot3d.axes3d import Axes3D
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.language.moves import Interpolation
+from rapidsim.motion.configurations.postures import Postures
+from rapidsim.plots.look import Theme, new_figure
+from rapidsim.plots.stick_arm import MM, as_cube, draw_floor, draw_stick, draw_triads, stick
+from rapidsim.plots.write import write_pictures
+
+_AXES = ("x [mm]", "y [mm]", "z [mm]")
+_COLUMNS = 4
+_TRIAD = 0.11
+"""Length of the axes of a frame through the size of the arm."""
+_FLOOR = 0.16
+_ARROW = 0.35
+_TWIST = ("vx", "vy", "vz", "wx", "wy", "wz")
+
+
+def write_posture_plots(shown: Postures, folder: Path) -> tuple[Path, ...]:
+    """Write the pictures of postures, light and dark.
+
+    Raises:
+        InputError: When nothing can be written there.
+    """
+    pictures: dict[str, Callable[[Theme], Figure | None]] = {
+        "pose": partial(pose_picture, shown),
+        "matrix": partial(matrix_picture, shown),
+        "jacobian": partial(jacobian_picture, shown),
+    }
+    return write_pictures(pictures, folder)
+
+
+def pose_picture(shown: Postures, theme: Theme) -> Figure:
+    """One posture from three sides; several side by side in space."""
+    if len(shown.rows) == 1:
+        return _single(shown, theme)
+    count = len(shown.rows)
+    columns = min(count, _COLUMNS)
+    rows = -(-count // columns)
+    figure = new_figure(shown.title, width=3.6 * columns + 0.4, height=3.9 * rows + 0.7)
+    everything = np.concatenate([_stick(shown, row) for row in range(count)])
+    for number, posture in enumerate(shown.rows):
+        axes: Axes3D = figure.add_subplot(rows, columns, number + 1, projection="3d")
+        angles = ", ".join(f"{round(angle) + 0}" for angle in np.degrees(posture.joints).tolist())
+        beyond = "" if posture.within_limits else "\noutside the limits"
+        axes.set_title(f"{posture.name}\n{angles}°{beyond}", fontsize=8.5)
+        colour = theme.bar if posture.within_limits else theme.failed
+        _draw(axes, shown, number, colour, theme, (0, 1, 2))
+        _dress(axes, shown, theme, everything)
+    return figure
+
+
+def matrix_picture(shown: Postures, theme: Theme) -> Figure:
+    """The 4 x 4 matrix of the TCP: the rotation as a heat map, the translation in mm beside it."""
+    figure = new_figure(f"Matrix of the TCP: {shown.title}", width=6.6, height=5.2)
+    axes = figure.subplots()
+    matrix = shown.world_from_tcp.matrix
+    heat = matrix.copy()
+    # Lengths have another unit: they are shown as shares of the longest.
+    longest = max(float(np.abs(matrix[:3, 3]).max()), 1e-12)
+    heat[:3, 3] /= longest
+    words = [[f"{value:.6f}" for value in row] for row in matrix.tolist()]
+    for row in range(3):
+        words[row][3] = f"{MM * matrix[row, 3]:.3f}\nmm"
+    words[3] = ["0", "0", "0", "1"]
+    _heat_map(axes, heat, words, theme)
+    axes.set_xticks(range(4), ["x axis", "y axis", "z axis", "position"])
+    axes.set_yticks(range(4), ["x", "y", "z", ""])
+    determinant = float(np.linalg.det(matrix[:3, :3]))
+    off = float(np.abs(matrix[:3, :3] @ matrix[:3, :3].T - np.eye(3)).max())
+    axes.set_title(f"determinant 1 within {abs(determinant - 1.0):.0e}, R R' = 1 within {off:.0e}")
+    return figure
+
+
+def jacobian_picture(shown: Postures, theme: Theme) -> Figure | None:
+    """The Jacobian as a heat map, and its singular values."""
+    if shown.differential is None:
+        return None
+    jacobian = shown.differential.jacobian
+    count = jacobian.shape[1]
+    figure = new_figure(f"Jacobian: {shown.title}", width=9.6, height=4.8)
+    heat, bars = figure.subplots(1, 2, width_ratios=[1.7, 1.0])
+    words = [[f"{round(value, 3) + 0.0:.3f}" for value in row] for row in jacobian.tolist()]
+    _heat_map(heat, jacobian / max(float(np.abs(jacobian).max()), 1e-12), words, theme)
+    heat.set_xticks(range(count), [f"J{k + 1}" for k in range(count)])
+    heat.set_yticks(range(6), _TWIST)
+    heat.set_title("base frame, m/rad and rad/rad")
+    values = shown.differential.singular_values
+    places = np.arange(len(values))
+    bars.bar(places, values, color=theme.bar, width=0.6)
+    for place, value in zip(places.tolist(), values.tolist(), strict=True):
+        bars.annotate(
+            f"{value:.3g}", (place, value), xytext=(0, 3), textcoords="offset points", ha="center",
+            fontsize=8.0, color=theme.soft,
+        )  # fmt: skip
+    bars.set_xticks(places, [str(place + 1) for place in places])
+    bars.grid(visible=False, axis="x")
+    bars.set_title("singular values; 0 is singular")
+    bars.margins(y=0.15)
+    return figure
+
+
+def _single(shown: Postures, theme: Theme) -> Figure:
+    figure = new_figure(shown.title, width=11.0, height=5.0)
+    grid = figure.add_gridspec(1, 3, width_ratios=(1.35, 1.0, 1.0))
+    space: Axes3D = figure.add_subplot(grid[0, 0], projection="3d")
+    _draw(space, shown, 0, theme.bar, theme, (0, 1, 2))
+    in_world = not np.allclose(shown.world_from_base.matrix, np.eye(4))
+    space.set_title(f"in space, {'world' if in_world else 'base frame'}")
+    views: Sequence[tuple[Axes, tuple[int, ...], str]] = (
+        (figure.add_subplot(grid[0, 1]), (0, 2), "from the side"),
+        (figure.add_subplot(grid[0, 2]), (0, 1), "from above"),
+    )
+    for axes, sides, title in views:
+        _draw(axes, shown, 0, theme.bar, theme, sides)
+        axes.set_title(title)
+        axes.set_xlabel(_AXES[sides[0]])
+        axes.set_ylabel(_AXES[sides[1]])
+        axes.set_aspect("equal", adjustable="datalim")
+    _dress(space, shown, theme, _stick(shown, 0))
+    handles, labels = space.get_legend_handles_labels()
+    if labels:
+        figure.legend(handles, labels, loc="upper right", ncols=len(labels))
+    return figure
+
+
+def _draw(
+    axes: Axes, shown: Postures, row: int, colour: str, theme: Theme, sides: tuple[int, ...]
+) -> None:
+    draw_stick(axes, _stick(shown, row), colour, theme, sides, "arm")
+    size = MM * shown.size
+    draw_triads(axes, shown.frames(row), _TRIAD * size, theme, sides)
+    weakest = shown.weakest
+    if weakest is None or row:
+        return
+    direction, label = weakest
+    start = MM * shown.world_from_tcp.translation
+    tip = start + _ARROW * size * direction
+    ends = np.stack([start - (tip - start), tip])[:, sides]
+    axes.plot(*ends.T, color=theme.failed, linewidth=2.0, linestyle="--", label=label, zorder=5)
+
+
+def _stick(shown: Postures, row: int) -> Array:
+    base = stick(shown.robot, shown.rows[row].joints, shown.flange_from_tcp)
+    world: Transform = shown.world_from_base
+    return MM * world.apply(base / MM)
+
+
+def _dress(axes: Axes3D, shown: Postures, theme: Theme, points: Array) -> None:
+    axes.set_xlabel(_AXES[0])
+    axes.set_ylabel(_AXES[1])
+    axes.set_zlabel(_AXES[2])
+    draw_floor(axes, _FLOOR * MM * shown.size, theme, shown.world_from_base)
+    as_cube(axes, points)
+    axes.view_init(elev=22.0, azim=-55.0)
+    for pane in (axes.xaxis, axes.yaxis, axes.zaxis):
+        pane.set_pane_color((0.0, 0.0, 0.0, 0.0))
+        pane.set_major_locator(MaxNLocator(4))
+
+
+def _heat_map(axes: Axes, values: Array, words: list[list[str]], theme: Theme) -> None:
+    """Numbers from -1 to 1 in cells, with words on them."""
+    ends = (theme.failed, theme.page, theme.moves[Interpolation.JOINT])
+    colours = LinearSegmentedColormap.from_list("signed", ends)
+    axes.imshow(values, cmap=colours, vmin=-1.4, vmax=1.4, aspect="auto")
+    for row, texts in enumerate(words):
+        for column, text in enumerate(texts):
+            axes.text(column, row, text, ha="center", va="center", fontsize=8.5, color=theme.ink)
+    axes.grid(visible=False)
+    axes.tick_params(length=0)
+    for spine in axes.spines.values():
+        spine.set_visible(False)
