@@ -27,12 +27,17 @@ _HOMES = {
     "record": "rapidsim.recording.layout.write",
     "simulate": "rapidsim.jobs.run_files",
 }
+_NEEDS = {"record": "rerun"}  # Packages that not everybody has.
 
 
 def __getattr__(name: str) -> Any:
     """Import a public name."""
     if name not in _HOMES:
         raise AttributeError(f"module 'rapidsim' has no attribute {name!r}")
+    if name in _NEEDS:
+        from rapidsim.extras import require
+
+        require(_NEEDS[name], f"rapidsim.{name}")
     return getattr(import_module(_HOMES[name]), name)
 
 

@@ -10,14 +10,14 @@ import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.numbers import POSITIVE, Number, numbers
-from rapidsim.cli.options.outputs import new_file
+from rapidsim.cli.options.outputs import new_file, new_trace
 from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
+from rapidsim.extras import require
 from rapidsim.files import InputError, decode, input_bytes, standard_input
 from rapidsim.jobs.choices import DEFAULT_ROBOT
 
 _WAYS = ("line", "spline", "joint", "joint-quintic")
 _PROFILES = ("trapezoid", "scurve", "sigmoid", "quintic")
-_TRACES = (".csv", ".parquet", ".json")
 
 
 @click.command()
@@ -163,7 +163,9 @@ def follow(
     from rapidsim.report.tables.follow_json import compared_json, follow_json
 
     recording = new_file(record, (".rrd",)) if record else None
-    trace_file = new_file(trace, _TRACES) if trace else None
+    trace_file = new_trace(trace) if trace else None
+    if recording:
+        require("rerun", "--record")
     if compare and (recording or trace_file):
         raise InputError("--compare writes no files", "leave out --compare, or the files")
     if avoid and not min_radius:

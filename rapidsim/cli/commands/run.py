@@ -16,7 +16,7 @@ from rapidsim.cli.options.outputs import (
     write,
     write_values,
 )
-from rapidsim.cli.terminal import current_terminal, terminal_options
+from rapidsim.cli.terminal import current_terminal, say, terminal_options
 from rapidsim.cli.tools.assertions import (
     Assertion,
     judge_assertions,
@@ -26,6 +26,7 @@ from rapidsim.cli.tools.assertions import (
 from rapidsim.cli.tools.run_output import FORMATS, RunDone, print_rejected, print_run, stage
 from rapidsim.cli.tools.watching import choose_watch, watched
 from rapidsim.cli.viewer import leave_open
+from rapidsim.extras import pip_install
 from rapidsim.files import InputError
 from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.job import Job
@@ -105,6 +106,8 @@ def run(
     if write_pers and "-" in asked.paths:
         raise InputError("--write-pers: standard input cannot be written to")
     outputs = new_outputs(files, program_name(asked.paths))
+    if outputs.lacks_recorder and not terminal.quiet:
+        say(f"note: no recording, which needs rerun: {pip_install('rerun')}", err=True)
     job = asked_job(asked)
     ready = loaded(job)
     try:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from rapidsim.extras import require
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.arm import Branches, Kinematics
 from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry, search_notices
@@ -113,9 +114,11 @@ def load_robot(name_or_path: str | Path) -> Robot:
     Raises:
         RobotError: If the name is not known, the file cannot be read, or the arm is of a kind
             that is not supported; the message says which.
+        InputError: If what reads URDF files is not installed.
     """
     text = str(name_or_path)
     if isinstance(name_or_path, Path) or text.lower().endswith((".urdf", ".xml")):
+        require("yourdfpy", "a robot from a URDF")
         # yourdfpy takes two seconds to import, which a robot of the catalogue need not pay.
         from rapidsim.motion.robot.urdf import robot_parts_from_urdf  # noqa: PLC0415
 
