@@ -35,7 +35,7 @@ class Severity(StrEnum):
     NOTE = "note"
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Source:
     """The text of one file. Positions in it are character offsets; lines are found on demand."""
 
@@ -53,6 +53,10 @@ class Source:
         line = bisect_right(self.line_starts, offset)
         return line, offset - self.line_starts[line - 1] + 1
 
+    def __repr__(self) -> str:
+        """One line."""
+        return f"<{self.file[-60:]}, {len(self.text)} characters>"
+
     def line(self, number: int) -> str:
         """The text of a line, counted from 1, without its line end."""
         starts = self.line_starts
@@ -60,7 +64,7 @@ class Source:
         return self.text[starts[number - 1] : end].rstrip("\r\n")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Span:
     """A stretch of a source text, `end` exclusive."""
 
@@ -97,6 +101,10 @@ class Span:
     def text(self) -> str:
         """The characters themselves."""
         return self.source.text[self.start : self.end]
+
+    def __repr__(self) -> str:
+        """One line."""
+        return f"{self.file[-60:]}:{self.line}:{self.column}"
 
 
 @dataclass(frozen=True)
@@ -244,7 +252,7 @@ class Fix:
     safe: bool = True
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Diagnostic:
     """A violation at a place; `span` is None only for what has no place, such as a whole folder."""
 
@@ -263,6 +271,42 @@ class Diagnostic:
         """Work out the sort key."""
         key = (self.span.file, self.span.start) if self.span else ("", 0)
         object.__setattr__(self, "order", key)
+
+    @property
+    def code(self) -> str:
+        """The code of its rule, such as `K603`."""
+        return self.violation.code
+
+    @property
+    def message(self) -> str:
+        """What is wrong, with the facts: one line."""
+        return self.violation.message
+
+    @property
+    def help(self) -> str | None:
+        """The cure, where it is known."""
+        return self.violation.help
+
+    @property
+    def file(self) -> str | None:
+        """The file as the user named it; None without a place."""
+        return self.span.file if self.span else None
+
+    @property
+    def line(self) -> int | None:
+        """From 1."""
+        return self.span.line if self.span else None
+
+    @property
+    def column(self) -> int | None:
+        """From 1."""
+        return self.span.column if self.span else None
+
+    def __repr__(self) -> str:
+        """One line: a source may be long."""
+        where = f" {self.span!r}" if self.span else ""
+        text = f"<{self.severity} {self.code}{where}: {self.message}"
+        return f"{text if len(text) < 120 else f'{text[:116]}...'}>"
 
     @property
     def severity(self) -> Severity:

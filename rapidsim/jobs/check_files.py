@@ -32,7 +32,7 @@ _FAMILIES_OF_MOVES = "DKM"
 _FAMILY_OF_RUNS = "R"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class CheckResult:
     """What checking found, and what it did not look at."""
 
@@ -49,6 +49,12 @@ class CheckResult:
     def accepted(self) -> bool:
         """Whether the program could run: there is no error among the findings."""
         return all(d.severity is not Severity.ERROR for d in self.diagnostics)
+
+    def __repr__(self) -> str:
+        """One line."""
+        count = len(self.diagnostics)
+        verdict = "accepted" if self.accepted else "rejected"
+        return f"<check of {len(self.files)} files: {verdict}, {count} findings>"
 
     def looked_for(self, selector: str) -> bool:
         """Whether all that a selector may mean was looked for.

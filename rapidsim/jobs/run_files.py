@@ -36,6 +36,10 @@ class ProgramRejectedError(Exception):
         super().__init__(next(errors, diagnostics[-1]).violation.message)
         self.diagnostics = diagnostics
 
+    def __reduce__(self) -> tuple[type[ProgramRejectedError], tuple[tuple[Diagnostic, ...]]]:
+        """It is made of what was found, not of its message."""
+        return ProgramRejectedError, (self.diagnostics,)
+
 
 def simulate(
     paths: Iterable[str | PathLike[str]],

@@ -24,7 +24,7 @@ from rapidsim.language.data import (
 LEAST_RAMP_PERCENT = 10.0
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Place:
     """Where a statement stands, for events and reports."""
 
@@ -32,6 +32,10 @@ class Place:
     routine: str
     arguments: Mapping[str, str] = field(default_factory=dict)
     """Source text of the call's arguments, by folded parameter name: `{"topoint": "p20"}`."""
+
+    def __repr__(self) -> str:
+        """One line."""
+        return f"{self.span!r} in {self.routine}"
 
 
 class Interpolation(Enum):

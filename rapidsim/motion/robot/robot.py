@@ -39,7 +39,7 @@ class Joint:
     """[rad/s2]; None unless it was measured."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Robot:
     """An arm."""
 
@@ -98,6 +98,10 @@ class Robot:
             return np.clip(posture, self.lower, self.upper)
         endless = np.isinf(self.lower) | np.isinf(self.upper)
         return np.where(endless, 0.0, (self.lower + self.upper) / 2.0)
+
+    def __repr__(self) -> str:
+        """One line."""
+        return f"<robot {self.name[:60]}, {len(self.joints)} axes>"
 
     def forward(self, joints: Array) -> Transform:
         """base_from_flange of joint vectors (..., n) [rad]; the flange of ABB arms is tool0."""
