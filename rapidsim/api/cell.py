@@ -29,6 +29,7 @@ def load(
     robot: Robot | str | None = None,
     station: PathLike_ | None = None,
     task: str | None = None,
+    home: PathLike_ | None = None,
 ) -> Cell:
     """Load a program, a folder, a program file or a controller backup.
 
@@ -39,6 +40,7 @@ def load(
             the default.
         station: The station file; None takes `rapidsim.toml` beside the program or above it.
         task: The only one of several tasks that is wanted.
+        home: The folder HOME: stands for, where a run names none; None is `<program>.home` here.
 
     Raises:
         InputError: If something is missing, unreadable, or no RAPID.
@@ -49,6 +51,7 @@ def load(
         robot=robot,
         station=None if station is None else fspath(station),
         task=task,
+        home=None if home is None else fspath(home),
     )
     return Cell(asked)
 
@@ -117,7 +120,7 @@ class Cell:
             io: A file of signals and what happens to inputs; adds to the station.
             answers: What the operator answers: a file, the answers in order, or a function of the
                 question. Without, a question gets its default, and a finding says so.
-            home: The folder HOME: stands for; None is `<program>.home` here.
+            home: The folder HOME: stands for; None is the one that `load` was given.
             max_time_s: Virtual time at which the run ends.
             max_wall_s: Time on our clock after which it is cut off.
             cycles: How often the procedure runs.
@@ -184,7 +187,7 @@ class Cell:
             self._asked,
             max_time_s=max_time_s,
             max_wall_s=max_wall_s,
-            home=None if home is None else fspath(home),
+            home=self._asked.home if home is None else fspath(home),
         )
 
     def __reduce__(self) -> tuple[Callable[[Asked], Cell], tuple[Asked]]:

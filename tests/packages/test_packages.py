@@ -32,9 +32,9 @@ from pathlib import Path
 import rapidsim
 
 for name in ("irb120", "irb1600"):
-    run = rapidsim.simulate([Path("pentagon.mod")], robot=name, max_time=60.0)
+    run = rapidsim.load(Path("pentagon.mod"), robot=name).run(max_time_s=60.0)
     moves: int = len(run.moves)
-    print(f"{name}: {run.time:.3f} s, {moves} moves")
+    print(f"{name}: {run.time_s:.3f} s, {moves} moves, {run.waits[0].awaited if run.waits else ''}")
 '''
 
 
