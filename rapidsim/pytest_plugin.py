@@ -41,7 +41,7 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> RapidFile 
         return None
     if not file_path.name.lower().startswith(_TEST):
         return None
-    return RapidFile.from_parent(parent, path=file_path)  # type: ignore[no-any-return]
+    return RapidFile.from_parent(parent, path=file_path)
 
 
 class Rapid:
