@@ -21,6 +21,7 @@ _COMMANDS: Mapping[str, str] = MappingProxyType(
         "run": "Run a program and say what happened.",
         "view": "Open a recording.",
         "check": "Find the mistakes in a program without running it.",
+        "diff": "Tell what changed between two programs or runs.",
         "explain": "Explain a rule, with an example and a fix.",
         "robots": "List the robots, or show one.",
         "frames": "Show the frames of a program: tools, work objects, targets.",

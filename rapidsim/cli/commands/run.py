@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cache, partial
+from pathlib import Path
 
 import click
 
@@ -111,7 +112,9 @@ def run(
     job = asked_job(asked)
     ready = loaded(job)
     try:
-        execute = partial(executed, prepared(ready))
+        made = prepared(ready)
+        _say_home(asked, made.options.home)
+        execute = partial(executed, made)
         assertions = read_assertions(asserted, ready.programs, job.station.io, terminal)
         finished, measured = watched(execute, ready, watch, terminal)
     except ProgramRejectedError as rejected:
@@ -141,6 +144,13 @@ def run(
         raise refused
     code = _EXIT_CODES[simulation.end]
     return ExitCode.FAILED if done.judgement.failed and code is ExitCode.CLEAN else code
+
+
+def _say_home(asked: Asked, home: Path | None) -> None:
+    """Say that HOME: is not the folder that is there."""
+    default = Path(f"{program_name(asked.paths)}.home")
+    if asked.home is None and home not in (None, default) and not current_terminal().quiet:
+        say(f"note: HOME: is {home}, a fresh one; `--home {default}` is the one there", err=True)
 
 
 def _judged(
