@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from datetime import datetime, timedelta
 from typing import Protocol
@@ -150,6 +150,10 @@ class TaskClock:
             if end_s > start_s:
                 task, ended_by = self._journal.task, wait.ended_by
                 self._journal.wait(Wait(task, place, awaited, start_s, end_s, ended_by))
+
+    def long_work(self) -> AbstractContextManager[None]:
+        """Work that `--max-wall` may interrupt; raises as `ClockService.long_work` says."""
+        return self._cell.watchdog.interrupting()
 
     def service(self) -> None:
         """Do what is due and grant the next slice.

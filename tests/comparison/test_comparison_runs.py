@@ -70,8 +70,9 @@ def test_a_saved_run_is_compared_with_a_program(sides: Path) -> None:
 
 def test_a_program_with_errors_is_compared_by_its_text(sides: Path) -> None:
     module = sides / "new" / "Main.mod"
-    module.write_text(module.read_text().replace("place i;", "plaice i;"))
+    module.write_text(module.read_text().replace("place i;", "place unknown;"))
     ended = diff(sides, "old", "new")
     assert ended.code == 1
-    assert "`place i;` -> `plaice i;`" in ended.out or "added: `plaice i;`" in ended.out
-    assert "Time by routine" not in ended.out or "ended -> error" in ended.out
+    assert "argument in main: place: i -> unknown (Main.mod:13)" in ended.out
+    assert "new  error[N201] `unknown` is not declared (Main.mod:13)" in ended.out
+    assert "No times: new does not run: `unknown` is not declared." in ended.out

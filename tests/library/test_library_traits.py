@@ -142,7 +142,7 @@ ELSEWHERE = {
     "interpreter/linking/namespace.py": {"ArgName"},
     "language": {"write", "stop"},
     "motion/timing/constraints.py": {"PathAccLim", "WorldAccLim"},
-    "plots/look.py": {"round"},
+    "plots": {"round"},
     "report": {"dim", "distance"},
     "station": {"type", "set", "close"},
     "syntax": {"EXP", "open", "close"},

@@ -110,8 +110,6 @@ def new_outputs(asked: AskedFiles, program: str) -> Outputs:
             require("rerun", name)
     if asked.view:
         require_screen()
-    if asked.plots:
-        require("matplotlib", "--plots")
     recording = None if asked.no_record else asked.record or f"{program}.rrd"
     lacks_recorder = recording is not None and not is_installed("rerun")
     if lacks_recorder:
@@ -121,7 +119,7 @@ def new_outputs(asked: AskedFiles, program: str) -> Outputs:
         recording_step_s=asked.record_dt,
         view=asked.view,
         report=new_file(asked.report, (".html", ".htm")) if asked.report else None,
-        plots=_new_folder(asked.plots) if asked.plots else None,
+        plots=new_plots(asked.plots) if asked.plots else None,
         trace=new_trace(asked.trace) if asked.trace else None,
         trace_step_s=asked.dt,
         events=new_file(asked.events, (".jsonl",)) if asked.events else None,
@@ -229,6 +227,12 @@ def new_file(name: str, suffixes: tuple[str, ...]) -> Path:
         raise InputError(f"{path} cannot be written: it is a folder")
     _require_writable(path, path.parent)
     return path
+
+
+def new_plots(name: str) -> Path:
+    """The folder of pictures, refused if they cannot be drawn or written there."""
+    require("matplotlib", "--plots")
+    return _new_folder(name)
 
 
 def _new_folder(name: str) -> Path:

@@ -17,6 +17,8 @@ class Commit:
     move: int
     distance_m: float
     speed_m_s: float
+    spent_s: float | None = 0.0
+    """Time that the move has taken so far; None where it was stopped on its way."""
 
 
 @dataclass(frozen=True, slots=True)

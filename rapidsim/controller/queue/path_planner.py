@@ -245,7 +245,14 @@ class BlockPlanner:
         lost = None if lost_corner is None else lost_corner - first
         path = self.build(self.block.moves[first:], lost)
         from_m = float(path.segment_starts[commit.move - first]) + commit.distance_m
-        timing = plan(path, self.limits, start=from_m, start_speed=commit.speed_m_s, look=self.look)
+        timing = plan(
+            path,
+            self.limits,
+            start=from_m,
+            start_speed=commit.speed_m_s,
+            spent_s=commit.spent_s,
+            look=self.look,
+        )
         return Plan(path, timing, first, from_m, commit.time_s, lost_corner)
 
     @property
@@ -305,8 +312,16 @@ class BlockPlanner:
         index = max(index, self.block.commit.move)
         self._travel(tentative, index + 1, s)
         speed = tentative.timing.speed_at(now_s - tentative.start_s)
-        self.block.commit = Commit(now_s, index, s - tentative.start_of(index), speed)
+        spent_s = self._spent_s(index, now_s)
+        self.block.commit = Commit(now_s, index, s - tentative.start_of(index), speed, spent_s)
         self.block.plan = None
+
+    def _spent_s(self, index: int, now_s: float) -> float | None:
+        """Time [s] that a move of the block has taken up to now; None if it was stopped."""
+        commit, started = self.block.commit, self.block.moves[index].started.time
+        if index > commit.move and started is not None:
+            return now_s - started
+        return None if commit.spent_s is None else commit.spent_s + (now_s - commit.time_s)
 
     def _travel(self, tentative: Plan, moves_begun: int, to_m: float) -> float:
         """Append a stretch of a plan to the trajectory and date the moves that begin on it."""

@@ -50,7 +50,7 @@ def halt(planner: BlockPlanner, now_s: float) -> float:
     starts = under_way.path.segment_starts
     index = under_way.first + int(np.searchsorted(starts, to_m, side="right")) - 1
     rest_s = now_s + braking.duration
-    block.commit = Commit(rest_s, index, to_m - under_way.start_of(index), 0.0)
+    block.commit = Commit(rest_s, index, to_m - under_way.start_of(index), 0.0, None)
     _take_back(planner, index + 1)
     return rest_s
 

@@ -20,6 +20,7 @@ from rapidsim.motion.timing.time_scaling import Timing
 _TIMED_ROUNDS = 4
 _TIMED_HALVINGS = 16
 _TIME_TOLERANCE = 1e-3
+_LEAST_TIME_S = 1e-6
 
 
 def plan(
@@ -28,6 +29,7 @@ def plan(
     *,
     start: float = 0.0,
     start_speed: float = 0.0,
+    spent_s: float | None = None,
     look: Look = undisturbed,
 ) -> Timing:
     """Find the fastest motion to rest at the end of a path.
@@ -38,6 +40,8 @@ def plan(
         start: Place [m] where the motion starts.
         start_speed: Path speed [m/s] there. If it is too fast to brake within the limits, it is
             kept, the first stretch brakes harder than allowed, and `Timing.start_excess` says so.
+        spent_s: Time [s] that the segment has taken in which the motion starts; None takes the
+            share of its programmed time that lies before the start.
         look: Called now and then.
     """
     if start >= path.length:
@@ -48,15 +52,17 @@ def plan(
             start_excess=start_speed,
             limited_by=(nothing,) * len(path.segments),
         )
-    timed = _timed(path, start)
-    problem = problem_of(
-        path, cells_of(path, limits, start, look), limits, dict.fromkeys(timed, math.inf)
-    )
+    timed, driven = _timed(path, start, spent_s)
+    unpaced = {**driven, **dict.fromkeys(timed, math.inf)}
+    problem = problem_of(path, cells_of(path, limits, start, look), limits, unpaced)
     division, motion = fastest_drive(problem, start_speed, look)
+    # A pace is no limit of the arm: whoever is faster than it at the start slows down to it.
+    fastest_start = motion.fastest_start
     if timed:
-        paces = _paces(problem, division, start_speed, timed, look)
+        paces = _paces(problem, division, start_speed, timed, driven, look)
         division, _ = fastest_drive(at_pace(problem, paces), start_speed, look)
-        problem = at_pace(problem, _paces(problem, division, start_speed, timed, look))
+        paces = _paces(problem, division, start_speed, timed, driven, look)
+        problem = at_pace(problem, paces)
         motion = drive(problem, division, start_speed)
     nodes, speed = motion.stages.nodes, np.sqrt(motion.x)
     stops = np.flatnonzero(np.isin(nodes[1:-1], path.stops)) + 1
@@ -68,21 +74,33 @@ def plan(
     return Timing(
         s=nodes,
         speed=speed,
-        start_excess=max(0.0, start_speed - float(np.sqrt(motion.fastest_start))),
+        start_excess=max(0.0, start_speed - float(np.sqrt(fastest_start))),
         limited_by=limiters_of(problem, motion),
         standing=standing,
     )
 
 
-def _timed(path: Path, start: float) -> dict[int, float]:
-    """Programmed time [s] of what is left of each segment that has one."""
+def _timed(
+    path: Path, start: float, spent_s: float | None
+) -> tuple[dict[int, float], dict[int, float]]:
+    """Programmed time [s] of what is left of each segment that has one, and those driven already.
+
+    The latter have no pace any more, nor the speed that their time replaces: smoothing would hold
+    what comes after them to it.
+    """
     begins, ends = path.segment_bounds[:-1], path.segment_bounds[1:]
-    times = {}
+    times, driven = {}, {}
     for i, segment in enumerate(path.segments):
-        if segment.duration is not None and ends[i] > max(start, begins[i]):
+        if segment.duration is None:
+            continue
+        if ends[i] <= max(start, begins[i]):
+            driven[i] = math.inf
+        elif begins[i] < start and spent_s is not None:
+            times[i] = max(segment.duration - spent_s, _LEAST_TIME_S)
+        else:
             share = (ends[i] - max(start, begins[i])) / (ends[i] - begins[i])
             times[i] = segment.duration * float(share)
-    return times
+    return times, driven
 
 
 def _paces(
@@ -90,6 +108,7 @@ def _paces(
     division: Division,
     start_speed: float,
     timed: dict[int, float],
+    driven: Paces,
     look: Look,
 ) -> Paces:
     """The path speed that gives each timed segment its time; infinite if too short.
@@ -106,7 +125,7 @@ def _paces(
     def spent(trial: Array) -> Array:
         """Time of the timed segments at some paces."""
         look()
-        attempt = dict(zip(timed, trial.tolist(), strict=True))
+        attempt = {**driven, **dict(zip(timed, trial.tolist(), strict=True))}
         step = drive(at_pace(problem, attempt), division, start_speed).times
         time: Array = np.bincount(segment, step, minlength=len(path.segments))[index]
         return time
@@ -127,4 +146,4 @@ def _paces(
         if not (feasible & (miss > _TIME_TOLERANCE)).any():
             break
         low, high = found / 1.3, found * 1.3
-    return dict(zip(timed, found.tolist(), strict=True))
+    return {**driven, **dict(zip(timed, found.tolist(), strict=True))}

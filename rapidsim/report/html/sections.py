@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from math import sqrt
 from pathlib import Path
 
 from rapidsim.controller.journal.events import Event, EventKind
@@ -13,6 +14,7 @@ from rapidsim.report.findings.merging import Finding, merged
 from rapidsim.report.html.elements import bar, section, table, text, tile
 from rapidsim.report.run.figures import Figures
 from rapidsim.report.run.json_report import models, of_robots
+from rapidsim.simulation.results.curve_deviations import CurveDeviation, all_curve_deviations
 from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.simulation.results.time_shares import Share, Step, by_line, by_routine
 
@@ -133,6 +135,7 @@ def cycle_time(simulation: Simulation) -> str:
     if not steps:
         return ""
     routines, lines = by_routine(steps), by_line(steps)
+    deviations = all_curve_deviations(simulation)
     left = lines[_MOST_LINES:]
     several = len({step.task for step in steps}) > 1
     note = (
@@ -153,14 +156,17 @@ def cycle_time(simulation: Simulation) -> str:
         )
         + '<h3>By line</h3><div class="scrolled">'
         + table(
-            ("line", "move or wait", ">times", ">path [mm]", ">time [s]", ""),
+            ("line", "move or wait", ">times", ">path [mm]", ">off it [mm]", ">time [s]", ""),
             [
-                _share_row(share, lines[0], named=True, several=several)
+                _share_row(
+                    share, lines[0], _off_curve(share, deviations), named=True, several=several
+                )
                 for share in lines[:_MOST_LINES]
             ],
             kind="times",
         )
-        + f"</div>{note}"
+        + f'</div><p class="aside">off it: the furthest of the TCP from the programmed line or arc '
+        f"between its zones, and its root mean square; by forward kinematics</p>{note}"
     )
     return section(
         "times",
@@ -170,7 +176,9 @@ def cycle_time(simulation: Simulation) -> str:
     )
 
 
-def _share_row(share: Share, longest: Share, *, named: bool, several: bool) -> list[str]:
+def _share_row(
+    share: Share, longest: Share, off: str = "", *, named: bool, several: bool
+) -> list[str]:
     name = share.line if named else share.place.routine
     name = f"{share.task}: {name}" if several else name
     what = [text(name), text(f"{share.instruction} {share.goal}")] if named else [text(name)]
@@ -179,9 +187,19 @@ def _share_row(share: Share, longest: Share, *, named: bool, several: bool) -> l
         *what,
         str(share.times),
         f"{share.length_mm:,.1f}",
+        *([off] if named else []),
         f"{share.seconds:.3f}",
         bar(width, waits=share.is_wait),
     ]
+
+
+def _off_curve(share: Share, deviations: Mapping[int, CurveDeviation]) -> str:
+    """Largest and rms deviation [mm] of the lines or arcs of a line; empty for joint moves."""
+    found = [deviations[number] for number in share.moves if number in deviations]
+    if not found:
+        return ""
+    rms = sqrt(sum(one.rms**2 for one in found) / len(found))
+    return f"{1000.0 * max(one.largest for one in found):.3f}, rms {1000.0 * rms:.3f}"
 
 
 def events(simulation: Simulation) -> str:

@@ -15,6 +15,7 @@ import numpy as np
 from rapidsim.controller.journal.events import Wait
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.motion.robot.external_axes import ExternalAxis
+from rapidsim.simulation.results.curve_deviations import CurveDeviation, all_curve_deviations
 from rapidsim.simulation.results.event_values import written
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.results.time_shares import argument, instruction_of
@@ -29,6 +30,14 @@ class PoseRecord:
     """Scalar first."""
     frame: str
     """In what it is given; `base` is the base frame of the robot."""
+
+
+@dataclass(frozen=True, slots=True)
+class DeviationRecord:
+    """How far the TCP was off a line or arc between its zones."""
+
+    max_mm: float
+    rms_mm: float
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -52,6 +61,8 @@ class MoveRecord:
     end_s: float
     length_mm: float
     """Along the programmed path, before corners are cut."""
+    deviation: DeviationRecord | None
+    """None for joint moves."""
     corner: str
     """`fly-by`, `stop` or `stop(corner path failure)`."""
     corner_reason: str
@@ -92,8 +103,10 @@ class WaitRecord:
 
 def move_records(simulation: Simulation) -> tuple[MoveRecord, ...]:
     """The moves of all robots, robot after robot, numbered through."""
+    deviations = all_curve_deviations(simulation)
     return tuple(
-        _move(move, simulation.robot_of(move.task).robot.external) for move in simulation.moves
+        _move(move, simulation.robot_of(move.task).robot.external, deviations.get(move.index))
+        for move in simulation.moves
     )
 
 
@@ -127,7 +140,9 @@ def number(value: float | np.floating[np.typing.NBitBase]) -> float | None:
     return written(plain) if math.isfinite(plain) else None
 
 
-def _move(move: ExecutedMove, axes: Sequence[ExternalAxis]) -> MoveRecord:
+def _move(
+    move: ExecutedMove, axes: Sequence[ExternalAxis], deviation: CurveDeviation | None
+) -> MoveRecord:
     external = {
         axis.component: float(value * axis.scale)
         for axis, value in zip(axes, move.external, strict=bool(axes))
@@ -147,6 +162,7 @@ def _move(move: ExecutedMove, axes: Sequence[ExternalAxis]) -> MoveRecord:
         start_s=move.start_s,
         end_s=move.end_s,
         length_mm=move.length_m * 1000.0,
+        deviation=None if deviation is None else _deviation(deviation),
         corner=move.corner.value,
         corner_reason=move.corner_reason,
         target=PoseRecord(
@@ -158,6 +174,10 @@ def _move(move: ExecutedMove, axes: Sequence[ExternalAxis]) -> MoveRecord:
         conf=tuple(map(int, move.conf)),
         external=external or None,
     )
+
+
+def _deviation(deviation: CurveDeviation) -> DeviationRecord:
+    return DeviationRecord(1000.0 * deviation.largest, 1000.0 * deviation.rms)
 
 
 def _wait(wait: Wait) -> WaitRecord:

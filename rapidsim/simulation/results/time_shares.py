@@ -40,6 +40,8 @@ class Share:
     """Along the programmed path."""
     times: int
     """How often they were run."""
+    moves: tuple[int, ...]
+    """The numbers of the moves among them."""
 
     @property
     def line(self) -> str:
@@ -98,4 +100,5 @@ def _share(steps: list[Step]) -> Share:
         seconds=sum(step.end_s - step.start_s for step in steps),
         length_mm=1000.0 * sum(move.length_m for move in moves),
         times=len(steps),
+        moves=tuple(move.index for move in moves),
     )
