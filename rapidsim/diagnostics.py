@@ -20,7 +20,7 @@ from rapidsim.shipped import shipped
 if TYPE_CHECKING:
     from pathlib import Path
 
-ON_REQUEST = ("F409", "F410", "M514", "S")
+ON_REQUEST = ("F409", "F410", "M514", "S", "T323")
 """Rules and families that `rapidsim check` looks for only when asked, such as house style."""
 
 # Files that went through careless tools end lines in CR CR LF; that is one line end, not two.
