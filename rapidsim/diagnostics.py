@@ -15,8 +15,10 @@ from enum import StrEnum
 from functools import cache, cached_property
 from typing import TYPE_CHECKING, ClassVar, dataclass_transform
 
+from rapidsim.shipped import shipped
+
 if TYPE_CHECKING:
-    from importlib.resources.abc import Traversable
+    from pathlib import Path
 
 ON_REQUEST = ("F409", "F410", "M514", "S", "T323")
 """Rules and families that `rapidsim check` looks for only when asked, such as house style."""
@@ -33,7 +35,7 @@ class Severity(StrEnum):
     NOTE = "note"
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Source:
     """The text of one file. Positions in it are character offsets; lines are found on demand."""
 
@@ -51,6 +53,10 @@ class Source:
         line = bisect_right(self.line_starts, offset)
         return line, offset - self.line_starts[line - 1] + 1
 
+    def __repr__(self) -> str:
+        """One line."""
+        return f"<{self.file[-60:]}, {len(self.text)} characters>"
+
     def line(self, number: int) -> str:
         """The text of a line, counted from 1, without its line end."""
         starts = self.line_starts
@@ -58,7 +64,7 @@ class Source:
         return self.text[starts[number - 1] : end].rstrip("\r\n")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Span:
     """A stretch of a source text, `end` exclusive."""
 
@@ -95,6 +101,10 @@ class Span:
     def text(self) -> str:
         """The characters themselves."""
         return self.source.text[self.start : self.end]
+
+    def __repr__(self) -> str:
+        """One line."""
+        return f"{self.file[-60:]}:{self.line}:{self.column}"
 
 
 @dataclass(frozen=True)
@@ -148,7 +158,7 @@ class Rule:
         return found.read_bytes() if found.is_file() else b""
 
     @property
-    def _folder(self) -> Traversable:
+    def _folder(self) -> Path:
         return _rule_folders()[self.code]
 
     @cached_property
@@ -166,13 +176,10 @@ def all_rules() -> tuple[Rule, ...]:
 
 
 @cache
-def _rule_folders() -> Mapping[str, Traversable]:
+def _rule_folders() -> Mapping[str, Path]:
     """The folder of each code."""
-    # This takes 3 ms, and a check that finds nothing never comes here.
-    from importlib.resources import files  # noqa: PLC0415
-
     # Beside the folders there is no name but those of Python.
-    names = (one for one in files("rapidsim.rules").iterdir() if "-" in one.name)
+    names = (one for one in shipped("rules").iterdir() if "-" in one.name)
     return {folder.name.partition("-")[0]: folder for folder in names}
 
 
@@ -252,7 +259,7 @@ class Fix:
     safe: bool = True
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Diagnostic:
     """A violation at a place; `span` is None only for what has no place, such as a whole folder."""
 
@@ -271,6 +278,42 @@ class Diagnostic:
         """Work out the sort key."""
         key = (self.span.file, self.span.start) if self.span else ("", 0)
         object.__setattr__(self, "order", key)
+
+    @property
+    def code(self) -> str:
+        """The code of its rule, such as `K603`."""
+        return self.violation.code
+
+    @property
+    def message(self) -> str:
+        """What is wrong, with the facts: one line."""
+        return self.violation.message
+
+    @property
+    def help(self) -> str | None:
+        """The cure, where it is known."""
+        return self.violation.help
+
+    @property
+    def file(self) -> str | None:
+        """The file as the user named it; None without a place."""
+        return self.span.file if self.span else None
+
+    @property
+    def line(self) -> int | None:
+        """From 1."""
+        return self.span.line if self.span else None
+
+    @property
+    def column(self) -> int | None:
+        """From 1."""
+        return self.span.column if self.span else None
+
+    def __repr__(self) -> str:
+        """One line: a source may be long."""
+        where = f" {self.span!r}" if self.span else ""
+        text = f"<{self.severity} {self.code}{where}: {self.message}"
+        return f"{text if len(text) < 120 else f'{text[:116]}...'}>"
 
     @property
     def severity(self) -> Severity:

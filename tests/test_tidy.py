@@ -3,7 +3,6 @@
 import re
 import subprocess
 import sys
-import tomllib
 from pathlib import Path
 
 import pytest
@@ -38,13 +37,6 @@ def test_no_file_is_too_long() -> None:
     }
     too_long = {path: lines for path, lines in lengths.items() if lines > LONGEST_FILE}
     assert not too_long
-
-
-def test_every_package_is_in_the_wheel() -> None:
-    settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    named = set(settings["tool"]["setuptools"]["packages"])
-    folders = [path.parent for path in (ROOT / "rapidsim").rglob("__init__.py")]
-    assert {".".join(folder.relative_to(ROOT).parts) for folder in folders} <= named
 
 
 def test_ci_runs_the_test_command_of_the_readme() -> None:

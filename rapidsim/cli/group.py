@@ -21,6 +21,7 @@ _COMMANDS: Mapping[str, str] = MappingProxyType(
         "run": "Run a program and say what happened.",
         "view": "Open a recording.",
         "check": "Find the mistakes in a program without running it.",
+        "diff": "Tell what changed between two programs or runs.",
         "explain": "Explain a rule, with an example and a fix.",
         "init": "Write a first station file for a program, a folder or a backup.",
         "robots": "List the robots, or show one.",

@@ -12,14 +12,15 @@ time to something else, such as the wall, takes their place there.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from contextlib import AbstractContextManager
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, contextmanager
+from dataclasses import dataclass
 from datetime import datetime, timedelta
 from typing import Protocol, TypeVar
 
 from rapidsim.controller.cell.cell import Cause, Cell
 from rapidsim.controller.interrupt_table import InterruptTable
-from rapidsim.controller.journal.events import EventKind
+from rapidsim.controller.journal.events import CUT_OFF, THE_TIME, EventKind, Wait
 from rapidsim.controller.journal.journal import Instant, Journal, Moment
 from rapidsim.controller.journal.stop_reasons import TimeLimitReached, WaitsForever
 from rapidsim.controller.moves.executed_move import CornerKind
@@ -58,6 +59,13 @@ class Happening(Protocol):
     def look_from(self, time_s: float) -> None:
         """Take note that time has passed up to here [s]."""
         ...
+
+
+@dataclass(slots=True)
+class Waiting:
+    """A wait that is under way."""
+
+    ended_by: str = CUT_OFF
 
 
 class TaskClock:
@@ -127,7 +135,25 @@ class TaskClock:
         if in_position:
             self.come_to_rest()
         now_s = self.observe()
-        self.pass_time(now_s + max(0.0, seconds))
+        with self.waiting(f"{seconds:g} s") as wait:
+            self.pass_time(now_s + max(0.0, seconds))
+            wait.ended_by = THE_TIME
+
+    @contextmanager
+    def waiting(self, awaited: str) -> Iterator[Waiting]:
+        """Note that the statement that runs waits, if it takes time; it says what ends it.
+
+        Args:
+            awaited: What it waits for.
+        """
+        place, start_s, wait = self.place, self.observe(), Waiting()
+        try:
+            yield wait
+        finally:
+            end_s = self._time.known_s if self._time.is_known else start_s
+            if end_s > start_s:
+                task, ended_by = self._journal.task, wait.ended_by
+                self._journal.wait(Wait(task, place, awaited, start_s, end_s, ended_by))
 
     def long_work(self) -> AbstractContextManager[None]:
         """Work that `--max-wall` may interrupt; raises as `ClockService.long_work` says."""

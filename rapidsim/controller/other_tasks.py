@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.cell.rendezvous import Meeting
 from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.journal.events import MAX_TIME
 from rapidsim.controller.journal.stop_reasons import WaitsForever
 from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.queued_move import MotionError
@@ -152,13 +153,17 @@ class TaskOthers:
         deadline_s = math.inf if max_time is None else now_s + max_time
         meeting = self.cell.meetings.arrive(instruction, name, self.task_name, tasks)
         self.clock.tell()
-        while not meeting.is_complete:
-            if self.clock.observe() >= deadline_s:
-                self.cell.meetings.leave(instruction, meeting, self.task_name)
-                return None
-            if not self.clock.await_event(deadline_s):
-                missing = ", ".join(one for one in tasks if one.lower() not in meeting.arrived)
-                raise WaitsForever(f"{instruction} {name} waits for {missing}, which never comes")
+        missing = ", ".join(one for one in tasks if one.lower() not in meeting.arrived)
+        with self.clock.waiting(missing) as wait:
+            while not meeting.is_complete:
+                if self.clock.observe() >= deadline_s:
+                    self.cell.meetings.leave(instruction, meeting, self.task_name)
+                    wait.ended_by = MAX_TIME
+                    return None
+                if not self.clock.await_event(deadline_s):
+                    late = ", ".join(one for one in tasks if one.lower() not in meeting.arrived)
+                    raise WaitsForever(f"{instruction} {name} waits for {late}, which never comes")
+            wait.ended_by = missing
         # Those who waited go on in their order, not the one who came last before them.
         self.clock.come_up()
         return meeting

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.interrupt_table import InterruptTable
+from rapidsim.controller.journal.events import MAX_TIME, SATISFIED
 from rapidsim.controller.journal.journal import Moment
 from rapidsim.controller.journal.stop_reasons import WaitsForever
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
@@ -80,15 +81,23 @@ class TaskSignals:
         self.clock.note_line()
         now_s = self.clock.come_up()
         deadline_s = math.inf if max_time is None else now_s + max_time
-        while not condition(self.cell.signals.read(name)):
-            if self.clock.observe() >= deadline_s:
-                return False
-            alone = not self.cell.is_shared
-            if alone and math.isinf(deadline_s) and self._is_vain((name,)):
-                raise WaitsForever(f"`{name}` is waited for and nothing ever changes it")
-            if not self.clock.await_event(deadline_s):
-                raise WaitsForever(f"`{name}` is waited for and nothing ever changes it")
+        with self.clock.waiting(self._awaited(name)) as wait:
+            while not condition(self.cell.signals.read(name)):
+                if self.clock.observe() >= deadline_s:
+                    wait.ended_by = MAX_TIME
+                    return False
+                alone = not self.cell.is_shared
+                if alone and math.isinf(deadline_s) and self._is_vain((name,)):
+                    raise WaitsForever(f"`{name}` is waited for and nothing ever changes it")
+                if not self.clock.await_event(deadline_s):
+                    raise WaitsForever(f"`{name}` is waited for and nothing ever changes it")
+            wait.ended_by = self.cell.last_change((name,), now_s) or SATISFIED
         return True
+
+    def _awaited(self, signal: str) -> str:
+        """What the statement that runs wants of a signal, as the program writes it."""
+        value = self.clock.place.arguments.get("value")
+        return signal if value is None else f"{signal} = {value}"
 
     def wait_until(
         self, condition: Callable[[], bool], *, max_time: float | None = None, poll_s: float = 0.1
@@ -101,19 +110,24 @@ class TaskSignals:
         self.clock.note_line()
         now_s = self.clock.observe()
         deadline_s = math.inf if max_time is None else now_s + max_time
-        idle = 0
+        start_s, idle = now_s, 0
         happenings = self.cell.happenings
-        while not self._holds(condition):
-            if now_s >= deadline_s:
-                return False
-            looked_at = tuple(self._seen)
-            vain = not self._saw_time and self._is_vain(looked_at)
-            idle = idle + 1 if vain and happenings == self.cell.happenings else 0
-            happenings = self.cell.happenings
-            if idle > _IDLE_LOOKS and math.isinf(deadline_s) and self.cell.turns.rest(self.clock):
-                raise WaitsForever(_vain(looked_at))
-            self.clock.pass_time(min(now_s + poll_s, deadline_s))
-            now_s = self.clock.observe()
+        awaited = self.clock.place.arguments.get("cond", "its condition")
+        with self.clock.waiting(awaited) as wait:
+            while not self._holds(condition):
+                if now_s >= deadline_s:
+                    wait.ended_by = MAX_TIME
+                    return False
+                looked_at = tuple(self._seen)
+                vain = not self._saw_time and self._is_vain(looked_at)
+                idle = idle + 1 if vain and happenings == self.cell.happenings else 0
+                happenings = self.cell.happenings
+                endless = idle > _IDLE_LOOKS and math.isinf(deadline_s)
+                if endless and self.cell.turns.rest(self.clock):
+                    raise WaitsForever(_vain(looked_at))
+                self.clock.pass_time(min(now_s + poll_s, deadline_s))
+                now_s = self.clock.observe()
+            wait.ended_by = self.cell.last_change(tuple(self._seen), start_s) or SATISFIED
         return True
 
     def _holds(self, condition: Callable[[], bool]) -> bool:

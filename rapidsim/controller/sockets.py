@@ -10,7 +10,7 @@ from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.cell.network import NetworkConnection, NetworkPort
 from rapidsim.controller.cell.streams import Port, StreamEnd
 from rapidsim.controller.clock import TaskClock
-from rapidsim.controller.journal.events import EventKind
+from rapidsim.controller.journal.events import MAX_TIME, EventKind
 from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.journal.stop_reasons import WaitsForever
 from rapidsim.findings.sockets import NobodyAnswers, NobodyConnects
@@ -176,11 +176,14 @@ class TaskSockets:
 
     def _waited(self, condition: Callable[[], bool], deadline_s: float, in_vain: str) -> bool:
         """Let time pass until a condition holds; False if the deadline [s] came first."""
-        while not condition():
-            if self.clock.observe() >= deadline_s:
-                return False
-            if not self.clock.await_event(deadline_s):
-                raise WaitsForever(in_vain)
+        with self.clock.waiting("the peer of the socket") as wait:
+            while not condition():
+                if self.clock.observe() >= deadline_s:
+                    wait.ended_by = MAX_TIME
+                    return False
+                if not self.clock.await_event(deadline_s):
+                    raise WaitsForever(in_vain)
+            wait.ended_by = "the peer of the socket"
         return True
 
     def _patience(self, deadline_s: float) -> float | None:
@@ -194,7 +197,9 @@ class TaskSockets:
         self.journal.unsimulated("the network", "answers take no simulated time", self.clock.place)
         self.cell.watchdog.look()
         if not in_time:
-            self.clock.pass_time(max(deadline_s, self.clock.observe()))
+            with self.clock.waiting("the network") as wait:
+                self.clock.pass_time(max(deadline_s, self.clock.observe()))
+                wait.ended_by = MAX_TIME
 
 
 def _shown(data: bytes) -> str:

@@ -10,6 +10,7 @@ from typing import Protocol
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.interrupt_table import InterruptTable
+from rapidsim.controller.journal.events import THE_TIME
 from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.executed_move import CornerKind
@@ -84,7 +85,9 @@ class SoloMoves:
         if queued.corner is CornerKind.STOP and wait and not move.concurrent:
             self.clock.drive_to_stop()
             if move.stop and move.stop.program_waits:
-                self.clock.pass_time(self.clock.observe() + move.stop.seconds)
+                with self.clock.waiting(f"{move.stop.seconds:g} s") as waiting:
+                    self.clock.pass_time(self.clock.observe() + move.stop.seconds)
+                    waiting.ended_by = THE_TIME
             return
         self.clock.follow(queued.started)
         if (

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass
 
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.cell.rendezvous import Meeting
-from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.clock import TaskClock, Waiting
 from rapidsim.controller.interrupt_table import InterruptTable
 from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.journal.stop_reasons import WaitsForever
@@ -197,17 +198,21 @@ class TaskTeam:
         Raises:
             WaitsForever: If one of them never will.
         """
-        while not offer.is_complete:
-            if self.clock.is_known:
-                woken = self.clock.await_event(math.inf)
-            else:
-                # Nobody needs the time: the robots are still on the way that all know.
-                woken = not math.isinf(self.cell.turns.until(self.clock, math.inf))
-            if not woken:
-                missing = (t for n, t in enumerate(team.tasks) if n not in offer.parts)
-                raise WaitsForever(
-                    f"{', '.join(missing)} has no move with \\ID:={sync_id:g} to make together"
-                )
+        others = ", ".join(t for n, t in enumerate(team.tasks) if n not in offer.parts)
+        # Nobody needs the time where the robots are still on the way that all know.
+        waits = self.clock.waiting(others) if self.clock.is_known else nullcontext(Waiting())
+        with waits as wait:
+            while not offer.is_complete:
+                if self.clock.is_known:
+                    woken = self.clock.await_event(math.inf)
+                else:
+                    woken = not math.isinf(self.cell.turns.until(self.clock, math.inf))
+                if not woken:
+                    missing = (t for n, t in enumerate(team.tasks) if n not in offer.parts)
+                    raise WaitsForever(
+                        f"{', '.join(missing)} has no move with \\ID:={sync_id:g} to make together"
+                    )
+            wait.ended_by = others
 
     def _join(self, meeting: Meeting, tasks: Sequence[str]) -> None:
         """Take the place in the team that some tasks form; the first to come here makes it."""

@@ -16,8 +16,8 @@ from types import MappingProxyType
 
 from rapidsim.export.joint_trajectory import SUFFIX as JOINT_TRAJECTORY
 from rapidsim.export.joint_trajectory import write_joint_trajectory
-from rapidsim.export.parquet import write_parquet
 from rapidsim.export.table import DEFAULT_DT, Block, block, blocks, columns, table_widths
+from rapidsim.extras import require
 from rapidsim.files import InputError
 from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.output_files import whole_file
@@ -87,6 +87,13 @@ def _write_json(path: Path, names: tuple[str, ...], rows: Iterator[Block]) -> No
         file.write("\n]\n")
 
 
+def _write_parquet(path: Path, names: tuple[str, ...], rows: Iterator[Block]) -> None:
+    require("pyarrow", "a trace as Parquet")
+    from rapidsim.export.parquet import write_parquet  # noqa: PLC0415 - Not everybody has it.
+
+    write_parquet(path, names, rows)
+
+
 def _texts(block: Block) -> Iterator[tuple[str, ...]]:
     """The fields of each row; `repr` of a float is the shortest text that reads back equal."""
     count = len(block.move)
@@ -103,5 +110,5 @@ def _json_value(key: str, text: str) -> str:
 
 
 WRITERS: Mapping[str, Writer] = MappingProxyType(
-    {".csv": _write_csv, ".parquet": write_parquet, ".json": _write_json}
+    {".csv": _write_csv, ".parquet": _write_parquet, ".json": _write_json}
 )

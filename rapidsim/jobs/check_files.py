@@ -35,7 +35,7 @@ _FAMILIES_OF_MOVES = "DKM"
 _FAMILY_OF_RUNS = "R"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class CheckResult:
     """What checking found, and what it did not look at."""
 
@@ -59,6 +59,12 @@ class CheckResult:
         """The same where the findings of a baseline are known."""
         new, old = told_apart(self.diagnostics, known)
         return replace(self, diagnostics=new, known=old)
+
+    def __repr__(self) -> str:
+        """One line."""
+        count = len(self.diagnostics)
+        verdict = "accepted" if self.accepted else "rejected"
+        return f"<check of {len(self.files)} files: {verdict}, {count} findings>"
 
     def looked_for(self, selector: str) -> bool:
         """Whether all that a selector may mean was looked for.

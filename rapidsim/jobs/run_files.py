@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from itertools import chain, count
 from os import PathLike, fspath
 from pathlib import Path
 
@@ -26,6 +28,9 @@ from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.simulate import FinishedRun, run_tasks
 from rapidsim.simulation.task_run import TaskSetup
 
+_UNATTENDED = {"CI", "PYTEST_CURRENT_TEST"}
+"""Variables of the environment that say that nobody looks at the home folder."""
+
 
 class ProgramRejectedError(Exception):
     """The program has errors and cannot run."""
@@ -36,6 +41,10 @@ class ProgramRejectedError(Exception):
         # A module that is missing is a warning in a check, and yet a run needs it.
         super().__init__(next(errors, diagnostics[-1]).violation.message)
         self.diagnostics = diagnostics
+
+    def __reduce__(self) -> tuple[type[ProgramRejectedError], tuple[tuple[Diagnostic, ...]]]:
+        """It is made of what was found, not of its message."""
+        return ProgramRejectedError, (self.diagnostics,)
 
 
 def simulate(
@@ -154,6 +163,15 @@ def executed(prepared: PreparedRun) -> FinishedRun:
     return replace(finished, simulation=run)
 
 
+def _fresh(folder: Path) -> Path:
+    """The folder itself, or the first of `x-2.home`, `x-3.home` ... that is not there yet.
+
+    What an earlier run has left must not decide a test.
+    """
+    names = (folder.with_stem(f"{folder.stem}-{number}") for number in count(2))
+    return next(one for one in chain((folder,), names) if not one.exists())
+
+
 def _home(home: str | None, paths: tuple[str, ...]) -> Path:
     """The folder HOME: stands for; the default one comes to be when the program writes to it."""
     if home is None:
@@ -164,7 +182,7 @@ def _home(home: str | None, paths: tuple[str, ...]) -> Path:
                 f"{folder} is a link, and a home folder that is there by default must not be one",
                 "`--home DIR` names any folder",
             )
-        return folder
+        return _fresh(folder) if _UNATTENDED & os.environ.keys() else folder
     if not Path(home).is_dir():
         raise InputError(f"--home: {home} is no folder")
     return Path(home)

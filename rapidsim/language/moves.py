@@ -38,7 +38,7 @@ NO_LIMIT = -1.0
 NO_OFFSETS = ExtJoint(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Place:
     """Where a statement stands, for events and reports."""
 
@@ -46,6 +46,10 @@ class Place:
     routine: str
     arguments: Mapping[str, str] = field(default_factory=dict)
     """Source text of the call's arguments, by folded parameter name: `{"topoint": "p20"}`."""
+
+    def __repr__(self) -> str:
+        """One line."""
+        return f"{self.span!r} in {self.routine}"
 
 
 class Interpolation(Enum):

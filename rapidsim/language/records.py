@@ -6,6 +6,7 @@ from functools import cache
 from typing import get_args, get_type_hints
 
 from rapidsim.language import arc_data, data, option_data, types
+from rapidsim.language.record_values import in_brackets
 from rapidsim.language.types import Component, Record, Type
 
 RECORD_CLASSES: tuple[type[tuple[object, ...]], ...] = (
@@ -53,6 +54,9 @@ RECORD_CLASSES: tuple[type[tuple[object, ...]], ...] = (
     option_data.MenuData,
 )
 """Every record type RAPID predefines."""
+
+for _python in RECORD_CLASSES:
+    _python.__repr__ = in_brackets  # type: ignore[assignment,method-assign]
 
 _ATOMS: dict[object, types.Atomic] = {float: types.NUM, bool: types.BOOL, str: types.STRING}
 _NAMES: dict[type, str] = {data.EgmMinMax: "egm_minmax"}

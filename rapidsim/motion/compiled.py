@@ -12,10 +12,11 @@ from contextlib import contextmanager
 from functools import cache
 from hashlib import sha256
 from importlib import import_module
-from importlib.util import find_spec
 from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any
+
+from rapidsim.extras import is_installed
 
 WORTH_COMPILING = 20_000
 """Rows of a batch from which on loading compiled code, half a second, is worth while."""
@@ -50,7 +51,7 @@ def compiled(module: ModuleType, name: str, rows: int) -> Callable[..., Any] | N
     global _loaded
     if os.environ.get(_SWITCH) == "0" or (rows < WORTH_COMPILING and not _loaded):
         return None
-    if find_spec("numba") is None:
+    if not is_installed("numba"):
         return None
     _loaded = True
     return _functions(module)[name]

@@ -6,17 +6,18 @@ from pathlib import Path
 
 from matplotlib.figure import Figure
 
-from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.controller.journal.events import Wait
 from rapidsim.language.moves import Interpolation
 from rapidsim.plots.drawn import target_name, title_of
 from rapidsim.plots.look import Theme, new_figure
 from rapidsim.simulation.results.sampling import SampledRun
+from rapidsim.simulation.results.time_shares import Step, instruction_of
 
 _MOST_LINES = 30
 
 
 def lines_picture(run: SampledRun, theme: Theme) -> Figure:
-    """The time in the moves of each line, in the order of the program; the slowest of many."""
+    """The time in moves and waits of each line in the order of the program; the slowest of many."""
     rows = _rows(run)
     order = sorted(range(len(rows)), key=lambda place: -rows[place][1])
     shown = [rows[place] for place in sorted(order[:_MOST_LINES])]
@@ -28,7 +29,7 @@ def lines_picture(run: SampledRun, theme: Theme) -> Figure:
     axes.barh(
         places,
         [seconds for _, seconds, _ in shown],
-        color=[theme.moves[kind] for _, _, kind in shown],
+        color=[theme.soft if kind is None else theme.moves[kind] for _, _, kind in shown],
         height=0.68,
     )
     for place, (_, seconds, _) in enumerate(shown):
@@ -46,7 +47,7 @@ def lines_picture(run: SampledRun, theme: Theme) -> Figure:
     axes.invert_yaxis()
     axes.grid(visible=False, axis="y")
     axes.margins(x=0.1)
-    axes.set_xlabel("time in moves [s]")
+    axes.set_xlabel("time in moves and waits [s]")
     left = len(rows) - len(shown)
     if left:
         rest = sum(seconds for _, seconds, _ in rows) - sum(seconds for _, seconds, _ in shown)
@@ -54,17 +55,28 @@ def lines_picture(run: SampledRun, theme: Theme) -> Figure:
     return figure
 
 
-def _rows(run: SampledRun) -> list[tuple[str, float, Interpolation]]:
-    """Words, time [s] and kind of each line that moves, in the order of the program."""
-    lines: dict[tuple[str, int], list[ExecutedMove]] = {}
-    for move in run.one.moves:
-        lines.setdefault((move.place.span.file, move.place.span.line), []).append(move)
+def _rows(run: SampledRun) -> list[tuple[str, float, Interpolation | None]]:
+    """Words, time [s] and kind of each line that moves or waits, in the order of the program.
+
+    Waits have no kind.
+    """
+    waits = (wait for wait in run.simulation.waits if wait.task == run.one.task)
+    lines: dict[tuple[str, int, bool], list[Step]] = {}
+    steps: tuple[Step, ...] = (*run.one.moves, *waits)
+    for step in steps:
+        span, is_wait = step.place.span, isinstance(step, Wait)
+        lines.setdefault((span.file, span.line, is_wait), []).append(step)
     return [
         (
-            f"{Path(file).name}:{number}  {moves[0].move.instruction} {target_name(moves[0])}"
-            + (f"  ×{len(moves)}" if len(moves) > 1 else ""),
-            sum(move.end_s - move.start_s for move in moves),
-            moves[0].move.interpolation,
+            f"{Path(file).name}:{number}  {_words(steps[0])}"
+            + (f"  ×{len(steps)}" if len(steps) > 1 else ""),
+            sum(step.end_s - step.start_s for step in steps),
+            None if isinstance(steps[0], Wait) else steps[0].move.interpolation,
         )
-        for (file, number), moves in sorted(lines.items())
+        for (file, number, _), steps in sorted(lines.items(), key=lambda item: item[0])
     ]
+
+
+def _words(step: Step) -> str:
+    goal = step.awaited if isinstance(step, Wait) else target_name(step)
+    return f"{instruction_of(step)} {goal}"

@@ -35,6 +35,10 @@ class Coverage:
         """All of them."""
         return self.checked + len(self.unchecked)
 
+    def __repr__(self) -> str:
+        """One line."""
+        return f"<{self.checked} of {self.moves} moves checked>"
+
     def __add__(self, other: Coverage) -> Coverage:
         """Of two tasks."""
         return Coverage(

@@ -178,6 +178,9 @@ def _simulation(
             if outcome.task is not None
             for one in changed_persistents(outcome.task)
         ),
+        waits=tuple(
+            sorted((one for run in runs for one in run.journal.waits()), key=lambda w: w.start_s)
+        ),
         signal_starts={signal.name: signal.value for signal in options.io.signals},
     )
 

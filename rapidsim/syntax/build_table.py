@@ -9,7 +9,6 @@ from __future__ import annotations
 import io
 import json
 import logging
-from pathlib import Path
 from typing import Any
 
 import lark
@@ -18,6 +17,7 @@ from lark.grammar import Terminal
 from lark.lexer import PatternStr
 from lark.parsers.lalr_analysis import Shift
 
+from rapidsim.shipped import shipped
 from rapidsim.syntax.table import ACCEPT, END, GRAMMAR_FILE, TABLE_FILE, Exported, fingerprint
 
 
@@ -27,7 +27,7 @@ class GrammarConflictError(Exception):
 
 def main() -> None:
     """Write the table beside the grammar."""
-    folder = Path(__file__).parents[2] / "grammars"
+    folder = shipped("grammars")
     table = export((folder / GRAMMAR_FILE).read_text(encoding="utf-8"))
     (folder / TABLE_FILE).write_text(written(table), encoding="utf-8", newline="\n")
 

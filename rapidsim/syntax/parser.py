@@ -28,6 +28,10 @@ class Parsed:
     diagnostics: tuple[Diagnostic, ...]
     """In the order of their places."""
 
+    def __repr__(self) -> str:
+        """One line."""
+        return f"<{self.file!r}, {len(self.diagnostics)} findings>"
+
 
 @uncollected()
 def parse(source: Source) -> Parsed:

@@ -26,6 +26,21 @@ def print_module(module: tree.Module) -> str:
     return "\n".join([head, *_indented(lines), "ENDMODULE", ""])
 
 
+def print_data(data: tree.Data) -> str:
+    """A declaration of data as text."""
+    return _data(data)
+
+
+def print_routine(routine: tree.Routine, module: tree.Module) -> list[str]:
+    """The lines of a routine; its statements are indented by two blanks."""
+    return list(_routine(routine, module))
+
+
+def print_statement(statement: tree.Statement, module: tree.Module) -> list[str]:
+    """The lines of a statement; those inside are indented by two blanks."""
+    return list(_statement(statement, module))
+
+
 def print_expression(expression: tree.Expression) -> str:
     """An expression as text."""
     match expression:

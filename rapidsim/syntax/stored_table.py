@@ -8,20 +8,15 @@ from __future__ import annotations
 
 import json
 from functools import cache
-from importlib.util import find_spec
-from pathlib import Path
 
+from rapidsim.shipped import shipped
 from rapidsim.syntax.table import GRAMMAR_FILE, TABLE_FILE, Exported, Table, fingerprint, unpacked
 
 
 @cache
 def rapid_table() -> Table:
     """The table of RAPID."""
-    # A folder of files, never an archive; `importlib.resources` would take 5 ms to say so.
-    found = find_spec("rapidsim.grammars")
-    assert found is not None
-    assert found.origin is not None
-    folder = Path(found.origin).parent
+    folder = shipped("grammars")
     grammar = (folder / GRAMMAR_FILE).read_text(encoding="utf-8")
     stored = folder / TABLE_FILE
     if stored.is_file():

@@ -22,6 +22,20 @@ CELL = """MODULE cell
   FUNC num pick()
     RETURN 1;
   ENDFUNC
+  FUNC num doubled(num n)
+    RETURN n * 2 * pick();
+  ENDFUNC
+  FUNC num goes()
+    MoveAbsJ a,v100,fine,tool0;
+    RETURN 1;
+  ENDFUNC
+  LOCAL PROC pause()
+    WaitTime 1;
+  ENDPROC
+  FUNC num waits()
+    pause;
+    RETURN 1;
+  ENDFUNC
   PROC main()
     count := count + pick();
     Incr parts;
@@ -73,6 +87,7 @@ def test_what_holds_ends_with_0(cell: Path) -> None:
         "warnings = 0 AND unsimulated = 0 AND corner_path_failures = 0",
         "margin_deg > 5 AND smallest_singular_value > 0.01 AND path_mm > 100",
         "t_rob1: count = 4",
+        "pick() = 1 AND doubled(count) = 8",
     )
     ended = rapidsim(*asserting(cell, *holding), cwd=cell)
     assert ended.code == 0, ended.out
@@ -129,7 +144,8 @@ def test_json_tells_each_assertion_and_keeps_standard_output_clean(cell: Path) -
         ("TRUE; count := 9", "", "one expression is expected", ""),
         ("TRUE; ENDFUNC PROC x() Stop", "", "", ""),
         ("", "", "one expression is expected", ""),
-        ("pick() = 1", "", "`pick` is a function of the program", ""),
+        ("goes() = 1", "", "`goes` acts: it comes to `MoveAbsJ`", ""),
+        ("waits() = 1", "", "`waits` acts: it comes to `WaitTime`", ""),
         ("UINumEntry() = 1", "", "`UINumEntry` does more than look", ""),
         ("T_ROB2: count = 4", "", "there is no task `T_ROB2`", "T_ROB1"),
     ],

@@ -74,6 +74,8 @@ def debug(
     if process == 0:
         os.chdir(folder)
         os.environ.update(TERM="dumb", COLUMNS="80", PYTHONIOENCODING="utf-8")
+        for variable in ("CI", "PYTEST_CURRENT_TEST"):
+            os.environ.pop(variable, None)
         os.execv(sys.executable, arguments)
     waiting = [*commands]
     shown = b""

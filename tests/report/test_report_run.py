@@ -39,8 +39,8 @@ def test_figures_of_moves() -> None:
         (CornerKind.STOP_CORNER_PATH_FAILURE, 1),
     )
     slow, quick = found.slowest
-    assert (slow.place.span.line, slow.to, slow.seconds, slow.times) == (4, "pPick", 1.5, 1)
-    assert (quick.place.span.line, quick.to, quick.seconds) == (3, "pHome", 0.5)
+    assert (slow.place.span.line, slow.goal, slow.seconds, slow.times) == (4, "pPick", 1.5, 1)
+    assert (quick.place.span.line, quick.goal, quick.seconds) == (3, "pHome", 0.5)
 
 
 def test_a_line_that_runs_often_counts_once_with_its_whole_time() -> None:
@@ -128,6 +128,8 @@ def test_json_is_the_contract() -> None:
         "min_joint_margin",
         "min_singularity",
         "diagnostics",
+        "waits",
+        "slowest_waits",
         "events",
         "unsimulated",
         "persistents",

@@ -7,7 +7,6 @@ kept as they are written. The first initial value tells how many values it holds
 from __future__ import annotations
 
 import keyword
-from collections import namedtuple
 from collections.abc import Mapping, Sequence
 
 from rapidsim.analysis.context import Context
@@ -19,6 +18,7 @@ from rapidsim.analysis.suggestions import closest
 from rapidsim.analysis.tree_walk import data_of
 from rapidsim.diagnostics import Related
 from rapidsim.language import types
+from rapidsim.language.record_values import new_record_class
 from rapidsim.language.types import Alias, ArrayOf, Atomic, Component, Kind, Record, Type
 from rapidsim.library.predefined import OF_OPTIONS
 from rapidsim.syntax import tree
@@ -184,8 +184,5 @@ def _shape(name: str, value: tree.LiteralValue | None, dimensions: int) -> Type:
 def _record(name: str, components: Sequence[Component]) -> Record:
     """A record type with a class of its own for its values."""
     spelled = name if name.isidentifier() and not keyword.iskeyword(name) else "record"
-    # A component may have a name that no Python attribute can have; its position is what counts.
-    python: type[tuple[object, ...]] = namedtuple(  # type: ignore[misc]
-        spelled, [part.name.lower() for part in components], rename=True
-    )
+    python = new_record_class(spelled, [part.name.lower() for part in components])
     return Record(name, tuple(components), python)

@@ -19,6 +19,7 @@ from rapidsim.cli.options.poses import (
     posture_options,
 )
 from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
+from rapidsim.extras import require
 from rapidsim.files import InputError
 from rapidsim.jobs.choices import DEFAULT_ROBOT
 
@@ -300,6 +301,7 @@ def _whole(conf: tuple[float, ...]) -> tuple[int, ...]:
 
 def _search(arm: Robot, pose: Transform, method: str) -> tuple[Any, Searched]:
     """Search with one of SciPy's solvers."""
+    require("scipy", f"--solver {method}")
     from rapidsim.motion.configurations.pose_solutions import PoseSolutions, solution
     from rapidsim.motion.configurations.reachability import Unreachable, why_unreachable
     from rapidsim.motion.configurations.scipy_solvers import TOLERANCE, search

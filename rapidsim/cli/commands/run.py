@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cache, partial
+from pathlib import Path
 
 import click
 
@@ -16,7 +17,7 @@ from rapidsim.cli.options.outputs import (
     write,
     write_values,
 )
-from rapidsim.cli.terminal import current_terminal, terminal_options
+from rapidsim.cli.terminal import current_terminal, say, terminal_options
 from rapidsim.cli.tools.assertions import (
     Assertion,
     judge_assertions,
@@ -26,6 +27,7 @@ from rapidsim.cli.tools.assertions import (
 from rapidsim.cli.tools.run_output import FORMATS, RunDone, print_rejected, print_run, stage
 from rapidsim.cli.tools.watching import choose_watch, watched
 from rapidsim.cli.viewer import leave_open
+from rapidsim.extras import pip_install
 from rapidsim.files import InputError
 from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.job import Job
@@ -105,10 +107,14 @@ def run(
     if write_pers and "-" in asked.paths:
         raise InputError("--write-pers: standard input cannot be written to")
     outputs = new_outputs(files, program_name(asked.paths))
+    if outputs.lacks_recorder and not terminal.quiet:
+        say(f"note: no recording, which needs rerun: {pip_install('rerun')}", err=True)
     job = asked_job(asked)
     ready = loaded(job)
     try:
-        execute = partial(executed, prepared(ready))
+        made = prepared(ready)
+        _say_home(asked, made.options.home)
+        execute = partial(executed, made)
         assertions = read_assertions(asserted, ready.programs, job.station.io, terminal)
         finished, measured = watched(execute, ready, watch, terminal)
     except ProgramRejectedError as rejected:
@@ -138,6 +144,13 @@ def run(
         raise refused
     code = _EXIT_CODES[simulation.end]
     return ExitCode.FAILED if done.judgement.failed and code is ExitCode.CLEAN else code
+
+
+def _say_home(asked: Asked, home: Path | None) -> None:
+    """Say that HOME: is not the folder that is there."""
+    default = Path(f"{program_name(asked.paths)}.home")
+    if asked.home is None and home not in (None, default) and not current_terminal().quiet:
+        say(f"note: HOME: is {home}, a fresh one; `--home {default}` is the one there", err=True)
 
 
 def _judged(

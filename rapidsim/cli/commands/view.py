@@ -9,6 +9,7 @@ import click
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.terminal import terminal_options
 from rapidsim.cli.viewer import require_recording, require_screen, show
+from rapidsim.extras import require
 
 
 @click.command()
@@ -19,6 +20,7 @@ def view(recording: str) -> int:
 
     The viewer is a program of its own: `rerun FILE.rrd` does the same.
     """
+    require("rerun", "the viewer")
     path = Path(recording)
     require_recording(path)
     require_screen()

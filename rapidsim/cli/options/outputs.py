@@ -12,6 +12,7 @@ import click
 
 from rapidsim.cli.options.numbers import POSITIVE
 from rapidsim.cli.viewer import require_screen
+from rapidsim.extras import is_installed, require
 from rapidsim.files import InputError, SourceFile, did_you_mean
 from rapidsim.report.run.summary import Written
 from rapidsim.simulation.results.simulation import Simulation
@@ -88,6 +89,8 @@ class Outputs:
     trace: Path | None
     trace_step_s: float
     events: Path | None
+    lacks_recorder: bool
+    """Whether there is no recording because the package that writes it is not installed."""
 
 
 def new_outputs(asked: AskedFiles, program: str) -> Outputs:
@@ -96,27 +99,44 @@ def new_outputs(asked: AskedFiles, program: str) -> Outputs:
     Raises:
         InputError: If something contradicts itself or cannot be written.
     """
-    if asked.no_record:
-        for name, given in (
-            ("--record", asked.record),
-            ("--record-dt", asked.record_dt),
-            ("--view", asked.view),
-        ):
-            if given:
-                raise InputError(f"{name} and --no-record exclude each other")
+    for name, given in (
+        ("--record", asked.record),
+        ("--record-dt", asked.record_dt),
+        ("--view", asked.view),
+    ):
+        if given and asked.no_record:
+            raise InputError(f"{name} and --no-record exclude each other")
+        if given:
+            require("rerun", name)
     if asked.view:
         require_screen()
     recording = None if asked.no_record else asked.record or f"{program}.rrd"
+    lacks_recorder = recording is not None and not is_installed("rerun")
+    if lacks_recorder:
+        recording = None
     return Outputs(
         recording=new_file(recording, (".rrd",)) if recording else None,
         recording_step_s=asked.record_dt,
         view=asked.view,
         report=new_file(asked.report, (".html", ".htm")) if asked.report else None,
         plots=new_plots(asked.plots) if asked.plots else None,
-        trace=new_file(asked.trace, (".csv", ".parquet", ".json")) if asked.trace else None,
+        trace=new_trace(asked.trace) if asked.trace else None,
         trace_step_s=asked.dt,
         events=new_file(asked.events, (".jsonl",)) if asked.events else None,
+        lacks_recorder=lacks_recorder,
     )
+
+
+def new_trace(name: str) -> Path:
+    """The place of a trace.
+
+    Raises:
+        InputError: If nothing of that kind can be written there.
+    """
+    path = new_file(name, (".csv", ".parquet", ".json"))
+    if path.suffix.lower() == ".parquet":
+        require("pyarrow", f"{path}")
+    return path
 
 
 def new_profile(name: str) -> Path:
@@ -211,7 +231,7 @@ def new_file(name: str, suffixes: tuple[str, ...]) -> Path:
 
 def new_plots(name: str) -> Path:
     """The folder of pictures, refused if they cannot be drawn or written there."""
-    _require_matplotlib()
+    require("matplotlib", "--plots")
     return _new_folder(name)
 
 
@@ -231,13 +251,3 @@ def _require_writable(path: Path, folder: Path) -> None:
         )
     if not os.access(folder, os.W_OK | os.X_OK):
         raise InputError(f"{path} cannot be written: the folder {folder} may not be written to")
-
-
-def _require_matplotlib() -> None:
-    from importlib.util import find_spec
-
-    if find_spec("matplotlib") is None:
-        raise InputError(
-            "--plots needs matplotlib, which is not installed",
-            "pip install matplotlib; --report needs nothing more",
-        )

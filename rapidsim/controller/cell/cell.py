@@ -10,7 +10,7 @@ Passing time goes through `turns`, so that several tasks can share one clock.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -101,6 +101,22 @@ class Cause:
     journal: Journal
     place: Place | None = None
 
+    @property
+    def named(self) -> str:
+        """The task and the line, or the station."""
+        if self.place is None:
+            return "the station" if self.journal.task == OUTSIDE else self.journal.task
+        return f"{self.journal.task}, {self.place.span.file}:{self.place.span.line}"
+
+
+@dataclass(frozen=True, slots=True)
+class _Change:
+    """How a signal came to its value."""
+
+    what: str
+    moment: Moment
+    cause: Cause
+
 
 @dataclass(frozen=True, slots=True)
 class _Coming:
@@ -150,6 +166,8 @@ class Cell:
         self._io = inputs.io
         self._outside = Cause(journal.beside(OUTSIDE))
         self._coming: list[_Coming] = []
+        self._last_changes: dict[str, _Change] = {}
+        """By folded name, how each signal came to its value."""
         self._true: set[int] = set()
         """Indices of the stimuli whose condition holds."""
         sources = [cross.condition for cross in self._io.crosses]
@@ -189,6 +207,7 @@ class Cell:
         )
         if not changed:
             return
+        self._last_changes[name.lower()] = _Change(f"{name} = {value:g}", moment, cause)
         self.tell(moment)
         for listener in tuple(self.listeners):
             if listener.listens_to(name):
@@ -207,6 +226,16 @@ class Cell:
                 self.set_signal(self._outside, moment, signal.name, 0.0)
             elif signal.status is Status.ERROR and failed:
                 self.set_signal(self._outside, moment, signal.name, 1.0)
+
+    def last_change(self, names: Iterable[str], since_s: float) -> str:
+        """Which of some signals has changed last, and by whom; empty if none has since a time."""
+        found = [self._last_changes.get(name.lower()) for name in names]
+        dated = [(one.moment.time_s, one) for one in found if one and one.moment.is_known]
+        recent = [(time_s, one) for time_s, one in dated if time_s >= since_s]
+        if not recent:
+            return ""
+        _, last = max(recent, key=lambda item: item[0])
+        return f"{last.what}, set by {last.cause.named}"
 
     def schedule(self, cause: Cause, moment: Moment, values: Mapping[str, float]) -> None:
         """Change signals at a later moment, whose time may be unknown yet."""

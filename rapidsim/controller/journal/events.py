@@ -22,7 +22,7 @@ class EventKind(StrEnum):
     LIMIT = "limit"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Event:
     """Something that happened at an instant."""
 
@@ -34,6 +34,11 @@ class Event:
     details: Mapping[str, object] = field(default_factory=dict)
     """What a program wants to read: signal name and value, file name, interrupt number."""
 
+    def __repr__(self) -> str:
+        """One line."""
+        said = self.message if len(self.message) < 60 else f"{self.message[:57]}..."
+        return f"<{self.kind} at {self.time_s:.3f} s of {self.task[:20]}: {said!r}>"
+
 
 @dataclass(frozen=True, slots=True)
 class ExecutedLine:
@@ -42,6 +47,26 @@ class ExecutedLine:
     time_s: float
     task: str
     place: Place
+
+
+@dataclass(frozen=True, slots=True)
+class Wait:
+    """A statement let virtual time pass: waits of no length are none."""
+
+    task: str
+    place: Place
+    awaited: str
+    """What it waited for, in the words of the program: `diReady = 1`, `0.5 s`."""
+    start_s: float
+    end_s: float
+    ended_by: str
+    """Why it went on, and whose doing that was; `CUT_OFF` where the run ended first."""
+
+
+CUT_OFF = "the end of the run"
+THE_TIME = "the time"
+MAX_TIME = "its time limit"
+SATISFIED = "its condition"
 
 
 @dataclass(frozen=True, slots=True)

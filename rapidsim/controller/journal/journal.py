@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from rapidsim.controller.journal.events import Event, EventKind, ExecutedLine, Unsimulated
+from rapidsim.controller.journal.events import Event, EventKind, ExecutedLine, Unsimulated, Wait
 from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.journal.stop_reasons import EventLimitReached
 from rapidsim.diagnostics import Diagnostic, Violation
@@ -38,6 +38,11 @@ class Moment:
     offset_s: float = 0.0
 
     @property
+    def is_known(self) -> bool:
+        """Whether its time is known."""
+        return self.instant.time is not None
+
+    @property
     def time_s(self) -> float:
         """Virtual time [s]; the instant must be known."""
         assert self.instant.time is not None
@@ -61,6 +66,7 @@ class Journal:
     task: str
     _events: list[_Entry] = field(default_factory=list)
     _lines: list[tuple[Moment, Place]] = field(default_factory=list)
+    _waits: list[Wait] = field(default_factory=list)
     _diagnostics: list[Diagnostic] = field(default_factory=list)
     _failed_moves: list[FailedMove] = field(default_factory=list)
     _reported: set[object] = field(default_factory=set)
@@ -93,6 +99,10 @@ class Journal:
         """Note that the program pointer reached a statement."""
         if not self._lines or self._lines[-1] != (moment, place):
             self._lines.append((moment, place))
+
+    def wait(self, wait: Wait) -> None:
+        """Note a wait that is over."""
+        self._waits.append(wait)
 
     def finding(self, violation: Violation, place: Place | None, *, once: object = None) -> None:
         """Note a finding; with `once`, only the first of those that share the key."""
@@ -138,6 +148,10 @@ class Journal:
             if moment.instant.time is not None
         ]
         return tuple(sorted(dated, key=lambda line: line.time_s))
+
+    def waits(self) -> tuple[Wait, ...]:
+        """All waits of this task in order of their starts."""
+        return tuple(sorted(self._waits, key=lambda wait: wait.start_s))
 
     def diagnostics(self) -> tuple[Diagnostic, ...]:
         """All findings, in the order they were made."""

@@ -20,7 +20,7 @@ class CornerKind(StrEnum):
     STOP_CORNER_PATH_FAILURE = "stop(corner path failure)"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class ExecutedMove:
     """A move as it was carried out; target, joints and configuration are the programmed end."""
 
@@ -44,3 +44,8 @@ class ExecutedMove:
     """Why the zone is not the programmed one, or why the arm stops; empty where it is."""
     external: Array = field(default_factory=lambda: np.zeros(0))
     """Shape (e,) [m or rad]: the external axes at the end."""
+
+    def __repr__(self) -> str:
+        """One line."""
+        when = f"{self.start_s:.3f} to {self.end_s:.3f} s"
+        return f"<{self.move.instruction} at {self.place.span!r}, {when}>"

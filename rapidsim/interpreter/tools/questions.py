@@ -27,6 +27,7 @@ from rapidsim.interpreter.linking.loader import FatalError, Task
 from rapidsim.interpreter.runtime.shared_persistents import may_be_shared
 from rapidsim.interpreter.runtime.values import is_signal
 from rapidsim.language.annotations import Mode
+from rapidsim.language.errors import Stopped
 from rapidsim.language.types import Type, resolved
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.text import value_text
@@ -34,6 +35,18 @@ from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import Parsed, parse
 
+_ACTS = (
+    Does.MOVE
+    | Does.SEARCH
+    | Does.WAIT
+    | Does.ASK
+    | Does.OUTPUT
+    | Does.LEAVE
+    | Does.CALL_BY_NAME
+    | Does.CALL_ON_THE_WAY
+    | Does.LOAD
+)
+"""What a function does that nobody may call when the run is over."""
 _ONLY_LOOKS = Does.READ_TASK | Does.READ_CELL | Does.READ_ARGUMENT
 _SHOWN = frozenset(
     {"num", "dnum", "bool", "string", "pos", "orient", "pose", "robtarget", "jointtarget"}
@@ -188,6 +201,8 @@ def _answer(task: Task, functions: Sequence[RoutineSymbol], question: Question) 
         return Answer(bool(task.call(whole)), values)
     except FatalError as error:
         return Answer(False, values, str(error.error))
+    except Stopped as stop:
+        return Answer(False, values, stop.reason)
 
 
 def _told(task: Task, part: RoutineSymbol) -> str | None:
@@ -195,7 +210,7 @@ def _told(task: Task, part: RoutineSymbol) -> str | None:
     assert part.result is not None
     try:
         return value_text(task.call(part), part.result)
-    except FatalError:
+    except (FatalError, Stopped):
         return None
 
 
@@ -257,7 +272,7 @@ def _moved(span: Span, own: Source, start: int) -> Span:
 
 
 def _require_looking(expression: tree.Expression, program: Program) -> None:
-    """Refuse calls that could change anything."""
+    """Refuse calls that could change anything, and functions of the program that act."""
     for node in descendants(expression):
         if isinstance(node, tree.LateFunctionCall):
             raise NotAskedError("it calls a function by a name that only a run knows")
@@ -267,12 +282,26 @@ def _require_looking(expression: tree.Expression, program: Program) -> None:
         if isinstance(symbol, UnknownSymbol):
             continue  # That is a finding already.
         if isinstance(symbol, RoutineSymbol):
-            raise NotAskedError(
-                f"`{symbol.name}` is a function of the program, which might move or wait; "
-                "an assertion looks at data, signals and library functions"
-            )
-        if not isinstance(symbol, LibrarySymbol) or not _only_looks(symbol.routine):
+            _require_computing(symbol, program)
+        elif not isinstance(symbol, LibrarySymbol) or not _only_looks(symbol.routine):
             raise NotAskedError(f"`{node.name.text}` does more than look, or is not simulated")
+
+
+def _require_computing(function: RoutineSymbol, program: Program) -> None:
+    """Refuse a function of the program that moves, waits or asks, or calls one that does."""
+    waiting, seen = [function], {function}
+    while waiting:
+        for node in descendants(waiting.pop().node):
+            symbol = program.symbol_of.get(node)
+            if isinstance(node, tree.LateFunctionCall | tree.LateCall) or _ACTS & does(symbol):
+                text = f"`{symbol.name}`" if isinstance(symbol, LibrarySymbol) else "a late call"
+                raise NotAskedError(
+                    f"`{function.name}` acts: it comes to {text}; "
+                    "an assertion may call functions that compute"
+                )
+            if isinstance(symbol, RoutineSymbol) and symbol not in seen:
+                seen.add(symbol)
+                waiting.append(symbol)
 
 
 def _only_looks(routine: LibraryRoutine) -> bool:

@@ -13,7 +13,6 @@ import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
 from math import radians
 from pathlib import Path
 from typing import Any
@@ -28,6 +27,7 @@ from rapidsim.motion.kinematics.closed_form.opw_geometry import JOINT_COUNT, Opw
 from rapidsim.motion.kinematics.closed_form.palletizer import Palletizer, PalletizerGeometry
 from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry, searched_arm
 from rapidsim.motion.robot.structures import Geometry, geometry_from_table
+from rapidsim.shipped import shipped
 
 _PARTS = re.compile(r"(\d+)")
 NEAR_NAMES = 5
@@ -73,7 +73,7 @@ class CatalogueEntry:
 
 def robots_folder() -> Path:
     """Where the catalogue lies, in a checkout and in an installation alike."""
-    return Path(str(files("rapidsim.robots")))
+    return shipped("robots")
 
 
 @cache

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from rapidsim.extras import require
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.arm import Branches, Kinematics
 from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry, search_notices
@@ -38,7 +39,7 @@ class Joint:
     """[rad/s2]; None unless it was measured."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Robot:
     """An arm."""
 
@@ -98,6 +99,10 @@ class Robot:
         endless = np.isinf(self.lower) | np.isinf(self.upper)
         return np.where(endless, 0.0, (self.lower + self.upper) / 2.0)
 
+    def __repr__(self) -> str:
+        """One line."""
+        return f"<robot {self.name[:60]}, {len(self.joints)} axes>"
+
     def forward(self, joints: Array) -> Transform:
         """base_from_flange of joint vectors (..., n) [rad]; the flange of ABB arms is tool0."""
         return self.kinematics.forward(np.asarray(joints, dtype=np.float64))
@@ -118,9 +123,11 @@ def load_robot(name_or_path: str | Path, scale: float | None = None) -> Robot:
     Raises:
         RobotError: If the name is not known, the file cannot be read, or the arm is of a kind
             that is not supported; the message says which.
+        InputError: If what reads URDF files is not installed.
     """
     text = str(name_or_path)
     if isinstance(name_or_path, Path) or text.lower().endswith((".urdf", ".xml", ".xacro")):
+        require("yourdfpy", "a robot from a URDF")
         # yourdfpy takes two seconds to import, which a robot of the catalogue need not pay.
         from rapidsim.motion.robot.urdf import robot_parts_from_urdf  # noqa: PLC0415
 

@@ -48,10 +48,11 @@ def table(heads: Sequence[str], rows: Iterable[Sequence[str]], *, kind: str) -> 
     )
 
 
-def bar(share: float) -> str:
-    """A bar for a share, 0 to 1, of the longest."""
+def bar(share: float, *, waits: bool = False) -> str:
+    """A bar for a share, 0 to 1, of the longest; of moves, or of waits."""
     percent = f"{100.0 * min(max(share, 0.0), 1.0):.2f}"
-    return f'<span class="bar"><i style="width:{percent}%"></i></span>'
+    kind = "bar wait" if waits else "bar"
+    return f'<span class="{kind}"><i style="width:{percent}%"></i></span>'
 
 
 def section(name: str, title: str, body: str, remark: str = "") -> str:

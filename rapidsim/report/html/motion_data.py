@@ -16,7 +16,6 @@ from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.moves import Interpolation
 from rapidsim.report.html.packing import packed, packed_columns
-from rapidsim.report.run.figures import end_point
 from rapidsim.simulation.results.relative_motion import (
     is_shown_in_world,
     shown_end,
@@ -25,6 +24,7 @@ from rapidsim.simulation.results.relative_motion import (
 from rapidsim.simulation.results.sampling import SampledRun, evaluate, sampled
 from rapidsim.simulation.results.signal_history import signal_changes
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
+from rapidsim.simulation.results.time_shares import end_point
 
 MOST_SAMPLES = 12_000
 MOST_MOVES = 12_000

@@ -11,12 +11,12 @@ from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.report.findings.merging import Finding, merged
-from rapidsim.report.html.cycle_time import Share, by_line, by_routine
 from rapidsim.report.html.elements import bar, section, table, text, tile
 from rapidsim.report.run.figures import Figures
 from rapidsim.report.run.json_report import models, of_robots
 from rapidsim.simulation.results.curve_deviations import CurveDeviation, all_curve_deviations
 from rapidsim.simulation.results.simulation import End, Simulation
+from rapidsim.simulation.results.time_shares import Share, Step, by_line, by_routine
 
 _MOST_FINDINGS = 200
 _OPEN_FINDINGS = 6
@@ -130,14 +130,14 @@ def _finding(finding: Finding, remark: str = "") -> str:
 
 
 def cycle_time(simulation: Simulation) -> str:
-    """The time by routine and by line, the longest first; of all robots."""
-    moves = simulation.moves
-    if not moves:
+    """The time by routine and by line, the longest first; of all tasks."""
+    steps: tuple[Step, ...] = (*simulation.moves, *simulation.waits)
+    if not steps:
         return ""
-    routines, lines = by_routine(moves), by_line(moves)
+    routines, lines = by_routine(steps), by_line(steps)
     deviations = all_curve_deviations(simulation)
     left = lines[_MOST_LINES:]
-    several = len(simulation.robots) > 1
+    several = len({step.task for step in steps}) > 1
     note = (
         f'<p class="aside">and {len(left)} more lines with '
         f"{sum(share.seconds for share in left):.3f} s</p>"
@@ -147,7 +147,7 @@ def cycle_time(simulation: Simulation) -> str:
     body = (
         "<h3>By routine</h3>"
         + table(
-            ("routine", ">moves", ">path [mm]", ">time [s]", ""),
+            ("routine", ">moves and waits", ">path [mm]", ">time [s]", ""),
             [
                 _share_row(share, routines[0], named=False, several=several)
                 for share in routines[:_MOST_LINES]
@@ -156,7 +156,7 @@ def cycle_time(simulation: Simulation) -> str:
         )
         + '<h3>By line</h3><div class="scrolled">'
         + table(
-            ("line", "move", ">times", ">path [mm]", ">off it [mm]", ">time [s]", ""),
+            ("line", "move or wait", ">times", ">path [mm]", ">off it [mm]", ">time [s]", ""),
             [
                 _share_row(
                     share, lines[0], _off_curve(share, deviations), named=True, several=several
@@ -168,14 +168,20 @@ def cycle_time(simulation: Simulation) -> str:
         + f'</div><p class="aside">off it: the furthest of the TCP from the programmed line or arc '
         f"between its zones, and its root mean square; by forward kinematics</p>{note}"
     )
-    return section("times", "Cycle time", body, "time in moves; waiting is not in it")
+    return section(
+        "times",
+        "Cycle time",
+        body,
+        "in moves and waits; a wait while the robot moves counts for both lines",
+    )
 
 
 def _share_row(
     share: Share, longest: Share, off: str = "", *, named: bool, several: bool
 ) -> list[str]:
-    name = f"{share.task}: {share.name}" if several else share.name
-    what = [text(name), text(share.text)] if named else [text(name)]
+    name = share.line if named else share.place.routine
+    name = f"{share.task}: {name}" if several else name
+    what = [text(name), text(f"{share.instruction} {share.goal}")] if named else [text(name)]
     width = share.seconds / longest.seconds if longest.seconds > 0.0 else 0.0
     return [
         *what,
@@ -183,7 +189,7 @@ def _share_row(
         f"{share.length_mm:,.1f}",
         *([off] if named else []),
         f"{share.seconds:.3f}",
-        bar(width),
+        bar(width, waits=share.is_wait),
     ]
 
 

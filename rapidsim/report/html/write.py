@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from importlib.resources import files
 from pathlib import Path
 
 from rapidsim.diagnostics import Diagnostic
@@ -17,6 +16,7 @@ from rapidsim.report.html import sections
 from rapidsim.report.html.elements import text
 from rapidsim.report.html.motion_data import motion_data
 from rapidsim.report.run.figures import figures
+from rapidsim.shipped import shipped
 from rapidsim.simulation.results.simulation import Simulation
 
 _SCRIPTS = ("data.js", "plot.js", "lanes.js", "path.js", "page.js")
@@ -73,4 +73,4 @@ def _json(value: object) -> str:
 
 
 def _shipped(name: str) -> str:
-    return files("rapidsim.report.html").joinpath("shipped", name).read_text(encoding="utf-8")
+    return (shipped("report/html/shipped") / name).read_text(encoding="utf-8")

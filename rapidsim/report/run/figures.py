@@ -12,28 +12,16 @@ import numpy as np
 
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.frames.transform import Array
-from rapidsim.language.moves import Place
 from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.simulation.results.acceleration_sensitivity import extra_time_s
 from rapidsim.simulation.results.simulation import End, RobotRun, Simulation
+from rapidsim.simulation.results.time_shares import Share, by_line
 
 _SAMPLE_S = 0.012
 _MOST_SAMPLES = 20_000
 _SLOWEST = 5
 _OTHER_ACCELERATIONS = (0.5, 2.0)
 _CUT_SHORT = (End.ERROR, End.TIME_LIMIT)
-
-
-@dataclass(frozen=True, slots=True)
-class LineTime:
-    """Time spent in the moves of one source line."""
-
-    place: Place
-    instruction: str
-    to: str
-    seconds: float
-    times: int
-    """How often the line was run."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,7 +53,10 @@ class Figures:
     moves_by_instruction: tuple[tuple[str, int], ...]
     """In order of first use."""
     moves_by_corner: tuple[tuple[CornerKind, int], ...]
-    slowest: tuple[LineTime, ...]
+    slowest: tuple[Share, ...]
+    """The lines whose moves took longest."""
+    slowest_waits: tuple[Share, ...]
+    """The lines that waited longest."""
     joint_margin: JointMargin | None
     """None where nothing moved."""
     singularity: SingularityMargin | None
@@ -98,24 +89,13 @@ def figures(simulation: Simulation) -> Figures:
     return Figures(
         moves_by_instruction=tuple(Counter(m.move.instruction for m in moves).items()),
         moves_by_corner=tuple((kind, corners[kind]) for kind in CornerKind if kind in corners),
-        slowest=_slowest(moves),
+        slowest=by_line(moves)[:_SLOWEST],
+        slowest_waits=by_line(simulation.waits)[:_SLOWEST],
         joint_margin=min(margins, key=lambda one: one.degrees, default=None),
         singularity=min(singularities, key=lambda one: one.smallest_singular_value, default=None),
         # What one robot would save, another may wait away.
         otherwise=_otherwise(simulation) if moves and _has_cycle_time(simulation) else (),
     )
-
-
-def argument(move: ExecutedMove, *names: str) -> str | None:
-    """Source text of the first of some arguments of a move that was written."""
-    given = (move.place.arguments.get(name) for name in names)
-    return next((text for text in given if text is not None), None)
-
-
-def end_point(move: ExecutedMove) -> str:
-    """What the program calls the end of a move; `*` where it is written out in place."""
-    text = argument(move, "topoint", "tojointpos") or "*"
-    return "*" if text.startswith("[") else text
 
 
 def _has_cycle_time(simulation: Simulation) -> bool:
@@ -134,23 +114,6 @@ def _otherwise(simulation: Simulation) -> tuple[OtherTime, ...]:
             return ()
         times.append(OtherTime(factor, simulation.time_s + extra_s))
     return tuple(times)
-
-
-def _slowest(moves: tuple[ExecutedMove, ...]) -> tuple[LineTime, ...]:
-    by_line: dict[tuple[str, int], list[ExecutedMove]] = {}
-    for move in moves:
-        by_line.setdefault((move.place.span.file, move.place.span.start), []).append(move)
-    times = (
-        LineTime(
-            place=same[0].place,
-            instruction=same[0].move.instruction,
-            to=end_point(same[0]),
-            seconds=sum(move.end_s - move.start_s for move in same),
-            times=len(same),
-        )
-        for same in by_line.values()
-    )
-    return tuple(sorted(times, key=lambda line: -line.seconds)[:_SLOWEST])
 
 
 def _along_the_path(run: RobotRun, offset: int) -> tuple[JointMargin, SingularityMargin]:

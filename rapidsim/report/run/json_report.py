@@ -5,22 +5,20 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 
-import numpy as np
-
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.motion.model import MotionModel
-from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.text import diagnostic_json
-from rapidsim.report.run.figures import Figures, JointMargin, LineTime, SingularityMargin, argument
+from rapidsim.report.run.figures import Figures, JointMargin, SingularityMargin
+from rapidsim.report.run.records import json_of, move_records, number, wait_records
 from rapidsim.report.run.verdicts import NOTHING_ASKED, Judgement
-from rapidsim.simulation.results.curve_deviations import CurveDeviation, all_curve_deviations
-from rapidsim.simulation.results.event_values import event_record, written
+from rapidsim.simulation.results.event_values import event_record
 from rapidsim.simulation.results.simulation import End, Simulation
+from rapidsim.simulation.results.time_shares import Share
 
-SCHEMA = 1
+SCHEMA = 2
 PROGRAM_POINTER = (
     "runs ahead of the robot; goes on after a fly-by move when the robot starts that move"
 )
@@ -43,21 +41,19 @@ def run_json(
         judgement: What became of assertions and the cycle budget.
     """
     first = simulation.robots[0].robot.name
-    deviations = all_curve_deviations(simulation)
     report = rejected_json(simulation.program, first, findings, _robots(simulation))
     ran = {
         "end": simulation.end.value,
-        "time_s": _number(simulation.time_s),
-        "motion_s": _number(simulation.motion_s),
-        "wait_s": _number(simulation.wait_s),
-        "path_mm": _number(simulation.path_m * 1000.0),
-        "moves": [
-            _move(move, simulation.robot_of(move.task).robot.external, deviations.get(move.index))
-            for move in simulation.moves
-        ],
-        "slowest": [_line_time(line) for line in figures.slowest],
+        "time_s": number(simulation.time_s),
+        "motion_s": number(simulation.motion_s),
+        "wait_s": number(simulation.wait_s),
+        "path_mm": number(simulation.path_m * 1000.0),
+        "moves": [json_of(move) for move in move_records(simulation)],
+        "slowest": [_share(share, "to") for share in figures.slowest],
         "min_joint_margin": _margin(figures.joint_margin),
         "min_singularity": _singularity(figures.singularity),
+        "waits": [json_of(wait) for wait in wait_records(simulation)],
+        "slowest_waits": [_share(share, "for") for share in figures.slowest_waits],
         "events": [event_record(event) for event in simulation.events],
         "unsimulated": [
             {"name": one.name, "count": one.count, "treated_as": one.treated_as}
@@ -71,7 +67,7 @@ def run_json(
         "models": {
             **models(simulation),
             "time_s_with_acceleration_times": {
-                f"{other.factor:g}": _number(other.time_s) for other in figures.otherwise
+                f"{other.factor:g}": number(other.time_s) for other in figures.otherwise
             },
         },
         "files": {
@@ -108,6 +104,8 @@ def rejected_json(
         "min_joint_margin": None,
         "min_singularity": None,
         "diagnostics": [diagnostic_json(finding) for finding in merged(findings)],
+        "waits": [],
+        "slowest_waits": [],
         "events": [],
         "unsimulated": [],
         "persistents": [],
@@ -185,71 +183,22 @@ def _robots(simulation: Simulation) -> list[object]:
         {
             "task": one.task,
             "robot": one.robot.name,
-            "position_mm": [_number(x * 1000.0) for x in one.world_from_base.translation],
-            "quaternion": [_number(q) for q in one.world_from_base.quaternion],
+            "position_mm": [number(x * 1000.0) for x in one.world_from_base.translation],
+            "quaternion": [number(q) for q in one.world_from_base.quaternion],
         }
         for one in simulation.robots
     ]
 
 
-def _move(
-    move: ExecutedMove, axes: Sequence[ExternalAxis], deviation: CurveDeviation | None
-) -> dict[str, object]:
+def _share(share: Share, goal: str) -> dict[str, object]:
     return {
-        "index": move.index,
-        "task": move.task,
-        "instruction": move.move.instruction,
-        **_place(move),
-        "routine": move.place.routine,
-        "to": argument(move, "topoint", "tojointpos"),
-        "tool": argument(move, "tool"),
-        "wobj": argument(move, "wobj") or "wobj0",
-        "speed_mm_s": _number(move.move.speed.v_tcp),
-        "zone_mm": _number(move.zone_m * 1000.0),
-        "start_s": _number(move.start_s),
-        "end_s": _number(move.end_s),
-        "length_mm": _number(move.length_m * 1000.0),
-        "deviation": _deviation(deviation),
-        "corner": move.corner.value,
-        "corner_reason": move.corner_reason,
-        "target": {
-            "position_mm": [_number(x * 1000.0) for x in move.base_from_tcp.translation],
-            "quaternion": [_number(q) for q in move.base_from_tcp.quaternion],
-            "frame": "base",
-        },
-        "joints_deg": [_number(q) for q in np.degrees(move.joints)],
-        "conf": [int(value) for value in move.conf],
-        **_external(move, axes),
-    }
-
-
-def _deviation(deviation: CurveDeviation | None) -> dict[str, object] | None:
-    """How far the TCP was off the line or arc between its zones; None for joint moves."""
-    if deviation is None:
-        return None
-    return {
-        "max_mm": _number(1000.0 * deviation.largest),
-        "rms_mm": _number(1000.0 * deviation.rms),
-    }
-
-
-def _external(move: ExecutedMove, axes: Sequence[ExternalAxis]) -> dict[str, object]:
-    """The external axes at the end of a move, in mm and degrees; nothing where there are none."""
-    if not axes:
-        return {}
-    values = zip(axes, move.external, strict=True)
-    return {"external": {axis.component: _number(v * axis.scale) for axis, v in values}}
-
-
-def _line_time(line: LineTime) -> dict[str, object]:
-    return {
-        "file": line.place.span.file,
-        "line": line.place.span.line,
-        "routine": line.place.routine,
-        "instruction": line.instruction,
-        "to": line.to,
-        "time_s": _number(line.seconds),
-        "times": line.times,
+        "file": share.place.span.file,
+        "line": share.place.span.line,
+        "routine": share.place.routine,
+        "instruction": share.instruction,
+        goal: share.goal,
+        "time_s": number(share.seconds),
+        "times": share.times,
     }
 
 
@@ -257,9 +206,9 @@ def _margin(margin: JointMargin | None) -> dict[str, object] | None:
     if margin is None:
         return None
     return {
-        "margin_deg": _number(margin.degrees),
+        "margin_deg": number(margin.degrees),
         "joint": margin.joint,
-        "time_s": _number(margin.time_s),
+        "time_s": number(margin.time_s),
         "move": margin.move.index,
         **_place(margin.move),
     }
@@ -269,8 +218,8 @@ def _singularity(singularity: SingularityMargin | None) -> dict[str, object] | N
     if singularity is None:
         return None
     return {
-        "smallest_singular_value": _number(singularity.smallest_singular_value),
-        "time_s": _number(singularity.time_s),
+        "smallest_singular_value": number(singularity.smallest_singular_value),
+        "time_s": number(singularity.time_s),
         "move": singularity.move.index,
         **_place(singularity.move),
     }
@@ -278,9 +227,3 @@ def _singularity(singularity: SingularityMargin | None) -> dict[str, object] | N
 
 def _place(move: ExecutedMove) -> dict[str, object]:
     return {"file": move.place.span.file, "line": move.place.span.line}
-
-
-def _number(value: float | np.floating[np.typing.NBitBase]) -> float | None:
-    """A finite number; JSON has no others, so they become null."""
-    plain = float(value)
-    return written(plain) if math.isfinite(plain) else None

@@ -18,16 +18,18 @@ from rich.text import Text
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.report.findings.source_frame import printable
-from rapidsim.report.run.figures import Figures, JointMargin, LineTime, SingularityMargin
+from rapidsim.report.run.figures import Figures, JointMargin, SingularityMargin
 from rapidsim.report.run.json_report import models, of_robots
 from rapidsim.report.uncut_table import WholeTable
 from rapidsim.simulation.results.persistents import PersistentChange, parts_of
 from rapidsim.simulation.results.simulation import End, Simulation
+from rapidsim.simulation.results.time_shares import Share
 
 _BAR_CELLS = 24
 _MOVE_CELLS = 22
 _ROUTINE_CELLS = 14
 _LINE_BAR_CELLS = 10
+_SLOWEST = 5
 _SHOWN_TEXTS = 8
 _SHOWN_PERSISTENTS = 8
 _LOW_MARGIN_DEG = 5.0
@@ -85,8 +87,9 @@ def summary(
     """
     parts: list[RenderableType] = [_headline(simulation), Rule(style="dim"), Text()]
     parts.append(_facts(simulation, figures, robot_reason, bars))
-    if figures.slowest:
-        parts += [Text(), _slowest(figures.slowest, bars)]
+    slowest = sorted((*figures.slowest, *figures.slowest_waits), key=lambda one: -one.seconds)
+    if slowest:
+        parts += [Text(), _slowest(slowest[:_SLOWEST], bars)]
     if simulation.moves:
         parts += [Text(), _models(simulation, figures)]
     if written or simulation.home_files:
@@ -240,24 +243,24 @@ def _change(change: PersistentChange) -> str:
     return f"{first}, {len(changed)} of {len(old)} values changed"
 
 
-def _slowest(lines: Sequence[LineTime], bars: Bars) -> Table:
+def _slowest(lines: Sequence[Share], bars: Bars) -> Table:
     table = WholeTable(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
     table.add_column("slowest lines", no_wrap=True)
     table.add_column("routine", no_wrap=True, max_width=_ROUTINE_CELLS)
-    table.add_column("move", no_wrap=True, max_width=_MOVE_CELLS)
+    table.add_column("move or wait", no_wrap=True, max_width=_MOVE_CELLS)
     table.add_column("times", justify="right", no_wrap=True)
     table.add_column("time", justify="right", no_wrap=True)
     table.add_column("", no_wrap=True, overflow="crop")
     longest = max(line.seconds for line in lines) or 1.0
     for line in lines:
-        span = line.place.span
+        bar, colour = (bars.rest, "yellow") if line.is_wait else (bars.full, "green")
         table.add_row(
-            f"{Path(span.file).name}:{span.line}",
+            line.line,
             line.place.routine,
-            f"{line.instruction} {printable(line.to)}",
+            f"{line.instruction} {printable(line.goal)}",
             str(line.times),
             f"{line.seconds:.3f} s",
-            Text(bars.full * round(_LINE_BAR_CELLS * line.seconds / longest), "green"),
+            Text(bar * round(_LINE_BAR_CELLS * line.seconds / longest), colour),
         )
     return table
 

@@ -14,10 +14,13 @@ _MOST_STILL = 24
 """With more declared signals, as in a backup, those that nothing sets are left out."""
 
 
-def signal_changes(simulation: Simulation) -> dict[str, Changes]:
+def signal_changes(simulation: Simulation, *, still: bool = False) -> dict[str, Changes]:
     """The values of every signal that is declared or set, by name in alphabetic order.
 
-    Of a long I/O configuration only what the run sets: nobody looks through 500 lanes of zeros.
+    Args:
+        simulation: The run.
+        still: Whether those of a long I/O configuration are there that nothing sets, too: nobody
+            looks through 500 lanes of zeros.
     """
     found: dict[str, Changes] = {}
     names: dict[str, str] = {}
@@ -37,6 +40,6 @@ def signal_changes(simulation: Simulation) -> dict[str, Changes]:
                 changes[0] = (0.0, float(value))
             else:
                 changes.append((event.time_s, float(value)))
-    if len(simulation.signal_starts) > _MOST_STILL:
+    if len(simulation.signal_starts) > _MOST_STILL and not still:
         found = {name: changes for name, changes in found.items() if name in is_set}
     return dict(sorted(found.items(), key=lambda item: item[0].lower()))

@@ -12,7 +12,7 @@ from itertools import accumulate
 
 import numpy as np
 
-from rapidsim.controller.journal.events import Event, ExecutedLine, Unsimulated
+from rapidsim.controller.journal.events import Event, ExecutedLine, Unsimulated, Wait
 from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic
@@ -43,7 +43,7 @@ class WrittenFile:
     size: int
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class RobotRun:
     """What one robot did in a run."""
 
@@ -60,6 +60,10 @@ class RobotRun:
     failed_moves: tuple[FailedMove, ...] = ()
     """Moves that could not be made, those that an ERROR handler dealt with included."""
 
+    def __repr__(self) -> str:
+        """One line."""
+        return f"<{self.robot.name[:40]} in {self.task[:40]}: {len(self.moves)} moves>"
+
     def sample(self, time_s: float | Array) -> Samples:
         """The arm at one instant or several [s]: joints (k, n), TCP, speed; k is 1 for one."""
         return self.trajectory.at(np.atleast_1d(np.asarray(time_s, dtype=np.float64)))
@@ -75,7 +79,7 @@ class TaskEnd:
     """One of the background ends with the run."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class Simulation:
     """One run of one robot or several."""
 
@@ -96,8 +100,14 @@ class Simulation:
     home_files: tuple[WrittenFile, ...]
     persistents: tuple[PersistentChange, ...] = ()
     """The persistents that ended with another value than their declarations give them."""
+    waits: tuple[Wait, ...] = ()
+    """Of all tasks, in order of their starts."""
     signal_starts: Mapping[str, float] = field(default_factory=dict)
     """What the declared signals are at the start; those that a run creates start at 0."""
+
+    def __repr__(self) -> str:
+        """One line."""
+        return f"<simulation: {self.end} after {self.time_s:.3f} s, {len(self.moves)} moves>"
 
     @property
     def only(self) -> RobotRun:

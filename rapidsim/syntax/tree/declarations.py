@@ -129,10 +129,14 @@ class Comment:
     text: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class File:
     """What a file holds: its modules (several are allowed) and its comments."""
 
     source: Source
     modules: tuple[Module, ...]
     comments: tuple[Comment, ...]
+
+    def __repr__(self) -> str:
+        """One line: a tree is long."""
+        return f"<tree of {self.source!r}>"

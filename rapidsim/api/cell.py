@@ -1,0 +1,208 @@
+"""A program with its cell: found once as a command would find it, then checked, run and called."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+from datetime import datetime
+from os import PathLike, fspath
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rapidsim.jobs.answers import answers_in_order, answers_of_file
+from rapidsim.jobs.asked import Asked
+from rapidsim.jobs.check_files import CheckResult, check_job
+from rapidsim.jobs.job import job
+
+if TYPE_CHECKING:
+    from rapidsim.api.run import Run
+    from rapidsim.controller.cell.inputs import Answers
+    from rapidsim.interpreter.runtime.values import Value
+    from rapidsim.motion.robot.robot import Robot
+
+PathLike_ = str | PathLike[str]
+
+
+def load(
+    paths: PathLike_ | Iterable[PathLike_],
+    *,
+    robot: Robot | str | None = None,
+    station: PathLike_ | None = None,
+    task: str | None = None,
+    home: PathLike_ | None = None,
+) -> Cell:
+    """Load a program, a folder, a program file or a controller backup.
+
+    Args:
+        paths: One or several; together they are one task, unless a backup or the station file
+            says which modules belong to which.
+        robot: An arm, its name in the catalogue, or a URDF file; None takes that of the station or
+            the default.
+        station: The station file; None takes `rapidsim.toml` beside the program or above it.
+        task: The only one of several tasks that is wanted.
+        home: The folder HOME: stands for, where a run names none; None is `<program>.home` here.
+
+    Raises:
+        InputError: If something is missing, unreadable, or no RAPID.
+    """
+    named = (paths,) if isinstance(paths, str | PathLike) else tuple(paths)
+    asked = Asked(
+        paths=tuple(fspath(path) for path in named),
+        robot=robot,
+        station=None if station is None else fspath(station),
+        task=task,
+        home=None if home is None else fspath(home),
+    )
+    return Cell(asked)
+
+
+class Cell:
+    """A program with its station. Its files are read anew by each call, so edits count."""
+
+    def __init__(self, asked: Asked) -> None:
+        """Find the files and the station; `load` makes one of paths.
+
+        Raises:
+            InputError: See `load`.
+        """
+        self._asked = asked
+        found = job(asked)
+        self._files = tuple(file.name for file in found.files)
+        self._robot = found.robot.name
+
+    @property
+    def files(self) -> tuple[str, ...]:
+        """The files of all tasks, as they were found."""
+        return self._files
+
+    @property
+    def robot(self) -> str:
+        """The name of the arm, of the first where there are several."""
+        return self._robot
+
+    def check(
+        self,
+        *,
+        select: Sequence[str] = (),
+        ignore: Sequence[str] = (),
+        run: bool = True,
+    ) -> CheckResult:
+        """Find the mistakes in the program without running it, as `rapidsim check` does.
+
+        Args:
+            select: Codes or beginnings of codes of the rules that are looked for; none means those
+                that are on by default.
+            ignore: Those that are left out.
+            run: Whether main is run for the moves that only a run can tell.
+
+        Raises:
+            InputError: If a file has gone, or a selector means nothing.
+        """
+        asked = replace(self._asked, select=tuple(select), ignore=tuple(ignore), trial_run=run)
+        return check_job(job(asked))
+
+    def run(
+        self,
+        *,
+        proc: str = "main",
+        io: PathLike_ | None = None,
+        answers: PathLike_ | Sequence[str] | Callable[[str], str | None] | None = None,
+        home: PathLike_ | None = None,
+        max_time_s: float = 3600.0,
+        max_wall_s: float | None = None,
+        cycles: int = 1,
+        starts_at: datetime | None = None,
+    ) -> Run:
+        """Run the program, as `rapidsim run` does, and write no files but those of the program.
+
+        Args:
+            proc: The procedure to run.
+            io: A file of signals and what happens to inputs; adds to the station.
+            answers: What the operator answers: a file, the answers in order, or a function of the
+                question. Without, a question gets its default, and a finding says so.
+            home: The folder HOME: stands for; None is the one that `load` was given.
+            max_time_s: Virtual time at which the run ends.
+            max_wall_s: Time on our clock after which it is cut off.
+            cycles: How often the procedure runs.
+            starts_at: What the controller's clock shows at the start.
+
+        Returns:
+            The run. A program that stops with an error is a result, not an exception.
+
+        Raises:
+            InputError: If something that the run needs is missing.
+            ProgramRejectedError: If checking finds an error.
+        """
+        from rapidsim.api.run import run_of
+        from rapidsim.jobs.run_files import run_job
+
+        asked = replace(
+            self._with(max_time_s, max_wall_s, home),
+            entry=proc,
+            io=None if io is None else fspath(io),
+            answers=None if answers is None else _answers(answers),
+            max_cycles=cycles,
+            starts_at=starts_at,
+        )
+        return run_of(run_job(job(asked)))
+
+    def call(
+        self,
+        routine: str,
+        *arguments: object,
+        home: PathLike_ | None = None,
+        max_time_s: float = 3600.0,
+        max_wall_s: float | None = None,
+        **optional: object,
+    ) -> Value | tuple[Value, ...] | None:
+        """Call a FUNC or PROC, with all data as the program declares them and the robot at start.
+
+        Args:
+            routine: Its name; LOCAL ones can be called, too.
+            *arguments: The required arguments: numbers, bool, str, the name of a signal, sequences
+                for records and arrays.
+            home: See `run`.
+            max_time_s: See `run`.
+            max_wall_s: See `run`.
+            **optional: Optional arguments by name; True for a switch.
+
+        Returns:
+            The value of a FUNC, None for a PROC. Where parameters are INOUT, VAR or PERS, what they
+            hold afterwards follows: a tuple, or the only value there is.
+
+        Raises:
+            InputError: If there is no such routine, or an argument does not fit.
+            ProgramRejectedError: If the program has errors.
+            CallError: If the routine stops with an error, or at a limit.
+        """
+        from rapidsim.jobs.routine_call import call_routine
+
+        asked = self._with(max_time_s, max_wall_s, home)
+        back = call_routine(job(asked), routine, arguments, optional)
+        values = (back.result, *back.outputs) if back.is_function else back.outputs
+        return values[0] if len(values) == 1 else values or None
+
+    def _with(self, max_time_s: float, max_wall_s: float | None, home: PathLike_ | None) -> Asked:
+        return replace(
+            self._asked,
+            max_time_s=max_time_s,
+            max_wall_s=max_wall_s,
+            home=self._asked.home if home is None else fspath(home),
+        )
+
+    def __reduce__(self) -> tuple[Callable[[Asked], Cell], tuple[Asked]]:
+        """What it was asked for: whoever gets it reads the files."""
+        return Cell, (self._asked,)
+
+    def __repr__(self) -> str:
+        """One line."""
+        name = Path(self._asked.paths[0]).name[:50]
+        return f"<cell {name}: {len(self._files)} files, {self._robot[:30]}>"
+
+
+def _answers(given: PathLike_ | Sequence[str] | Callable[[str], str | None]) -> Answers:
+    if callable(given):
+        return given
+    if isinstance(given, str | PathLike):
+        return answers_of_file(fspath(given))
+    return answers_in_order(given)

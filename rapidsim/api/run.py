@@ -1,0 +1,214 @@
+"""A run: figures, moves, waits, events, signals, data, and the files that show it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from os import PathLike, fspath
+from pathlib import Path
+from typing import Any
+
+from rapidsim.analysis.program import DataSymbol
+from rapidsim.analysis.types.operators import has_value
+from rapidsim.api.views import (
+    ArmMotion,
+    Datum,
+    Named,
+    SignalHistory,
+    data_by_name,
+    signals_by_name,
+)
+from rapidsim.controller.journal.events import Event
+from rapidsim.diagnostics import Diagnostic, Severity
+from rapidsim.export.events import write_events
+from rapidsim.export.table import DEFAULT_DT
+from rapidsim.export.trace import write_trace
+from rapidsim.extras import require
+from rapidsim.interpreter.linking.loader import Task
+from rapidsim.interpreter.runtime.memory import module_data
+from rapidsim.interpreter.runtime.values import Value
+from rapidsim.report.html.write import write_report
+from rapidsim.report.run.figures import figures
+from rapidsim.report.run.json_report import run_json
+from rapidsim.report.run.records import MoveRecord, WaitRecord, move_records, wait_records
+from rapidsim.simulation.results.simulation import End, Simulation
+from rapidsim.simulation.simulate import FinishedRun
+
+Path_ = str | PathLike[str]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Run:
+    """What happened when a program ran; times in s, lengths in mm, angles in degrees."""
+
+    simulation: Simulation
+    """All of it, in m and rad."""
+    all_data: tuple[Datum, ...]
+    """Every CONST, PERS and VAR of the modules, with the value that the run left."""
+
+    @property
+    def end(self) -> str:
+        """How it ended: `ended`, `stopped`, `time_limit`, `cycle_limit` or `error`."""
+        return self.simulation.end.value
+
+    @property
+    def ok(self) -> bool:
+        """Whether the program came to its end, or to one that it chose itself."""
+        return self.simulation.end in (End.ENDED, End.STOPPED, End.CYCLE_LIMIT)
+
+    @property
+    def time_s(self) -> float:
+        """The cycle time [s]."""
+        return self.simulation.time_s
+
+    @property
+    def motion_s(self) -> float:
+        """Time in which a robot is on its way [s]."""
+        return self.simulation.motion_s
+
+    @property
+    def wait_s(self) -> float:
+        """The rest of the time [s]."""
+        return self.simulation.wait_s
+
+    @property
+    def path_mm(self) -> float:
+        """What the TCPs travel, corners cut."""
+        return 1000.0 * self.simulation.path_m
+
+    @cached_property
+    def moves(self) -> tuple[MoveRecord, ...]:
+        """The moves of all robots, robot after robot."""
+        return move_records(self.simulation)
+
+    @cached_property
+    def waits(self) -> tuple[WaitRecord, ...]:
+        """What was waited for, in order of time."""
+        return wait_records(self.simulation)
+
+    @property
+    def events(self) -> tuple[Event, ...]:
+        """Texts, outputs, interrupts, files and corners, in order of time."""
+        return self.simulation.events
+
+    @property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """What checking found, then what the run met."""
+        return self.simulation.diagnostics
+
+    @property
+    def error(self) -> Diagnostic | None:
+        """What ended the run with an error; None where nothing did."""
+        if self.simulation.end is not End.ERROR:
+            return None
+        errors = [one for one in self.diagnostics if one.severity is Severity.ERROR]
+        return errors[-1] if errors else None
+
+    @cached_property
+    def data(self) -> Mapping[str, Value]:
+        """The values that data have at the end, by name, case as you like.
+
+        Numbers are float, records named tuples, arrays lists. Where several modules or tasks
+        declare a name with different values, `Module/name` or `Task/Module/name` says which.
+        """
+        return data_by_name(self.all_data)
+
+    @cached_property
+    def signals(self) -> Named[SignalHistory]:
+        """Every signal that is declared or set, by name, case as you like."""
+        return signals_by_name(self.simulation)
+
+    @property
+    def trajectory(self) -> ArmMotion:
+        """The motion of the robot.
+
+        Raises:
+            InputError: Where there are several; `trajectory_of` names one.
+        """
+        return self.trajectory_of(self.simulation.only.task)
+
+    def trajectory_of(self, task: str) -> ArmMotion:
+        """The motion of the robot of a task.
+
+        Raises:
+            InputError: Where the task moves none.
+        """
+        found = self.simulation.robot_of(task)
+        offset = self.simulation.move_offsets[self.simulation.robots.index(found)]
+        return ArmMotion(found, offset)
+
+    def as_json(self) -> dict[str, Any]:
+        """The object that `rapidsim run --format json` prints."""
+        run = self.simulation
+        return run_json(run, figures(run), run.diagnostics, {})
+
+    def record(self, path: Path_, *, dt: float | None = None) -> Path:
+        """Write a recording for the rerun viewer; needs the extra `view`.
+
+        Args:
+            path: Ends in `.rrd`.
+            dt: Time between samples [s]; None leaves it to the length of the run.
+
+        Raises:
+            InputError: If it cannot be written, or rerun is not installed.
+        """
+        require("rerun", "a recording")
+        from rapidsim.recording.layout.write import record  # noqa: PLC0415 - Not everybody has it.
+
+        return record(self.simulation, fspath(path), dt=dt)
+
+    def report(self, path: Path_) -> Path:
+        """Write a report: one HTML file to mail.
+
+        Raises:
+            InputError: If it cannot be written.
+        """
+        return write_report(self.simulation, self.diagnostics, fspath(path))
+
+    def trace(self, path: Path_, *, dt: float = DEFAULT_DT) -> Path:
+        """Write joints and TCP as a table; the suffix decides how, as with `--trace`.
+
+        Raises:
+            InputError: If it cannot be written, or in a form that is not known.
+        """
+        return write_trace(self.simulation, fspath(path), dt)
+
+    def write_events(self, path: Path_) -> Path:
+        """Write the events, a JSON object a line.
+
+        Raises:
+            InputError: If they cannot be written.
+        """
+        return write_events(self.simulation, fspath(path))
+
+    def __repr__(self) -> str:
+        """One line."""
+        name = Path(self.simulation.program[0]).name[:50] if self.simulation.program else "?"
+        return f"<run of {name}: {self.end} after {self.time_s:.3f} s, {len(self.moves)} moves>"
+
+
+def run_of(finished: FinishedRun) -> Run:
+    """A run with the values that its programs have left."""
+    data = [one for name, task in finished.tasks.items() for one in _data(name, task)]
+    return Run(finished.simulation, tuple(data))
+
+
+def _data(name: str, task: Task) -> list[Datum]:
+    return [
+        Datum(
+            name,
+            _module(symbol),
+            symbol.name,
+            symbol.type.name,
+            symbol.storage.value,
+            task.value(symbol.name, _module(symbol)),
+        )
+        for symbol in module_data(task.program)
+        if has_value(symbol.type)
+    ]
+
+
+def _module(symbol: DataSymbol) -> str:
+    assert symbol.module is not None
+    return symbol.module.name.text

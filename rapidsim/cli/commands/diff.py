@@ -1,0 +1,106 @@
+"""`rapidsim diff`: what changed between two programs, as a robot programmer sees it."""
+
+from __future__ import annotations
+
+import json
+
+import click
+
+from rapidsim.cli.exit_codes import ExitCode
+from rapidsim.cli.options.numbers import POSITIVE
+from rapidsim.cli.options.outputs import new_file
+from rapidsim.cli.terminal import current_terminal, say, terminal_options
+from rapidsim.files import InputError
+from rapidsim.jobs.asked import Asked
+
+_FORMATS = ("text", "json", "markdown", "html")
+
+
+@click.command()
+@click.argument("old", metavar="A")
+@click.argument("new", metavar="B")
+@click.option("--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them.")
+@click.option("--station", metavar="FILE.toml", help="The station file, instead of near ones.")
+@click.option("--task", metavar="NAME", help="Only this one of several tasks.")
+@click.option("--proc", metavar="NAME", default="main", help="The procedure to run.")
+@click.option("--io", metavar="FILE.toml", help="Signals and what happens to inputs, in both runs.")
+@click.option("--answers", metavar="FILE", help="Answers to the programs' questions, one a line.")
+@click.option("--no-run", is_flag=True, help="Compare the texts and what check finds, no times.")
+@click.option(
+    "--max-time",
+    metavar="SECONDS",
+    type=POSITIVE,
+    default=3600.0,
+    show_default=True,
+    help="Simulated time after which a run is cut off.",
+)
+@click.option(
+    "--format",
+    "output_format",
+    type=click.Choice(_FORMATS),
+    default="text",
+    show_default=True,
+    help="What is printed.",
+)
+@click.option("--output", metavar="FILE", help="Write it there; HTML needs a file.")
+@terminal_options
+def diff(
+    old: str,
+    new: str,
+    robot: str | None,
+    station: str | None,
+    task: str | None,
+    proc: str,
+    io: str | None,
+    answers: str | None,
+    no_run: bool,
+    max_time: float,
+    output_format: str,
+    output: str | None,
+) -> int:
+    """Tell what changed from A to B: two programs, folders, backups, or JSON of saved runs.
+
+    Targets, tools, work objects, speeds, zones, signals and routines; the time of each routine and
+    line before and after; outputs that fire elsewhere or at another instant; findings that are new
+    or gone. Layout, comments and the order of routines are no change.
+
+    Exit codes: 0 the same, 1 different, 2 wrong usage.
+    """
+    from rapidsim.comparison.compare import compare
+    from rapidsim.comparison.page import comparison_page
+    from rapidsim.comparison.told import as_json, as_markdown, as_text
+
+    if output_format == "html" and output is None:
+        raise InputError("--format html needs a file", "name it with --output FILE.html")
+    suffixes = {"text": (".txt",), "json": (".json",), "markdown": (".md",)}
+    target = new_file(output, suffixes.get(output_format, (".html", ".htm"))) if output else None
+
+    def asked(path: str) -> Asked:
+        return Asked(
+            paths=(path,),
+            robot=robot,
+            station=station,
+            task=task,
+            io=io,
+            entry=proc,
+            max_time_s=max_time,
+        )
+
+    found = compare(asked(old), asked(new), run=not no_run, answers=answers)
+    match output_format:
+        case "json":
+            text = json.dumps(as_json(found), indent=2, allow_nan=False) + "\n"
+        case "markdown":
+            text = as_markdown(found)
+        case "html":
+            text = comparison_page(found)
+        case _:
+            text = as_text(found)
+    if target is not None:
+        from rapidsim.output_files import whole_file
+
+        with whole_file(target) as temporary:
+            temporary.write_text(text, encoding="utf-8", newline="\n")
+    elif not current_terminal().quiet:
+        say(text, nl=False)
+    return ExitCode.CLEAN if found.is_same else ExitCode.FINDINGS

@@ -1,0 +1,108 @@
+"""What a comparison finds: changes of the program, of times, of outputs, of findings."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class At:
+    """A place in a file."""
+
+    file: str
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """One change of the program, as a robot programmer sees it."""
+
+    kind: str
+    """`target`, `tool`, `work object`, `speed`, `zone`, `signal`, `data`, `statement`, `routine`,
+    `type` or `module`."""
+    name: str
+    """Of the data or the routine; of an argument, as the program writes it now."""
+    message: str
+    routine: str | None = None
+    """Where it is used, if it is a statement."""
+    old: At | None = None
+    """None where it is new."""
+    new: At | None = None
+    """None where it is gone."""
+
+
+@dataclass(frozen=True, slots=True)
+class TimeChange:
+    """A line, or a routine, that takes another time."""
+
+    task: str
+    routine: str
+    what: str
+    """The instruction and what it moves to or waits for; empty for a whole routine."""
+    before_s: float | None
+    """None where it was not run."""
+    after_s: float | None
+    """None where it is not run."""
+
+    @property
+    def delta_s(self) -> float:
+        """How much longer it takes."""
+        return (self.after_s or 0.0) - (self.before_s or 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class OutputChange:
+    """A signal that is set otherwise."""
+
+    signal: str
+    message: str
+
+
+@dataclass(frozen=True, slots=True)
+class FindingChange:
+    """A finding that is new, or gone."""
+
+    is_new: bool
+    code: str
+    severity: str
+    message: str
+    routine: str | None
+    at: At | None
+
+
+@dataclass(frozen=True, slots=True)
+class RunChange:
+    """What two runs differ in."""
+
+    before_s: float
+    after_s: float
+    ends: tuple[str, str]
+    """How they ended."""
+    routines: tuple[TimeChange, ...] = ()
+    lines: tuple[TimeChange, ...] = ()
+    outputs: tuple[OutputChange, ...] = ()
+
+    @property
+    def is_same(self) -> bool:
+        """Whether they are the same but for rounding."""
+        return not (self.routines or self.lines or self.outputs) and self.ends[0] == self.ends[1]
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """All that differs between two sides."""
+
+    names: tuple[str, str]
+    changes: tuple[Change, ...]
+    findings: tuple[FindingChange, ...]
+    run: RunChange | None
+    """None where one side does not run, or nobody asked."""
+    why_no_run: str | None = None
+    paths: tuple[tuple[tuple[float, ...], ...], tuple[tuple[float, ...], ...]] = ((), ())
+    """The TCP of both sides over time [mm], for a picture; empty where nothing ran."""
+
+    @property
+    def is_same(self) -> bool:
+        """Whether nothing differs."""
+        runs_alike = self.run is None or self.run.is_same
+        return not self.changes and not self.findings and runs_alike

@@ -1,0 +1,160 @@
+"""Compare two programs with their cells, or two saved runs."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import numpy as np
+
+from rapidsim.comparison.changes import At, Comparison, FindingChange, RunChange
+from rapidsim.comparison.program_changes import program_changes
+from rapidsim.comparison.program_parts import Parts, parts_of
+from rapidsim.comparison.run_changes import RanProgram, run_changes
+from rapidsim.diagnostics import Diagnostic, Source
+from rapidsim.files import InputError, TaskFiles, decode, input_bytes
+from rapidsim.jobs.answers import answers_of_file
+from rapidsim.jobs.asked import Asked
+from rapidsim.jobs.check_files import check_job
+from rapidsim.jobs.job import Job, job
+from rapidsim.jobs.run_files import ProgramRejectedError, run_job
+from rapidsim.report.run.figures import figures
+from rapidsim.report.run.json_report import run_json
+from rapidsim.simulation.results.simulation import RobotRun, Simulation
+from rapidsim.station.tasks import DEFAULT_TASK
+from rapidsim.syntax.parser import parse
+
+_PATH_STEP_S = 0.024
+_MOST_POINTS = 4000
+
+
+@dataclass(frozen=True, slots=True)
+class _Side:
+    """What is compared."""
+
+    name: str
+    parts: Mapping[str, Parts]
+    """By task; empty of a saved run."""
+    findings: tuple[Diagnostic, ...] = ()
+    run: RanProgram | None = None
+    path: tuple[tuple[float, ...], ...] = ()
+    why_no_run: str | None = None
+
+
+def compare(old: Asked, new: Asked, *, run: bool = True, answers: str | None = None) -> Comparison:
+    """Compare what two paths name.
+
+    Args:
+        old: Files, a folder, a backup, or the JSON of a run.
+        new: The other.
+        run: Whether programs are run.
+        answers: A file of what the operator answers in both runs.
+
+    Raises:
+        InputError: If something is missing, unreadable, or no RAPID.
+    """
+    a, b = _side(old, run, answers), _side(new, run, answers)
+    if bool(a.parts) != bool(b.parts) and (a.run is None or b.run is None):
+        raise InputError("a saved run can only be compared with a run", "leave out --no-run")
+    changes = [
+        change
+        for task in dict.fromkeys((*a.parts, *b.parts))
+        if a.parts and b.parts
+        for change in program_changes(a.parts.get(task, Parts()), b.parts.get(task, Parts()))
+    ]
+    ran: RunChange | None = run_changes(a.run, b.run) if a.run and b.run else None
+    return Comparison(
+        (a.name, b.name),
+        tuple(changes),
+        _finding_changes(a.findings, b.findings) if a.parts and b.parts else (),
+        ran,
+        None if ran or not run else a.why_no_run or b.why_no_run,
+        (a.path, b.path),
+    )
+
+
+def _side(asked: Asked, run: bool, answers: str | None) -> _Side:
+    name = asked.paths[0]
+    if name.lower().endswith(".json"):
+        return _Side(name, {}, run=RanProgram(_saved(Path(name))))
+    found = job(asked)
+    parts = {task.name or DEFAULT_TASK: _parts(task) for task in found.tasks}
+    findings = check_job(replace(found, asked=replace(asked, trial_run=run))).diagnostics
+    side = _Side(name, parts, findings)
+    if not run:
+        return side
+    try:
+        simulation = _ran(found, answers)
+    except ProgramRejectedError as error:
+        return replace(side, why_no_run=f"{name} does not run: {error}")
+    report = run_json(simulation, figures(simulation), simulation.diagnostics, {})
+    single = simulation.robots[0] if len(simulation.robots) == 1 else None
+    position = None if single is None else _position(single)
+    return replace(side, run=RanProgram(report, position), path=_path(simulation))
+
+
+def _ran(found: Job, answers: str | None) -> Simulation:
+    """Run without leaving anything behind."""
+    with TemporaryDirectory(prefix="rapidsim-") as home:
+        given = answers_of_file(answers) if answers else None
+        asked = replace(found.asked, home=home, answers=given)
+        return run_job(replace(found, asked=asked)).simulation
+
+
+def _parts(task: TaskFiles) -> Parts:
+    trees = [parse(Source(file.name, file.text)).file for file in task.files]
+    return parts_of([module for one in trees for module in one.modules])
+
+
+def _saved(file: Path) -> dict[str, Any]:
+    text, _ = decode(input_bytes(file))
+    try:
+        report = json.loads(text)
+    except ValueError as error:
+        raise InputError(f"{file} is no JSON: {error}") from None
+    if not isinstance(report, dict) or not {"moves", "events", "time_s", "end"} <= report.keys():
+        raise InputError(f"{file} is no saved run", "`rapidsim run --format json` prints one")
+    return report
+
+
+def _position(run: RobotRun) -> Callable[[float], Sequence[float]]:
+    def at(time_s: float) -> Sequence[float]:
+        place = 1000.0 * run.sample(time_s).base_from_tcp.translation[0]
+        return [float(x) for x in place]
+
+    return at
+
+
+def _path(simulation: Simulation) -> tuple[tuple[float, ...], ...]:
+    only = simulation.robots[0]
+    count = min(_MOST_POINTS, int(only.trajectory.duration / _PATH_STEP_S) + 2)
+    times = np.linspace(0.0, only.trajectory.duration, count)
+    places = 1000.0 * only.sample(times).base_from_tcp.translation
+    return tuple(tuple(round(float(x), 2) for x in place) for place in places)
+
+
+def _finding_changes(
+    old: Sequence[Diagnostic], new: Sequence[Diagnostic]
+) -> tuple[FindingChange, ...]:
+    """Findings that are new or gone, wherever they stand."""
+    before, after = Counter(map(_key, old)), Counter(map(_key, new))
+    changes = []
+    for is_new, found, surplus in ((True, new, after - before), (False, old, before - after)):
+        for one in found:
+            if surplus[_key(one)] > 0:
+                surplus[_key(one)] -= 1
+                at = At(one.span.file, one.span.line) if one.span else None
+                changes.append(
+                    FindingChange(is_new, one.code, str(one.severity), one.message, one.routine, at)
+                )
+    return tuple(changes)
+
+
+def _key(one: Diagnostic) -> tuple[str, str]:
+    # Not its routine: of what is told once, the first place may be another when routines move.
+    return one.code, one.message.lower()

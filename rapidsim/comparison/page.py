@@ -1,0 +1,90 @@
+"""A comparison as one HTML file: what changed, and both paths over each other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from html import escape
+
+from rapidsim.comparison.changes import Comparison
+from rapidsim.comparison.told import SAME, change_line, finding_line, time_line
+
+_SIDE = 460
+_MARGIN = 24
+_VIEWS = (("from above", 0, 1), ("from the side", 0, 2))
+_STYLE = """
+:root { --page: #f4f5f7; --panel: #fff; --ink: #1b2330; --soft: #5c6675; --old: #8a93a1;
+  --new: #d97800; --rule: #dde1e7 }
+@media (prefers-color-scheme: dark) { :root { --page: #13161b; --panel: #1b1f26; --ink: #e6e9ee;
+  --soft: #98a2b1; --old: #7d8796; --new: #ffa12e; --rule: #2e3540 } }
+body { margin: 0 auto; max-width: 1000px; padding: 16px; background: var(--page);
+  color: var(--ink); font: 15px/1.5 system-ui, sans-serif }
+h1 { font-size: 20px; overflow-wrap: anywhere } h2 { font-size: 16px }
+section { background: var(--panel); border: 1px solid var(--rule); border-radius: 10px;
+  padding: 4px 16px 12px; margin-bottom: 14px }
+li { overflow-wrap: anywhere } .views { display: flex; flex-wrap: wrap; gap: 16px }
+figure { margin: 0; flex: 1 1 300px } svg { width: 100%; height: auto } figcaption, .key {
+  color: var(--soft); font-size: 13px }
+polyline { fill: none; stroke-width: 1.6; vector-effect: non-scaling-stroke }
+.old { stroke: var(--old); color: var(--old) } .new { stroke: var(--new); color: var(--new) }
+"""
+
+
+def comparison_page(comparison: Comparison) -> str:
+    """The page as text; it needs no network."""
+    old, new = map(escape, comparison.names)
+    run = comparison.run
+    parts = [_section("Program", [change_line(one) for one in comparison.changes])]
+    if run is not None and not run.is_same:
+        delta_s = run.after_s - run.before_s
+        total = f"all: {run.before_s:.3f} s -> {run.after_s:.3f} s ({delta_s:+.3f} s)"
+        parts += [
+            _section("Time by routine", [total, *map(time_line, run.routines)]),
+            _section("Time by line", [time_line(one) for one in run.lines]),
+            _section("Outputs", [f"{one.signal}: {one.message}" for one in run.outputs]),
+        ]
+    parts.append(_section("Findings", [finding_line(one) for one in comparison.findings]))
+    if comparison.is_same:
+        parts.append(f"<section><p>{SAME}</p></section>")
+    if comparison.why_no_run:
+        parts.append(f"<section><p>No times: {escape(comparison.why_no_run)}.</p></section>")
+    return (
+        '<!doctype html><html lang="en"><head><meta charset="utf-8">'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
+        f"<title>{old} and {new}</title><style>{_STYLE}</style></head><body>"
+        f"<h1>{old} &rarr; {new}</h1>{''.join(parts)}{_paths(comparison)}</body></html>\n"
+    )
+
+
+def _section(title: str, lines: Sequence[str]) -> str:
+    if not lines:
+        return ""
+    items = "".join(f"<li>{escape(line)}</li>" for line in lines)
+    return f"<section><h2>{title}</h2><ul>{items}</ul></section>"
+
+
+def _paths(comparison: Comparison) -> str:
+    """Two views of the TCP paths, to one scale."""
+    points = [point for path in comparison.paths for point in path]
+    if not points:
+        return ""
+    low = [min(point[axis] for point in points) for axis in range(3)]
+    size = max(max(point[axis] for point in points) - low[axis] for axis in range(3)) or 1.0
+    scale = (_SIDE - 2 * _MARGIN) / size
+    figures = []
+    for title, across, up in _VIEWS:
+        lines = []
+        for name, path in zip(("old", "new"), comparison.paths, strict=True):
+            places = " ".join(
+                f"{_MARGIN + scale * (point[across] - low[across]):.1f},"
+                f"{_SIDE - _MARGIN - scale * (point[up] - low[up]):.1f}"
+                for point in path
+            )
+            lines.append(f'<polyline class="{name}" points="{places}"/>')
+        axes = f"{'xyz'[across]} to the right, {'xyz'[up]} up"
+        figures.append(
+            f'<figure><svg viewBox="0 0 {_SIDE} {_SIDE}" role="img">{"".join(lines)}</svg>'
+            f"<figcaption>{title}: {axes}</figcaption></figure>"
+        )
+    key = '<p class="key"><b class="old">before</b>, <b class="new">after</b></p>'
+    views = f'<div class="views">{"".join(figures)}</div>'
+    return f"<section><h2>Path of the TCP</h2>{views}{key}</section>"

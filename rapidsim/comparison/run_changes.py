@@ -1,0 +1,159 @@
+"""What two runs differ in, from the objects that `rapidsim run --format json` prints."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from difflib import SequenceMatcher
+from typing import Any, TypeAlias
+
+from rapidsim.comparison.changes import OutputChange, RunChange, TimeChange
+
+RunJson: TypeAlias = Mapping[str, Any]
+
+_ROUNDING_S = 1e-6
+"""Runs of one program on two machines agree within less."""
+_SHOWN_S = 0.0005
+_SHOWN_MM = 0.05
+_OUTSIDE = "cell"
+"""The task of events that nobody in the program causes."""
+
+
+@dataclass(frozen=True, slots=True)
+class RanProgram:
+    """A run, and where its TCP was, if anybody knows."""
+
+    report: RunJson
+    position_mm: Callable[[float], Sequence[float]] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class _Step:
+    task: str
+    routine: str
+    what: str
+    seconds: float
+
+    @property
+    def key(self) -> tuple[str, str, str]:
+        """What it is called, as RAPID compares names."""
+        return self.task.lower(), self.routine.lower(), self.what.lower()
+
+
+def run_changes(old: RanProgram, new: RanProgram) -> RunChange:
+    """Compare two runs."""
+    a, b = list(_steps(old.report)), list(_steps(new.report))
+    return RunChange(
+        float(old.report["time_s"]),
+        float(new.report["time_s"]),
+        (str(old.report["end"]), str(new.report["end"])),
+        tuple(_routine_changes(a, b)),
+        tuple(sorted(_line_changes(a, b), key=lambda one: -abs(one.delta_s))),
+        tuple(_output_changes(old, new)),
+    )
+
+
+def _steps(report: RunJson) -> Iterator[_Step]:
+    """Moves and waits in order of time."""
+    moves = [(m, f"{m['instruction']} {_short(m['to'])}") for m in report["moves"]]
+    waits = [(w, f"{w['instruction']} {w['for']}") for w in report.get("waits", ())]
+    for step, what in sorted(moves + waits, key=lambda item: float(item[0]["start_s"])):
+        seconds = float(step["end_s"]) - float(step["start_s"])
+        yield _Step(step["task"], step["routine"], what, seconds)
+
+
+def _short(target: str | None) -> str:
+    return "*" if target is None or target.startswith("[") else target
+
+
+def _routine_changes(a: Sequence[_Step], b: Sequence[_Step]) -> Iterator[TimeChange]:
+    before, after = _by_routine(a), _by_routine(b)
+    names = {step.key[:2]: (step.task, step.routine) for step in (*a, *b)}
+    for key, name in names.items():
+        x, y = before.get(key), after.get(key)
+        if x is None or y is None or abs(x - y) > _ROUNDING_S:
+            yield TimeChange(*name, "", x, y)
+
+
+def _by_routine(steps: Sequence[_Step]) -> dict[tuple[str, ...], float]:
+    sums: dict[tuple[str, ...], float] = {}
+    for step in steps:
+        sums[step.key[:2]] = sums.get(step.key[:2], 0.0) + step.seconds
+    return sums
+
+
+def _line_changes(a: Sequence[_Step], b: Sequence[_Step]) -> Iterator[TimeChange]:
+    """Steps that take another time, were not run, or are not; those of one kind added up."""
+    sums: dict[tuple[str, str, str], tuple[float | None, float | None]] = {}
+    matcher = SequenceMatcher(None, [x.key for x in a], [y.key for y in b], autojunk=False)
+    pairs: list[tuple[_Step | None, _Step | None]] = []
+    for word, a1, a2, b1, b2 in matcher.get_opcodes():
+        if word == "equal":
+            pairs += zip(a[a1:a2], b[b1:b2], strict=True)
+        else:
+            pairs += [(x, None) for x in a[a1:a2]]
+            pairs += [(None, y) for y in b[b1:b2]]
+    names = {step.key: step for step in (*a, *b)}
+    for x, y in pairs:
+        if x is None or y is None or abs(x.seconds - y.seconds) > _ROUNDING_S:
+            key = y.key if x is None else x.key  # type: ignore[union-attr]
+            before_s, after_s = sums.get(key, (None, None))
+            before_s = _sum(before_s, x.seconds if x else None)
+            sums[key] = before_s, _sum(after_s, y.seconds if y else None)
+    for key, (before_s, after_s) in sums.items():
+        if before_s is None or after_s is None or abs(before_s - after_s) > _ROUNDING_S:
+            step = names[key]
+            yield TimeChange(step.task, step.routine, step.what, before_s, after_s)
+
+
+def _sum(a: float | None, b: float | None) -> float | None:
+    return b if a is None else a if b is None else a + b
+
+
+def _output_changes(old: RanProgram, new: RanProgram) -> Iterator[OutputChange]:
+    before, after = _outputs(old.report), _outputs(new.report)
+    for signal in sorted(dict.fromkeys((*before, *after)), key=str.lower):
+        a, b = before.get(signal, []), after.get(signal, [])
+        values_a, values_b = [value for _, value in a], [value for _, value in b]
+        if values_a != values_b:
+            yield OutputChange(signal, _other_values(a, b))
+            continue
+        told = [text for x, y in zip(a, b, strict=True) if (text := _elsewhere(x, y, old, new))]
+        if told:
+            more = f", and {len(told) - 1} more of its {len(a)} changes" if len(told) > 1 else ""
+            yield OutputChange(signal, f"{told[0]}{more}")
+
+
+def _outputs(report: RunJson) -> dict[str, list[tuple[float, float]]]:
+    found: dict[str, list[tuple[float, float]]] = {}
+    for event in report["events"]:
+        if event["kind"] == "signal" and event["task"] != _OUTSIDE:
+            found.setdefault(event["signal"], []).append((event["time_s"], event["value"]))
+    return found
+
+
+def _other_values(a: Sequence[tuple[float, float]], b: Sequence[tuple[float, float]]) -> str:
+    if len(a) != len(b):
+        return f"set {_times(len(b))} instead of {_times(len(a))}"
+    first = next(n for n, (x, y) in enumerate(zip(a, b, strict=True)) if x[1] != y[1])
+    return f"set to {b[first][1]:g} instead of {a[first][1]:g} at {b[first][0]:.3f} s"
+
+
+def _times(count: int) -> str:
+    return {0: "never", 1: "once", 2: "twice"}.get(count, f"{count} times")
+
+
+def _elsewhere(
+    x: tuple[float, float], y: tuple[float, float], old: RanProgram, new: RanProgram
+) -> str:
+    late_s = y[0] - x[0]
+    told = []
+    if abs(late_s) > _SHOWN_S:
+        side = "later" if late_s > 0.0 else "earlier"
+        told.append(f"{abs(late_s):.3f} s {side} ({x[0]:.3f} -> {y[0]:.3f} s)")
+    if old.position_mm and new.position_mm:
+        places = zip(old.position_mm(x[0]), new.position_mm(y[0]), strict=True)
+        apart_mm = sum((p - q) ** 2 for p, q in places) ** 0.5
+        if apart_mm > _SHOWN_MM:
+            told.append(f"{apart_mm:.1f} mm elsewhere")
+    return f"becomes {y[1]:g} {', '.join(told)}" if told else ""

@@ -1,0 +1,150 @@
+"""How two values differ, in the words of their type: mm, degrees, mm/s."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any, cast
+
+from rapidsim.language.data import UNUSED_AXIS
+
+_KINDS = {
+    "robtarget": "target",
+    "jointtarget": "target",
+    "tooldata": "tool",
+    "wobjdata": "work object",
+    "speeddata": "speed",
+    "zonedata": "zone",
+}
+_CONFIGURATION = ("cf1", "cf4", "cf6", "cfx")
+_SPEEDS = (("v_tcp", "mm/s"), ("v_ori", "deg/s"), ("v_leax", "mm/s"), ("v_reax", "deg/s"))
+
+
+def kind_of(type_name: str) -> str:
+    """What data of a type are called in a comparison."""
+    return _KINDS.get(type_name, "data")
+
+
+def difference(type_name: str, old: object, new: object) -> str | None:
+    """How a value has changed; None where that takes more than its literals."""
+    if old is None or new is None:
+        return None
+    try:
+        match type_name:
+            case "robtarget":
+                return _listed(_pose_parts(old, new) + _target_parts(old, new))
+            case "jointtarget":
+                return _listed(_axes(old, new))
+            case "tooldata":
+                return _listed(_tool(old, new))
+            case "wobjdata":
+                return _listed(_work_object(old, new))
+            case "pose" | "pos" | "orient":
+                return _listed(_frame(type_name, old, new))
+            case "speeddata":
+                pairs = zip(_SPEEDS, _row(old), _row(new), strict=True)
+                return _listed([f"{n} {a:g} -> {b:g} {u}" for (n, u), a, b in pairs if a != b])
+            case "zonedata":
+                return _listed(_zone(old, new))
+            case _:
+                return f"{shown(old)} -> {shown(new)}"
+    except (ValueError, TypeError, IndexError):
+        # A literal that is not of the type: the check says so.
+        return f"{shown(old)} -> {shown(new)}"
+
+
+def shown(value: object) -> str:
+    """A literal as RAPID writes it, cut where it is long."""
+    match value:
+        case bool():
+            text = "TRUE" if value else "FALSE"
+        case int() | float():
+            text = "9E9" if value >= UNUSED_AXIS else f"{value:.9g}"
+        case str():
+            text = f'"{value}"'
+        case tuple() | list():
+            text = f"[{','.join(map(shown, value))}]"
+        case _:
+            text = str(value)
+    return text if len(text) <= 60 else f"{text[:57]}..."
+
+
+def _pose_parts(old: object, new: object) -> list[str]:
+    return _moved(_row(old)[0], _row(new)[0]) + _turned(_row(old)[1], _row(new)[1])
+
+
+def _target_parts(old: object, new: object) -> list[str]:
+    told = [
+        f"{name} {a:g} -> {b:g}"
+        for name, a, b in zip(_CONFIGURATION, _row(old)[2], _row(new)[2], strict=True)
+        if a != b
+    ]
+    axes = zip("abcdef", _row(old)[3], _row(new)[3], strict=True)
+    return told + [f"eax_{n} {shown(a)} -> {shown(b)}" for n, a, b in axes if a != b]
+
+
+def _moved(old: Sequence[float], new: Sequence[float], what: str = "") -> list[str]:
+    if tuple(old) == tuple(new):
+        return []
+    way = [b - a for a, b in zip(old, new, strict=True)]
+    each = ", ".join(f"{axis} {d:+.3f}" for axis, d in zip("xyz", way, strict=True) if d)
+    return [f"{what}moved by {math.hypot(*way):.3f} mm ({each})"]
+
+
+def _turned(old: Sequence[float], new: Sequence[float], what: str = "") -> list[str]:
+    if tuple(old) == tuple(new):
+        return []
+    lengths = math.hypot(*old) * math.hypot(*new)
+    cosine = abs(sum(a * b for a, b in zip(old, new, strict=True))) / lengths
+    return [f"{what}turned by {math.degrees(2.0 * math.acos(min(1.0, cosine))):.3f} deg"]
+
+
+def _axes(old: object, new: object) -> list[str]:
+    pairs = zip(_row(old)[0], _row(new)[0], strict=True)
+    told = [f"axis {n} by {b - a:+.3f} deg" for n, (a, b) in enumerate(pairs, 1) if a != b]
+    axes = zip("abcdef", _row(old)[1], _row(new)[1], strict=True)
+    return told + [f"eax_{n} {shown(a)} -> {shown(b)}" for n, a, b in axes if a != b]
+
+
+def _tool(old: object, new: object) -> list[str]:
+    (a_held, a_frame, a_load), (b_held, b_frame, b_load) = _row(old), _row(new)
+    told = [f"robhold {shown(a_held)} -> {shown(b_held)}"] if a_held != b_held else []
+    told += _moved(a_frame[0], b_frame[0], "TCP ") + _turned(a_frame[1], b_frame[1], "TCP ")
+    if a_load[0] != b_load[0]:
+        told.append(f"mass {a_load[0]:g} -> {b_load[0]:g} kg")
+    told += _moved(a_load[1], b_load[1], "centre of gravity ")
+    if tuple(a_load[2:]) != tuple(b_load[2:]):
+        told.append("moments of inertia")
+    return told
+
+
+def _work_object(old: object, new: object) -> list[str]:
+    a, b = _row(old), _row(new)
+    names = ("robhold", "ufprog", "ufmec")
+    told = [f"{n} {shown(x)} -> {shown(y)}" for n, x, y in zip(names, a, b, strict=False) if x != y]
+    for name, x, y in (("user frame ", a[3], b[3]), ("object frame ", a[4], b[4])):
+        told += _moved(x[0], y[0], name) + _turned(x[1], y[1], name)
+    return told
+
+
+def _frame(type_name: str, old: object, new: object) -> list[str]:
+    if type_name == "pos":
+        return _moved(_row(old), _row(new))
+    return _turned(_row(old), _row(new)) if type_name == "orient" else _pose_parts(old, new)
+
+
+def _zone(old: object, new: object) -> list[str]:
+    names = ("finep", "pzone_tcp", "pzone_ori", "pzone_eax", "zone_ori", "zone_leax", "zone_reax")
+    units = ("", " mm", " mm", " mm", " deg", " mm", " deg")
+    rows = zip(names, units, _row(old), _row(new), strict=True)
+    return [f"{n} {shown(a)} -> {shown(b)}{u}" for n, u, a, b in rows if a != b]
+
+
+def _row(value: object) -> Sequence[Any]:
+    if not isinstance(value, tuple | list):
+        raise TypeError
+    return cast("Sequence[Any]", value)
+
+
+def _listed(parts: Sequence[str]) -> str | None:
+    return "; ".join(parts) or None

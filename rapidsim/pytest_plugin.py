@@ -1,0 +1,168 @@
+"""RAPID under pytest: a fixture for Python tests, and RAPID procedures that are tests themselves.
+
+pytest loads it where rapidsim is installed. The fixture `rapid` loads cells whose home folder is
+fresh for each test. A module `test_*.mod` is collected: each of its procedures `test_*` without
+required parameters runs like a `main`, together with the modules of its folder that are no tests
+and those that the setting `rapid_modules` names. It passes when it comes to its end.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+if TYPE_CHECKING:
+    from rapidsim.api.cell import Cell
+    from rapidsim.api.run import Run
+    from rapidsim.diagnostics import Diagnostic
+    from rapidsim.motion.robot.robot import Robot
+
+_WIDTH = 100
+_TEST = "test_"
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """The settings of RAPID tests."""
+    parser.addini(
+        "rapid_modules", "RAPID modules and folders that every test_*.mod is run with", "paths"
+    )
+    parser.addini("rapid_robot", "the arm of RAPID tests, where no station file names one")
+
+
+def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> RapidFile | None:
+    """Collect `test_*.mod` and its like."""
+    from rapidsim.files import MODULE_SUFFIXES
+
+    if file_path.suffix.lower() not in MODULE_SUFFIXES:
+        return None
+    if not file_path.name.lower().startswith(_TEST):
+        return None
+    return RapidFile.from_parent(parent, path=file_path)
+
+
+class Rapid:
+    """The fixture `rapid`: cells with a home folder of their own."""
+
+    def __init__(self, folder: Path, home: Path) -> None:
+        """Name the folder that paths begin in, and the home folder."""
+        self._folder = folder
+        self.home = home
+        """What programs find in HOME:, and where they write."""
+
+    def load(
+        self,
+        paths: str | PathLike[str] | Iterable[str | PathLike[str]],
+        *,
+        robot: Robot | str | None = None,
+        station: str | PathLike[str] | None = None,
+        task: str | None = None,
+    ) -> Cell:
+        """Load a program as `rapidsim.load` does; paths begin in the folder of the test."""
+        from rapidsim.api.cell import load
+
+        named = [paths] if isinstance(paths, str | PathLike) else list(paths)
+        found = [self._folder / path for path in named]
+        where = None if station is None else self._folder / station
+        return load(found, robot=robot, station=where, task=task, home=self.home)
+
+
+@pytest.fixture
+def rapid(request: pytest.FixtureRequest, tmp_path: Path) -> Rapid:
+    """Cells whose home folder is fresh: `rapid.load("cell/").run()`, `.call("area", 2, 3)`."""
+    home = tmp_path / "home"
+    home.mkdir()
+    return Rapid(request.path.parent, home)
+
+
+class RapidFailedError(Exception):
+    """A RAPID test that did not come to its end."""
+
+    def __init__(self, findings: tuple[Diagnostic, ...], end: str) -> None:
+        """Carry what was found."""
+        super().__init__(findings, end)
+        self.findings = findings
+        self.end = end
+
+    def __str__(self) -> str:
+        """The findings with their places, and the routines that called."""
+        from rapidsim.report.findings.merging import merged
+        from rapidsim.report.findings.text import full
+        from rapidsim.report.palette import Palette
+
+        text = full(merged(self.findings), Palette(), width=_WIDTH).rstrip()
+        return text or f"the procedure did not come to its end: {self.end}"
+
+
+class RapidFile(pytest.File):
+    """A module of RAPID tests."""
+
+    def collect(self) -> Iterator[RapidTest]:
+        """Its procedures `test_*` that can be called without arguments."""
+        from rapidsim.diagnostics import Source
+        from rapidsim.files import decode, input_bytes
+        from rapidsim.syntax import tree
+        from rapidsim.syntax.parser import parse
+
+        text, _ = decode(input_bytes(self.path))
+        for module in parse(Source(str(self.path), text)).file.modules:
+            for routine in module.routines:
+                is_test = routine.name.text.lower().startswith(_TEST)
+                if is_test and isinstance(routine, tree.Proc):
+                    yield RapidTest.from_parent(self, name=routine.name.text)
+
+
+class RapidTest(pytest.Item):
+    """A procedure that is a test."""
+
+    def runtest(self) -> None:
+        """Run it."""
+        run = self._run()
+        errors = tuple(one for one in run.diagnostics if one.severity == "error")
+        if run.end != "ended":
+            raise RapidFailedError(errors or run.diagnostics[-1:], run.end)
+
+    def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], *_: Any) -> str:
+        """What RAPID users read, without Python's traceback."""
+        from rapidsim.files import InputError
+        from rapidsim.jobs.run_files import ProgramRejectedError
+
+        match excinfo.value:
+            case ProgramRejectedError(diagnostics=found):
+                return str(
+                    RapidFailedError(tuple(one for one in found if one.severity == "error"), "")
+                )
+            case InputError(message=message, help=cure):
+                return f"{message}\n help: {cure}" if cure else message
+            case RapidFailedError() as failed:
+                return str(failed)
+            case _:
+                return str(super().repr_failure(excinfo))
+
+    def reportinfo(self) -> tuple[Path, int | None, str]:
+        """Where it stands."""
+        return self.path, None, f"PROC {self.name}"
+
+    def _run(self) -> Run:
+        from tempfile import TemporaryDirectory
+
+        from rapidsim.api.cell import load
+
+        paths = [self.path, *_beside(self.path), *self.config.getini("rapid_modules")]
+        with TemporaryDirectory(prefix="rapidsim-") as home:
+            robot = self.config.getini("rapid_robot") or None
+            return load(paths, robot=robot, home=home).run(proc=self.name)
+
+
+def _beside(file: Path) -> list[Path]:
+    """The modules of its folder that are no tests."""
+    from rapidsim.files import MODULE_SUFFIXES
+
+    return sorted(
+        one
+        for one in file.parent.iterdir()
+        if one.suffix.lower() in MODULE_SUFFIXES and not one.name.lower().startswith(_TEST)
+    )

@@ -1,0 +1,200 @@
+"""Moves and waits of a run as records in mm, degrees and seconds: of the JSON, and of Python.
+
+Field by field they are what `rapidsim run --format json` prints; there numbers are rounded and what
+is not finite is null.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields, is_dataclass
+
+import numpy as np
+
+from rapidsim.controller.journal.events import Wait
+from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.motion.robot.external_axes import ExternalAxis
+from rapidsim.simulation.results.curve_deviations import CurveDeviation, all_curve_deviations
+from rapidsim.simulation.results.event_values import written
+from rapidsim.simulation.results.simulation import Simulation
+from rapidsim.simulation.results.time_shares import argument, instruction_of
+
+
+@dataclass(frozen=True, slots=True)
+class PoseRecord:
+    """A pose."""
+
+    position_mm: tuple[float, ...]
+    quaternion: tuple[float, ...]
+    """Scalar first."""
+    frame: str
+    """In what it is given; `base` is the base frame of the robot."""
+
+
+@dataclass(frozen=True, slots=True)
+class DeviationRecord:
+    """How far the TCP was off a line or arc between its zones."""
+
+    max_mm: float
+    rms_mm: float
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class MoveRecord:
+    """A move as it was carried out; target, joints and configuration are the programmed end."""
+
+    index: int
+    task: str
+    instruction: str
+    file: str
+    line: int
+    routine: str
+    to: str | None
+    """As the program writes it."""
+    tool: str | None
+    wobj: str
+    speed_mm_s: float
+    zone_mm: float
+    """That was used; 0 for a stop."""
+    start_s: float
+    end_s: float
+    length_mm: float
+    """Along the programmed path, before corners are cut."""
+    deviation: DeviationRecord | None
+    """None for joint moves."""
+    corner: str
+    """`fly-by`, `stop` or `stop(corner path failure)`."""
+    corner_reason: str
+    """Why the zone is not the programmed one, or why the arm stops; empty where it is."""
+    target: PoseRecord
+    joints_deg: tuple[float, ...]
+    conf: tuple[int, ...]
+    """cf1, cf4, cf6, cfx."""
+    external: Mapping[str, float] | None = None
+    """The external axes by their components [mm or degrees]; None where there are none."""
+
+    def __repr__(self) -> str:
+        """One line."""
+        return _short(f"{self.instruction} {self.to}, line {self.line}", self.start_s, self.end_s)
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class WaitRecord:
+    """A statement that let time pass."""
+
+    task: str
+    file: str
+    line: int
+    routine: str
+    instruction: str
+    awaited: str
+    """What it waited for, in the program's words; `for` in the JSON."""
+    start_s: float
+    end_s: float
+    ended_by: str
+    """Why it went on, and whose doing that was."""
+
+    def __repr__(self) -> str:
+        """One line."""
+        what = f"{self.instruction} for {self.awaited}, line {self.line}"
+        return _short(what, self.start_s, self.end_s)
+
+
+def move_records(simulation: Simulation) -> tuple[MoveRecord, ...]:
+    """The moves of all robots, robot after robot, numbered through."""
+    deviations = all_curve_deviations(simulation)
+    return tuple(
+        _move(move, simulation.robot_of(move.task).robot.external, deviations.get(move.index))
+        for move in simulation.moves
+    )
+
+
+def wait_records(simulation: Simulation) -> tuple[WaitRecord, ...]:
+    """The waits of all tasks in order of their starts."""
+    return tuple(map(_wait, simulation.waits))
+
+
+def json_of(record: object) -> object:
+    """A record as JSON values; what is None by default and is None is left out."""
+    if is_dataclass(record):
+        return {
+            "for" if field.name == "awaited" else field.name: json_of(value)
+            for field in fields(record)
+            if (value := getattr(record, field.name)) is not None or field.default is not None
+        }
+    match record:
+        case float():
+            return number(record)
+        case tuple():
+            return [json_of(part) for part in record]
+        case dict():
+            return {key: json_of(part) for key, part in record.items()}
+        case _:
+            return record
+
+
+def number(value: float | np.floating[np.typing.NBitBase]) -> float | None:
+    """A finite number; JSON has no others, so they become null."""
+    plain = float(value)
+    return written(plain) if math.isfinite(plain) else None
+
+
+def _move(
+    move: ExecutedMove, axes: Sequence[ExternalAxis], deviation: CurveDeviation | None
+) -> MoveRecord:
+    external = {
+        axis.component: float(value * axis.scale)
+        for axis, value in zip(axes, move.external, strict=bool(axes))
+    }
+    return MoveRecord(
+        index=move.index,
+        task=move.task,
+        instruction=move.move.instruction,
+        file=move.place.span.file,
+        line=move.place.span.line,
+        routine=move.place.routine,
+        to=argument(move, "topoint", "tojointpos"),
+        tool=argument(move, "tool"),
+        wobj=argument(move, "wobj") or "wobj0",
+        speed_mm_s=float(move.move.speed.v_tcp),
+        zone_mm=move.zone_m * 1000.0,
+        start_s=move.start_s,
+        end_s=move.end_s,
+        length_mm=move.length_m * 1000.0,
+        deviation=None if deviation is None else _deviation(deviation),
+        corner=move.corner.value,
+        corner_reason=move.corner_reason,
+        target=PoseRecord(
+            tuple(float(x * 1000.0) for x in move.base_from_tcp.translation),
+            tuple(map(float, move.base_from_tcp.quaternion)),
+            "base",
+        ),
+        joints_deg=tuple(map(float, np.degrees(move.joints))),
+        conf=tuple(map(int, move.conf)),
+        external=external or None,
+    )
+
+
+def _deviation(deviation: CurveDeviation) -> DeviationRecord:
+    return DeviationRecord(1000.0 * deviation.largest, 1000.0 * deviation.rms)
+
+
+def _wait(wait: Wait) -> WaitRecord:
+    span = wait.place.span
+    return WaitRecord(
+        task=wait.task,
+        file=span.file,
+        line=span.line,
+        routine=wait.place.routine,
+        instruction=instruction_of(wait),
+        awaited=wait.awaited,
+        start_s=wait.start_s,
+        end_s=wait.end_s,
+        ended_by=wait.ended_by,
+    )
+
+
+def _short(what: str, start_s: float, end_s: float) -> str:
+    shown = what if len(what) <= 80 else f"{what[:77]}..."
+    return f"<{shown}, {start_s:.3f} to {end_s:.3f} s>"

@@ -1,0 +1,104 @@
+"""Where the time of a run goes: its moves and waits added up by routine and by line.
+
+A wait while the robot is still on its way counts for both lines, so that shares may add up to more
+than the run.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TypeAlias
+
+from rapidsim.controller.journal.events import Wait
+from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.language.moves import Place
+
+Step: TypeAlias = ExecutedMove | Wait
+"""What takes time."""
+
+_FIRST_WORD = re.compile(r"\w*")
+
+
+@dataclass(frozen=True, slots=True)
+class Share:
+    """The steps of one routine, or of one line."""
+
+    task: str
+    place: Place
+    """Of the first."""
+    instruction: str
+    """Of the first."""
+    goal: str
+    """Where the first move goes, or what the first wait is for."""
+    is_wait: bool
+    """Whether they are waits; of a routine, whether all are."""
+    seconds: float
+    length_mm: float
+    """Along the programmed path."""
+    times: int
+    """How often they were run."""
+    moves: tuple[int, ...]
+    """The numbers of the moves among them."""
+
+    @property
+    def line(self) -> str:
+        """File and line of the first, without folders."""
+        return f"{Path(self.place.span.file).name}:{self.place.span.line}"
+
+
+def by_routine(steps: Iterable[Step]) -> tuple[Share, ...]:
+    """The time in each routine of each task, the longest first."""
+    return _added_up(steps, lambda step: (step.task, step.place.span.file, step.place.routine))
+
+
+def by_line(steps: Iterable[Step]) -> tuple[Share, ...]:
+    """The time in each line of each task, the longest first."""
+    return _added_up(steps, lambda step: (step.task, step.place.span.file, step.place.span.start))
+
+
+def instruction_of(step: Step) -> str:
+    """The instruction, as the program spells it."""
+    if isinstance(step, ExecutedMove):
+        return step.move.instruction
+    found = _FIRST_WORD.match(step.place.span.text)
+    return found[0] if found else ""
+
+
+def argument(move: ExecutedMove, *names: str) -> str | None:
+    """Source text of the first of some arguments of a move that was written."""
+    given = (move.place.arguments.get(name) for name in names)
+    return next((text for text in given if text is not None), None)
+
+
+def end_point(move: ExecutedMove) -> str:
+    """What the program calls the end of a move; `*` where it is written out in place."""
+    text = argument(move, "topoint", "tojointpos") or "*"
+    return "*" if text.startswith("[") else text
+
+
+def _added_up(
+    steps: Iterable[Step], key_of: Callable[[Step], tuple[object, ...]]
+) -> tuple[Share, ...]:
+    groups: dict[tuple[object, ...], list[Step]] = {}
+    for step in steps:
+        groups.setdefault(key_of(step), []).append(step)
+    return tuple(sorted(map(_share, groups.values()), key=lambda share: -share.seconds))
+
+
+def _share(steps: list[Step]) -> Share:
+    first = steps[0]
+    moves = [step for step in steps if isinstance(step, ExecutedMove)]
+    return Share(
+        task=first.task,
+        place=first.place,
+        instruction=instruction_of(first),
+        goal=end_point(first) if isinstance(first, ExecutedMove) else first.awaited,
+        is_wait=not moves,
+        seconds=sum(step.end_s - step.start_s for step in steps),
+        length_mm=1000.0 * sum(move.length_m for move in moves),
+        times=len(steps),
+        moves=tuple(move.index for move in moves),
+    )

@@ -1,1 +1,0 @@
-"""The robots that ship with rapidsim, as data."""

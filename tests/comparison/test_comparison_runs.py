@@ -1,0 +1,78 @@
+"""`rapidsim diff`: times, outputs, saved runs, and what the command prints."""
+
+import json
+from pathlib import Path
+
+import pytest
+from command_line import Ended, call
+from test_comparison_mutations import MAIN, POINTS, folder
+
+
+@pytest.fixture
+def sides(tmp_path: Path) -> Path:
+    folder(tmp_path / "old", MAIN, POINTS)
+    slower = MAIN.replace("WaitTime 0.2", "WaitTime 0.5").replace("doLamp", "doHorn")
+    folder(tmp_path / "new", slower, POINTS)
+    return tmp_path
+
+
+def diff(place: Path, *arguments: str) -> Ended:
+    return call("diff", *arguments, "--robot", "irb1600", cwd=place)
+
+
+def test_times_and_outputs_are_told(sides: Path) -> None:
+    ended = diff(sides, "old", "new")
+    assert ended.code == 1
+    for line in (
+        "  argument in pick: WaitTime: 0.2 -> 0.5 (Main.mod:22)",
+        "  signal in place: SetDO: doLamp -> doHorn (Main.mod:33)",
+        "  pick: WaitTime 0.2 s: 0.400 s -> not run (-0.400 s)",
+        "  pick: WaitTime 0.5 s: not run -> 1.000 s (+1.000 s)",
+        "  doHorn: set twice instead of never",
+        "  doLamp: set never instead of twice",
+    ):
+        assert line in ended.out.splitlines()
+    assert "(+0.600 s)" in ended.out
+    assert "doGrip: becomes 0 0.300 s later" in ended.out
+    assert "new  warning[I801] the signal `doHorn` is not declared" in ended.out
+    assert {one.name for one in sides.iterdir()} == {"old", "new"}
+
+
+def test_other_forms_say_the_same(sides: Path) -> None:
+    report = json.loads(diff(sides, "old", "new", "--format", "json").out)
+    assert report["same"] is False
+    assert [one["kind"] for one in report["changes"]] == ["argument", "signal"]
+    assert report["run"]["after_s"] - report["run"]["before_s"] == pytest.approx(0.6, abs=0.001)
+    marked = diff(sides, "old", "new", "--format", "markdown").out
+    assert marked.startswith("### old → new\n")
+    assert "- signal in place: SetDO: doLamp -&gt; doHorn" in marked.replace("->", "-&gt;")
+    ended = diff(sides, "old", "new", "--format", "html", "--output", "diff.html")
+    assert (ended.code, ended.out) == (1, "")
+    page = (sides / "diff.html").read_text(encoding="utf-8")
+    assert page.count("<polyline") == 4
+    assert "doLamp -&gt; doHorn" in page
+    refused = diff(sides, "old", "new", "--format", "html")
+    assert (refused.code, "--output FILE.html" in refused.err) == (2, True)
+
+
+def test_a_saved_run_is_compared_with_a_program(sides: Path) -> None:
+    options = ("--robot", "irb1600", "--no-record", "--format", "json")
+    (sides / "old.json").write_text(call("run", "old", *options, cwd=sides).out)
+    same = diff(sides, "old.json", "old")
+    assert (same.code, same.out) == (0, "No difference.\n")
+    assert "doHorn: set twice instead of never" in diff(sides, "old.json", "new").out
+    assert diff(sides, "old.json", "old", "--no-run").code == 2
+    (sides / "wrong.json").write_text("[1]")
+    refused = diff(sides, "wrong.json", "old")
+    assert (refused.code, "wrong.json is no saved run" in refused.err) == (2, True)
+    assert diff(sides, "old", "nowhere").code == 2
+
+
+def test_a_program_with_errors_is_compared_by_its_text(sides: Path) -> None:
+    module = sides / "new" / "Main.mod"
+    module.write_text(module.read_text().replace("place i;", "place unknown;"))
+    ended = diff(sides, "old", "new")
+    assert ended.code == 1
+    assert "argument in main: place: i -> unknown (Main.mod:13)" in ended.out
+    assert "new  error[N201] `unknown` is not declared (Main.mod:13)" in ended.out
+    assert "No times: new does not run: `unknown` is not declared." in ended.out
