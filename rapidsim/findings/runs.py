@@ -58,3 +58,11 @@ class TrapStorms(Violation, code="R110"):
 
 class WorldZoneReached(Violation, code="R111"):
     what: str
+
+
+class OutputBeforeTarget(Violation, code="R117"):
+    signal: str
+    distance_mm: float
+    target: str
+    times: str
+    """How often it happened; empty for once."""

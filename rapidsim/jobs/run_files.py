@@ -110,7 +110,8 @@ def loaded(job: Job) -> LoadedJob:
     """Open the robot, parse and check the files; mistakes in them are findings, never raised."""
     robot = job.arm()
     found = load_tasks(job.tasks, job.cell)
-    return LoadedJob(job, robot, found.tasks, found.diagnostics)
+    asked_for = tuple(one for one in found.diagnostics if one.violation.rule.on_by_default)
+    return LoadedJob(job, robot, found.tasks, asked_for)
 
 
 def prepared(loaded: LoadedJob) -> PreparedRun:

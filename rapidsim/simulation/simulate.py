@@ -19,6 +19,7 @@ from rapidsim.motion.robot.robot import Robot, RobotError
 from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.simulation.multitasking import run_together
 from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.results.early_outputs import early_output_findings
 from rapidsim.simulation.results.persistents import changed_persistents
 from rapidsim.simulation.results.simulation import (
     End,
@@ -31,6 +32,7 @@ from rapidsim.simulation.results.simulation import (
 from rapidsim.simulation.results.smoothed_corners import corner_findings
 from rapidsim.simulation.run_findings import backward_findings, not_simulated_findings
 from rapidsim.simulation.task_run import Outcome, TaskRun, TaskSetup, prepare, run_to_end
+from rapidsim.syntax import tree
 from rapidsim.syntax.collection import seldom_collected
 
 _WORST_FIRST = (End.ERROR, End.TIME_LIMIT, End.STOPPED, End.CYCLE_LIMIT, End.ENDED)
@@ -144,6 +146,13 @@ def _simulation(
         for robot, planner in zip(robots, planners, strict=True)
         for finding in corner_findings(robot.moves, robot.trajectory, planner.limits, planner.model)
     )
+    events = _sorted_events(runs[0].journal, moves)
+    programs = {run.setup.name: run.setup.program for run in runs}
+    findings += tuple(
+        finding
+        for robot in robots
+        for finding in early_output_findings(events, robot, _traps(programs[robot.task]))
+    )
     motion_s = _motion_s(moves, time_s)
     ends = [outcome.end for outcome in outcomes]
     return Simulation(
@@ -158,7 +167,7 @@ def _simulation(
             TaskEnd(run.setup.name, run.setup.kind, outcome.end)
             for run, outcome in zip(runs, outcomes, strict=True)
         ),
-        events=_sorted_events(runs[0].journal, moves),
+        events=events,
         diagnostics=findings,
         unsimulated=_not_simulated(runs),
         home_files=tuple(WrittenFile(path, size) for path, size in cell.home.written()),
@@ -171,6 +180,12 @@ def _simulation(
         ),
         signal_starts={signal.name: signal.value for signal in options.io.signals},
     )
+
+
+def _traps(program: Program) -> frozenset[str]:
+    """The folded names of the traps of a task."""
+    routines = (routine for module in program.modules for routine in module.routines)
+    return frozenset(one.name.key for one in routines if isinstance(one, tree.Trap))
 
 
 def _robot_run(run: TaskRun, outcome: Outcome) -> RobotRun:

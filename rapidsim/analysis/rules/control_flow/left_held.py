@@ -1,4 +1,4 @@
-"""Rules F419 and F420: interrupts and the robot, held and on some way not let go again."""
+"""Rules F420 and F422: interrupts and the robot, held and on some way not let go again."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
 
-class InterruptsLeftOff(Violation, code="F419"):
+class InterruptsLeftOff(Violation, code="F422"):
     routine: str
     ends: str
 

@@ -1,0 +1,91 @@
+"""Outputs that a program set behind a fly-by move: how far the robot was from its target then.
+
+The program pointer runs ahead of the robot, so an output that stands behind such a move is set
+while the robot is on its way.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
+from dataclasses import dataclass
+
+import numpy as np
+
+from rapidsim.controller.journal.events import Event, EventKind
+from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
+from rapidsim.diagnostics import Diagnostic, Related
+from rapidsim.findings.runs import OutputBeforeTarget
+from rapidsim.language.moves import Place
+from rapidsim.simulation.results.simulation import RobotRun
+
+_AT_ONCE_S = 1e-9
+"""The pointer goes on with a move at the instant when it starts."""
+_NEAR_MM = 0.1
+
+
+@dataclass(frozen=True, slots=True)
+class _Early:
+    """A change of a signal before the robot was there."""
+
+    event: Event
+    place: Place
+    move: ExecutedMove
+    distance_mm: float
+
+
+def early_output_findings(
+    events: Sequence[Event], one: RobotRun, traps: AbstractSet[str]
+) -> tuple[Diagnostic, ...]:
+    """One note for each statement that set an output too early, on the time it was worst.
+
+    Args:
+        events: Of the run, in any order.
+        one: A robot. With external axes nothing is told: they may carry the target.
+        traps: Folded names of the traps of its task, which run when they like.
+    """
+    by_statement: dict[tuple[str, int], list[_Early]] = {}
+    for early in _early(events, one, traps):
+        span = early.place.span
+        by_statement.setdefault((str(span.file), span.start), []).append(early)
+    findings = []
+    for times in by_statement.values():
+        worst = max(times, key=lambda early: early.distance_mm)
+        move = worst.move.place
+        more = f", at most, of {len(times)} times" if len(times) > 1 else ""
+        violation = OutputBeforeTarget(
+            str(worst.event.details["signal"]),
+            worst.distance_mm,
+            move.arguments.get("topoint") or move.arguments.get("tojointpos") or "its target",
+            more,
+        )
+        related = Related(move.span, "the last move before it")
+        place = worst.place
+        findings.append(Diagnostic(violation, place.span, (related,), routine=place.routine))
+    return tuple(findings)
+
+
+def _early(events: Sequence[Event], one: RobotRun, traps: AbstractSet[str]) -> Iterator[_Early]:
+    starts = [move.start_s for move in one.moves]
+    by_moves = {(move.place.span.file, move.place.span.start) for move in one.moves}
+    set_at: set[tuple[float, str]] = set()
+    for event in events:
+        place = event.place
+        if event.kind is not EventKind.SIGNAL or event.task != one.task or place is None:
+            continue
+        if place.routine.lower() in traps or (place.span.file, place.span.start) in by_moves:
+            # What a move does itself, it does where it should.
+            continue
+        number = bisect_right(starts, event.time_s + _AT_ONCE_S) - 1
+        if number < 0:
+            continue
+        move = one.moves[number]
+        is_there = event.time_s >= move.end_s - _AT_ONCE_S
+        if is_there or move.corner is CornerKind.STOP or len(move.external):
+            continue
+        here = one.sample(event.time_s).base_from_tcp.translation[0]
+        distance = float(np.linalg.norm(here - move.base_from_tcp.translation)) * 1000.0
+        if distance > _NEAR_MM and (event.time_s, event.message) not in set_at:
+            set_at.add((event.time_s, event.message))
+            yield _Early(event, place, move, distance)
