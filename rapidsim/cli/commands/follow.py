@@ -11,7 +11,7 @@ import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.numbers import POSITIVE, Number, numbers
-from rapidsim.cli.options.outputs import new_file, new_plots, new_trace
+from rapidsim.cli.options.outputs import new_plots, new_recording, new_trace
 from rapidsim.cli.options.poses import (
     base_option,
     convention_option,
@@ -21,7 +21,6 @@ from rapidsim.cli.options.poses import (
     world_from_base,
 )
 from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
-from rapidsim.extras import require
 from rapidsim.files import InputError, decode, input_bytes, standard_input
 from rapidsim.jobs.choices import DEFAULT_ROBOT
 
@@ -209,11 +208,9 @@ def follow(
     from rapidsim.report.tables.follow_json import compared_json, follow_json, starts_json
     from rapidsim.report.tables.follow_tables import starts_page
 
-    recording = new_file(record, (".rrd",)) if record else None
+    recording = new_recording(record) if record else None
     trace_file = new_trace(trace) if trace else None
     pictures = new_plots(plots) if plots else None
-    if recording:
-        require("rerun", "--record")
     if (points_file is None) == (line is None):
         raise InputError("points come from a file or from --line X,Y,Z,X,Y,Z, one of them")
     for step in dt:

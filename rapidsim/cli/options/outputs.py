@@ -229,6 +229,12 @@ def new_file(name: str, suffixes: tuple[str, ...]) -> Path:
     return path
 
 
+def new_recording(name: str) -> Path:
+    """The place of a recording, refused if it cannot be made or written there."""
+    require("rerun", "--record")
+    return new_file(name, (".rrd",))
+
+
 def new_plots(name: str) -> Path:
     """The folder of pictures, refused if they cannot be drawn or written there."""
     require("matplotlib", "--plots")

@@ -8,9 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
-from rapidsim.cli.options.outputs import new_file, new_plots
+from rapidsim.cli.options.outputs import new_plots, new_recording
 from rapidsim.cli.terminal import current_terminal, say
 from rapidsim.cli.viewer import leave_open, require_screen
+from rapidsim.extras import require
 from rapidsim.motion.configurations.confdata import distinct
 from rapidsim.motion.configurations.pose_solutions import PoseSolutions
 from rapidsim.motion.configurations.postures import Posture, Postures
@@ -34,10 +35,11 @@ def outputs(record: str | None, plots: str | None, view: bool, default: str) -> 
         InputError: If something cannot be written or there is no screen to look at it.
     """
     if view:
+        require("rerun", "--view")
         require_screen()
         record = record or default
     return Outputs(
-        new_file(record, (".rrd",)) if record else None, new_plots(plots) if plots else None, view
+        new_recording(record) if record else None, new_plots(plots) if plots else None, view
     )
 
 
