@@ -23,8 +23,7 @@ def choose_move_check(job: Job) -> CheckMoves | None:
     """
     opened = cache(job.arm)
     station = job.station
-    is_named = job.robot.reason is None or station.robot is not None
-    if is_named:
+    if job.is_arm_named:
         opened()
 
     def check_moves(program: Program, task: str) -> ReachReport:
@@ -45,7 +44,7 @@ def choose_move_check(job: Job) -> CheckMoves | None:
         budget_s = station.check.cycle_budget_s
         trial_run = job.asked.trial_run
         report = check_reach(program, arm, options, run=trial_run, cycle_budget_s=budget_s)
-        if is_named:
+        if job.is_arm_named:
             return report
         # Whether the program is for the default arm nobody knows.
         assumed = tuple(replace(found, assumed=True) for found in report.diagnostics)

@@ -34,6 +34,13 @@ from rapidsim.language.tasks import SyncMoves, TaskService
 from rapidsim.language.texts import Texts
 
 
+class StateOfProgram(Protocol):
+    """Who wants to know the state of a program, to find out whether it only looks and waits."""
+
+    state: Callable[[], object]
+    """All that decides what the program does next, to be compared; None where it is too much."""
+
+
 class ClockService(Protocol):
     """Virtual time of a task, and what generated code touches to let it pass."""
 
@@ -42,6 +49,9 @@ class ClockService(Protocol):
     it falls below zero."""
     place: Place
     """The statement that runs, set before each call that reports."""
+
+    polling: StateOfProgram
+    """Asks for the state of the program now and then."""
 
     def service(self) -> None:
         """Do what is due (traps, other tasks, limits) and grant the next slice.

@@ -12,7 +12,7 @@ from pathlib import Path
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.station.check import read_check
 from rapidsim.station.external_axes import read_external_axes
-from rapidsim.station.motion import read_motion
+from rapidsim.station.motion import read_motion, reads_nearest_configuration
 from rapidsim.station.robot import read_robots
 from rapidsim.station.signals import read_crosses, read_signals
 from rapidsim.station.sockets import read_sockets
@@ -43,6 +43,7 @@ def read_station(file: Path) -> Station:
         robots=robots,
         external_axes=read_external_axes(reader, table, model.acceleration_time),
         model=model,
+        nearest_configuration=reads_nearest_configuration(reader, reader.table(table, "motion")),
         tasks=tasks,
         io=_io(reader, table),
         starts_at=_starts_at(reader, reader.table(table, "clock")),

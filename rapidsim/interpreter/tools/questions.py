@@ -30,11 +30,10 @@ from rapidsim.language.annotations import Mode
 from rapidsim.language.types import Type, resolved
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.text import value_text
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import ONLY_LOOKS, Does
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import Parsed, parse
 
-_ONLY_LOOKS = Does.READ_TASK | Does.READ_CELL | Does.READ_ARGUMENT
 _SHOWN = frozenset(
     {"num", "dnum", "bool", "string", "pos", "orient", "pose", "robtarget", "jointtarget"}
 )
@@ -276,7 +275,7 @@ def _require_looking(expression: tree.Expression, program: Program) -> None:
 
 
 def _only_looks(routine: LibraryRoutine) -> bool:
-    if _ONLY_LOOKS & routine.does:
+    if ONLY_LOOKS & routine.does:
         return True
     signature = routine.signature
     computes = not signature.takes_controller and routine.simulated
