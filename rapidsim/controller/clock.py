@@ -87,7 +87,8 @@ class TaskClock:
         self._unit = unit
         self._journal = journal
         self._table = table
-        self.polling = Polling()
+        self.program_state: Callable[[], object] = lambda: None
+        self._polling = Polling(lambda: self.program_state())
         self._time = PointerTime()
         self._lines_noted = 0
         self._reported = place
@@ -168,7 +169,7 @@ class TaskClock:
             self.place = self._reported = replace(self.place)
             self._lines_noted += 1
         used, now_s = self._time.used, self._time.known_s
-        ticks = self.polling.look(used, (self._lines_noted, self._cell.happenings))
+        ticks = self._polling.look(used, (self._lines_noted, self._cell.happenings))
         if ticks is None:
             return
         due_s = self.next_due_s()
@@ -177,7 +178,7 @@ class TaskClock:
             raise PollsForever(
                 "the program goes round for ever here: it looks at nothing that ever changes"
             )
-        self.polling.again()
+        self._polling.again()
         round_s = ticks * self._time.tick_s
         # The last round before it is made: in which tick of it the program looks, it may tell.
         rounds = math.ceil((min(until_s, self._cell.max_time_s) - now_s) / round_s - 1e-6) - 1
@@ -238,7 +239,7 @@ class TaskClock:
         until_s = min(self._cell.max_time_s, math.inf if due_s is None else due_s)
         if self._cell.is_shared:
             until_s = min(until_s, self._cell.turns.next_s(self))
-        most = self.polling.ticks_left(self._time.used)
+        most = self._polling.ticks_left(self._time.used)
         self.left = self._time.grant(until_s, LOOK_AHEAD_SLACK_S, most)
 
     def observe(self) -> float:

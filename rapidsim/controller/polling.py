@@ -18,16 +18,11 @@ SELDOM = 100_000
 """A program that computes is looked at ever more seldom, but once in so many ticks."""
 
 
-def nobody_looks() -> object:
-    """The state of a program that nobody knows."""
-    return None
-
-
 @dataclass(slots=True, eq=False)
 class Polling:
     """Looks for rounds of one task's program."""
 
-    state: Callable[[], object] = nobody_looks
+    state: Callable[[], object]
     """All that decides what the program does next, to be compared; None where it is too much."""
     _since: int = 0
     """Ticks at which the round that is watched began."""

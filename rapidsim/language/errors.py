@@ -24,6 +24,10 @@ class RapidError(Exception):
         self.cf = cf
 
 
+class RaisedToUser(RapidError):  # noqa: N818 - it says where to
+    """An error that leaves all routines of modules that are NOSTEPIN: RaiseToUser."""
+
+
 class Stopped(BaseException):
     """Execution ends and no ERROR clause runs: EXIT, Stop, a limit of the run."""
 

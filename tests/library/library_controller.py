@@ -116,7 +116,7 @@ class RecordingController:
         """All concerns in one; mypy holds it against the protocol of each."""
         whole = Controller(
             *(self, self, self, self, self, self),
-            *(self, self, self, self, self, self, self, self, self),
+            *(self, self, self, self, self, self, self, self, self, self),
         )
         for name in ("symbols", "modules"):
             if hasattr(self, name):

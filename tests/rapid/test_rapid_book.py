@@ -19,6 +19,8 @@ CHAPTERS = (
     "interrupts",
     "waiting",
     "motion",
+    "recovery",
+    "configurations",
     "modules",
     "oddities",
     "broken",

@@ -137,7 +137,9 @@ def test_a_loop_that_nothing_ends_is_told_where_it_stands(tmp_path: Path) -> Non
 
 
 def test_a_check_does_not_go_round_for_ever_either(tmp_path: Path) -> None:
-    loop = "WHILE diPart<2 DO\nENDWHILE\nMoveAbsJ [[DInput(diPart),0,0,0,30,0],none],v100,fine,tool0;"
+    loop = (
+        "WHILE diPart<2 DO\nENDWHILE\nMoveAbsJ [[DInput(diPart),0,0,0,30,0],none],v100,fine,tool0;"
+    )
     (tmp_path / "rapidsim.toml").write_text(STATION)
     (tmp_path / "polls.mod").write_text(PROGRAM.format(loop=loop))
     found = check([tmp_path / "polls.mod"], robot="irb1600")

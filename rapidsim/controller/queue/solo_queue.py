@@ -96,6 +96,7 @@ class SoloQueue:
 
     def append(self, queued: QueuedMove, now_s: float) -> None:
         """Put a move on the path; see `BlockPlanner.append`."""
+        queued.level = self.stored
         self.planner.append(queued, now_s)
         self.end = queued.segment.end
 
@@ -162,7 +163,9 @@ class SoloQueue:
         """Keep the path of a robot that stands, and begin another."""
         self.planner.version += 1
         stands = self.standing()
-        self._stored.append(_Stored(self.planner.block, self.end, stands))
+        # A path that was taken up and not gone on with is left where it was left before.
+        left_at, self._left_at = self._left_at or stands, None
+        self._stored.append(_Stored(self.planner.block, self.end, left_at))
         self.planner.block, self.end = Block(), stands
 
     def restore(self) -> None:

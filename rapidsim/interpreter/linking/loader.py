@@ -146,7 +146,7 @@ def load(program: Program, controller: Controller, shared: SharedPersistents | N
     def beside() -> object:
         return controller.error_numbers.errno, controller.motion.settings
 
-    controller.clock.polling.state = lambda: idle_state(linked.memory.homes, beside)
+    controller.clock.program_state = lambda: idle_state(linked.memory.homes, beside)
     controller.interrupts.call_procedure = call_procedure
     controller.modules = TaskModules(linked)
     controller.symbols = TaskSymbols(linked)

@@ -167,6 +167,7 @@ def task_functions(
         "_connect": connect,
         "_connect_late": connect_late,
         "_late": partial(late.call, module),
+        "_in_undo": recovery_of_task.undo,
         "_loaded": loaded,
         "_look_at": look_at,
         "_loaded_function": loaded_function,

@@ -23,17 +23,18 @@ from rapidsim.language.error_numbers import (
     ERR_FNCNORET,
     ERR_ILLRAISE,
     FIRST_BOOKED,
+    IN_ERROR,
+    IN_NO_HANDLER,
+    IN_UNDO,
     LONG_JMP_ALL_ERR,
+    MAX_RETRIES,
     NUMBERS,
     rapid_error,
 )
-from rapidsim.language.errors import RapidError, Stopped
+from rapidsim.language.errors import RaisedToUser, RapidError, Stopped
 
 ERRORS: Final = (RapidError, ZeroDivisionError)
 """What a program can catch. Python divides by zero on its own; any other exception is a defect."""
-
-MAX_RETRIES: Final = 4
-"""The controller's system parameter No Of Retry as it is delivered."""
 
 GENERATED: Final = "_origin"
 """The namespaces of generated code hold this name, and no other does."""
@@ -99,9 +100,15 @@ class Recovery:
         rapid = as_rapid_error(error)
         if isinstance(rapid, LongJump) and rapid.target is not sys._getframe(1):
             raise rapid
-        self.numbers.errno = rapid.errno
+        if isinstance(rapid, RaisedToUser) and _hides(sys._getframe(1)):
+            raise rapid
+        numbers = self.numbers
+        numbers.errno, numbers.retries = rapid.errno, tries
+        around, numbers.handler = numbers.handler, IN_ERROR
         try:
             retry = handler(rapid)
+        except RaisedToUser:
+            raise
         except Propagated as propagated:
             error = propagated.error
             if error.__traceback__ is None:
@@ -110,11 +117,23 @@ class Recovery:
             raise error from None
         except ERRORS as inside:
             raise Unrecoverable(as_rapid_error(inside)) from inside
+        finally:
+            numbers.handler = around
         if not retry:
             return 0
+        # ResetRetryCount may have begun to count anew.
+        tries = numbers.retries
         if tries >= MAX_RETRIES:
             raise rapid_error(ERR_EXCRTYMAX, f"{tries} retries did not help: {rapid.message}")
         return tries + 1
+
+    def undo(self, clause: Callable[[], object]) -> None:
+        """Run the UNDO clause of a routine."""
+        around, self.numbers.handler = self.numbers.handler, IN_UNDO
+        try:
+            clause()
+        finally:
+            self.numbers.handler = around
 
     def propagate(self, error: RapidError, number: float | None, written: str) -> Propagated:
         """RAISE in an ERROR clause, with a number of its own, as written, or the one it has."""
@@ -153,7 +172,9 @@ class Recovery:
         return partial(self._run_trap, routine)
 
     def _run_trap(self, routine: Callable[[], object]) -> None:
-        errno = self.numbers.errno
+        numbers = self.numbers
+        errno, retries, around = numbers.errno, numbers.retries, numbers.handler
+        numbers.handler = IN_NO_HANDLER
         try:
             routine()
         except ERRORS as error:
@@ -162,7 +183,15 @@ class Recovery:
             if target is None:
                 raise Unrecoverable(rapid) from error
             raise LongJump(rapid, target) from error
-        self.numbers.errno = errno
+        finally:
+            numbers.handler = around
+        numbers.errno, numbers.retries = errno, retries
+
+
+def _hides(frame: FrameType) -> bool:
+    """Whether a routine belongs to a module that is NOSTEPIN."""
+    attributes = frame.f_globals[GENERATED].module.attributes
+    return any(name.key == "nostepin" for name in attributes)
 
 
 def raised(number: float, written: str) -> RapidError:
