@@ -116,7 +116,7 @@ ERRORS = table(
     routine("ResetRetryCount", reset_retry_count),
     routine("RemainingRetries", remaining_retries),
     routine("ExecHandler", exec_handler),
-    routine("RaiseToUser", raise_to_user, r"\Continue|\BreakOff \ErrorNumber", does=Does.LEAVE),
+    routine("RaiseToUser", raise_to_user, r"\Continue \BreakOff \ErrorNumber", does=Does.LEAVE),
     routine("BookErrNo", book_err_no),
     routine("ErrWrite", err_write, r"\W|\I Header Reason \RL2 \RL3 \RL4", does=Does.TELL),
     routine(

@@ -61,10 +61,10 @@ def _number(identifier: Reference[int | None] | None) -> int | None:
 
 
 PATH_RECORDER = table(
-    routine("PathRecStart", path_rec_start),
+    routine("PathRecStart", path_rec_start, "ID"),
     routine("PathRecStop", path_rec_stop),
-    routine("PathRecMoveBwd", path_rec_move_bwd),
-    routine("PathRecMoveFwd", path_rec_move_fwd),
-    routine("PathRecValidBwd", path_rec_valid_bwd),
-    routine("PathRecValidFwd", path_rec_valid_fwd),
+    routine("PathRecMoveBwd", path_rec_move_bwd, r"\ID \ToolOffs \Speed"),
+    routine("PathRecMoveFwd", path_rec_move_fwd, r"\ID \ToolOffs \Speed"),
+    routine("PathRecValidBwd", path_rec_valid_bwd, r"\ID"),
+    routine("PathRecValidFwd", path_rec_valid_fwd, r"\ID"),
 )

@@ -56,10 +56,14 @@ def read_motion(reader: Reader, motion: Table) -> MotionModel:
 
 def reads_nearest_configuration(reader: Reader, motion: Table) -> bool:
     """`configuration`: whether a stored one that cannot be had gives way to the nearest."""
-    choice = reader.text(motion, "motion", "configuration")
-    if choice not in (None, "stop", "nearest"):
-        reader.wrong("motion.configuration", f"`{choice}` is neither `stop` nor `nearest`")
-    return choice == "nearest"
+    match reader.text(motion, "motion", "configuration") or "stop":
+        case "stop":
+            return False
+        case "nearest":
+            return True
+        case other:
+            reader.wrong("motion.configuration", f"`{other}` is neither `stop` nor `nearest`")
+            return False
 
 
 def _smoothing(reader: Reader, motion: Table, default: Smoothing) -> Smoothing:

@@ -84,10 +84,10 @@ ENDMODULE
 """
 
 
-def ran(folder: Path, loop: str, station: str = STATION, **options: float) -> Simulation:
+def ran(folder: Path, loop: str, station: str = STATION) -> Simulation:
     (folder / "rapidsim.toml").write_text(station)
     (folder / "polls.mod").write_text(PROGRAM.format(loop=loop))
-    return simulate([folder / "polls.mod"], robot="irb1600", **options)
+    return simulate([folder / "polls.mod"], robot="irb1600")
 
 
 def told(run: Simulation) -> list[tuple[float, str]]:
