@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cache, cached_property
@@ -181,6 +181,13 @@ class Violation:
     """A mistake of the user; a subclass has the facts as fields, and the code of its rule."""
 
     rule: ClassVar[Rule]
+    is_told_once: ClassVar[bool] = False
+    """Whether all of them, in all files, are one finding where findings are merged."""
+
+    def with_others(self, others: Sequence[Violation]) -> Violation:
+        """One violation that says this and others of its rule; for those that are told once."""
+        del others
+        return self
 
     def __init_subclass__(cls, *, code: str) -> None:
         """Make the subclass a frozen dataclass."""

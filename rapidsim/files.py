@@ -12,14 +12,25 @@ import os
 import re
 import stat
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path, PurePosixPath
 from typing import BinaryIO
 from xml.parsers import expat
 
+from rapidsim.backinfo import ListedTask, listed_tasks
+
 MODULE_SUFFIXES = (".mod", ".modx", ".sys", ".sysx", ".prg")
 STANDARD_INPUT = "<stdin>"
+_IN_TASK = ("PROGMOD", "SYSMOD")
+"""Folders in the folder of a task that hold its modules."""
+
+_STEERING = bytes({*range(32), 127} - set(b"\t\n\v\f\r\x1a\x1b"))
+"""What no text holds."""
+_LOOKED_AT = 4096
+_FEW_STRAY = 16
+_STRAY_SHARE = 0.03
+"""Text has a few such bytes at most; in a code every eighth is one."""
 
 # Windows tools write code page 1252; its five unassigned bytes exist in ISO 8859-1 only, which
 # takes every byte. Byte order marks come first: they are proof, the rest is a guess.
@@ -71,6 +82,10 @@ class TaskFiles:
     name: str | None
     """The folder of the task in a backup, such as `TASK1`; None where nothing names it."""
     files: tuple[SourceFile, ...]
+    unseen: tuple[str, ...] = ()
+    """Modules that it has and that cannot be read here, each with the reason in words."""
+    left_out: tuple[str, ...] = ()
+    """Files beside them in a backup that the controller does not load."""
 
 
 def read_tasks(paths: Sequence[str], rooms: Sequence[Path] = ()) -> tuple[TaskFiles, ...]:
@@ -94,8 +109,10 @@ def read_tasks(paths: Sequence[str], rooms: Sequence[Path] = ()) -> tuple[TaskFi
         folders = task_folders(found) if found.is_dir() else ()
         if folders:
             for folder in folders:
-                listed = require_inside(_in_folder(folder), (found, *rooms))
-                tasks.append(TaskFiles(folder.name, _read(listed)))
+                listed, left_out, missing = _in_task_folder(folder)
+                read = _read(require_inside(listed, (found, *rooms)))
+                unseen = (*read.unseen, *missing)
+                tasks.append(replace(read, name=folder.name, unseen=unseen, left_out=left_out))
         elif found.is_dir():
             modules += require_inside(_in_folder(found), (found, *rooms))
         elif found.suffix.lower() == ".pgf":
@@ -103,7 +120,7 @@ def read_tasks(paths: Sequence[str], rooms: Sequence[Path] = ()) -> tuple[TaskFi
         else:
             modules.append(found)
     if modules:
-        tasks.insert(0, TaskFiles(None, _read(modules)))
+        tasks.insert(0, _read(modules))
     if not tasks:
         raise InputError("no RAPID file was named", "name a module, a .pgf file or a folder")
     return tuple(tasks)
@@ -119,14 +136,27 @@ def named_tasks(tasks: Sequence[TaskFiles], first: str) -> tuple[TaskFiles, ...]
 def task_folders(folder: Path) -> tuple[Path, ...]:
     """TASK1, TASK2 ... of a backup's RAPID folder, named itself or by the folder above.
 
-    TASK0 holds what the system installs in every task, and is none.
+    TASK0 holds what the system installs in every task, and is none. Beside a folder SYSPAR, the
+    folders in RAPID may have the names of the tasks.
     """
-    for entry in (folder, *(e for e in _entries(folder) if e.name.upper() == "RAPID")):
-        if entry.is_dir():
-            tasks = [e for e in _entries(entry) if re.fullmatch(r"TASK[1-9]\d*", e.name.upper())]
-            if tasks:
-                return tuple(sorted(tasks, key=lambda e: int(e.name[4:])))
+    below = [entry for entry in _entries(folder) if entry.name.upper() == "RAPID"]
+    for entry in (folder, *below):
+        if not entry.is_dir():
+            continue
+        tasks = [e for e in _entries(entry) if re.fullmatch(r"TASK[1-9]\d*", e.name.upper())]
+        if tasks:
+            return tuple(sorted(tasks, key=lambda e: int(e.name[4:])))
+        is_rapid = entry.name.upper() == "RAPID"
+        if is_rapid and any(e.name.upper() == "SYSPAR" for e in _entries(entry.parent)):
+            return tuple(e for e in _entries(entry) if _is_task_by_name(e))
     return ()
+
+
+def _is_task_by_name(folder: Path) -> bool:
+    """Whether a folder in RAPID is a task: it has modules, and is no folder of one task alone."""
+    if not folder.is_dir() or folder.name.upper() in (*_IN_TASK, "TASK0"):
+        return False
+    return bool(_modules_below(folder))
 
 
 def backup_folders(paths: Iterable[str]) -> tuple[Path, ...]:
@@ -240,25 +270,46 @@ def did_you_mean(name: str, known: Iterable[str]) -> str | None:
     return f"did you mean {' or '.join(f'`{folded[candidate]}`' for candidate in meant)}?"
 
 
-def _read(modules: Iterable[str | Path]) -> tuple[SourceFile, ...]:
+def _read(modules: Iterable[str | Path]) -> TaskFiles:
+    """Modules of one task, each once.
+
+    Raises:
+        InputError: If one cannot be read, or none of them by anybody but a controller.
+    """
     read: dict[object, SourceFile] = {}
+    encoded: dict[object, str] = {}
     for module in modules:
         key = module if isinstance(module, str) else os.path.realpath(module)
-        if key not in read:
-            read[key] = _read_input() if isinstance(module, str) else _read_file(module)
-    return tuple(read.values())
+        if key in read or key in encoded:
+            continue
+        data = standard_input() if isinstance(module, str) else input_bytes(module)
+        name = STANDARD_INPUT if isinstance(module, str) else str(module)
+        if _is_encoded(data):
+            encoded[key] = name
+        else:
+            read[key] = _source_file(name, data)
+    if encoded and not read:
+        raise InputError(f"{next(iter(encoded.values()))} is encoded, or no RAPID file at all")
+    unseen = tuple(f"{Path(name).name} (encoded)" for name in encoded.values())
+    return TaskFiles(None, tuple(read.values()), unseen)
 
 
-def _read_input() -> SourceFile:
-    return SourceFile(STANDARD_INPUT, *decode(standard_input()))
+def _is_encoded(data: bytes) -> bool:
+    """Whether bytes are no text: controllers write modules that nobody may see in a code."""
+    if any(data.startswith(mark) for mark, _ in _BYTE_ORDER_MARKS):
+        return False
+    head = data[:_LOOKED_AT]
+    steering = len(head) - len(head.translate(None, _STEERING))
+    return steering > _FEW_STRAY and steering > _STRAY_SHARE * len(head)
 
 
-def _read_file(path: Path) -> SourceFile:
-    file = SourceFile(str(path), *decode(input_bytes(path)))
+def _source_file(name: str, data: bytes) -> SourceFile:
+    file = SourceFile(name, *decode(data))
     # Modules travel under other names too, but then they must look like one.
-    if path.suffix.lower() not in MODULE_SUFFIXES and not _MODULE_HEADER.search(file.text):
+    is_named_so = name == STANDARD_INPUT or Path(name).suffix.lower() in MODULE_SUFFIXES
+    if not is_named_so and not _MODULE_HEADER.search(file.text):
         raise InputError(
-            f"{path} is not a RAPID file: no MODULE begins in it",
+            f"{name} is not a RAPID file: no MODULE begins in it",
             f"RAPID modules end in {', '.join(MODULE_SUFFIXES)}",
         )
     return file
@@ -311,10 +362,8 @@ def _modules_of(folder: Path) -> list[Path]:
 
 def _in_folder(folder: Path) -> list[Path]:
     """The modules of a folder; a task folder of a backup keeps them in PROGMOD and SYSMOD."""
-    modules = _modules_of(folder)
-    for entry in _entries(folder):
-        if entry.name.upper() in ("PROGMOD", "SYSMOD") and entry.is_dir():
-            modules += _modules_of(entry)
+    rapid = [e for e in _entries(folder) if e.name.upper() == "RAPID" and e.is_dir()]
+    modules = _modules_below(folder) or [m for entry in rapid for m in _modules_below(entry)]
     if modules:
         return modules
     below = [entry.name for entry in _entries(folder) if entry.is_dir() and _modules_of(entry)]
@@ -322,6 +371,41 @@ def _in_folder(folder: Path) -> list[Path]:
         f"{folder} holds no RAPID file ({', '.join(MODULE_SUFFIXES)})",
         f"there are some in {', '.join(below[:5])}: name one of these folders" if below else None,
     )
+
+
+def _modules_below(folder: Path) -> list[Path]:
+    modules = _modules_of(folder)
+    for entry in _entries(folder):
+        if entry.name.upper() in _IN_TASK and entry.is_dir():
+            modules += _modules_of(entry)
+    return modules
+
+
+def _in_task_folder(folder: Path) -> tuple[list[Path], tuple[str, ...], tuple[str, ...]]:
+    """The modules of a task of a backup.
+
+    Returns:
+        Those that the controller loads, files that it does not, and modules that are not there.
+    """
+    modules = {one.relative_to(folder).as_posix().lower(): one for one in _in_folder(folder)}
+    task = _backinfo(folder).get(folder.name.lower())
+    listed = () if task is None else task.modules
+    loaded = [one for path, one in modules.items() if path in listed]
+    if not loaded:
+        return list(modules.values()), (), ()
+    missing = (path.rpartition("/")[2] for path in listed if path not in modules)
+    left_out = (one.name for path, one in modules.items() if path not in listed)
+    return loaded, tuple(left_out), tuple(f"{name} (not in the backup)" for name in missing)
+
+
+def _backinfo(folder: Path) -> Mapping[str, ListedTask]:
+    """What the backup of a task folder says of its tasks; nothing where it does not say."""
+    root = folder.parent.parent
+    for entry in _entries(root):
+        file = entry / "backinfo.txt"
+        if entry.name.upper() == "BACKINFO" and file.is_file():
+            return listed_tasks(decode(input_bytes(require_inside([file], [root])[0]))[0])
+    return {}
 
 
 def _in_program_file(path: Path) -> list[Path]:

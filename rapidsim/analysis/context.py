@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
+from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.parameters import Callee, Wanted
 from rapidsim.analysis.program import RoutineSymbol, Symbol, UnknownSymbol
 from rapidsim.diagnostics import Diagnostic, Related, Span, Violation
@@ -49,6 +50,8 @@ class Scope:
 class Analysis:
     """What one check has found out so far."""
 
+    cell: CellNames = NO_CELL
+    """What the configuration of the cell declares."""
     symbol_of: dict[tree.Node, Symbol] = field(default_factory=dict)
     type_of: dict[tree.Node, Type] = field(default_factory=dict)
     diagnostics: list[Diagnostic] = field(default_factory=list)
@@ -62,8 +65,9 @@ class Analysis:
     """Whether the task calls Load or StartLoad: other modules may come while it runs."""
     shapeless: set[str] = field(default_factory=set)
     """Folded names of types that nothing declares."""
-    needs_shape: bool = False
-    """Whether a component of such a type is named: that can be checked around, and not run."""
+    runs: bool = True
+    """False where something that nothing declares can be checked around, and not run: a component
+    of such a type, data of a module that cannot be read."""
     module_of: dict[Symbol, tree.Module] = field(default_factory=dict)
     """Where each symbol of the user is declared."""
     home_of: dict[tree.Module, Context] = field(default_factory=dict)

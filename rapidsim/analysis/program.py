@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import TypeAlias
 
+from rapidsim.analysis.cell_names import NO_CELL, CellNames, ConfiguredSymbol
 from rapidsim.language.annotations import Mode
 from rapidsim.language.types import Type
 from rapidsim.library.table import LibraryRoutine
@@ -124,6 +125,7 @@ Symbol: TypeAlias = (
     | RoutineSymbol
     | LibrarySymbol
     | TypeSymbol
+    | ConfiguredSymbol
     | UnknownSymbol
 )
 
@@ -150,3 +152,5 @@ class Program:
     """Global routines by folded name, for late binding and the entry."""
     loads_modules: bool = False
     """Whether it may take in other modules while it runs."""
+    cell: CellNames = NO_CELL
+    """What the configuration declares beside the modules."""

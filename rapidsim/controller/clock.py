@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from contextlib import AbstractContextManager
 from dataclasses import replace
 from datetime import datetime, timedelta
 from typing import Protocol
@@ -136,6 +137,10 @@ class TaskClock:
             self.come_to_rest()
         now_s = self.observe()
         self.pass_time(now_s + max(0.0, seconds))
+
+    def long_work(self) -> AbstractContextManager[None]:
+        """Work that `--max-wall` may interrupt; raises as `ClockService.long_work` says."""
+        return self._cell.watchdog.interrupting()
 
     def service(self) -> None:
         """Do what is due and grant the next slice.

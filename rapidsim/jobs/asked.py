@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from rapidsim.motion.robot.robot import Robot
     from rapidsim.simulation.options import RunOptions
 
+DEFAULT_ENTRY = "main"
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Asked:
@@ -29,7 +31,7 @@ class Asked:
     """What Python says of robot, motion model, signals and task; more than the station file."""
     io: str | None = None
     """A file of signals and what happens to inputs; adds to the station."""
-    entry: str = "main"
+    entry: str = DEFAULT_ENTRY
     answers: Answers | None = None
     answers_are_typed: bool = False
     home: str | None = None

@@ -7,10 +7,10 @@ from dataclasses import dataclass, field, replace
 from os import PathLike
 from typing import TYPE_CHECKING
 
+from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.passes.checker import Find
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
-from rapidsim.controller.cell.description import without_declared
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import TaskFiles
 from rapidsim.jobs.checked_program import Loaded, load
@@ -96,11 +96,11 @@ def check_job(job: Job) -> CheckResult:
         detectors_of(selection.wants),
         choose_move_check(job),
         even_without_moves=station.check.cycle_budget_s is not None,
+        cell=job.cell,
     )
-    declared = without_declared(result.diagnostics, station.io, station.units)
     undriven = find_never_driven(result.trees, station.io)
     unsuppressed = without_suppressed(
-        (*declared, *undriven),
+        (*result.diagnostics, *undriven),
         result.trees,
         is_looked_for=lambda code: selection.is_looked_for(code) and result.looked_for(code),
     )
@@ -113,6 +113,7 @@ def check_tasks(
     moves: CheckMoves | None = None,
     *,
     even_without_moves: bool = False,
+    cell: CellNames = NO_CELL,
 ) -> CheckResult:
     """Check tasks that have been read, each on its own.
 
@@ -123,9 +124,10 @@ def check_tasks(
         moves: Checks the moves; None leaves them unchecked.
         even_without_moves: Whether `moves` has something to say of programs that have none, such
             as how long they take.
+        cell: What the configuration declares beside the modules.
     """
     wanted = detectors_of() if rules is None else rules
-    loaded = [(task, load(task.files, wanted)) for task in tasks]
+    loaded = [(task, load(task.files, wanted, cell=cell, unseen=task.unseen)) for task in tasks]
     reports = [
         _moves_checked(one, task.name or DEFAULT_TASK, moves, even_without_moves)
         for task, one in loaded

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.passes.checker import Find, check
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Severity, Source
@@ -23,16 +24,24 @@ class Loaded:
     diagnostics: tuple[Diagnostic, ...]
 
 
-def load(files: Sequence[SourceFile], rules: Sequence[Find] = ()) -> Loaded:
+def load(
+    files: Sequence[SourceFile],
+    rules: Sequence[Find] = (),
+    *,
+    cell: CellNames = NO_CELL,
+    unseen: Sequence[str] = (),
+) -> Loaded:
     """Parse and check the modules of one task; mistakes in them are findings, never raised.
 
     Args:
         files: The task's files.
         rules: What to look for beyond what keeps a program from running.
+        cell: What the configuration declares beside the modules.
+        unseen: Modules of the task that nobody can read here.
     """
     parsed = [parse(Source(file.name, file.text)) for file in files]
     trees = tuple(one.file for one in parsed)
-    checked = check(trees, rules)
+    checked = check(trees, rules, cell=replace(cell, unseen=tuple(unseen)))
     diagnostics = (*(d for one in parsed for d in one.diagnostics), *checked.diagnostics)
     accepted = all(d.severity is not Severity.ERROR for d in diagnostics)
     return Loaded(trees, checked.program if accepted else None, diagnostics)

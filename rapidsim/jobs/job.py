@@ -6,17 +6,19 @@ what moves nothing imports no NumPy.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from rapidsim.analysis.cell_names import CellNames
 from rapidsim.files import InputError, SourceFile, TaskFiles
-from rapidsim.jobs.asked import Asked
+from rapidsim.jobs.asked import DEFAULT_ENTRY, Asked
 from rapidsim.jobs.choices import RobotChoice, choose_robot, choose_station
 from rapidsim.jobs.given_options import with_given
 from rapidsim.jobs.selection import choose_settings
 from rapidsim.jobs.task_files import chosen_tasks
+from rapidsim.station.cell_names import declared_names
 from rapidsim.station.station import Station
 
 if TYPE_CHECKING:
@@ -48,6 +50,16 @@ class Job:
     def is_arm_named(self) -> bool:
         """Whether anybody named the arm; else nobody knows if the program is for this one."""
         return self.robot.reason is None or self.station.robot is not None
+
+    @property
+    def cell(self) -> CellNames:
+        """What the station declares that programs may use."""
+        return declared_names(self.station)
+
+    def entry(self, task: str) -> str:
+        """The procedure that a task begins with: the one asked for, else that of the station."""
+        own = self.station.entry(task) if self.asked.entry == DEFAULT_ENTRY else None
+        return own or self.asked.entry
 
     @property
     def only_task(self) -> TaskFiles:
@@ -91,13 +103,26 @@ def job(asked: Asked, *, open_robot: OpenRobot | None = None) -> Job:
 
         station = replace(station, io=station.io.and_also(read_io(Path(asked.io))))
     station = replace(station, check=choose_settings(asked.paths, station.check))
+    tasks = chosen_tasks(asked.paths, station, asked.task)
+    station = replace(station, remarks=(*station.remarks, *_remarks(tasks)))
     return Job(
         asked,
         station,
-        chosen_tasks(asked.paths, station, asked.task),
+        tasks,
         choose_robot(asked.robot, station),
         open_robot or _of_the_catalogue,
     )
+
+
+def _remarks(tasks: Iterable[TaskFiles]) -> Iterator[str]:
+    """What is said of files that are not read."""
+    for task in tasks:
+        if task.unseen:
+            names = ", ".join(task.unseen)
+            yield f"task {task.name} has modules that cannot be read here: {names}"
+        if task.left_out:
+            names = ", ".join(task.left_out)
+            yield f"task {task.name}: left out, as backinfo.txt does not list them: {names}"
 
 
 def read_again(job: Job) -> Job:

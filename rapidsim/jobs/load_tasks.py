@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.program import DataSymbol, Program
 from rapidsim.diagnostics import Diagnostic, Related, Span, Violation
 from rapidsim.files import TaskFiles
@@ -48,9 +49,9 @@ class LoadedTasks:
     diagnostics: tuple[Diagnostic, ...]
 
 
-def load_tasks(tasks: Sequence[TaskFiles]) -> LoadedTasks:
+def load_tasks(tasks: Sequence[TaskFiles], cell: CellNames = NO_CELL) -> LoadedTasks:
     """Parse and check the modules of tasks; mistakes in them are findings, never raised."""
-    loaded = [load(task.files) for task in tasks]
+    loaded = [load(task.files, cell=cell, unseen=task.unseen) for task in tasks]
     programs = [one.program for one in loaded if one.program is not None]
     conflicts = shared_findings(programs) if len(tasks) > 1 else ()
     diagnostics = (*(found for one in loaded for found in one.diagnostics), *conflicts)

@@ -40,6 +40,7 @@ def choose_move_check(job: Job) -> CheckMoves | None:
             world_from_base=robot.world_from_base if robot else Transform.identity(),
             external_axes=() if number else station.external_axes,
             task=task,
+            entry=job.entry(task),
         )
         budget_s = station.check.cycle_budget_s
         trial_run = job.asked.trial_run

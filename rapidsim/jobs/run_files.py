@@ -8,7 +8,6 @@ from os import PathLike, fspath
 from pathlib import Path
 
 from rapidsim.analysis.program import Program
-from rapidsim.controller.cell.description import without_declared
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import InputError
 from rapidsim.interpreter.limits import NotExecutableError
@@ -110,10 +109,8 @@ def run_job(job: Job) -> FinishedRun:
 def loaded(job: Job) -> LoadedJob:
     """Open the robot, parse and check the files; mistakes in them are findings, never raised."""
     robot = job.arm()
-    found = load_tasks(job.tasks)
-    station = job.station
-    diagnostics = without_declared(found.diagnostics, station.io, station.units)
-    return LoadedJob(job, robot, found.tasks, diagnostics)
+    found = load_tasks(job.tasks, job.cell)
+    return LoadedJob(job, robot, found.tasks, found.diagnostics)
 
 
 def prepared(loaded: LoadedJob) -> PreparedRun:
@@ -126,9 +123,10 @@ def prepared(loaded: LoadedJob) -> PreparedRun:
     if not loaded.tasks:
         raise ProgramRejectedError(loaded.diagnostics)
     job = loaded.job
-    for program in loaded.programs.values():
-        require_entry(program, job.asked.entry)
-    setups = task_setups(loaded.tasks, job.station, loaded.robot, job.open_robot)
+    for name, program in loaded.programs.items():
+        require_entry(program, job.entry(name))
+    bare = task_setups(loaded.tasks, job.station, loaded.robot, job.open_robot)
+    setups = tuple(replace(setup, entry=job.entry(setup.name)) for setup in bare)
     options = replace(run_options(job), home=_home(job.asked.home, job.asked.paths))
     return PreparedRun(setups, options, loaded.diagnostics)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from rapidsim.diagnostics import Diagnostic
@@ -39,10 +40,14 @@ def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
         require_inside(listing.modules, rooms)
     if len(station.tasks) < 2:
         everything = (*paths, *_as_typed(station.modules))
-        return named_tasks(read_tasks(everything, rooms), station.task)
+        unseen = station.tasks[0].unseen if station.tasks else ()
+        return tuple(
+            replace(task, unseen=(*task.unseen, *unseen))
+            for task in named_tasks(read_tasks(everything, rooms), station.task)
+        )
     named = read_tasks(paths, rooms)
     listed = [
-        read_tasks(_as_typed(task.modules), rooms)[0].files if task.modules else ()
+        read_tasks(_as_typed(task.modules), rooms)[0] if task.modules else TaskFiles(None, ())
         for task in station.tasks
     ]
     if len(named) > 1:
@@ -51,13 +56,18 @@ def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
                 f"there are {len(named)} task folders and {len(station.tasks)} [[task]] tables in "
                 f"{station.file}"
             )
-        own = [task.files for task in named]
+        own = list(named)
     else:
-        claimed = {os.path.realpath(file.name) for files in listed for file in files}
+        claimed = {os.path.realpath(file.name) for task in listed for file in task.files}
         rest = tuple(one for one in named[0].files if os.path.realpath(one.name) not in claimed)
-        own = [rest, *(() for _ in listed[1:])]
+        own = [replace(named[0], files=rest), *(TaskFiles(None, ()) for _ in listed[1:])]
     tasks = tuple(
-        TaskFiles(task.name, (*mine, *more))
+        replace(
+            mine,
+            name=task.name,
+            files=(*mine.files, *more.files),
+            unseen=(*mine.unseen, *more.unseen, *task.unseen),
+        )
         for task, mine, more in zip(station.tasks, own, listed, strict=True)
     )
     for task in tasks:
@@ -66,7 +76,7 @@ def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
                 f"{station.file}: the task {task.name} has no module",
                 "list them: modules = [...]",
             )
-    return tasks
+    return tuple(task for task, one in zip(tasks, station.tasks, strict=True) if not one.is_system)
 
 
 def chosen_tasks(paths: Sequence[str], station: Station, task: str | None) -> tuple[TaskFiles, ...]:

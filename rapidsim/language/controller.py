@@ -10,6 +10,7 @@ for the whole `Controller` where it needs several.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from datetime import datetime
 from enum import Enum
@@ -65,6 +66,14 @@ class ClockService(Protocol):
 
     def wait(self, seconds: float, *, in_position: bool = False) -> None:
         """Let virtual time pass; with `in_position`, first let the robot come to rest."""
+        ...
+
+    def long_work(self) -> AbstractContextManager[None]:
+        """What is done within it takes no virtual time, but the computer may be long about it.
+
+        Raises:
+            Stopped: When the run may take no longer; also out of the middle of the work.
+        """
         ...
 
 

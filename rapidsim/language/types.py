@@ -8,7 +8,7 @@ Source: Technical reference manual RAPID Kernel, "Data types"; RAPID Overview, "
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 from typing import TypeAlias
 
@@ -22,6 +22,8 @@ class Kind(Enum):
     """Read like its value, never assigned: input signals."""
     NON_VALUE = "non-value"
     """Only passed by reference: clocks, devices."""
+    UNKNOWN = "unknown"
+    """Nothing declares the type, so it may be anything."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +50,8 @@ class Record:
 
     name: str
     components: tuple[Component, ...]
-    python: type[tuple[object, ...]]
+    python: type[tuple[object, ...]] = field(compare=False)
+    """Each task has its own for a record of the user; the type is the same."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -44,7 +44,9 @@ def load(
     """Take a module from a file into the program, with its initial values."""
     del dynamic
     path = joined_path(file_path, file)
-    controller.modules.load(_read(controller.files, path), path, check_references=check_ref)
+    source = _read(controller.files, path)
+    with controller.clock.long_work():
+        controller.modules.load(source, path, check_references=check_ref)
 
 
 def start_load(
@@ -76,9 +78,11 @@ def wait_load(
     """Remove another module if asked to, then make a module that StartLoad read part of it."""
     session = _session(load_no.value)
     if unload_path is not None:
-        controller.modules.unload(joined_path(unload_path, unload_file))
+        with controller.clock.long_work():
+            controller.modules.unload(joined_path(unload_path, unload_file))
     load_no.value = None
-    controller.modules.load(session.source, session.path, check_references=check_ref)
+    with controller.clock.long_work():
+        controller.modules.load(session.source, session.path, check_references=check_ref)
 
 
 def cancel_load(load_no: Var[LoadSessionVar]) -> None:
@@ -108,17 +112,20 @@ def un_load(
         raise rapid_error(
             ERR_UNLOAD, f"{path} holds {len(modules)} modules; saving them is not simulated"
         )
-    controller.modules.unload(path)
+    with controller.clock.long_work():
+        controller.modules.unload(path)
 
 
 def erase_module(controller: Controller, module_name: String) -> None:
     """Remove a module by its name, however it came in."""
-    controller.modules.erase(module_name)
+    with controller.clock.long_work():
+        controller.modules.erase(module_name)
 
 
 def check_prog_ref(controller: Controller) -> None:
     """Raise ERR_LINKREF if the program uses anything that nothing declares."""
-    controller.modules.check_references()
+    with controller.clock.long_work():
+        controller.modules.check_references()
 
 
 def mod_exist(controller: Controller, module_name: String) -> Bool:

@@ -1,90 +1,200 @@
 """MoveJ against MoveL: the way that each would take to the same target.
 
 Between two targets MoveJ turns all joints in proportion, which is quick and not straight; MoveL
-keeps the TCP on the line. Shown for the move of the program that reaches farthest.
+keeps the TCP on the line, where the arm can. Shown for the moves of the program that reach
+farthest, the first one from the start of the run included.
 """
 
 from __future__ import annotations
 
-from itertools import pairwise
+import textwrap
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
-from matplotlib.figure import Figure
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure, SubFigure
 
 from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.controller.moves.motion_findings import fault_violation
 from rapidsim.frames.transform import Array
+from rapidsim.language.data import RobTarget
 from rapidsim.language.moves import Interpolation
 from rapidsim.library.motion import PLAIN_MOVES
+from rapidsim.motion.geometry.segments import Segment
 from rapidsim.plots.drawn import MM, target_name, title_of
 from rapidsim.plots.look import Theme, new_figure
+from rapidsim.simulation.results.line_instead import LineInstead, line_instead, segments_of
 from rapidsim.simulation.results.sampling import SampledRun
+from rapidsim.simulation.results.simulation import RobotRun
 
 _POINTS = 101
+_MOST_ROWS = 3
+_NEAREST = 1e-3
+"""[m]; ways that are shorter have nothing to compare."""
+_COMPARED = (Interpolation.JOINT, Interpolation.LINE, Interpolation.AXES)
+_LETTERS = 150
+"""Of a line of words over a row."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ComparedMove:
+    """A move, and both ways to its end."""
+
+    move: ExecutedMove
+    line: LineInstead
+    joint: Array
+    """The TCP (k, 3) [m] in base where all joints turn in proportion."""
+
+    @property
+    def reason(self) -> str | None:
+        """Why MoveL does not get there, as a run says it; None where it does."""
+        if self.line.fault is None:
+            return None
+        return fault_violation(self.line.fault, target_name(self.move)).message.replace("`", "")
+
+    @property
+    def remark(self) -> str | None:
+        """What else a run would say of the line."""
+        to, arrival = self.move.move.to, self.line.arrival
+        if arrival is None or not isinstance(to, RobTarget):
+            return None
+        stored = tuple(int(value) for value in to.robconf)
+        if stored == arrival.confdata:
+            return None
+        return (
+            f"the line arrives in configuration {_brackets(arrival.confdata)}, "
+            f"not in the stored {_brackets(stored)}"
+        )
+
+
+def compared_moves(run: SampledRun) -> tuple[ComparedMove, ...]:
+    """The moves whose ends are farthest from their starts, in the order of the program."""
+    found: dict[tuple[str, ...], tuple[float, ExecutedMove, Segment]] = {}
+    segments = segments_of(run.one)
+    for move in run.one.moves:
+        segment = segments.get(move.index)
+        if segment is None or move.move.interpolation not in _COMPARED:
+            continue
+        ends = (segment.start.base_from_tcp.translation, segment.end.base_from_tcp.translation)
+        far = float(np.linalg.norm(ends[1] - ends[0]))
+        if far > _NEAREST:
+            # The same way is told once, however often it is made, there or back.
+            key = tuple(sorted(",".join(f"{x:.3f}" for x in end.tolist()) for end in ends))
+            found.setdefault(key, (far, move, segment))
+    farthest = sorted(found.values(), key=lambda one: -one[0])
+    kept: list[ComparedMove] = []
+    for _, move, segment in farthest:
+        line = line_instead(run.one.robot, segment, run.simulation.model)
+        if line is not None:
+            kept.append(ComparedMove(move, line, _joint_way(run.one, segment)))
+        if len(kept) == _MOST_ROWS:
+            break
+    return tuple(sorted(kept, key=lambda one: one.move.index))
 
 
 def comparison_picture(run: SampledRun, theme: Theme) -> Figure | None:
     """Both ways from two sides, and how far apart they are; None where nothing moves far."""
-    ways = [_ways(run, before, move) for before, move in _pairs(run)]
-    if not ways:
+    compared = compared_moves(run)
+    if not compared:
         return None
-    longest = max(ways, key=lambda way: float(np.linalg.norm(way[1][-1] - way[1][0])))
-    move, line, joint = longest
-    name = f"{target_name(move)} (line {move.place.span.line})"
-    figure = new_figure(f"MoveJ and MoveL to {name}: {title_of(run)}", width=11.0, height=4.3)
-    above, side, apart = figure.subplots(1, 3)
-    for axes, (first, second), title in (
-        (above, (0, 1), "from above"),
-        (side, (0, 2), "from the side"),
-    ):
-        for way, kind in ((joint, Interpolation.JOINT), (line, Interpolation.LINE)):
-            label = PLAIN_MOVES[kind]
-            axes.plot(way[:, first], way[:, second], color=theme.moves[kind], label=label)
-        axes.plot(line[[0, -1], first], line[[0, -1], second], "o", color=theme.ink, markersize=3)
-        axes.set_title(title)
-        axes.set_xlabel(f"{'xyz'[first]} [mm]")
-        axes.set_ylabel(f"{'xyz'[second]} [mm]")
-        axes.set_aspect("equal", adjustable="datalim")
-    above.legend()
-    distance = _distance_to_chord(joint, line[0], line[-1])
-    apart.plot(np.linspace(0.0, 100.0, _POINTS), distance, color=theme.moves[Interpolation.JOINT])
-    apart.set_title(f"MoveJ leaves the line by up to {distance.max():.1f} mm")
-    apart.set_xlabel("way [%]")
-    apart.set_ylabel("distance from the line [mm]")
-    apart.set_ylim(bottom=0.0)
+    height = 0.5 + 3.7 * len(compared)
+    figure = new_figure(f"MoveJ and MoveL: {title_of(run)}", width=11.0, height=height)
+    rows = figure.subfigures(len(compared), 1, squeeze=False)[:, 0]
+    drawn: dict[str, Artist] = {}
+    for row, one in zip(rows, compared, strict=True):
+        _draw_row(row, one, theme)
+        handles, labels = row.axes[0].get_legend_handles_labels()
+        drawn.update(zip(labels, handles, strict=True))
+    figure.legend(drawn.values(), drawn.keys(), loc="upper right", ncols=len(drawn))
     return figure
 
 
-def _pairs(run: SampledRun) -> list[tuple[ExecutedMove, ExecutedMove]]:
-    """Moves with the move before them, where the tool is the same and the TCP goes somewhere."""
-    moves = run.one.moves
-    return [
-        (before, move)
-        for before, move in pairwise(moves)
-        if before.move.tool == move.move.tool
-        and move.length_m > 0.0
-        # Where a track or a positioner moves, the line is none in the base.
-        and not run.one.robot.external
-    ]
+def _draw_row(row: SubFigure, one: ComparedMove, theme: Theme) -> None:
+    move, line = one.move, one.line
+    told = one.reason or one.remark
+    heading = f"line {move.place.span.line}: {move.move.instruction} {target_name(move)}"
+    if told is not None:
+        told = "\n".join(textwrap.wrap(f"MoveL: {told}", _LETTERS))
+    # An empty line of the heading holds the room for the words below it.
+    lines = 1 if told is None else 2 + told.count("\n")
+    row.suptitle(heading + "\n" * (lines - 1), x=0.015, ha="left", fontsize=10.5)
+    above, side, apart = row.subplots(1, 3)
+    for axes, shown, title in (
+        (above, (0, 1), "from above, base frame"),
+        (side, (0, 2), "from the side"),
+    ):
+        _draw_ways(axes, one, theme, shown)
+        axes.set_title(title)
+    if told is not None:
+        colour = theme.failed if one.reason else theme.soft
+        row.text(0.015, 0.905, told, ha="left", va="top", fontsize=8.5, color=colour)
+    distance = _off_the_line(one.joint, line.start, line.end)
+    colour = theme.moves[Interpolation.JOINT]
+    apart.plot(np.linspace(0.0, 100.0, _POINTS), distance, color=colour)
+    own = _off_the_line(line.tcp, line.start, line.end)
+    share = 100.0 * (1.0 if line.fault is None else line.fault.fraction)
+    own_colour = theme.moves[Interpolation.LINE]
+    apart.plot(np.linspace(0.0, share, len(own)), own, color=own_colour)
+    if line.fault is not None:
+        _mark_fault(apart, theme, [share], [0.0])
+        apart.plot([share, 100.0], [0.0, 0.0], color=theme.failed, linestyle="--", linewidth=1.0)
+    apart.set_title(f"MoveJ leaves the line by up to {distance.max():.1f} mm")
+    apart.set_xlabel("way [%]")
+    apart.set_ylabel("distance from the line [mm]")
+    apart.set_xlim(0.0, 100.0)
+    apart.set_ylim(-0.03 * max(float(distance.max()), 1.0), None)
 
 
-def _ways(
-    run: SampledRun, before: ExecutedMove, move: ExecutedMove
-) -> tuple[ExecutedMove, Array, Array]:
-    """The straight way and the way of proportional joints, (k, 3) [mm] each."""
+def _draw_ways(axes: Axes, one: ComparedMove, theme: Theme, shown: tuple[int, int]) -> None:
+    line = one.line
+    for way, kind in ((one.joint, Interpolation.JOINT), (line.tcp, Interpolation.LINE)):
+        places = MM * way[:, shown]
+        axes.plot(*places.T, color=theme.moves[kind], label=PLAIN_MOVES[kind])
+    if line.fails_at is not None:
+        rest = MM * np.stack([line.fails_at, line.end])[:, shown]
+        axes.plot(*rest.T, color=theme.failed, linestyle="--", linewidth=1.0)
+        _mark_fault(axes, theme, rest[:1, 0], rest[:1, 1])
+    ends = MM * np.stack([line.start, line.end])[:, shown]
+    axes.plot(*ends[:1].T, "o", color=theme.ink, markersize=5, fillstyle="none", label="start")
+    axes.plot(*ends[1:].T, "o", color=theme.ink, markersize=4, label="end")
+    axes.set_xlabel(f"{'xyz'[shown[0]]} [mm]")
+    axes.set_ylabel(f"{'xyz'[shown[1]]} [mm]")
+    axes.set_aspect("equal", adjustable="datalim")
+
+
+def _mark_fault(
+    axes: Axes, theme: Theme, x: Sequence[float] | Array, y: Sequence[float] | Array
+) -> None:
+    axes.plot(
+        x,
+        y,
+        marker="x",
+        linestyle="none",
+        color=theme.failed,
+        markersize=8,
+        markeredgewidth=2,
+        label="MoveL fails",
+        zorder=5,
+        clip_on=False,
+    )
+
+
+def _joint_way(one: RobotRun, segment: Segment) -> Array:
+    """The TCP (k, 3) [m] where all joints turn in proportion."""
     share = np.linspace(0.0, 1.0, _POINTS)[:, None]
-    start, end = before.base_from_tcp.translation, move.base_from_tcp.translation
-    joints = before.joints + share * (move.joints - before.joints)
-    base_from_flange = run.one.robot.kinematics.forward(joints)
-    joint = (base_from_flange @ move.tcp_from_flange.inverse()).translation
-    return move, MM * (start + share * (end - start)), MM * joint
+    joints = segment.start.joints + share * (segment.end.joints - segment.start.joints)
+    flange_from_tcp = segment.tcp_from_flange.inverse()
+    return (one.robot.kinematics.forward(joints) @ flange_from_tcp).translation
 
 
-def _distance_to_chord(way: Array, start: Array, end: Array) -> Array:
-    """Distance (k,) of points (k, 3) from the line through two places (3,)."""
-    chord = end - start
-    length = float(np.linalg.norm(chord))
-    if length == 0.0:
-        distance: Array = np.linalg.norm(way - start, axis=1)
-    else:
-        distance = np.linalg.norm(np.cross(way - start, chord), axis=1) / length
+def _off_the_line(way: Array, start: Array, end: Array) -> Array:
+    """Distance (k,) [mm] of points (k, 3) [m] from the line through two places (3,) [m]."""
+    along = (end - start) / np.linalg.norm(end - start)
+    distance: Array = MM * np.linalg.norm(np.cross(way - start, along), axis=1)
     return distance
+
+
+def _brackets(conf: Sequence[int]) -> str:
+    return f"[{','.join(map(str, conf))}]"

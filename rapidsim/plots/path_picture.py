@@ -5,15 +5,17 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.patches import Circle
+from matplotlib.patches import Circle, Rectangle
 from matplotlib.ticker import MaxNLocator
 from mpl_toolkits.mplot3d.axes3d import Axes3D
 
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.frames.transform import Array
+from rapidsim.language.moves import Interpolation
 from rapidsim.library.motion import PLAIN_MOVES
 from rapidsim.plots.drawn import MM, end_mm, frame_of, pieces, places_mm, target_name, title_of
 from rapidsim.plots.look import Theme, new_figure
+from rapidsim.plots.stick_arm import as_cube
 from rapidsim.simulation.results.sampling import SampledRun
 
 _MOST_NAMES = 25
@@ -24,44 +26,73 @@ _NAME_ROOM = np.array([0.07, 0.035])
 """Shares of the width of a view that a name takes, across and upwards."""
 _WIDE = 1.45
 """Width of a view through its height."""
+_SMALL = 0.45
+"""Share of the whole path below which its lines and arcs get a view of their own."""
+_AIR = 0.2
 _SIDES = (("from above", 0, 1), ("from the side", 0, 2), ("from the front", 1, 2))
 _AXES = ("x [mm]", "y [mm]", "z [mm]")
 
 
 def path_picture(run: SampledRun, theme: Theme) -> Figure:
-    """The path in four views."""
-    figure = new_figure(f"Path of the TCP: {title_of(run)}", width=11.0, height=8.4)
-    grid = figure.add_gridspec(2, 2)
-    space: Axes3D = figure.add_subplot(grid[0, 0], projection="3d")
+    """The path in four views; and its lines and arcs from near, where they are small."""
+    box = _drawing(run)
+    rows = 1 if box is None else 2
+    shape = (2, 2) if box is None else (rows, 4)
+    size = (11.0, 8.4) if box is None else (17.0, 8.6)
+    figure = new_figure(f"Path of the TCP: {title_of(run)}", width=size[0], height=size[1])
+    grid = figure.add_gridspec(*shape)
+    places = [grid[k // shape[1], k % shape[1]] for k in range(4 * rows)]
+    space: Axes3D = figure.add_subplot(places[0], projection="3d")
     _draw_space(space, run, theme)
-    for place, (name, first, second) in zip(
-        (grid[0, 1], grid[1, 0], grid[1, 1]), _SIDES, strict=True
-    ):
+    for place, (name, first, second) in zip(places[1:4], _SIDES, strict=True):
         axes = figure.add_subplot(place)
         axes.set_title(name)
-        _draw_side(axes, run, theme, first, second)
+        _draw_side(axes, run, theme, (first, second), box)
+    if box is not None:
+        near: Axes3D = figure.add_subplot(places[4], projection="3d")
+        _draw_space(near, run, theme, box)
+        for place, (name, first, second) in zip(places[5:], _SIDES, strict=True):
+            axes = figure.add_subplot(place)
+            axes.set_title(f"lines and arcs, {name}")
+            _draw_near(axes, run, theme, (first, second), box)
     handles, labels = space.get_legend_handles_labels()
     figure.legend(handles, labels, loc="upper right", ncols=len(labels))
     return figure
 
 
-def _draw_space(axes: Axes3D, run: SampledRun, theme: Theme) -> None:
-    axes.set_title(f"in space, {frame_of(run)}")
+def _draw_space(axes: Axes3D, run: SampledRun, theme: Theme, box: Array | None = None) -> None:
+    """The path in space; with a box (2, 3) [mm] only what lies in it."""
+    what = "in space" if box is None else "lines and arcs, in space"
+    axes.set_title(f"{what}, {frame_of(run)}")
     for label, colour, place in _stretches(run, theme):
+        if box is not None:
+            place = np.where(_inside(place, box)[:, None], place, np.nan)
         axes.plot(*place.T, color=colour, label=label, linewidth=_width(run))
     targets = _targets(run)
     if len(targets) <= _MOST_TARGETS:
         places = np.array([place for _, place in targets]).reshape(-1, 3)
+        places = places if box is None else places[_inside(places, box)]
         axes.scatter(*places.T, color=theme.ink, s=8, depthshade=False)
-    _draw_failed(axes, run, theme, (0, 1, 2))
+    if box is None:
+        _draw_start(axes, run, theme, (0, 1, 2))
+        _draw_failed(axes, run, theme, (0, 1, 2))
+        failed = [MM * one.way for one in run.one.failed_moves]
+        as_cube(axes, np.concatenate([places_mm(run), *failed]))
+    else:
+        as_cube(axes, box)
     axes.set_xlabel(_AXES[0])
     axes.set_ylabel(_AXES[1])
     axes.set_zlabel(_AXES[2])
-    _draw_as_cube(axes, run)
     axes.view_init(elev=26.0, azim=-50.0)
     for pane in (axes.xaxis, axes.yaxis, axes.zaxis):
         pane.set_pane_color((0.0, 0.0, 0.0, 0.0))
         pane.set_major_locator(MaxNLocator(5))
+
+
+def _inside(places: Array, box: Array) -> np.typing.NDArray[np.bool_]:
+    """Which places (k, 3) lie in a box (2, 3)."""
+    inside: np.typing.NDArray[np.bool_] = np.all((places >= box[0]) & (places <= box[1]), axis=1)
+    return inside
 
 
 def _width(run: SampledRun) -> float:
@@ -69,26 +100,78 @@ def _width(run: SampledRun) -> float:
     return 1.4 if len(run.one.moves) <= _MOST_TARGETS else _THIN
 
 
-def _draw_as_cube(axes: Axes3D, run: SampledRun) -> None:
-    """Give the three axes one scale and one length, so that a flat path keeps readable axes."""
-    failed = [MM * failed.way for failed in run.one.failed_moves]
-    points = np.concatenate([places_mm(run), *failed])
-    middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
-    half = 0.5 * max(float(np.ptp(points, axis=0).max()), 1.0)
-    for set_ends, centre in zip((axes.set_xlim, axes.set_ylim, axes.set_zlim), middle, strict=True):
-        set_ends(centre - half, centre + half)
-    axes.set_box_aspect((1.0, 1.0, 1.0), zoom=1.05)
-
-
-def _draw_side(axes: Axes, run: SampledRun, theme: Theme, first: int, second: int) -> None:
-    for _, colour, place in _stretches(run, theme):
-        axes.plot(place[:, first], place[:, second], color=colour, linewidth=_width(run))
+def _draw_side(
+    axes: Axes, run: SampledRun, theme: Theme, shown: tuple[int, int], box: Array | None
+) -> None:
+    """The whole path from a side, with a frame around what is shown from near."""
+    _draw_work(axes, run, theme, shown)
+    _draw_start(axes, run, theme, shown)
     targets = _targets(run)
-    for move in run.one.moves if len(targets) <= _MOST_TARGETS else ():
+    if box is not None:
+        targets = [one for one in targets if not _inside(one[1][None], box)[0]]
+        (left, bottom), (width, height) = box[0, shown], np.ptp(box, axis=0)[list(shown)]
+        frame = Rectangle(
+            (left, bottom), width, height, fill=False, color=theme.soft, linewidth=0.9
+        )
+        axes.add_patch(frame)
+    _draw_names(axes, targets, places_mm(run)[:, shown], theme, shown)
+    _draw_failed(axes, run, theme, shown)
+    _label(axes, shown)
+    axes.set_aspect("equal", adjustable="datalim")
+
+
+def _draw_near(
+    axes: Axes, run: SampledRun, theme: Theme, shown: tuple[int, int], box: Array
+) -> None:
+    """What lies in a box (2, 3) [mm], from a side."""
+    _draw_work(axes, run, theme, shown)
+    inside = [one for one in _targets(run) if _inside(one[1][None], box)[0]]
+    _draw_names(axes, inside, box[:, shown], theme, shown)
+    middle, half = box[:, shown].mean(axis=0), 0.5 * float(np.ptp(box, axis=0).max())
+    # One scale for all sides: a drawing seen edge on is a line, and looks like one.
+    axes.set_xlim(middle[0] - half, middle[0] + half)
+    axes.set_ylim(middle[1] - half, middle[1] + half)
+    _label(axes, shown)
+    axes.set_aspect("equal", adjustable="box")
+
+
+def _label(axes: Axes, shown: tuple[int, int]) -> None:
+    axes.set_xlabel(_AXES[shown[0]])
+    axes.set_ylabel(_AXES[shown[1]])
+
+
+def _drawing(run: SampledRun) -> Array | None:
+    """The box (2, 3) [mm] around lines and arcs, where it would be a blot in the whole view."""
+    lines = [
+        number
+        for number, move in enumerate(run.one.moves)
+        if move.move.interpolation in (Interpolation.LINE, Interpolation.CIRCLE)
+    ]
+    swept = places_mm(run)
+    drawn = swept[np.isin(run.samples.move, lines)]
+    if len(drawn) < 2 or len(lines) < 2:
+        return None
+    # The way down to the work and back up is no part of it: the ends of lines are.
+    ends = np.array([end_mm(run, run.one.moves[number]) for number in lines])
+    low, high = ends.min(axis=0), ends.max(axis=0)
+    size = float(np.max(high - low))
+    if not 0.0 < size < _SMALL * float(np.ptp(swept, axis=0).max()):
+        return None
+    return np.stack([low - _AIR * size, high + _AIR * size])
+
+
+def _draw_work(axes: Axes, run: SampledRun, theme: Theme, shown: tuple[int, int]) -> None:
+    """Path, targets and zones from a side."""
+    for _, colour, place in _stretches(run, theme):
+        axes.plot(*place[:, shown].T, color=colour, linewidth=_width(run))
+    targets = _targets(run)
+    if len(targets) > _MOST_TARGETS:
+        return
+    for move in run.one.moves:
         if move.corner is CornerKind.FLY_BY and move.zone_m > 0.0:
-            centre = end_mm(run, move)
+            centre = end_mm(run, move)[list(shown)]
             zone = Circle(
-                (centre[first], centre[second]),
+                (centre[0], centre[1]),
                 MM * move.zone_m,
                 fill=False,
                 color=theme.corner,
@@ -96,24 +179,46 @@ def _draw_side(axes: Axes, run: SampledRun, theme: Theme, first: int, second: in
                 alpha=0.7,
             )
             axes.add_patch(zone)
-    places = np.array([place for _, place in targets])[:, (first, second)]
-    if len(targets) <= _MOST_TARGETS:
-        axes.plot(*places.T, "o", color=theme.ink, markersize=2.6)
-    if len(targets) <= _MOST_NAMES:
-        names = [name for name, _ in targets]
-        for name, place in _apart(names, places, places_mm(run)[:, (first, second)]):
-            axes.annotate(
-                name,
-                (place[0], place[1]),
-                xytext=(4, 4),
-                textcoords="offset points",
-                fontsize=7.5,
-                color=theme.soft,
-            )
-    _draw_failed(axes, run, theme, (first, second))
-    axes.set_xlabel(_AXES[first])
-    axes.set_ylabel(_AXES[second])
-    axes.set_aspect("equal", adjustable="datalim")
+    places = np.array([place for _, place in targets])[:, shown]
+    axes.plot(*places.T, "o", color=theme.ink, markersize=2.6)
+
+
+def _draw_names(
+    axes: Axes,
+    targets: list[tuple[str, Array]],
+    sweep: Array,
+    theme: Theme,
+    shown: tuple[int, int],
+) -> None:
+    """Names of targets in a view of `sweep` (k, 2) [mm]."""
+    if not 0 < len(targets) <= _MOST_NAMES:
+        return
+    places = np.array([place for _, place in targets])[:, shown]
+    names = [name for name, _ in targets]
+    for name, place in _apart(names, places, sweep):
+        axes.annotate(
+            name,
+            (place[0], place[1]),
+            xytext=(4, 4),
+            textcoords="offset points",
+            fontsize=7.5,
+            color=theme.soft,
+            annotation_clip=True,
+        )
+
+
+def _draw_start(axes: Axes, run: SampledRun, theme: Theme, shown: tuple[int, ...]) -> None:
+    """A ring where the TCP is before the first move."""
+    axes.plot(
+        *places_mm(run)[:1, shown].T,
+        marker="o",
+        markersize=8,
+        fillstyle="none",
+        markeredgewidth=1.6,
+        linestyle="none",
+        color=theme.ink,
+        label="start",
+    )
 
 
 def _apart(names: list[str], places: Array, sweep: Array) -> list[tuple[str, Array]]:

@@ -7,6 +7,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rapidsim.frames.transform import Array
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.waypoints.attitudes import unbroken
 from rapidsim.plots.drawn import MM, title_of
 from rapidsim.plots.look import Theme, new_figure, time_axis
 from rapidsim.simulation.results.sampling import SampledRun
@@ -26,22 +28,29 @@ def joints_picture(run: SampledRun, theme: Theme) -> Figure:
         if k >= count:
             axes.set_visible(False)
             continue
-        angle = np.degrees(samples.joints[:, k])
-        lower, upper = np.degrees(robot.lower[k]), np.degrees(robot.upper[k])
-        axes.plot(samples.times, angle, color=theme.joints[k % len(theme.joints)])
-        for limit in (lower, upper):
-            axes.axhline(limit, color=theme.limit, linestyle="--", linewidth=0.9)
-        margin = min(float((angle - lower).min()), float((upper - angle).min()))
         share = np.abs(run.speed_shares[:, k]).max()
-        axes.set_title(
-            f"joint {k + 1}: {margin:.1f}° from a limit, up to {share:.0f} % of its speed"
-        )
-        air = 0.08 * (upper - lower)
-        axes.set_ylim(min(lower, angle.min()) - air, max(upper, angle.max()) + air)
-        axes.set_ylabel("angle [°]")
+        draw_joint(axes, robot, k, samples.times, samples.joints, theme)
+        axes.set_title(f"{axes.get_title(loc='left')}, up to {share:.0f} % of its speed")
         if k >= count - _COLUMNS:
             time_axis(axes, run.end_s)
     return figure
+
+
+def draw_joint(axes: Axes, robot: Robot, k: int, times: Array, joints: Array, theme: Theme) -> None:
+    """Joint k, counted from 0, of joints (n, joints) [rad] over times (n,) [s] with its limits."""
+    angle = np.degrees(joints[:, k])
+    lower, upper = np.degrees(robot.lower[k]), np.degrees(robot.upper[k])
+    axes.plot(times, angle, color=theme.joints[k % len(theme.joints)])
+    axes.set_ylabel("angle [°]")
+    if not np.isfinite([lower, upper]).all():
+        axes.set_title(f"joint {k + 1}: turns without end")
+        return
+    for limit in (lower, upper):
+        axes.axhline(limit, color=theme.limit, linestyle="--", linewidth=0.9)
+    margin = min(float((angle - lower).min()), float((upper - angle).min()))
+    axes.set_title(f"joint {k + 1}: {margin:.1f}° from a limit")
+    air = 0.08 * (upper - lower)
+    axes.set_ylim(min(lower, angle.min()) - air, max(upper, angle.max()) + air)
 
 
 def speed_picture(run: SampledRun, theme: Theme) -> Figure:
@@ -66,7 +75,7 @@ def orientation_picture(run: SampledRun, theme: Theme) -> Figure:
     figure = new_figure(f"Orientation of the TCP: {title_of(run)}", width=11.0, height=6.4)
     upper, lower = figure.subplots(2, 1, sharex=True)
     times = run.samples.times
-    quaternions = _unbroken(run.samples.base_from_tcp.quaternion)
+    quaternions = unbroken(run.samples.base_from_tcp.quaternion)
     for k in range(4):
         upper.plot(times, quaternions[:, k], color=theme.joints[k], label=f"q{k + 1}")
     upper.set_title("quaternion, base frame, scalar first")
@@ -106,14 +115,6 @@ def _programmed(run: SampledRun) -> tuple[Array, Array]:
     steps.setdefault(run.end_s, 0.0)
     times = sorted(steps)
     return np.array(times), np.array([steps[time] for time in times])
-
-
-def _unbroken(quaternions: Array) -> Array:
-    """The same orientations (k, 4) without jumps of sign: q and -q are one orientation."""
-    flips = np.sum(quaternions[1:] * quaternions[:-1], axis=1) < 0.0
-    signs = np.concatenate([[1.0], np.where(np.cumsum(flips) % 2 == 1, -1.0, 1.0)])
-    same: Array = quaternions * signs[:, None]
-    return same
 
 
 def _turned_deg(run: SampledRun, quaternions: Array) -> Array:

@@ -1,13 +1,14 @@
 """Write the pictures of a run into a folder, each light and dark.
 
-`path.png`, `joints.png`, `speed.png`, `orientation.png`, `lines.png`, `movej-movel.png` and
-`frames.png`, with `-dark` before the suffix for the dark ones, and the task before the name for all
-robots but the first. The same run gives the same files.
+`path.png`, `arm.png`, `joints.png`, `speed.png`, `orientation.png`, `lines.png`, `movej-movel.png`
+and `frames.png`, with `-dark` before the suffix for the dark ones, and the task before the name for
+all robots but the first. The same run gives the same files.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from types import MappingProxyType
 
@@ -15,6 +16,7 @@ from matplotlib.figure import Figure
 
 from rapidsim.files import InputError
 from rapidsim.output_files import unwritten, whole_file
+from rapidsim.plots.arm_picture import arm_picture
 from rapidsim.plots.comparison_picture import comparison_picture
 from rapidsim.plots.drawn import drawn
 from rapidsim.plots.frames_picture import frames_picture
@@ -28,6 +30,7 @@ from rapidsim.simulation.results.simulation import Simulation
 PICTURES: Mapping[str, Callable[[SampledRun, Theme], Figure | None]] = MappingProxyType(
     {
         "path": path_picture,
+        "arm": arm_picture,
         "joints": joints_picture,
         "speed": speed_picture,
         "orientation": orientation_picture,
@@ -52,34 +55,44 @@ def write_plots(simulation: Simulation, folder: str | Path) -> tuple[Path, ...]:
     Raises:
         InputError: When nothing can be written there.
     """
-    folder = Path(folder)
     if not any(one.moves for one in simulation.robots):
         raise InputError("nothing moved: there is no path to draw pictures of")
-    try:
-        folder.mkdir(exist_ok=True)
-    except OSError as error:
-        raise unwritten(folder, error.strerror or str(error)) from error
     written: list[Path] = []
     for number, one in enumerate(simulation.robots):
         if one.moves:
             # The first robot's pictures have the same names whether it works alone or not.
             before = f"{one.task}-" if number else ""
-            written += _write_pictures(drawn(simulation, one), folder, before)
+            run = drawn(simulation, one)
+            pictures = {
+                f"{before}{name}": partial(picture, run) for name, picture in PICTURES.items()
+            }
+            written += write_pictures(pictures, Path(folder))
     return tuple(written)
 
 
-def _write_pictures(run: SampledRun, folder: Path, before: str) -> list[Path]:
+def write_pictures(
+    pictures: Mapping[str, Callable[[Theme], Figure | None]], folder: Path
+) -> tuple[Path, ...]:
+    """Write pictures by the names of their files, light and dark.
+
+    Raises:
+        InputError: When nothing can be written there.
+    """
+    try:
+        folder.mkdir(exist_ok=True)
+    except OSError as error:
+        raise unwritten(folder, error.strerror or str(error)) from error
     written = []
     for theme in (LIGHT, DARK):
-        for name, picture in PICTURES.items():
+        for name, picture in pictures.items():
             ending = "" if theme is LIGHT else f"-{theme.name}"
-            path = folder / f"{before}{name}{ending}.png"
+            path = folder / f"{name}{ending}.png"
             with dressed(theme):
-                figure = picture(run, theme)
+                figure = picture(theme)
                 if figure is None:
                     continue
                 with whole_file(path) as temporary:
                     # No name and version of the program that drew it: the same run, the same file.
                     figure.savefig(temporary, format="png", metadata={"Software": None})
             written.append(path)
-    return written
+    return tuple(written)

@@ -63,6 +63,8 @@ class TaskSetup:
     kind: TaskKind = TaskKind.NORMAL
     written: frozenset[str] | None = None
     """Folded names of the persistents that the program may write; None where nobody has looked."""
+    entry: str | None = None
+    """The procedure it begins with; None takes that of the run's options."""
 
     @property
     def counts(self) -> bool:
@@ -118,7 +120,7 @@ def prepare(
         options.model.payload_acceleration,
         options.nearest_configuration,
     )
-    place = _entry_place(setup.program, options.entry)
+    place = _entry_place(setup.program, setup.entry or options.entry)
     unit, has_robot = MechanicalUnit(queue), setup.robot is not None
     controller = virtual_controller(cell, unit, resolver, journal, place, has_robot=has_robot)
     if not setup.counts:
@@ -184,14 +186,15 @@ def run_to_end(
 
 def _run_cycles(task: Task, run: TaskRun, options: RunOptions) -> End:
     """Run main again and again; module data keep their values from one cycle to the next."""
+    entry = run.setup.entry or options.entry
     if run.setup.kind is not TaskKind.NORMAL:
         while True:
             with suppress(CycleEnded):
-                task.run(options.entry)
+                task.run(entry)
             run.controller.clock.begin_again()
     for _ in range(options.max_cycles):
         with suppress(CycleEnded):
-            task.run(options.entry)
+            task.run(entry)
     return End.CYCLE_LIMIT if options.max_cycles > 1 else End.ENDED
 
 

@@ -94,6 +94,10 @@ class Station:
         numbers = {one.name.lower(): one.robot_number for one in self.tasks}
         return numbers.get(task.lower()) or 0
 
+    def entry(self, task: str) -> str | None:
+        """The procedure that a task begins with; None where nothing says."""
+        return {one.name.lower(): one.entry for one in self.tasks}.get(task.lower())
+
     @property
     def modules(self) -> tuple[Path, ...]:
         """Modules of the first task, in addition to those a command names."""

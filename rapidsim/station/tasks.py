@@ -9,6 +9,7 @@ name = "T_BACK"
 modules = ["background.mod"]
 type = "semistatic"        # or "static"; "normal" unless it is said
 motion = false             # it moves nothing; so it is where no robot is left
+entry = "watch"            # the procedure it begins with; "main" unless it is said
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from rapidsim.station.task_kind import TaskKind
 from rapidsim.station.toml_reader import Reader, Table
 
 DEFAULT_TASK = "T_ROB1"
-_KEYS = ("name", "modules", "type", "motion", "robot")
+_KEYS = ("name", "modules", "type", "motion", "robot", "entry")
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +40,12 @@ class StationTask:
     """Name of its robot; None where the file names none."""
     robot_number: int | None = None
     """Which of the station's robots it moves, from 0; None where it moves none."""
+    entry: str | None = None
+    """The procedure it begins with; None where the file does not say."""
+    unseen: tuple[str, ...] = ()
+    """Modules that a backup's configuration loads into it and that are not in the backup."""
+    is_system: bool = False
+    """Whether it is the controller's own, such as that of its safety board: no run has it."""
 
 
 def read_tasks(
@@ -72,7 +79,8 @@ def _read_task(reader: Reader, path: str, task: Table) -> StationTask:
     if robot is not None and motion is False:
         reader.wrong(f"{path}.robot", "a task with `motion = false` has no robot")
     files = tuple(reader.file.parent / one for one in modules)
-    return StationTask(name, files, _kind(reader, path, task), motion, robot)
+    kind, entry = _kind(reader, path, task), reader.text(task, path, "entry")
+    return StationTask(name, files, kind, motion, robot, entry=entry)
 
 
 def _kind(reader: Reader, path: str, task: Table) -> TaskKind:

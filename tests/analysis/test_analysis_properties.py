@@ -8,7 +8,7 @@ from laws import cases
 
 from rapidsim.analysis.passes.checker import Checked, check
 from rapidsim.analysis.rules.table import detectors_of
-from rapidsim.analysis.suggestions import closest, is_slip, reserved_words
+from rapidsim.analysis.suggestions import closest, reserved_words
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Severity, Source
 from rapidsim.syntax import tree
@@ -88,6 +88,5 @@ def test_every_expression_of_a_program_has_a_type() -> None:
 
 
 @given(st.text("abcdefgh_0123456789", min_size=1, max_size=12))
-def test_a_name_is_no_slip_of_itself(name: str) -> None:
+def test_nothing_is_nearest_to_itself(name: str) -> None:
     assert closest(name, [name]) is None
-    assert not is_slip(name, name)

@@ -208,7 +208,7 @@ ENDMODULE
     station.write_text(f"{signals}[[stimulus]]\nat = 1\nset = {{ DIPART = 1 }}\n")
     assert check() == ["I801"]
     station.write_text("[robot]\n")
-    assert check() == ["I801"] * 3
+    assert check() == ["I801"]
 
 
 def test_an_arm_that_nobody_named_makes_no_errors(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
 from datetime import datetime, timedelta
 from typing import Any
@@ -133,6 +134,9 @@ class RecordingController:
     def wait(self, seconds: float, *, in_position: bool = False) -> None:
         self.time_s += seconds
         self.log.append(f"wait {seconds:g}{' in position' if in_position else ''}")
+
+    def long_work(self) -> AbstractContextManager[None]:
+        return nullcontext()
 
     def wait_until(
         self, condition: Callable[[], bool], *, max_time: float | None = None, poll_s: float = 0.1

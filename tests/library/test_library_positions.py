@@ -1,15 +1,13 @@
 """Positions and frames: laws of the algebra, ground truth, refusals."""
 
-import json
 import math
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from library_controller import CONF, call
+from reference_numbers import recorded
 
 from rapidsim.frames import quaternion
 from rapidsim.frames.transform import Transform, matrix_from_quaternion
@@ -25,8 +23,6 @@ from rapidsim.language.data import (
 )
 from rapidsim.language.errors import RapidError
 from rapidsim.language.single import single
-
-GROUND_TRUTH = Path(__file__).parents[2].parent / "shared" / "reference" / "ground_truth.json"
 
 # Singles carry 7 digits; positions are within a metre, so this is a few units of the last one.
 POSITION_TOLERANCE_MM = 1e-3
@@ -50,13 +46,6 @@ def assert_same_orientation(a: Orient, b: Orient) -> None:
 def assert_same(a: Pose, b: Pose) -> None:
     assert math.dist(a.trans, b.trans) < POSITION_TOLERANCE_MM
     assert_same_orientation(a.rot, b.rot)
-
-
-def ground_truth() -> dict[str, Any]:
-    if not GROUND_TRUTH.exists():
-        pytest.skip(f"{GROUND_TRUTH} is not here")
-    truth: dict[str, Any] = json.loads(GROUND_TRUTH.read_text(encoding="utf-8"))
-    return truth
 
 
 @given(angles, st.floats(-89.0, 89.0, width=32), angles)
@@ -201,7 +190,7 @@ def test_mirroring_in_the_world_turns_z_round() -> None:
 
 
 def test_products_of_recorded_quaternions() -> None:
-    cases = ground_truth()["irb120"]["quaternion_algebra"]
+    cases = recorded("irb120")["quaternion_algebra"]
     assert cases
     zero = Pos(0.0, 0.0, 0.0)
     for case in cases:
@@ -214,7 +203,7 @@ def test_products_of_recorded_quaternions() -> None:
 
 
 def test_recorded_quaternions_turn_vectors_as_their_matrices_do() -> None:
-    cases = ground_truth()["quat_to_matrix"]
+    cases = recorded("quat_to_matrix")
     checked = 0
     for case in cases.values():
         if not isinstance(case, dict) or "R" not in case:

@@ -142,9 +142,9 @@ ELSEWHERE = {
     "interpreter/linking/namespace.py": {"ArgName"},
     "language": {"write", "stop"},
     "motion/timing/constraints.py": {"PathAccLim", "WorldAccLim"},
-    "plots/look.py": {"round"},
+    "plots": {"round"},
     "report": {"dim", "distance"},
-    "station": {"type", "set", "close"},
+    "station": {"type", "set", "close", "stop"},
     "syntax": {"EXP", "open", "close"},
 }
 

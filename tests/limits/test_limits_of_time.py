@@ -121,6 +121,17 @@ def test_an_arm_whose_joints_are_searched_for(way: str, tmp_path: Path) -> None:
     cut_off(BY_SEARCH[way], tmp_path, "crb15000")
 
 
+def test_one_large_module(tmp_path: Path) -> None:
+    """It is interrupted where it stands, in the parser or behind it."""
+    lines = "".join(f"    n{i % 50}:=n{(i + 1) % 50}+{i};\n" for i in range(60_000))
+    data = "".join(f"  VAR num n{i};\n" for i in range(50))
+    (tmp_path / "big.mod").write_text(
+        f"MODULE big\n{data}  PROC all()\n{lines}  ENDPROC\nENDMODULE\n"
+    )
+    it = cut_off(once('    Load "big.mod";', ""), tmp_path)
+    assert it.time_s == 0.0
+
+
 def test_several_tasks(tmp_path: Path) -> None:
     texts = (UNREACHED, forever("      here:=CRobT();", first=SLOW_FLY_BY))
     programs = [load([SourceFile("job.mod", text, "utf-8")]).program for text in texts]

@@ -1,13 +1,12 @@
 """All arms of the catalogue: complete, sane, their own inverse; and the KR 10 against its table."""
 
-import json
 import subprocess
 import sys
 import tomllib
-from pathlib import Path
 
 import numpy as np
 import pytest
+from reference_numbers import recorded
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
@@ -15,7 +14,6 @@ from rapidsim.motion.kinematics.closed_form.opw_geometry import OpwGeometry
 from rapidsim.motion.robot.catalogue import aliases, aliases_of, find_entry, robots_folder
 from rapidsim.motion.robot.robot import Robot, load_robot, robot_names
 
-GROUND_TRUTH = Path(__file__).parents[2].parent / "shared" / "reference" / "ground_truth.json"
 MAKERS = {"ABB", "KUKA", "Mitsubishi"}
 LONGEST_REACH_M = 4.0
 FASTEST_DEG_S = 1000.0
@@ -129,9 +127,7 @@ def test_a_rod_keeps_the_forearm_level(name: str) -> None:
 
 def test_the_kr_10_is_its_dh_table() -> None:
     """KUKA's axes mapped to the table's angles give the table's tip."""
-    if not GROUND_TRUTH.is_file():
-        pytest.skip(f"{GROUND_TRUTH.name} is not beside this checkout")
-    truth = json.loads(GROUND_TRUTH.read_text(encoding="utf-8"))["kr10"]
+    truth = recorded("kr10")
     robot = load_robot("kr10")
     geometry = find_entry("kr10").geometry
     assert isinstance(geometry, OpwGeometry)
@@ -159,9 +155,7 @@ def test_the_kr_10_is_its_dh_table() -> None:
 
 
 def test_the_rv_m1_is_its_dh_table() -> None:
-    if not GROUND_TRUTH.is_file():
-        pytest.skip(f"{GROUND_TRUTH.name} is not beside this checkout")
-    truth = json.loads(GROUND_TRUTH.read_text(encoding="utf-8"))["rvm1"]
+    truth = recorded("rvm1")
     robot = load_robot("rvm1")
     for case in truth["random"]:
         flange = robot.forward(np.array(case["q"]))

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from motion_truth import recorded
+from reference_numbers import recorded
 
 from rapidsim.frames.rotation_vectors import rotation_from_vector
 from rapidsim.frames.transform import Array, Transform, quaternion_from_matrix
@@ -166,7 +166,7 @@ def test_around_the_sphere_all_the_way() -> None:
 
 
 def test_the_letter_on_the_wall() -> None:
-    placement = recorded("letter_D")["placements_fully_reachable"][0]
+    placement = recorded("letter_d")["placements_fully_reachable"][0]
     points = table("letter_d.csv", 5)
     reached, attitudes = reach(RVM1, points, BARE)
     assert all(point.reachable for point in reached)
@@ -251,8 +251,10 @@ def test_a_line_that_needs_a_jump_is_refused_with_place_and_joint() -> None:
     result = follow(robot, points, level, BARE, Plan(speed=1.0))
     assert isinstance(result, Refused)
     assert result.message.startswith("between points 1 and 2 at 0.")
-    assert "joint 4 would have to jump by" in result.message
+    assert "would have to jump by 164 deg, at a singularity" in result.message
     assert result.segment == 0
+    assert len(result.others) == 7
+    assert any(why is not None and "joint 2 goes to" in why for _, why in result.others)
     # Right through it, and well beside it, the arm goes on.
     through = Points(points.positions * [1.0, 0.0, 1.0], level)
     assert followed(follow(robot, through, level, BARE, Plan(speed=1.0))).deviation_max < 1e-12
@@ -271,3 +273,23 @@ def test_an_arm_with_seven_axes_is_followed_from_sample_to_sample() -> None:
     refused = follow(robot, far, down, BARE, Plan(speed=0.2))
     assert isinstance(refused, Refused)
     assert refused.message.startswith("between points 1 and 2 at ")
+
+
+def test_a_limit_on_the_way_is_called_a_limit() -> None:
+    """From (500,100,300) to (300,400,500) with --conf 0,0,-2,0: joint 3 passes 55 deg by 2.7."""
+    robot = load_robot("irb1600")
+    down = np.tile([0.0, 1.0, 0.0, 0.0], (2, 1))
+    points = Points(np.array([[0.5, 0.1, 0.3], [0.3, 0.4, 0.5]]), down)
+    pose = posed(points.positions[:1], down[:1])[0]
+    (first,) = solve_pose_as(robot, pose, (0, 0, -2, 0)).solutions
+    refused = follow(robot, points, down, BARE, Plan(), first=first.joints)
+    assert isinstance(refused, Refused)
+    assert "[0,0,-2,0] joint 3 goes to 57.8 deg, 2.8 deg beyond its upper limit of 55 deg" in (
+        refused.message
+    )
+    free = {conf for conf, why in refused.others if why is None}
+    assert free == {(-2, 2, -2, 6), (-2, 0, 0, 7)}
+    # What is said to go all the way does, and is found where no configuration is asked for.
+    assert refused.help is not None
+    assert "--conf=-2,2,-2,6" in refused.help
+    assert followed(follow(robot, points, down, BARE, Plan())).deviation_max < 1e-12

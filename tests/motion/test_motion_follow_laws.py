@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
-from motion_truth import recorded
+from reference_numbers import recorded
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.waypoints.curves import BaseArc, Line, SplineCurve

@@ -4,7 +4,8 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from motion_truth import assert_same_set, recorded
+from motion_truth import assert_same_set
+from reference_numbers import recorded
 
 from rapidsim.frames.rotation_vectors import rotation_from_vector, vector_from_rotation
 from rapidsim.frames.transform import Array, Transform
@@ -239,12 +240,12 @@ def test_rv_m1_zeros_are_part_of_the_arm() -> None:
 
 @pytest.mark.parametrize(
     "placement",
-    ["program9_raw (x,y,t)*0.1 m", "program16_plot (x,y)/40 in z=0 plane",
-     "repo_version (x/40+1, 0, y/40+3)"],
+    ["raw (x,y,t)*0.1 m", "plotted (x,y)/40 in the plane z=0",
+     "published (x/40+1, 0, y/40+3)"],
 )  # fmt: skip
 def test_where_a_letter_can_be_drawn_by_the_rv_m1(placement: str) -> None:
     """As printed it is metres away; in two other places part of it is out of the limits."""
-    truth, robot = recorded("letter_D")["placements"][placement], load_robot("rvm1")
+    truth, robot = recorded("letter_d")["placements"][placement], load_robot("rvm1")
     geometric, within = 0, []
     for point in truth["points_m"]:
         exists, possible = with_any_pitch(robot, np.array(point))

@@ -8,7 +8,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from motion_truth import assert_same_set, recorded
+from motion_truth import assert_same_set
+from reference_numbers import recorded
 
 from rapidsim.frames.transform import Array, Transform, quaternion_from_matrix
 from rapidsim.motion.configurations.confdata import confdata_of, configurations
@@ -107,7 +108,7 @@ def test_which_drawing_targets_fit_their_confdata_in_an_unturned_object_frame() 
 
 def test_the_tool_less_targets_of_a_report() -> None:
     """In the principal turn one of six is reached; a whole turn of axis 3 brings all of them."""
-    truth, robot = recorded("report001_target_set"), load_robot("irb1600")
+    truth, robot = recorded("invented_targets"), load_robot("irb1600")
     principal_ways = []
     for point in truth["points_mm"]:
         pose = pose_in_mm(point, [0.924672, 0.0, 0.380768, 0.0])
@@ -146,7 +147,7 @@ def test_kr_10_point_sets(rows: str, counts: int | None) -> None:
     arm = robot.kinematics
     assert isinstance(arm, OrthoParallel)
     beyond_flange = truth["tool_z"] - arm.geometry.c4
-    ranges = np.radians(np.array(truth["axis_limits_seed_kuka_convention_deg"]))
+    ranges = np.radians(np.array(truth["reported_axis_limits_kuka_convention_deg"]))
     for case in truth["datasets"][rows]:
         rotation = euler_xyz(np.pi * np.array(case["orientation_pi"]))
         flange = Transform(rotation, np.array(case["p"]) - beyond_flange * rotation[:, 2])
@@ -160,7 +161,7 @@ def test_kr_10_point_sets(rows: str, counts: int | None) -> None:
         joints = branches.joints[branches.exists]
         joints = joints + 2.0 * np.pi * np.round((middle - joints) / (2.0 * np.pi))
         within = (joints >= ranges[:, 0]) & (joints <= ranges[:, 1])
-        assert within.all(axis=-1).sum() == case["reachable_within_seed_limits"]
+        assert within.all(axis=-1).sum() == case["reachable_within_reported_limits"]
 
 
 def test_rv_m1_poses_jacobians_and_branches() -> None:
@@ -222,7 +223,7 @@ def test_rv_m1_pitches_along_the_line() -> None:
 @pytest.mark.parametrize("rule", [0, 1])
 def test_rv_m1_joints_along_the_letter(rule: int) -> None:
     """Both placements that the whole letter can be drawn in: on a wall and on a table."""
-    placement = recorded("letter_D")["placements_fully_reachable"][rule]
+    placement = recorded("letter_d")["placements_fully_reachable"][rule]
     arm = load_robot("rvm1").kinematics
     pitch = (0.0, -QUARTER)[rule]
     for point, joints in zip(placement["points_m"], placement["q"], strict=True):

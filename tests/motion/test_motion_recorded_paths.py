@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from motion_truth import recorded
+from reference_numbers import recorded
 
 from rapidsim.frames.transform import Array, Transform, quaternion_from_matrix, slerp
 from rapidsim.motion.configurations.reachability import limit_excess, turns_within_limits
@@ -116,7 +116,7 @@ def test_a_flange_that_points_into_the_arm_reaches_none_of_the_targets(
     robot: Robot, program: dict[str, Any]
 ) -> None:
     """A description whose last frame has z the wrong way leaves every target out of its limits."""
-    facts = recorded("seed_urdf_facts")
+    facts = recorded("urdf_in_millimetres")
     lower, upper = np.array(facts["limits"]).T
     backward = np.diag([1.0, -1.0, -1.0])
     counts = facts["ik_counts"]
@@ -135,7 +135,7 @@ def test_a_flange_that_points_into_the_arm_reaches_none_of_the_targets(
 
 
 def test_points_of_a_straight_line() -> None:
-    truth = recorded("movel_line_001")
+    truth = recorded("example_line")
     start, end = np.array(truth["p0"]), np.array(truth["p1"])
     share = np.linspace(0.0, 1.0, truth["n_points"])[:, None]
     points = start + share * (end - start)

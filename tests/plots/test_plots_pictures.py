@@ -59,9 +59,29 @@ def test_the_path_has_what_failed_in_it(simulation: Simulation) -> None:
     with dressed(DARK):
         figure = path_picture(drawn(simulation, simulation.robots[0]), DARK)
     labels = [text.get_text() for text in figure.legends[0].get_texts()]
-    assert labels == ["MoveJ", "MoveL", "not possible"]
+    assert labels == ["MoveJ", "MoveL", "start", "not possible"]
     names = {text.get_text() for axes in figure.axes[1:] for text in axes.texts}
     assert {"pFront", "pSide"} <= names
+
+
+def test_small_lines_are_shown_from_near(tmp_path: Path) -> None:
+    """Four corners of 40 x 70 mm under a joint move of a metre; the corners are no blots."""
+    corners = [(600, 0), (640, 0), (640, 70), (600, 70), (600, 0)]
+    moves = "".join(
+        f"MoveL [[{x},{y},300],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v200,z5,tool0;"
+        for x, y in corners
+    )
+    program = tmp_path / "small.mod"
+    program.write_text(f"MODULE small\n  PROC main()\n    {moves}\n  ENDPROC\nENDMODULE\n")
+    ran = rapidsim.simulate([program.as_posix()], robot="irb1600")
+    with dressed(LIGHT):
+        figure = path_picture(drawn(ran, ran.only), LIGHT)
+    assert len(figure.axes) == 8
+    above = figure.axes[5]
+    assert above.get_title(loc="left") == "lines and arcs, from above"
+    low, high = above.get_xlim()
+    assert 40.0 < high - low < 120.0
+    assert low < 600.0 < 640.0 < high
 
 
 def test_joints_stand_between_their_limits(simulation: Simulation) -> None:

@@ -154,6 +154,7 @@ def test_json_is_the_contract() -> None:
         "start_s": 0.5,
         "end_s": 2.0,
         "length_mm": 200.0,
+        "deviation": None,
         "corner": "stop(corner path failure)",
         "corner_reason": "",
         "conf": [0, 0, 1, 0],

@@ -5,11 +5,13 @@ from pathlib import Path
 import pytest
 from simulation_program import Ran, ran
 
-from rapidsim.controller.cell.description import CellIo, without_declared
+from rapidsim.controller.cell.description import CellIo
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.files import SourceFile
 from rapidsim.jobs.checked_program import load
+from rapidsim.station.cell_names import declared_names
 from rapidsim.station.read import read_io
+from rapidsim.station.station import Station
 
 
 def io(folder: Path, text: str) -> CellIo:
@@ -229,5 +231,6 @@ def test_signals_that_the_station_names_are_not_reported_as_unknown(tmp_path: Pa
     text = (
         "MODULE m\nPROC main()\nSet doA;\nSet doB;\nWaitDI diC,1;\nSet doD;\nENDPROC\nENDMODULE\n"
     )
-    found = without_declared(load([SourceFile("m.mod", text, "utf-8")]).diagnostics, world)
+    names = declared_names(Station(io=world))
+    found = load([SourceFile("m.mod", text, "utf-8")], cell=names).diagnostics
     assert [(d.violation.code, d.span.line) for d in found if d.span] == [("I801", 6)]

@@ -25,6 +25,16 @@ class UndefinedName(Violation, code="N201"):
         return "declare it, or check the module that declares it together with this one"
 
 
+class UnseenName(Violation, code="N216"):
+    undefined: str
+    modules: tuple[str, ...]
+
+    @property
+    def help(self) -> str:
+        """Where it may be declared."""
+        return f"it may be declared in {' or '.join(self.modules)}, which cannot be read here"
+
+
 class DuplicateName(Violation, code="N202"):
     duplicate: str
     where: str = ""
@@ -53,6 +63,8 @@ class UnknownRoutine(Violation, code="N209"):
     nearest: str | None = None
     instead: str = SKIPS
     """What a run does with the call."""
+    reserved: bool = False
+    """Whether the nearest is a word of the language."""
 
     @property
     def help(self) -> str:
@@ -62,12 +74,20 @@ class UnknownRoutine(Violation, code="N209"):
                 f'a module that is loaded by then may declare it; `%"{self.unknown}"%` says so, '
                 "and is called where a controller refuses unresolved references"
             )
-        or_slip = f", or did you mean `{self.nearest}`?" if self.nearest else ""
+        word = "the word " if self.reserved else ""
+        or_slip = f", or did you mean {word}`{self.nearest}`?" if self.nearest else ""
         return f"give the module that declares it as well{or_slip}"
 
 
 class UnknownType(Violation, code="N210"):
     unknown: str
+    nearest: str | None = None
+
+    @property
+    def help(self) -> str:
+        """Where the type may be declared, or which it may be."""
+        where = "give the module that declares it as well, if it is not the type of an option"
+        return f"{where}; or did you mean `{self.nearest}`?" if self.nearest else where
 
 
 class WrongKind(Violation, code="N211"):

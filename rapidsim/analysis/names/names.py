@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from rapidsim.analysis.cell_names import ConfiguredSymbol
 from rapidsim.analysis.context import Context
 from rapidsim.analysis.installed import (
     installed_data_names,
@@ -16,6 +17,7 @@ from rapidsim.analysis.names.name_violations import (
     SKIPS,
     UndefinedName,
     UnknownRoutine,
+    UnseenName,
     WrongKind,
 )
 from rapidsim.analysis.program import (
@@ -29,13 +31,13 @@ from rapidsim.analysis.program import (
     TypeSymbol,
     UnknownSymbol,
 )
-from rapidsim.analysis.suggestions import closest, reserved_words, slip_of
+from rapidsim.analysis.suggestions import closest, reserved_words
 from rapidsim.language import types
 from rapidsim.language.annotations import Mode
 from rapidsim.language.types import Type
 from rapidsim.syntax import tree
 
-DataLike = DataSymbol | ParameterSymbol | CounterSymbol
+DataLike = DataSymbol | ParameterSymbol | CounterSymbol | ConfiguredSymbol
 
 
 # Programmers name signals after their kind: diStart, DO10_1, gi_part.
@@ -44,8 +46,9 @@ _SIGNAL_OF_KIND = {signal.name[-2:]: signal for signal in types.SIGNALS}
 
 
 def find(key: str, context: Context) -> Symbol | None:
-    """The symbol of a folded name: of the program, else of the controller."""
-    return context.scope.find(key) or installed_symbol(key)
+    """The symbol of a folded name: of the program, else of the cell, else of the controller."""
+    declared = context.scope.find(key) or context.analysis.cell.find(key)
+    return declared or installed_symbol(key)
 
 
 def data_named(reference: tree.Reference, context: Context) -> DataLike | None:
@@ -62,10 +65,10 @@ def data_named(reference: tree.Reference, context: Context) -> DataLike | None:
 
 
 def type_of_undeclared(reference: tree.Reference, context: Context) -> Type | None:
-    """The kind of signal that a name means by its spelling, where nothing declares it."""
+    """The kind of signal that a name evidently means, where nothing declares it."""
     if find(reference.name.key, context) is not None:
         return None
-    return named_like_a_signal(reference.name, context)
+    return evident_signal(reference.name, context)
 
 
 def as_data(symbol: Symbol, reference: tree.Reference, context: Context) -> DataLike | None:
@@ -88,6 +91,9 @@ def routine_named(name: tree.Name, context: Context, *, function: bool) -> Symbo
         None, after a finding, where the name is no routine that can be called so.
     """
     symbol = find(name.key, context)
+    if isinstance(symbol, ConfiguredSymbol):
+        # A signal may be called as an instruction is; where one is called, that is meant.
+        symbol = installed_symbol(name.key) or symbol
     if symbol is None:
         return _unknown_routine(name, context)
     if function and is_function(symbol):
@@ -103,6 +109,11 @@ def routine_named(name: tree.Name, context: Context, *, function: bool) -> Symbo
 def report_undefined(name: tree.Name, context: Context) -> None:
     """Report a name that nothing declares, unless its declaration may be in unread text."""
     if context.analysis.may_be_unread(name.key):
+        return
+    unseen = context.analysis.cell.unseen
+    if unseen:
+        context.report(UnseenName(name.text, unseen), name)
+        context.analysis.runs = False
         return
     compares = context.analysis.may_compare(name.key)
     nearest = closest(name.text, _known_names(context)) if compares else None
@@ -122,20 +133,15 @@ def take_for_signal(reference: tree.Reference, of: Type, context: Context) -> No
 
 def take_for_unknown(reference: tree.Reference, context: Context) -> None:
     """Let an undeclared name stand in the arguments of a call that is skipped anyway."""
-    name = reference.name
-    compares = context.analysis.may_compare(name.key)
-    if compares and slip_of(name.text, _known_names(context)):
-        report_undefined(name, context)
-    else:
-        context.analysis.symbol_of[reference] = context.analysis.unknown_symbol(name.text)
+    context.analysis.symbol_of[reference] = context.analysis.unknown_symbol(reference.name.text)
 
 
-def named_like_a_signal(name: tree.Name, context: Context) -> Type | None:
-    """The kind of signal that a name means by its spelling; None where it looks like no signal."""
+def evident_signal(name: tree.Name, context: Context) -> Type | None:
+    """The kind of signal that an undeclared name means: the cell drives it, or it is spelt so."""
+    if name.key in context.analysis.cell.wired:
+        return types.SIGNAL_DI
     match = _SIGNAL_NAME.match(name.text)
-    if match is None or slip_of(name.text, _known_names(context)):
-        return None
-    return _SIGNAL_OF_KIND[match.group().lower()]
+    return None if match is None else _SIGNAL_OF_KIND[match.group().lower()]
 
 
 def kind_of(symbol: Symbol) -> str:
@@ -163,6 +169,8 @@ def kind_of(symbol: Symbol) -> str:
             return "an instruction" if routine.signature.result is None else "a function"
         case TypeSymbol():
             return "a type"
+        case ConfiguredSymbol(type=of):
+            return f"a {of.name} of the cell"
         case UnknownSymbol():
             return "not declared"
 
@@ -195,14 +203,10 @@ def _unknown_routine(name: tree.Name, context: Context) -> UnknownSymbol | None:
         return None
     compares = analysis.may_compare(name.key)
     known = [*_routine_names(context), *installed_routine_names()] if compares else []
-    meant = (*known, *reserved_words())
-    slip = slip_of(name.text, meant) if compares and not analysis.loads_modules else None
-    if slip is not None:
-        context.report(UndefinedName(name.text, slip, slip in reserved_words()), name)
-        return None
+    nearest = closest(name.text, (*known, *reserved_words())) if compares else None
     instead = LOOKS_FOR_IT if analysis.loads_modules else SKIPS
-    unknown = UnknownRoutine(name.text, closest(name.text, known), instead)
-    context.report(unknown, name)
+    reserved = nearest in reserved_words()
+    context.report(UnknownRoutine(name.text, nearest, instead, reserved), name)
     return analysis.unknown_symbol(name.text)
 
 
@@ -216,6 +220,8 @@ def _cure(symbol: Symbol, name: str, function: bool) -> str:
             return f"connect it to an interrupt, as in `CONNECT i WITH {name}`"
         case DataSymbol() | ParameterSymbol() if not function:
             return f"give it a value with `{name}:=...`"
+        case ConfiguredSymbol():
+            return ""
         case DataSymbol() | ParameterSymbol():
             return f"elements of arrays stand in braces, as in `{name}{{1}}`"
         case _:
@@ -227,6 +233,8 @@ def _known_names(context: Context) -> Iterator[str]:
     for symbol in context.scope.symbols():
         if not isinstance(symbol, TypeSymbol):
             yield symbol.name
+    for configured in context.analysis.cell.symbols.values():
+        yield configured.name
     yield from installed_data_names()
     yield from reserved_words()
 

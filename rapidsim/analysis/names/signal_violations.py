@@ -2,9 +2,46 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import ClassVar
+
 from rapidsim.diagnostics import Violation
+
+_NAMED = 4
+"""So many signals stand in a message."""
 
 
 class UnknownSignal(Violation, code="I801"):
+    is_told_once: ClassVar[bool] = True
+
     signal: str
     type: str
+    others: tuple[UnknownSignal, ...] = ()
+    """Those that are told with it."""
+
+    def with_others(self, others: Sequence[Violation]) -> UnknownSignal:
+        """All in one: they are one table of a station file."""
+        new = {one.signal.lower(): one for one in others if isinstance(one, UnknownSignal)}
+        new.pop(self.signal.lower(), None)
+        return UnknownSignal(self.signal, self.type, tuple(new.values()))
+
+    @property
+    def message(self) -> str:
+        """One signal, or several with the first of their names."""
+        if not self.others:
+            return super().message
+        names = [f"`{one.signal}`" for one in (self, *self.others)]
+        if len(names) > _NAMED:
+            names[_NAMED:] = [f"{len(names) - _NAMED} more"]
+        *names, last = names
+        return f"the signals {', '.join(names)} and {last} are not declared; a run creates them"
+
+    @property
+    def help(self) -> str:
+        """The lines that declare them."""
+        lines = (
+            f'{one.signal} = {{ type = "{one.type.removeprefix("signal")}" }}'
+            for one in (self, *self.others)
+        )
+        block = "\n".join(("[signals]", *lines))
+        return f"paste this into `rapidsim.toml`, or let `rapidsim init` write it:\n{block}"

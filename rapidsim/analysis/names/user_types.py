@@ -13,13 +13,13 @@ from collections.abc import Mapping, Sequence
 from rapidsim.analysis.context import Context
 from rapidsim.analysis.installed import installed_type, installed_type_names
 from rapidsim.analysis.names.declaration_violations import BadAlias, CircularDefinition
-from rapidsim.analysis.names.name_violations import DuplicateName, UndefinedName, UnknownType
+from rapidsim.analysis.names.name_violations import DuplicateName, UnknownType
 from rapidsim.analysis.program import TypeSymbol
-from rapidsim.analysis.suggestions import slip_of
+from rapidsim.analysis.suggestions import closest
 from rapidsim.analysis.tree_walk import data_of
 from rapidsim.diagnostics import Related
 from rapidsim.language import types
-from rapidsim.language.types import Alias, ArrayOf, Atomic, Component, Record, Type
+from rapidsim.language.types import Alias, ArrayOf, Atomic, Component, Kind, Record, Type
 from rapidsim.syntax import tree
 
 TypeNode = tree.RecordType | tree.AliasType
@@ -117,14 +117,11 @@ class UserTypes:
             for (module, _), node in self._nodes.items()
             if module in (None, context.module)
         ]
-        slip = slip_of(name.text, [*known, *installed_type_names()])
         analysis = context.analysis
-        if slip is not None:
-            context.report(UndefinedName(name.text, slip), name)
-            meant = tree.Name(name.start, name.end, slip)
-            return self.named(meant, context)
         if not analysis.may_be_unread(name.key):
-            context.report(UnknownType(name.text), name)
+            compares = analysis.may_compare(name.key)
+            meant = closest(name.text, [*known, *installed_type_names()]) if compares else None
+            context.report(UnknownType(name.text, meant), name)
         analysis.shapeless.add(name.key)
         shape = self._unknown.get(name.key)
         if shape is None:
@@ -168,7 +165,7 @@ def _shape(name: str, value: tree.LiteralValue | None, dimensions: int) -> Type:
         value = value[0] if isinstance(value, tuple) and value else None
     match value:
         case None:
-            return Atomic(name)
+            return Atomic(name, Kind.UNKNOWN)
         case bool():
             return Alias(name, types.BOOL)
         case str():

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import TypeAlias
 
+from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.context import Analysis, Context
 from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.names.user_types import UserTypes
@@ -54,6 +55,7 @@ def check(
     files: Sequence[tree.File],
     rules: Sequence[Find] = (),
     *,
+    cell: CellNames = NO_CELL,
     visitor: tree.File | None = None,
 ) -> Checked:
     """Check the modules of one task together.
@@ -61,6 +63,7 @@ def check(
     Args:
         files: The task's files; their order decides which of two equal names is the second.
         rules: What to look for beyond what keeps a program from running: see `rules/table.py`.
+        cell: What the configuration declares beside the modules.
         visitor: A file that looks into the task from outside: it sees what is LOCAL there too.
 
     Returns:
@@ -68,7 +71,8 @@ def check(
     """
     files = files if visitor is None else (*files, visitor)
     modules = [module for file in files for module in file.modules]
-    analysis = Analysis(unread_text=_unread_text(modules), loads_modules=_loads_modules(modules))
+    unread, loads = _unread_text(modules), _loads_modules(modules)
+    analysis = Analysis(cell, unread_text=unread, loads_modules=loads)
     with _deep_recursion():
         homes, user_types = declare_task(modules, analysis)
         if visitor is not None:
@@ -93,7 +97,7 @@ def check(
             analysis.diagnostics += rule(facts)
     diagnostics = _in_order(analysis.diagnostics, files)
     is_broken = any(found.severity is Severity.ERROR for found in diagnostics)
-    if is_broken or analysis.unread_text or analysis.needs_shape:
+    if is_broken or analysis.unread_text or not analysis.runs:
         return Checked(None, diagnostics)
     return Checked(_program(modules, homes, analysis), diagnostics)
 
@@ -143,6 +147,7 @@ def _program(
         MappingProxyType(analysis.type_of),
         MappingProxyType(routines),
         analysis.loads_modules,
+        analysis.cell,
     )
 
 

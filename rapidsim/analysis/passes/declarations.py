@@ -14,6 +14,7 @@ from rapidsim.analysis.context import Analysis, Context
 from rapidsim.analysis.context import Scope as Names
 from rapidsim.analysis.names.declaration_violations import BadArraySize, BadParameterType
 from rapidsim.analysis.names.name_violations import DuplicateName, MisplacedScope
+from rapidsim.analysis.names.names import find, report_undefined
 from rapidsim.analysis.names.user_types import TypeNode, UserTypes
 from rapidsim.analysis.program import (
     DataSymbol,
@@ -24,7 +25,7 @@ from rapidsim.analysis.program import (
     Symbol,
 )
 from rapidsim.analysis.syntax_violations import UnfinishedDeclaration
-from rapidsim.analysis.tree_walk import children, clauses, statements
+from rapidsim.analysis.tree_walk import children, clauses, descendants, statements
 from rapidsim.analysis.types.constant_folding import constant_number
 from rapidsim.analysis.types.operators import has_value
 from rapidsim.diagnostics import Related
@@ -267,6 +268,15 @@ def _array(element: Type, sizes: Iterable[int | None]) -> ArrayOf:
 def _size(dimension: tree.Expression, node: tree.Data, context: Context) -> int | None:
     """The size of one dimension; None, after a finding, where it is no size."""
     if isinstance(dimension, tree.Placeholder):
+        return None
+    undeclared = [
+        part.name
+        for part in descendants(dimension)
+        if isinstance(part, tree.Reference) and find(part.name.key, context) is None
+    ]
+    if undeclared:
+        for name in undeclared:
+            report_undefined(name, context)
         return None
     number = constant_number(dimension, context)
     written = context.module.span(dimension).text

@@ -94,7 +94,10 @@ def _check_assignment(statement: tree.Assignment, context: Context) -> None:
         return
     of = type_of_target(target, context, type_of_expression)
     if of is None:
-        if not isinstance(statement.value, tree.Aggregate | tree.LiteralAggregate):
+        if isinstance(statement.value, tree.Aggregate | tree.LiteralAggregate):
+            # What it is made of, only its type could tell.
+            context.analysis.runs = False
+        else:
             type_of_expression(statement.value, context, None)
         return
     if resolved(of) in types.SIGNALS:

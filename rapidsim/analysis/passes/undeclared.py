@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rapidsim.analysis.context import Analysis
-from rapidsim.analysis.names.names import named_like_a_signal, report_undefined
+from rapidsim.analysis.names.names import evident_signal, report_undefined
 from rapidsim.analysis.names.signal_violations import UnknownSignal
 from rapidsim.analysis.types.assignability import agrees, report_mismatch
 
@@ -16,11 +16,11 @@ def decide_undeclared(analysis: Analysis) -> None:
     reported: set[str] = set()
     for reference, context in analysis.undeclared:
         name = reference.name
-        of = analysis.signals.get(name.key) or named_like_a_signal(name, context)
+        of = analysis.signals.get(name.key) or evident_signal(name, context)
         if of is None:
             report_undefined(name, context)
             continue
-        if name.key not in reported:
+        if name.key not in reported and name.key not in analysis.cell.wired:
             context.report(UnknownSignal(name.text, of.name), name)
             reported.add(name.key)
         analysis.signals.setdefault(name.key, of)

@@ -12,9 +12,8 @@ from math import comb
 from typing import TypeAlias
 
 from rapidsim.analysis.context import Context
-from rapidsim.analysis.names.names import find
+from rapidsim.analysis.names.names import DataLike, find
 from rapidsim.analysis.parameters import Callee, Formal
-from rapidsim.analysis.program import CounterSymbol, DataSymbol, ParameterSymbol
 from rapidsim.analysis.suggestions import closest
 from rapidsim.analysis.types.argument_violations import BadArguments, BadOption, UnknownArgument
 from rapidsim.analysis.types.assignability import agrees
@@ -156,7 +155,7 @@ def _evident_type(value: tree.Expression, context: Context) -> Type | None:
             return types.BOOL
         case tree.Reference(name=name):
             symbol = find(name.key, context)
-            if isinstance(symbol, DataSymbol | ParameterSymbol | CounterSymbol):
+            if isinstance(symbol, DataLike):
                 return type_of_data(symbol)
             return None
         case tree.FunctionCall(name=name):

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from rapidsim.analysis.cell_names import ConfiguredSymbol
 from rapidsim.analysis.context import Context, TypeOf
+from rapidsim.analysis.names.names import find
 from rapidsim.analysis.parameters import Wanted
 from rapidsim.analysis.types.operators import has_value, value_type
 from rapidsim.analysis.types.type_violations import NoValue, TypeMismatch
 from rapidsim.language import types
-from rapidsim.language.types import ArrayOf, Type, resolved
+from rapidsim.language.types import ArrayOf, Atomic, Kind, Type, resolved
 from rapidsim.syntax import tree
 
 
@@ -24,14 +26,26 @@ def agrees(found: Type, wanted: Type) -> bool:
         return True
     value = value_type(found)
     target = resolved(wanted)
+    if is_unknown(value) or is_unknown(target):
+        return True
     if isinstance(value, ArrayOf) and isinstance(target, ArrayOf):
         return value.element == target.element and _sizes_agree(value, target)
     return value == target or resolved(found) == target
 
 
+def is_unknown(of: Type) -> bool:
+    """Whether it is a type, or an array of one, that nothing declares."""
+    target = resolved(of)
+    inner = resolved(target.element) if isinstance(target, ArrayOf) else target
+    return isinstance(inner, Atomic) and inner.kind is Kind.UNKNOWN
+
+
 def report_mismatch(expression: tree.Node, found: Type, wanted: Wanted, context: Context) -> None:
     """Report a value of the wrong type."""
-    violation = TypeMismatch(wanted.by, wanted.type.name, found.name)
+    name = expression.name if isinstance(expression, tree.Reference) else None
+    symbol = None if name is None else find(name.key, context)
+    configured = symbol.name if isinstance(symbol, ConfiguredSymbol) else ""
+    violation = TypeMismatch(wanted.by, wanted.type.name, found.name, configured)
     context.report(violation, expression, *wanted.declared)
 
 

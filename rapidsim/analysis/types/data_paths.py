@@ -16,7 +16,7 @@ from rapidsim.analysis.names.names import (
 from rapidsim.analysis.parameters import Wanted
 from rapidsim.analysis.program import CounterSymbol, DataSymbol, Storage
 from rapidsim.analysis.suggestions import closest
-from rapidsim.analysis.types.assignability import require
+from rapidsim.analysis.types.assignability import is_unknown, require
 from rapidsim.analysis.types.constant_folding import constant_number
 from rapidsim.analysis.types.operators import value_type
 from rapidsim.analysis.types.type_violations import (
@@ -30,17 +30,12 @@ from rapidsim.syntax import tree
 
 
 def type_of_path(path: tree.DataPath, context: Context, type_of: TypeOf) -> Type | None:
-    """The type of the data at a path; None, after a finding, where there are none."""
-    if isinstance(path, tree.Reference):
-        symbol = data_named(path, context)
-        found = type_of_undeclared(path, context) if symbol is None else type_of_data(symbol)
-    elif isinstance(path, tree.Index):
-        found = _element_type(path, context, type_of)
-    else:
-        found = _component_type(path, context, type_of)
-    if found is not None:
-        context.analysis.type_of[path] = found
-    return found
+    """The type of the data at a path; None, after a finding, where there are none.
+
+    None, too, where nothing declares the type: what may be done with it is not known.
+    """
+    found = _written_type(path, context, type_of)
+    return None if found is None or is_unknown(found) else found
 
 
 def type_of_target(path: tree.DataPath, context: Context, type_of: TypeOf) -> Type | None:
@@ -74,8 +69,21 @@ def type_of_data(symbol: DataLike) -> Type:
     return types.NUM if isinstance(symbol, CounterSymbol) else symbol.type
 
 
+def _written_type(path: tree.DataPath, context: Context, type_of: TypeOf) -> Type | None:
+    if isinstance(path, tree.Reference):
+        symbol = data_named(path, context)
+        found = type_of_undeclared(path, context) if symbol is None else type_of_data(symbol)
+    elif isinstance(path, tree.Index):
+        found = _element_type(path, context, type_of)
+    else:
+        found = _component_type(path, context, type_of)
+    if found is not None:
+        context.analysis.type_of[path] = found
+    return found
+
+
 def _element_type(path: tree.Index, context: Context, type_of: TypeOf) -> Type | None:
-    array = type_of_path(path.array, context, type_of)
+    array = _written_type(path.array, context, type_of)
     written = context.module.span(path.array).text
     wanted = Wanted(types.NUM, f"an index of `{written}`")
     for index in path.indices:
@@ -100,7 +108,7 @@ def _element_type(path: tree.Index, context: Context, type_of: TypeOf) -> Type |
 
 
 def _component_type(path: tree.Component, context: Context, type_of: TypeOf) -> Type | None:
-    record = type_of_path(path.record, context, type_of)
+    record = _written_type(path.record, context, type_of)
     if record is None:
         return None
     target = value_type(record)
@@ -111,7 +119,7 @@ def _component_type(path: tree.Component, context: Context, type_of: TypeOf) -> 
     if target.name.lower() in context.analysis.shapeless:
         written = context.module.span(path.record).text
         context.report(ComponentOfUnknownType(written, record.name, path.name.text), path.name)
-        context.analysis.needs_shape = True
+        context.analysis.runs = False
         return None
     known = tuple(component.name for component in components)
     if known:

@@ -29,10 +29,14 @@ class TypeMismatch(Violation, code="T301"):
     by: str
     wanted: str
     found: str
+    configured: str = ""
+    """The name that the configuration of the cell, and no module, gives that type."""
 
     @property
     def help(self) -> str | None:
         """The conversion, where RAPID has one."""
+        if self.configured:
+            return f"the I/O configuration declares `{self.configured}` as {self.found}"
         return _CONVERSIONS.get((self.wanted, self.found))
 
 

@@ -10,7 +10,7 @@ import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.numbers import POSITIVE, Number, numbers
-from rapidsim.cli.options.outputs import new_file
+from rapidsim.cli.options.outputs import new_file, new_plots
 from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
 from rapidsim.files import InputError, decode, input_bytes, standard_input
 from rapidsim.jobs.choices import DEFAULT_ROBOT
@@ -125,6 +125,7 @@ _TRACES = (".csv", ".parquet", ".json")
 )
 @click.option("--trace", metavar="FILE.csv|.parquet|.json", help="Write joints and TCP over time.")
 @click.option("--record", metavar="FILE.rrd", help="Write a recording for the rerun viewer.")
+@click.option("--plots", metavar="DIR", help="Write pictures of way, joints, deviation, attitude.")
 @table_or_json
 @terminal_options
 def follow(
@@ -147,6 +148,7 @@ def follow(
     dt: float,
     trace: str | None,
     record: str | None,
+    plots: str | None,
     output_format: str,
 ) -> int:
     """Follow the points of a table, and say how well the arm can.
@@ -164,7 +166,8 @@ def follow(
 
     recording = new_file(record, (".rrd",)) if record else None
     trace_file = new_file(trace, _TRACES) if trace else None
-    if compare and (recording or trace_file):
+    pictures = new_plots(plots) if plots else None
+    if compare and (recording or trace_file or pictures):
         raise InputError("--compare writes no files", "leave out --compare, or the files")
     if avoid and not min_radius:
         raise InputError("--avoid needs to know the sphere", "name its radius with --min-radius")
@@ -186,7 +189,7 @@ def follow(
         for remark in unused(task, plan):
             say(f"note: {remark}", err=True)
     attempts = attempt_all(task, plan, tuple(Way) if compare else (plan.way,))
-    files = written(attempts[0].result, points_file, recording, trace_file)
+    files = written(attempts[0].result, points_file, recording, trace_file, pictures)
     if output_format == "json":
         json_of = compared_json if compare else follow_json
         say(json.dumps(json_of(task.asked, attempts), indent=2, allow_nan=False))

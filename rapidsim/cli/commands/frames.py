@@ -41,9 +41,10 @@ def frames(
     """
     terminal = current_terminal()
     job = asked_job(Asked(paths=paths, robot=robot, station=station, task=task))
-    files = job.only_task.files
+    task_files = job.only_task
+    files = task_files.files
     arm = job.arm()
-    loaded = load(files)
+    loaded = load(files, cell=job.cell, unseen=task_files.unseen)
     if loaded.program is None:
         findings = merged(loaded.diagnostics)
         text = full(findings, terminal.palette, width=terminal.width)

@@ -106,15 +106,13 @@ def new_outputs(asked: AskedFiles, program: str) -> Outputs:
                 raise InputError(f"{name} and --no-record exclude each other")
     if asked.view:
         require_screen()
-    if asked.plots:
-        _require_matplotlib()
     recording = None if asked.no_record else asked.record or f"{program}.rrd"
     return Outputs(
         recording=new_file(recording, (".rrd",)) if recording else None,
         recording_step_s=asked.record_dt,
         view=asked.view,
         report=new_file(asked.report, (".html", ".htm")) if asked.report else None,
-        plots=_new_folder(asked.plots) if asked.plots else None,
+        plots=new_plots(asked.plots) if asked.plots else None,
         trace=new_file(asked.trace, (".csv", ".parquet", ".json")) if asked.trace else None,
         trace_step_s=asked.dt,
         events=new_file(asked.events, (".jsonl",)) if asked.events else None,
@@ -209,6 +207,12 @@ def new_file(name: str, suffixes: tuple[str, ...]) -> Path:
         raise InputError(f"{path} cannot be written: it is a folder")
     _require_writable(path, path.parent)
     return path
+
+
+def new_plots(name: str) -> Path:
+    """The folder of pictures, refused if they cannot be drawn or written there."""
+    _require_matplotlib()
+    return _new_folder(name)
 
 
 def _new_folder(name: str) -> Path:

@@ -10,7 +10,7 @@ from rapidsim.analysis.names.name_violations import UndefinedName
 from rapidsim.analysis.names.signal_violations import UnknownSignal
 from rapidsim.analysis.program import Program, UnknownSymbol
 from rapidsim.cli.terminal import Terminal, say
-from rapidsim.controller.cell.description import CellIo, without_declared
+from rapidsim.controller.cell.description import CellIo
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError, did_you_mean
 from rapidsim.interpreter.tools.questions import NotAskedError, Question, answers, ask, own_names
@@ -104,9 +104,8 @@ def _read(text: str, programs: Mapping[str, Program], io: CellIo, terminal: Term
             found = ask(expression, LABEL, program, ASKED_FIGURES)
         except NotAskedError as error:
             raise InputError(f"{LABEL} `{text}`: {error}") from None
-        wrong = without_declared(found.findings, io)
-        if found.question is None or wrong:
-            bad[name] = wrong
+        if found.question is None or found.findings:
+            bad[name] = found.findings
         else:
             good[name] = found.question
     if not good:

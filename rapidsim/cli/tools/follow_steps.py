@@ -147,7 +147,11 @@ def unused(task: Task, plan: Plan) -> tuple[str, ...]:
 
 
 def written(
-    result: Followed | Refused, title: str, recording: Path | None, trace: Path | None
+    result: Followed | Refused,
+    title: str,
+    recording: Path | None,
+    trace: Path | None,
+    plots: Path | None,
 ) -> tuple[Written, ...]:
     """Write the files asked for, if there is a trajectory."""
     if isinstance(result, Refused):
@@ -163,6 +167,11 @@ def written(
 
         write_samples(result.samples, trace)
         files.append(Written(trace, "trace"))
+    if plots:
+        from rapidsim.plots.followed_pictures import write_followed_plots
+
+        write_followed_plots(result, Path(title).name, plots)
+        files.append(Written(plots, "plots"))
     return tuple(files)
 
 

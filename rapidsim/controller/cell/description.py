@@ -5,18 +5,12 @@ All of it is plain data, read from a station file or from the file that `--io` n
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
 from rapidsim.controller.cell.conditions import Condition
 from rapidsim.controller.cell.socket_scripts import SocketScript
-from rapidsim.diagnostics import Diagnostic, Violation
-
-UNDECLARED_CODE = "I801"
-"""The rule that finds signals nobody declares; a station may declare them."""
-UNDECLARED_UNIT_CODE = "N214"
-"""The rule that finds mechanical units nobody declares; likewise."""
 
 
 class SignalKind(StrEnum):
@@ -96,29 +90,20 @@ class CellIo:
             sockets=(*self.sockets, *other.sockets),
         )
 
+    @property
+    def written(self) -> tuple[str, ...]:
+        """Names of the signals that follow others or are driven, each once."""
+        driven = (name for stimulus in self.stimuli for name in stimulus.values)
+        return tuple(dict.fromkeys((*(cross.result for cross in self.crosses), *driven)))
 
-def without_declared(
-    diagnostics: Iterable[Diagnostic], io: CellIo, units: Iterable[str] = ()
-) -> tuple[Diagnostic, ...]:
-    """Findings of a check, less those about signals and units that the station names."""
-    known = {
-        *((UNDECLARED_CODE, name.lower()) for name in _named(io)),
-        *((UNDECLARED_UNIT_CODE, unit.lower()) for unit in units),
-    }
-    return tuple(found for found in diagnostics if not _undeclared(found.violation) & known)
+    @property
+    def read(self) -> tuple[str, ...]:
+        """Names of the signals that connections and stimuli look at, each once."""
+        looked_at = [cross.condition for cross in self.crosses]
+        looked_at += [stimulus.when for stimulus in self.stimuli if stimulus.when]
+        return tuple(dict.fromkeys(name for one in looked_at for name in one.signals()))
 
-
-def _named(io: CellIo) -> Iterator[str]:
-    """The signals that are declared, wired or driven."""
-    yield from (signal.name for signal in io.signals)
-    for cross in io.crosses:
-        yield from (cross.result, *cross.condition.signals())
-    for stimulus in io.stimuli:
-        yield from stimulus.values
-        yield from stimulus.when.signals() if stimulus.when else ()
-
-
-def _undeclared(violation: Violation) -> set[tuple[str, str]]:
-    """The signal or unit that a finding says is not declared."""
-    names = (getattr(violation, field, "") for field in ("signal", "unit"))
-    return {(violation.code, name.lower()) for name in names}
+    @property
+    def wired(self) -> tuple[str, ...]:
+        """Names of the signals that connections and stimuli mention."""
+        return tuple(dict.fromkeys((*self.written, *self.read)))

@@ -2,16 +2,20 @@
 
 This is the only thing in a run that knows that clock, and it only ends the run. Nobody pays for
 reading it: a thread sleeps until the time is over, then raises a flag that long work looks at, and
-takes away the ticks of the tasks, so that every loop asks for new ones at its next turn. What was
-noted must be written yet: the more it is, the earlier the time is over.
+takes away the ticks of the tasks, so that every loop asks for new ones at its next turn. Work that
+cannot look (a module that is loaded passes the parser, the checker and the compiler) is interrupted
+where it stands. What was noted must be written yet: the more it is, the earlier the time is over.
 """
 
 from __future__ import annotations
 
+import ctypes
 import math
-from collections.abc import Callable
-from threading import Event, Thread
-from time import monotonic
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from threading import Event, Lock, Thread, get_ident
+from time import monotonic, sleep
 from typing import Final, Protocol
 
 from rapidsim.controller.journal.stop_reasons import WallLimitReached
@@ -26,6 +30,13 @@ _WRITING_S: Final = 25e-6
 """So long [s] each of the things noted takes to be dated, sorted and written as JSON and events."""
 _FREE_S: Final = 1.0
 """So long writing may take beyond the limit."""
+
+
+class _Interrupted(WallLimitReached):
+    """Raised by the thread of the watchdog in that of the run."""
+
+    def __init__(self) -> None:
+        super().__init__("the run was cut off at its limit on the computer's clock")
 
 
 class Ticking(Protocol):
@@ -51,6 +62,9 @@ class Watchdog:
         self._is_over = False
         self._rests = Event()
         self._tasks: list[Ticking] = []
+        self._lock = Lock()
+        self._at_work: int | None = None
+        """The thread that does work which may be interrupted."""
         if limit_s is not None:
             Thread(target=self._watch, name="rapidsim --max-wall", daemon=True).start()
 
@@ -80,6 +94,24 @@ class Watchdog:
                 f"the run was cut off after {self._limit_s:g} s on the computer's clock"
             )
 
+    @contextmanager
+    def interrupting(self) -> Iterator[None]:
+        """Interrupt what is done within it when the time is over.
+
+        Raises:
+            WallLimitReached: If it was interrupted.
+        """
+        self.look()
+        self._at_work = get_ident()
+        try:
+            try:
+                yield
+            finally:
+                self._no_longer()
+        except _Interrupted:
+            self.look()
+            raise
+
     def rest(self) -> None:
         """Watch no longer: the run is over."""
         self._rests.set()
@@ -92,5 +124,21 @@ class Watchdog:
         while True:
             for task in self._tasks:
                 task.left = NO_TICKS
+            self._interrupt()
             if self._rests.wait(_AGAIN_S):
                 return
+
+    def _interrupt(self) -> None:
+        with self._lock:
+            thread, self._at_work = self._at_work, None
+            if thread is not None:
+                exception = ctypes.py_object(_Interrupted)
+                ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), exception)
+
+    def _no_longer(self) -> None:
+        """End interruptible work; an exception that is on its way comes up in here or before."""
+        with self._lock:
+            interrupted, self._at_work = self._at_work is None, None
+        if interrupted and not isinstance(sys.exception(), _Interrupted):
+            while True:
+                sleep(_AGAIN_S)

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from enum import Enum
 from types import MappingProxyType
 
+from rapidsim.analysis.cell_names import ConfiguredSymbol
 from rapidsim.analysis.program import (
     CounterSymbol,
     DataSymbol,
@@ -258,7 +259,7 @@ class Paths:
             case CounterSymbol():
                 assert name is not None
                 return Whole(Home.PLAIN, at.name(name), NUM, name)
-            case UnknownSymbol():
+            case ConfiguredSymbol() | UnknownSymbol():
                 signal = at.name(self._names.module.signal(symbol))
                 return Whole(Home.SIGNAL, signal, SIGNAL_DI)
             case _:
@@ -412,7 +413,7 @@ def _home(of: Type, in_reference: bool) -> Home:
 
 def _symbol_type(symbol: Symbol) -> Type:
     match symbol:
-        case DataSymbol(type=of) | ParameterSymbol(type=of):
+        case DataSymbol(type=of) | ParameterSymbol(type=of) | ConfiguredSymbol(type=of):
             return of
         case UnknownSymbol():
             return SIGNAL_DI

@@ -12,6 +12,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
+from rapidsim.analysis.cell_names import ConfiguredSymbol
 from rapidsim.analysis.program import (
     DataSymbol,
     ParameterSymbol,
@@ -59,8 +60,8 @@ class ModuleNames:
         """The name of an installed routine's function."""
         return self._bound(routine, routine.name, Fixed(routine.body))
 
-    def signal(self, symbol: UnknownSymbol) -> str:
-        """The name of a signal that no module declares, as a reference to it."""
+    def signal(self, symbol: ConfiguredSymbol | UnknownSymbol) -> str:
+        """The name of what no module declares, a signal as a rule, as a reference to it."""
         key = symbol.name.lower()
         return self._bound(("signal", key), key, Fixed(Box(Signal(symbol.name))))
 
@@ -70,7 +71,7 @@ class ModuleNames:
 
     def record_class(self, python: type[tuple[object, ...]]) -> str:
         """The name of a record's class."""
-        return self._bound(python, f"_{python.__name__.lower()}", Fixed(python))
+        return self._bound(python, f"_record_{python.__name__.lower()}", Fixed(python))
 
     def index_table(self, size: int) -> str:
         """The name of the table that checks indices of arrays of a size."""

@@ -12,8 +12,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 
+from rapidsim.analysis.cell_names import CellNames
 from rapidsim.analysis.names.name_violations import (
     ComponentOfUnknownType,
     UndefinedName,
@@ -64,7 +65,7 @@ class TaskModules:
         self._linked = linked
         # A cell loads the same few files again and again.
         self._parse = lru_cache(maxsize=MOST_KNOWN)(_parsed)
-        self._check = lru_cache(maxsize=MOST_KNOWN)(_checked)
+        self._check = lru_cache(maxsize=MOST_KNOWN)(partial(_checked, cell=linked.program.cell))
         self._entries = [_Entry(module) for module in linked.program.modules]
 
     def has(self, name: str) -> bool:
@@ -180,7 +181,7 @@ def _parsed(file: str, text: str) -> Parsed:
 
 
 def _checked(
-    modules: tuple[tree.Module, ...],
+    modules: tuple[tree.Module, ...], cell: CellNames
 ) -> tuple[Checked, Mapping[tree.Module, Diagnostic]]:
     """Check modules together.
 
@@ -191,7 +192,7 @@ def _checked(
     linked = list(modules)
     waiting: dict[tree.Module, Diagnostic] = {}
     while True:
-        checked = check([tree.File(one.source, (one,), ()) for one in linked])
+        checked = check([tree.File(one.source, (one,), ()) for one in linked], cell=cell)
         found = _undeclared(checked)
         blocked = {
             one: finding for finding in reversed(found) for one in linked if _holds(one, finding)

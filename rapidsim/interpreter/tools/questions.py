@@ -116,7 +116,7 @@ def ask(text: str, label: str, program: Program, figures: Iterable[str]) -> Aske
     if any(one.severity is Severity.ERROR for one in findings):
         return Asked(None, findings)
     expression = _only_expression(parsed, name, start, start + len(text))
-    checked = check(_files(program), visitor=parsed.file)
+    checked = check(_files(program), cell=program.cell, visitor=parsed.file)
     findings += _placed(checked.diagnostics, parsed, own, start)
     if checked.program is None:
         if not findings:
@@ -157,7 +157,7 @@ def answers(
         for number, question in enumerate(questions, 1)
     ]
     parsed, _ = _module(declared, [one for group in functions for one in group])
-    checked = check(_files(program), visitor=parsed.file)
+    checked = check(_files(program), cell=program.cell, visitor=parsed.file)
     if checked.program is None:
         # It was asked of the program as it began; modules that it unloads may take names away.
         return tuple(Answer(False, error=_first_error(checked)) for _ in questions)

@@ -14,12 +14,9 @@ import numpy.typing as npt
 from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.compiled import decided_anew
-from rapidsim.motion.configurations.branch_choice import least_motion
-from rapidsim.motion.configurations.confdata import told_apart
 from rapidsim.motion.configurations.reachability import limit_excess, why_unreachable
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.trajectory.trajectory import Samples
-from rapidsim.motion.waypoints.branch_jumps import jump_on
 from rapidsim.motion.waypoints.plan import (
     JointMotion,
     Plan,
@@ -32,12 +29,11 @@ from rapidsim.motion.waypoints.plan import (
 )
 from rapidsim.motion.waypoints.points import Points, posed
 from rapidsim.motion.waypoints.quintic import overshoot
+from rapidsim.motion.waypoints.tcp_joints import NOT_FROM_THERE, joints_of_tcp, solved, when
 
 DEFAULT_DT = 0.012
 """[s]"""
 MOST_SAMPLES = 200_000
-_NOT_FROM_THERE = "it is reached, but not in the configuration in which the arm comes"
-_SEARCHED_AT_ONCE = 8
 _SAME_INSTANT = 1e-9
 """[s]"""
 _CHORDS = 64
@@ -51,6 +47,8 @@ class Followed:
     plan: Plan
     robot: Robot
     points: Points
+    attitudes: Array
+    """At each point, (k, 4) or (k, 1)."""
     flange_from_tcp: Transform
     samples: Samples
     """`move` is the point, counted from 0, from which the arm comes."""
@@ -139,23 +137,16 @@ def follow(
         times = _times(motion.starts, dt)
         if isinstance(times, Refused):
             return times
-        wanted, segment = motion.at(times)
-        joints = _solved(robot, wanted @ tcp_from_flange, start, first)
-        if isinstance(joints, int):
-            why = why_unreachable(robot, (wanted @ tcp_from_flange)[joints])
-            said = why.message if why else _NOT_FROM_THERE
-            return Refused(
-                f"{_when(points, segment, times, joints)}: {said}",
-                "take points nearer to each other, another attitude, or another way",
-                int(segment[joints]),
-            )
-        return _of_tcp(robot, points, flange_from_tcp, plan, motion, times, joints)
+        joints = joints_of_tcp(robot, points, motion, times, tcp_from_flange, start, first)
+        if isinstance(joints, Refused):
+            return joints
+        return _of_tcp(robot, points, attitudes, flange_from_tcp, plan, motion, times, joints)
 
     at_points = posed(points.positions, attitudes)
-    knots = _solved(robot, at_points @ tcp_from_flange, start, first)
+    knots = solved(robot, at_points @ tcp_from_flange, start, first)
     if isinstance(knots, int):
         why = why_unreachable(robot, (at_points @ tcp_from_flange)[knots])
-        said = why.message if why else _NOT_FROM_THERE
+        said = why.message if why else NOT_FROM_THERE
         return Refused(f"point {points.number(knots)}: {said}", None, knots)
     if plan.way is Way.JOINT_QUINTIC:
         made = quintic_motion(points, knots, plan)
@@ -167,48 +158,7 @@ def follow(
     times = _times(made.trajectory.breaks, dt)
     if isinstance(times, Refused):
         return times
-    return _of_joints(robot, points, flange_from_tcp, plan, made, knots, times)
-
-
-def _solved(
-    robot: Robot, base_from_flange: Transform, start: Array | None, first: Array | None
-) -> Array | int:
-    """Joints (k, n) of poses (k,), or the first that is not reached."""
-    if not told_apart(robot.kinematics):
-        return _searched(robot, base_from_flange, start, first)
-    if first is None:
-        found = least_motion(robot, base_from_flange, start)
-        return found if isinstance(found, int) else found.joints
-    rest = least_motion(robot, base_from_flange[1:], first)
-    if isinstance(rest, int):
-        return rest + 1
-    return np.concatenate([first[None], rest.joints])
-
-
-def _searched(
-    robot: Robot, base_from_flange: Transform, start: Array | None, first: Array | None
-) -> Array | int:
-    """The same for an arm whose joints are searched for: each pose from the one before it.
-
-    Looking for all solutions of every pose, to choose among them, would take a hundred times longer
-    and find other ones each time.
-    """
-    if first is None:
-        chosen = least_motion(robot, base_from_flange[:1], start)
-        if isinstance(chosen, int):
-            return 0
-        first = chosen.joints[0]
-    rows, before = [], first
-    # Not all at once: behind the first pose out of reach every search is long and in vain.
-    for begin in range(0, len(base_from_flange), _SEARCHED_AT_ONCE):
-        some = base_from_flange[begin : begin + _SEARCHED_AT_ONCE]
-        found = robot.kinematics.inverse_on_branch(some, 0, before)
-        missed = ~found.exists | limit_excess(robot, found.joints).any(axis=1)
-        if missed.any():
-            return begin + int(np.argmax(missed))
-        rows.append(found.joints)
-        before = found.joints[-1]
-    return np.concatenate(rows)
+    return _of_joints(robot, points, attitudes, flange_from_tcp, plan, made, knots, times)
 
 
 def _joint_ways(robot: Robot, knots: Array, flange_from_tcp: Transform) -> Array:
@@ -223,6 +173,7 @@ def _joint_ways(robot: Robot, knots: Array, flange_from_tcp: Transform) -> Array
 def _of_tcp(
     robot: Robot,
     points: Points,
+    attitudes: Array,
     flange_from_tcp: Transform,
     plan: Plan,
     motion: TcpMotion,
@@ -231,16 +182,6 @@ def _of_tcp(
 ) -> Followed | Refused:
     wanted, segment = motion.at(times)
     step = np.abs(np.diff(joints, axis=0))
-    jump = jump_on(robot, motion, flange_from_tcp.inverse(), times, joints)
-    if jump is not None:
-        row, joint, size = jump
-        return Refused(
-            f"{_when(points, segment, times, row)}: joint {joint + 1} would have to jump "
-            f"by {degrees(size):.0f} deg: the path passes a singularity, or no configuration goes "
-            "all the way",
-            "begin in another configuration with --conf, move the points, or use --path joint",
-            int(segment[row]),
-        )
     base_from_tcp = robot.forward(joints) @ flange_from_tcp
     off = vector_from_rotation(np.swapaxes(wanted.rotation, -1, -2) @ base_from_tcp.rotation)
     peaks = (step / np.diff(times)[:, None]).max(axis=0)
@@ -254,6 +195,7 @@ def _of_tcp(
         plan=plan,
         robot=robot,
         points=points,
+        attitudes=attitudes,
         flange_from_tcp=flange_from_tcp,
         samples=Samples(times, segment, joints, base_from_tcp, np.maximum(speeds, 0.0)),
         wanted=wanted,
@@ -270,6 +212,7 @@ def _of_tcp(
 def _of_joints(
     robot: Robot,
     points: Points,
+    attitudes: Array,
     flange_from_tcp: Transform,
     plan: Plan,
     motion: JointMotion,
@@ -284,7 +227,7 @@ def _of_joints(
         row, joint = (int(i) for i in np.unravel_index(np.argmax(np.abs(excess)), excess.shape))
         limit = "upper" if excess[row, joint] > 0.0 else "lower"
         return Refused(
-            f"{_when(points, segment, times, row)}: joint {joint + 1} would go "
+            f"{when(points, segment, times, row)}: joint {joint + 1} would go "
             f"{degrees(abs(excess[row, joint])):.1f} deg beyond its {limit} limit",
             "give lower speeds at the points, or more time between them",
             int(segment[row]),
@@ -302,6 +245,7 @@ def _of_joints(
         plan=plan,
         robot=robot,
         points=points,
+        attitudes=attitudes,
         flange_from_tcp=flange_from_tcp,
         samples=Samples(times, segment, joints, base_from_tcp, speed),
         wanted=base_from_tcp,
@@ -343,7 +287,3 @@ def _times(breaks: Array, dt: float) -> Array | Refused:
     times = np.unique(np.concatenate([np.arange(int(np.ceil(end / dt))) * dt, breaks]))
     apart: Array = times[np.append(np.diff(times) > _SAME_INSTANT, True)]
     return apart
-
-
-def _when(points: Points, segment: npt.NDArray[np.int64], times: Array, row: int) -> str:
-    return f"between {points.pair(int(segment[row]))} at {times[row]:.3f} s"

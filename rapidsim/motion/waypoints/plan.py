@@ -73,6 +73,9 @@ class Refused:
     help: str | None = None
     segment: int | None = None
     """The stretch after this point, counted from 0; None if it is no particular one."""
+    others: tuple[tuple[tuple[int, ...], str | None], ...] = ()
+    """The other configurations at the first point as confdata, and why each does not go all the
+    way; None where it does."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

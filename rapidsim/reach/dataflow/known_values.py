@@ -85,8 +85,11 @@ class Evaluator:
         of = self.program.type_of.get(expression, of)
         try:
             found = self._unrounded(expression, of)
-            if isinstance(found, float) and of is not None and resolved(of) != types.DNUM:
-                return single(found)
+            if isinstance(found, float) and of is not None:
+                if resolved(of) != types.DNUM:
+                    return single(found)
+                if not abs(found) <= arithmetic.MAX_DOUBLE:
+                    arithmetic.overflow(found)
         except RapidError as error:
             return Unknown(f"it fails: {error.message}")
         except RecursionError:

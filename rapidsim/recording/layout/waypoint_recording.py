@@ -15,6 +15,7 @@ import rerun.blueprint as rrb
 from rapidsim.frames.transform import Array
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.waypoints.attitudes import attitude_rates, unbroken
 from rapidsim.motion.waypoints.follow import Followed
 from rapidsim.motion.waypoints.plan import Way
 from rapidsim.recording import palette
@@ -34,6 +35,10 @@ ANGLES = "joints/angle"
 SPEEDS = "joints/speed"
 TCP_SPEED = "tcp/speed"
 DEVIATION = "tcp/deviation"
+POSITION = "tcp/position"
+QUATERNION = "tcp/quaternion"
+TURNED = "tcp/turned"
+TURN_RATE = "tcp/turn_rate"
 FIGURES = "figures"
 
 _SIDE_RAD = np.radians(48.0)
@@ -139,28 +144,45 @@ def _log_path(stream: rr.RecordingStream, followed: Followed) -> None:
 def _log_plots(stream: rr.RecordingStream, followed: Followed, clock: Clock) -> None:
     samples = followed.samples
     count = len(followed.robot.joints)
-    names = [f"J{number}" for number in range(1, count + 1)]
-    colours = [palette.rgba(palette.JOINTS[k % len(palette.JOINTS)]) for k in range(count)]
-    index = clock.columns(samples.times)
-    for entity, values in (
-        (ANGLES, np.degrees(samples.joints)),
-        (SPEEDS, np.degrees(_rates(samples))),
+    joints = [f"J{number}" for number in range(1, count + 1)]
+    of_joints = [palette.JOINTS[k % len(palette.JOINTS)] for k in range(count)]
+    tcp, quaternions = samples.base_from_tcp, unbroken(samples.base_from_tcp.quaternion)
+    norm = np.linalg.norm(quaternions, axis=1)
+    rates = attitude_rates(followed)
+    turned, turn_rate, words = [rates.angle], [rates.rate], ["as driven"]
+    if rates.linear_angle is not None and rates.linear_rate is not None:
+        turned.append(rates.linear_angle)
+        turn_rate.append(rates.linear_rate)
+        words.append("quaternions blended linearly")
+    two = [palette.TCP_SPEED, palette.LIMIT]
+    for entity, names, colours, values in (
+        (ANGLES, joints, of_joints, np.degrees(samples.joints)),
+        (SPEEDS, joints, of_joints, np.degrees(_rates(samples))),
+        (TCP_SPEED, ["TCP"], two, samples.tcp_speed[:, None] * 1000.0),
+        (DEVIATION, ["deviation"], [palette.LIMIT], followed.deviation[:, None] * 1000.0),
+        (POSITION, ["x", "y", "z"], [*palette.AXES], tcp.translation * 1000.0),
+        (
+            QUATERNION,
+            ["q1", "q2", "q3", "q4", "norm"],
+            [*palette.JOINTS[:4], palette.PROGRAMMED],
+            np.column_stack([quaternions, norm]),
+        ),
+        (TURNED, words, two, np.degrees(np.column_stack(turned))),
+        (TURN_RATE, words, two, np.degrees(np.column_stack(turn_rate))),
     ):
         look = rr.SeriesLines(
-            names=names, colors=np.array(colours, dtype=np.uint32), widths=np.full(count, 1.6)
+            names=names,
+            colors=np.array([palette.rgba(colours[k]) for k in range(len(names))], dtype=np.uint32),
+            widths=np.full(len(names), 1.6),
         )
         stream.log(entity, look, static=True)
-        scalars = rr.Scalars.columns(scalars=values.reshape(-1))
         stream.send_columns(
-            entity, indexes=index, columns=scalars.partition([count] * len(samples.times))
+            entity,
+            indexes=clock.columns(samples.times),
+            columns=rr.Scalars.columns(scalars=values.reshape(-1)).partition(
+                [len(names)] * len(samples.times)
+            ),
         )
-    for entity, name, colour, one in (
-        (TCP_SPEED, "TCP", palette.TCP_SPEED, samples.tcp_speed),
-        (DEVIATION, "deviation", palette.LIMIT, followed.deviation),
-    ):
-        line = rr.SeriesLines(names=name, colors=palette.rgba(colour), widths=1.8)
-        stream.log(entity, line, static=True)
-        stream.send_columns(entity, indexes=index, columns=rr.Scalars.columns(scalars=one * 1000.0))
 
 
 def _rates(samples: Samples) -> Array:
@@ -198,7 +220,7 @@ def _blueprint(followed: Followed) -> rrb.Blueprint:
     tcp = samples.base_from_tcp.translation
     x, y, _ = tcp.mean(axis=0)
     azimuth = float(np.arctan2(y, x))
-    cell = looking_at(_cell_points(followed), azimuth - _SIDE_RAD, _HEIGHT_RAD, air=1.08)
+    cell = looking_at(_cell_points(followed), azimuth - _SIDE_RAD, _HEIGHT_RAD, air=1.25)
     # Towards the robot, a little aside: the arm is not in this view, and y goes to the right.
     near = looking_at(
         np.concatenate([tcp, followed.points.positions]),
@@ -212,20 +234,31 @@ def _blueprint(followed: Followed) -> rrb.Blueprint:
     ]
     legend = emptiest_corner(samples.times, samples.joints, 0.14, 0.5)
     top = rrb.Corner2D.RightTop
-    plots = [
-        rrb.TimeSeriesView(
-            origin=f"/{entity}",
-            name=name,
-            axis_x=time,
-            axis_y=None if end is None else rrb.ScalarAxis(range=(0.0, end)),
-            plot_legend=corner,
+    tcp_top, off_top = 1300.0 * followed.peak_speed, 1.3 * max(mm, _LEAST_DEVIATION_MM)
+
+    def plot(
+        entity: str, name: str, corner: rrb.Corner2D = top, end: float | None = None
+    ) -> rrb.View:
+        axis = None if end is None else rrb.ScalarAxis(range=(0.0, end))
+        return rrb.TimeSeriesView(
+            origin=f"/{entity}", name=name, axis_x=time, axis_y=axis, plot_legend=corner
         )
-        for entity, name, corner, end in (
-            (ANGLES, "Joint angles [deg]", legend, None),
-            (SPEEDS, "Joint speeds [deg/s]", top, None),
-            (TCP_SPEED, "TCP speed [mm/s]", top, 1300.0 * followed.peak_speed),
-            (DEVIATION, "Deviation [mm]", top, 1.3 * max(mm, _LEAST_DEVIATION_MM)),
-        )
+
+    plots: list[rrb.View | rrb.Container] = [
+        plot(ANGLES, "Joint angles [deg]", legend),
+        plot(SPEEDS, "Joint speeds [deg/s]"),
+        rrb.Tabs(
+            plot(TCP_SPEED, "TCP speed [mm/s]", top, tcp_top),
+            plot(POSITION, "Position [mm]"),
+            active_tab=0,
+        ),
+        rrb.Tabs(
+            plot(DEVIATION, "Deviation [mm]", top, off_top),
+            plot(QUATERNION, "Quaternion"),
+            plot(TURNED, "Turned [deg]"),
+            plot(TURN_RATE, "Turn rate [deg/s]"),
+            active_tab=0,
+        ),
     ]
     return laid_out(
         rrb.Vertical(

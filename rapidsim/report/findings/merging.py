@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
 
 from rapidsim.diagnostics import Diagnostic
 
@@ -32,6 +32,8 @@ def merged(diagnostics: Iterable[Diagnostic], *, merge: bool = True) -> tuple[Fi
     for diagnostic in ordered:
         violation = diagnostic.violation
         key = (diagnostic.order[0], violation.code, violation.message)
+        if violation.is_told_once:
+            key = ("", violation.code, "")
         alike.setdefault(key, []).append(diagnostic)
     shown: dict[tuple[str, str], list[list[Diagnostic]]] = {}
     for (file, code, _), group in alike.items():
@@ -41,11 +43,17 @@ def merged(diagnostics: Iterable[Diagnostic], *, merge: bool = True) -> tuple[Fi
         else:
             of_rule[-1] += group
     findings = [
-        Finding(group[0], tuple(sorted(group[1:], key=_order)))
+        _finding(group[0], sorted(group[1:], key=_order))
         for of_rule in shown.values()
         for group in of_rule
     ]
     return tuple(sorted(findings, key=lambda finding: _order(finding.first)))
+
+
+def _finding(first: Diagnostic, repeats: Sequence[Diagnostic]) -> Finding:
+    others = [one.violation for one in repeats]
+    told = first.violation.with_others(others) if others else first.violation
+    return Finding(replace(first, violation=told), tuple(repeats))
 
 
 def _order(diagnostic: Diagnostic) -> tuple[str, int, str, str]:

@@ -98,18 +98,29 @@ def _full(finding: Finding, palette: Palette, width: int) -> str:
     )
     for label, cure in cures:
         if cure:
-            first, *rest = textwrap.wrap(
-                f"{label} {printable(cure)}",
-                width - gutter - 3,
-                subsequent_indent=" " * (len(label) + 1),
-                break_on_hyphens=False,
-            )
+            first, *rest = _wrapped(label, cure, width - gutter - 3)
             coloured = first.replace(label, palette.paint(label, palette.help), 1)
             lines.append(f"{margin} {coloured}")
             lines += [f"{' ' * (gutter + 3)}{line}" for line in rest]
     if finding.repeats:
         lines.append(f"{margin} and {len(finding.repeats)} more like it, {_lines_of(finding)}")
     return "\n".join(lines)
+
+
+def _wrapped(label: str, cure: str, width: int) -> list[str]:
+    """A cure behind its label; line ends in it stay, as it may be a text to paste."""
+    indent = " " * (len(label) + 1)
+    lines: list[str] = []
+    for number, line in enumerate(cure.splitlines()):
+        begin = f"{label} " if number == 0 else indent
+        lines += textwrap.wrap(
+            printable(line),
+            width,
+            initial_indent=begin,
+            subsequent_indent=indent,
+            break_on_hyphens=False,
+        )
+    return lines
 
 
 def _headline(diagnostic: Diagnostic, palette: Palette) -> str:

@@ -21,6 +21,8 @@ class Share:
     length_mm: float
     times: int
     task: str
+    moves: tuple[int, ...]
+    """Their numbers."""
 
 
 def by_routine(moves: Iterable[ExecutedMove]) -> tuple[Share, ...]:
@@ -48,6 +50,7 @@ def _added_up(
             length_mm=1000.0 * sum(move.length_m for move in group),
             times=len(group),
             task=group[0].task,
+            moves=tuple(move.index for move in group),
         )
         for group in groups.values()
     ]

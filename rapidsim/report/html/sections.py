@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from math import sqrt
 from pathlib import Path
 
 from rapidsim.controller.journal.events import Event, EventKind
@@ -14,6 +15,7 @@ from rapidsim.report.html.cycle_time import Share, by_line, by_routine
 from rapidsim.report.html.elements import bar, section, table, text, tile
 from rapidsim.report.run.figures import Figures
 from rapidsim.report.run.json_report import models, of_robots
+from rapidsim.simulation.results.curve_deviations import CurveDeviation, all_curve_deviations
 from rapidsim.simulation.results.simulation import End, Simulation
 
 _MOST_FINDINGS = 200
@@ -133,6 +135,7 @@ def cycle_time(simulation: Simulation) -> str:
     if not moves:
         return ""
     routines, lines = by_routine(moves), by_line(moves)
+    deviations = all_curve_deviations(simulation)
     left = lines[_MOST_LINES:]
     several = len(simulation.robots) > 1
     note = (
@@ -153,19 +156,24 @@ def cycle_time(simulation: Simulation) -> str:
         )
         + '<h3>By line</h3><div class="scrolled">'
         + table(
-            ("line", "move", ">times", ">path [mm]", ">time [s]", ""),
+            ("line", "move", ">times", ">path [mm]", ">off it [mm]", ">time [s]", ""),
             [
-                _share_row(share, lines[0], named=True, several=several)
+                _share_row(
+                    share, lines[0], _off_curve(share, deviations), named=True, several=several
+                )
                 for share in lines[:_MOST_LINES]
             ],
             kind="times",
         )
-        + f"</div>{note}"
+        + f'</div><p class="aside">off it: the furthest of the TCP from the programmed line or arc '
+        f"between its zones, and its root mean square; by forward kinematics</p>{note}"
     )
     return section("times", "Cycle time", body, "time in moves; waiting is not in it")
 
 
-def _share_row(share: Share, longest: Share, *, named: bool, several: bool) -> list[str]:
+def _share_row(
+    share: Share, longest: Share, off: str = "", *, named: bool, several: bool
+) -> list[str]:
     name = f"{share.task}: {share.name}" if several else share.name
     what = [text(name), text(share.text)] if named else [text(name)]
     width = share.seconds / longest.seconds if longest.seconds > 0.0 else 0.0
@@ -173,9 +181,19 @@ def _share_row(share: Share, longest: Share, *, named: bool, several: bool) -> l
         *what,
         str(share.times),
         f"{share.length_mm:,.1f}",
+        *([off] if named else []),
         f"{share.seconds:.3f}",
         bar(width),
     ]
+
+
+def _off_curve(share: Share, deviations: Mapping[int, CurveDeviation]) -> str:
+    """Largest and rms deviation [mm] of the lines or arcs of a line; empty for joint moves."""
+    found = [deviations[number] for number in share.moves if number in deviations]
+    if not found:
+        return ""
+    rms = sqrt(sum(one.rms**2 for one in found) / len(found))
+    return f"{1000.0 * max(one.largest for one in found):.3f}, rms {1000.0 * rms:.3f}"
 
 
 def events(simulation: Simulation) -> str:

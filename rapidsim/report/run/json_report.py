@@ -16,6 +16,7 @@ from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.text import diagnostic_json
 from rapidsim.report.run.figures import Figures, JointMargin, LineTime, SingularityMargin, argument
 from rapidsim.report.run.verdicts import NOTHING_ASKED, Judgement
+from rapidsim.simulation.results.curve_deviations import CurveDeviation, all_curve_deviations
 from rapidsim.simulation.results.event_values import event_record, written
 from rapidsim.simulation.results.simulation import End, Simulation
 
@@ -42,6 +43,7 @@ def run_json(
         judgement: What became of assertions and the cycle budget.
     """
     first = simulation.robots[0].robot.name
+    deviations = all_curve_deviations(simulation)
     report = rejected_json(simulation.program, first, findings, _robots(simulation))
     ran = {
         "end": simulation.end.value,
@@ -50,7 +52,8 @@ def run_json(
         "wait_s": _number(simulation.wait_s),
         "path_mm": _number(simulation.path_m * 1000.0),
         "moves": [
-            _move(move, simulation.robot_of(move.task).robot.external) for move in simulation.moves
+            _move(move, simulation.robot_of(move.task).robot.external, deviations.get(move.index))
+            for move in simulation.moves
         ],
         "slowest": [_line_time(line) for line in figures.slowest],
         "min_joint_margin": _margin(figures.joint_margin),
@@ -189,7 +192,9 @@ def _robots(simulation: Simulation) -> list[object]:
     ]
 
 
-def _move(move: ExecutedMove, axes: Sequence[ExternalAxis]) -> dict[str, object]:
+def _move(
+    move: ExecutedMove, axes: Sequence[ExternalAxis], deviation: CurveDeviation | None
+) -> dict[str, object]:
     return {
         "index": move.index,
         "task": move.task,
@@ -204,6 +209,7 @@ def _move(move: ExecutedMove, axes: Sequence[ExternalAxis]) -> dict[str, object]
         "start_s": _number(move.start_s),
         "end_s": _number(move.end_s),
         "length_mm": _number(move.length_m * 1000.0),
+        "deviation": _deviation(deviation),
         "corner": move.corner.value,
         "corner_reason": move.corner_reason,
         "target": {
@@ -214,6 +220,16 @@ def _move(move: ExecutedMove, axes: Sequence[ExternalAxis]) -> dict[str, object]
         "joints_deg": [_number(q) for q in np.degrees(move.joints)],
         "conf": [int(value) for value in move.conf],
         **_external(move, axes),
+    }
+
+
+def _deviation(deviation: CurveDeviation | None) -> dict[str, object] | None:
+    """How far the TCP was off the line or arc between its zones; None for joint moves."""
+    if deviation is None:
+        return None
+    return {
+        "max_mm": _number(1000.0 * deviation.largest),
+        "rms_mm": _number(1000.0 * deviation.rms),
     }
 
 

@@ -47,7 +47,14 @@ def _asked(asked: Asked) -> dict[str, object]:
 def _result(result: Followed | Refused) -> dict[str, object]:
     if isinstance(result, Refused):
         return {
-            "refused": {"message": result.message, "help": result.help},
+            "refused": {
+                "message": result.message,
+                "help": result.help,
+                "other_configurations": [
+                    {"conf": list(conf), "possible": message is None, "why": message}
+                    for conf, message in result.others
+                ],
+            },
             "trajectory": None,
         }
     return {"refused": None, "trajectory": _trajectory(result)}

@@ -172,11 +172,19 @@ def over_speed(followed: Followed) -> tuple[str, ...]:
 
 
 def refused_text(refused: Refused) -> RenderableType:
-    """Why there is no trajectory, and what would help."""
+    """Why there is no trajectory, what would help, and what other configurations would need."""
     text = Text.assemble(("no trajectory: ", "red"), refused.message)
     if refused.help:
         text.append(f"\n help: {refused.help}")
-    return text
+    if not refused.others:
+        return text
+    table = Table.grid(padding=(0, 2))
+    table.add_column(style="cyan", no_wrap=True)
+    table.add_column()
+    for conf, message in refused.others:
+        words = Text("goes all the way", "green") if message is None else Text(message)
+        table.add_row(f"[{','.join(map(str, conf))}]", words)
+    return Group(text, Text(), Text("other configurations", "bold"), table)
 
 
 def length(metres: float) -> str:

@@ -6,11 +6,18 @@ of each task and `-MotionTask` for those that move. A task without a type is sem
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
-from rapidsim.station.backup.cfg_file import SWITCHED_ON, read_configuration, text_in
+from rapidsim.backinfo import listed_tasks
+from rapidsim.station.backup.cfg_file import (
+    SWITCHED_ON,
+    Configuration,
+    read_configuration,
+    text_in,
+)
+from rapidsim.station.backup.loaded_modules import is_loaded_into, missing_modules
 from rapidsim.station.backup.robots import backup_robots
 from rapidsim.station.backup.signals import backup_io
 from rapidsim.station.station import Station
@@ -18,7 +25,6 @@ from rapidsim.station.task_kind import TaskKind
 from rapidsim.station.tasks import StationTask
 
 _BOUNDS = ("upper_joint_bound", "lower_joint_bound")
-_FOLDER = re.compile(r"^>>(TASK\d+):\s*\(\s*([^,)\s]+)", re.MULTILINE | re.IGNORECASE)
 
 
 def backup_station(folders: Sequence[Path]) -> Station:
@@ -58,33 +64,58 @@ def _not_read(root: Path, robots: int) -> Iterator[str]:
 
 def _tasks_of(root: Path, folders: Sequence[Path]) -> tuple[StationTask, ...]:
     """In the order of the folders; none where the backup does not say what its folders are."""
-    names = {
-        folder.upper(): name
-        for folder, name in _FOLDER.findall(text_in(root, "BACKINFO", "backinfo.txt"))
-    }
-    if any(folder.name.upper() not in names for folder in folders):
+    listed = listed_tasks(text_in(root, "BACKINFO", "backinfo.txt"))
+    if any(f.name.upper().startswith("TASK") and f.name.lower() not in listed for f in folders):
         return ()
-    configured = _configured(text_in(root, "SYSPAR", "SYS.cfg"))
+    configuration = read_configuration(text_in(root, "SYSPAR", "SYS.cfg"))
+    configured = _configured(configuration)
+    loaded = configuration.get("CAB_TASK_MODULES", ())
     tasks: list[StationTask] = []
     robots = 0
     for folder in folders:
-        name = names[folder.name.upper()]
-        kind, moves = configured.get(name.lower(), (TaskKind.NORMAL, None))
+        known = listed.get(folder.name.lower())
+        name = folder.name if known is None else known.name
+        settings = configured.get(name.lower())
         # Without a configuration the task that is first is the one that moves.
-        moves = not tasks if moves is None else moves
-        tasks.append(StationTask(name, (), kind, moves, None, robots if moves else None))
+        moves = not tasks and not configured if settings is None else settings.moves
+        wanted = [one for one in loaded if is_loaded_into(one, name, moves=moves)]
+        modules, unseen = missing_modules(wanted, folder)
+        number = robots if moves else None
+        tasks.append(
+            StationTask(
+                name,
+                modules,
+                TaskKind.NORMAL if settings is None else settings.kind,
+                moves,
+                robot_number=number,
+                entry=None if settings is None else settings.entry,
+                unseen=unseen,
+                # The safety controller has its task, which a configuration does not name.
+                is_system=bool(configured) and settings is None,
+            )
+        )
         robots += moves
     return tuple(tasks)
 
 
-def _configured(text: str) -> Mapping[str, tuple[TaskKind, bool | None]]:
-    """Type of each task by folded name, and whether it moves a robot."""
-    found: dict[str, tuple[TaskKind, bool | None]] = {}
-    for task in read_configuration(text).get("CAB_TASKS", ()):
+@dataclass(frozen=True, slots=True)
+class _Settings:
+    """What a configuration says of a task."""
+
+    kind: TaskKind
+    moves: bool
+    entry: str | None
+
+
+def _configured(configuration: Configuration) -> Mapping[str, _Settings]:
+    """The tasks by folded name."""
+    found: dict[str, _Settings] = {}
+    for task in configuration.get("CAB_TASKS", ()):
         word = task.get("type", "").lower()
         known = word in [one.value for one in TaskKind]
-        found[task.get("name", "").lower()] = (
+        found[task.get("name", "").lower()] = _Settings(
             TaskKind(word) if known else TaskKind.SEMISTATIC,
             task.get("motiontask", "").lower() == SWITCHED_ON,
+            task.get("entry"),
         )
     return found

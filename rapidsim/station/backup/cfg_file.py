@@ -17,6 +17,9 @@ from rapidsim.files import input_bytes, require_inside
 Instance: TypeAlias = Mapping[str, str]
 """Values by attribute in lower case; that of a switch is "true"."""
 
+Configuration: TypeAlias = Mapping[str, Sequence[Instance]]
+"""The instances of each type, by its name in upper case."""
+
 SWITCHED_ON = "true"
 
 _CONTINUED = re.compile(r"\\\s*\n\s*")
@@ -24,7 +27,7 @@ _TYPE = re.compile(r"([A-Z]\w*):", re.IGNORECASE)
 _ATTRIBUTE = re.compile(r'-([A-Za-z]\w*)(?:\s+(?:"([^"]*)"|(?!-[A-Za-z])(\S+)))?')
 
 
-def read_configuration(text: str) -> Mapping[str, Sequence[Instance]]:
+def read_configuration(text: str) -> Configuration:
     """The instances of each type, by its name in upper case; what is neither is passed over."""
     found: dict[str, list[Instance]] = {}
     instances: list[Instance] = []

@@ -4,7 +4,7 @@ MODULE names
   LOCAL VAR num hidden;
   VAR num COUNT;                        ! error: N202
   CONST robtarget pPick:=[[600,0,500],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-  VAR nmu wrong;                        ! error: N201
+  VAR nmu unknown;                      ! warning: N210
   PERS beaddata seam1:=[1,2,[0,0]];     ! warning: N210
   PERS beaddata seam2:=[3,4,[5,6]];     ! warning: N210
 
@@ -37,11 +37,11 @@ MODULE names
 
   PROC calls()
     OpenGripper;                        ! warning: N209
-    WaitUntill count=1;                 ! error: N201
+    WaitUntill count=1;                 ! warning: N209
     hleper2;                            ! warning: N209
     count:=AddOnFunction(1);            ! warning: N209
     ArcLike pPick,weld9,\Fast,fine;     ! warning: N209
-    ArcLike pPcik,weld9;                ! warning: N209 ! error: N201
+    ArcLike pPcik,weld9;                ! warning: N209
     LOCAL VAR num late;                 ! error: N213, E104
   ENDPROC
 

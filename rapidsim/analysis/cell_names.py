@@ -1,0 +1,65 @@
+"""What the configuration of a cell declares: names that programs use and no module declares.
+
+Signals with their kinds, mechanical units, tasks. It is known where the station is; the checker
+takes it in, and a program keeps it, so that whatever is asked of it later knows the same names.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+from rapidsim.language.types import Type
+from rapidsim.library.predefined import TYPES
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class ConfiguredSymbol:
+    """A signal, mechanical unit or task that the configuration of the cell declares."""
+
+    name: str
+    type: Type
+
+
+@dataclass(frozen=True, slots=True)
+class CellNames:
+    """The names of a cell."""
+
+    symbols: Mapping[str, ConfiguredSymbol] = field(default_factory=dict)
+    """By folded name."""
+    wired: frozenset[str] = frozenset()
+    """Folded names that drive signals or follow them, so that they are signals; of which kind,
+    the use tells."""
+    unseen: tuple[str, ...] = ()
+    """Modules that the task has and nobody can read here: what they declare is not known."""
+
+    def find(self, key: str) -> ConfiguredSymbol | None:
+        """The symbol of a folded name."""
+        return self.symbols.get(key)
+
+
+NO_CELL = CellNames()
+"""Where nothing is known of the cell."""
+
+
+def cell_names(
+    signals: Iterable[tuple[str, Type]],
+    units: Iterable[str] = (),
+    tasks: Iterable[str] = (),
+    wired: Iterable[str] = (),
+) -> CellNames:
+    """The names that a configuration declares.
+
+    Args:
+        signals: Names and types of signals.
+        units: Names of mechanical units.
+        tasks: Names of tasks; a program knows each as a `taskid`, as in `T_ROB1Id`.
+        wired: Names of signals that connections and stimuli mention.
+    """
+    declared = [
+        *((f"{task}Id", TYPES["taskid"]) for task in tasks),
+        *((unit, TYPES["mecunit"]) for unit in units),
+        *signals,
+    ]
+    symbols = {name.lower(): ConfiguredSymbol(name, of) for name, of in declared}
+    return CellNames(symbols, frozenset(name.lower() for name in wired) - symbols.keys())

@@ -1,0 +1,42 @@
+"""What `BACKINFO/backinfo.txt` of a controller backup says: each task, its folder and its modules.
+
+>>TASK1: (T_ROB1,Program,)
+SYSMOD/user.sys @
+PROGMOD/MainModule.mod @
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+_TASK = re.compile(r">>(TASK\d+):\s*\(\s*([^,)\s]+)", re.IGNORECASE)
+_MODULE = re.compile(r"([^@]+?)\s*@.*")
+
+
+@dataclass(frozen=True, slots=True)
+class ListedTask:
+    """A task of a backup."""
+
+    name: str
+    modules: tuple[str, ...]
+    """Folded paths below the folder of the task, with `/`; none where the file names none."""
+
+
+def listed_tasks(text: str) -> Mapping[str, ListedTask]:
+    """The tasks by folded name of their folder."""
+    tasks: dict[str, ListedTask] = {}
+    folder = ""
+    for line in text.replace("\r", "\n").splitlines():
+        line = line.strip()
+        if line.startswith(">>"):
+            task = _TASK.match(line)
+            folder = task[1].lower() if task else ""
+            if task:
+                tasks[folder] = ListedTask(task[2], ())
+        elif folder and (module := _MODULE.fullmatch(line)):
+            known = tasks[folder]
+            path = module[1].replace("\\", "/").lower()
+            tasks[folder] = ListedTask(known.name, (*known.modules, path))
+    return tasks

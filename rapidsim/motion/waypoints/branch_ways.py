@@ -1,0 +1,124 @@
+"""What becomes of a way of the TCP in each configuration by itself, whole way long.
+
+An arm cannot change its configuration on the way without passing a singularity. Looked at one by
+one, each configuration either goes all the way, or has a joint past its limit, a pose that it does
+not reach, or a jump; told with the worst of the whole way.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import degrees
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.configurations.confdata import TURN, confdata_of
+from rapidsim.motion.configurations.reachability import (
+    Unreachable,
+    limit_excess,
+    turns_within_limits,
+)
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.waypoints.branch_jumps import LARGEST_STEP
+
+_EXACT = 1e-9
+"""[m]; a wrist centre that is less beyond reach was rounded."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class BranchWay:
+    """One configuration along a way."""
+
+    confdata: tuple[int, ...]
+    """At the first pose: cf1, cf4, cf6, cfx."""
+    joints: Array
+    """Shape (k, n) [rad]; 0 where it does not reach the pose."""
+    message: str | None
+    """Why the arm cannot go all the way in it; None where it can."""
+    row: int
+    """The pose at which that begins; 0 where there is nothing."""
+    severity: tuple[int, float]
+    """By what configurations are compared: the smaller is the nearer to being possible."""
+
+    @property
+    def travel(self) -> float:
+        """What all joints turn in sum [rad]."""
+        return float(np.abs(np.diff(self.joints, axis=0)).sum())
+
+
+def branch_ways(
+    robot: Robot, base_from_flange: Transform, first: Array | None = None
+) -> tuple[BranchWay, ...]:
+    """Follow poses in every configuration that reaches the first of them.
+
+    Args:
+        robot: An arm whose solutions are told apart by confdata.
+        base_from_flange: Poses (k,), close to one another.
+        first: Joints (n,) [rad] at the first pose: the whole turns of that configuration are
+            theirs. The others take the turns that stay within the limits, where there are such.
+
+    Returns:
+        Those nearest to being possible first; none where the first pose is out of reach.
+    """
+    arm = robot.kinematics
+    own = None if first is None else int(arm.branch_of(first))
+    begin = robot.inverse(base_from_flange[:1])
+    found = []
+    for branch in np.flatnonzero(begin.exists[0]).tolist():
+        given = first is not None and branch == own
+        near = first if first is not None and given else begin.joints[0, branch]
+        followed = arm.inverse_on_branch(base_from_flange, branch, near)
+        joints, exists = followed.joints, followed.exists
+        if not given:
+            joints = joints + _shift(robot, joints[exists])
+        found.append(_judged(robot, base_from_flange, joints, exists))
+    return tuple(sorted(found, key=lambda way: way.severity))
+
+
+def _shift(robot: Robot, joints: Array) -> Array:
+    """Whole turns (n,) [rad] that bring the middle of each joint's way nearest to its range."""
+    middle = 0.5 * (joints.min(axis=0) + joints.max(axis=0))
+    shift: Array = turns_within_limits(robot, middle) - middle
+    return TURN * np.round(shift / TURN)
+
+
+def _judged(
+    robot: Robot, base_from_flange: Transform, joints: Array, exists: np.typing.NDArray[np.bool_]
+) -> BranchWay:
+    conf = tuple(confdata_of(robot.kinematics, joints[0]).tolist())
+    both = exists[1:] & exists[:-1]
+    steps = np.where(both[:, None], np.abs(np.diff(joints, axis=0)), 0.0)
+    excess = limit_excess(robot, joints)
+    excess[~exists] = 0.0
+    if not exists.all():
+        row = int(np.argmin(exists))
+        off = robot.inverse(base_from_flange[np.flatnonzero(~exists)]).shortfall.max()
+        why = (
+            Unreachable(float(off)).message
+            if off > _EXACT
+            else "this configuration does not reach it"
+        )
+        share = float(np.mean(~exists))
+        return BranchWay(conf, joints, why, row, (2, share))
+    if steps.max(initial=0.0) > LARGEST_STEP:
+        row, joint = (int(i) for i in np.unravel_index(np.argmax(steps), steps.shape))
+        why = f"joint {joint + 1} would have to jump by {degrees(steps[row, joint]):.0f} deg"
+        return BranchWay(conf, joints, f"{why}, at a singularity", row, (3, float(steps.max())))
+    if excess.any():
+        row, joint = (int(i) for i in np.unravel_index(np.argmax(np.abs(excess)), excess.shape))
+        over = float(excess[row, joint])
+        limit = robot.upper[joint] if over > 0.0 else robot.lower[joint]
+        side = "upper" if over > 0.0 else "lower"
+        why = (
+            f"joint {joint + 1} goes to {degrees(joints[row, joint]):.1f} deg, "
+            f"{_amount(degrees(abs(over)))} deg beyond its {side} limit of {degrees(limit):.0f} deg"
+        )
+        first = int(np.argmax(np.abs(excess).max(axis=1) > 0.0))
+        return BranchWay(conf, joints, why, first, (1, abs(over)))
+    return BranchWay(conf, joints, None, 0, (0, 0.0))
+
+
+def _amount(value: float) -> str:
+    """One decimal, and for what that would call 0.0 the first digit that is not 0."""
+    return f"{value:.1f}" if value >= 0.05 else f"{value:.1g}"

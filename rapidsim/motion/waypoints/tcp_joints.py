@@ -1,0 +1,166 @@
+"""Joints along a way of the TCP: in the configuration that turns least, or why there are none."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import degrees
+
+import numpy as np
+import numpy.typing as npt
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.configurations.branch_choice import least_motion
+from rapidsim.motion.configurations.confdata import confdata_of, told_apart
+from rapidsim.motion.configurations.reachability import limit_excess, why_unreachable
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.waypoints.branch_jumps import jump_on
+from rapidsim.motion.waypoints.branch_ways import BranchWay, branch_ways
+from rapidsim.motion.waypoints.plan import Refused, TcpMotion
+from rapidsim.motion.waypoints.points import Points
+
+NOT_FROM_THERE = "it is reached, but not in the configuration in which the arm comes"
+_SEARCHED_AT_ONCE = 8
+
+
+def joints_of_tcp(
+    robot: Robot,
+    points: Points,
+    motion: TcpMotion,
+    times: Array,
+    tcp_from_flange: Transform,
+    start: Array | None,
+    first: Array | None,
+) -> Array | Refused:
+    """Joints (k, n) [rad] at times (k,) [s] of a motion of the TCP.
+
+    Args:
+        robot: The arm.
+        points: What the motion goes through, for messages.
+        motion: Of the TCP.
+        times: Close to one another.
+        tcp_from_flange: The inverse of the tool.
+        start: Joints (n,) [rad] near which the arm shall begin.
+        first: Joints (n,) [rad] at the first point; without them, where what turns least in sum
+            would have to change configurations, one is taken that goes all the way.
+    """
+    wanted, segment = motion.at(times)
+    base_from_flange = wanted @ tcp_from_flange
+    joints = solved(robot, base_from_flange, start, first)
+    jump = None
+    if not isinstance(joints, int):
+        jump = jump_on(robot, motion, tcp_from_flange, times, joints)
+        if jump is None:
+            return joints
+    if not told_apart(robot.kinematics):
+        return _not_searched(robot, points, base_from_flange, segment, times, joints, jump)
+    # Where no first joints are given, it is told of the configuration that turns least.
+    begin = first if first is not None or isinstance(joints, int) else joints[0]
+    ways = branch_ways(robot, base_from_flange, begin)
+    if first is None:
+        for way in sorted(ways, key=lambda one: one.travel):
+            free = way.message is None
+            if free and jump_on(robot, motion, tcp_from_flange, times, way.joints) is None:
+                return way.joints
+    return _no_way(robot, points, segment, times, ways, begin)
+
+
+def _no_way(
+    robot: Robot,
+    points: Points,
+    segment: npt.NDArray[np.int64],
+    times: Array,
+    ways: Sequence[BranchWay],
+    begin: Array | None,
+) -> Refused:
+    """Why no configuration goes all the way, or not the one in which the arm begins (n,) [rad]."""
+    if not ways:
+        return Refused(f"point {points.number(0)} is out of reach", None, 0)
+    conf = None if begin is None else tuple(confdata_of(robot.kinematics, begin).tolist())
+    told = next((way for way in ways if way.confdata == conf), ways[0])
+    others = tuple((way.confdata, way.message) for way in ways if way is not told)
+    free = next((way for way in ways if way.message is None), None)
+    help = "move the points, or take another attitude or --path joint"
+    if free is not None:
+        help = f"begin with --conf={','.join(map(str, free.confdata))}, which goes all the way"
+    return Refused(
+        f"{when(points, segment, times, told.row)}: in configuration "
+        f"{_brackets(told.confdata)} {told.message or 'the arm comes too near to a singularity'}",
+        help,
+        int(segment[told.row]),
+        others,
+    )
+
+
+def _not_searched(
+    robot: Robot,
+    points: Points,
+    base_from_flange: Transform,
+    segment: npt.NDArray[np.int64],
+    times: Array,
+    joints: Array | int,
+    jump: tuple[int, int, float] | None,
+) -> Refused:
+    """Why an arm whose joints are searched for does not get there, at the place where it fails."""
+    if isinstance(joints, int):
+        why = why_unreachable(robot, base_from_flange[joints])
+        said, row = why.message if why else NOT_FROM_THERE, joints
+        help = "take points nearer to each other, another attitude, or another way"
+    else:
+        assert jump is not None
+        row, joint, size = jump
+        said = (
+            f"joint {joint + 1} would have to jump by {degrees(size):.0f} deg: the path passes a "
+            "singularity"
+        )
+        help = "begin with other joints with --start, move the points, or use --path joint"
+    return Refused(f"{when(points, segment, times, row)}: {said}", help, int(segment[row]))
+
+
+def _brackets(conf: Sequence[int]) -> str:
+    return f"[{','.join(map(str, conf))}]"
+
+
+def solved(
+    robot: Robot, base_from_flange: Transform, start: Array | None, first: Array | None
+) -> Array | int:
+    """Joints (k, n) of poses (k,), or the first that is not reached."""
+    if not told_apart(robot.kinematics):
+        return _searched(robot, base_from_flange, start, first)
+    if first is None:
+        found = least_motion(robot, base_from_flange, start)
+        return found if isinstance(found, int) else found.joints
+    rest = least_motion(robot, base_from_flange[1:], first)
+    if isinstance(rest, int):
+        return rest + 1
+    return np.concatenate([first[None], rest.joints])
+
+
+def _searched(
+    robot: Robot, base_from_flange: Transform, start: Array | None, first: Array | None
+) -> Array | int:
+    """The same for an arm whose joints are searched for: each pose from the one before it.
+
+    Looking for all solutions of every pose, to choose among them, would take a hundred times longer
+    and find other ones each time.
+    """
+    if first is None:
+        chosen = least_motion(robot, base_from_flange[:1], start)
+        if isinstance(chosen, int):
+            return 0
+        first = chosen.joints[0]
+    rows, before = [], first
+    # Not all at once: behind the first pose out of reach every search is long and in vain.
+    for begin in range(0, len(base_from_flange), _SEARCHED_AT_ONCE):
+        some = base_from_flange[begin : begin + _SEARCHED_AT_ONCE]
+        found = robot.kinematics.inverse_on_branch(some, 0, before)
+        missed = ~found.exists | limit_excess(robot, found.joints).any(axis=1)
+        if missed.any():
+            return begin + int(np.argmax(missed))
+        rows.append(found.joints)
+        before = found.joints[-1]
+    return np.concatenate(rows)
+
+
+def when(points: Points, segment: npt.NDArray[np.int64], times: Array, row: int) -> str:
+    """Between which points and when [s] a sample is, for messages."""
+    return f"between {points.pair(int(segment[row]))} at {times[row]:.3f} s"

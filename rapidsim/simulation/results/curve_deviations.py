@@ -1,0 +1,130 @@
+"""How far the TCP was off the lines and arcs of a run, by forward kinematics of the joints.
+
+Measured between the zones of a move: within them the corner is meant to leave the curve.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.geometry.curves import Curves, circle_fault, curves_of
+from rapidsim.motion.geometry.segments import Geometry, Segment
+from rapidsim.simulation.results.line_instead import segments_of
+from rapidsim.simulation.results.sampling import evaluate
+from rapidsim.simulation.results.simulation import RobotRun, Simulation
+
+_MOST_PLACES = 33
+_FEWEST_PLACES = 3
+_PLACES = 60_000
+"""In all; many moves are looked at in fewer places each."""
+
+
+@dataclass(frozen=True, slots=True)
+class CurveDeviation:
+    """Distances [m] of the TCP from the programmed curve of one move."""
+
+    largest: float
+    rms: float
+    """Root of the mean square."""
+
+
+def all_curve_deviations(simulation: Simulation) -> Mapping[int, CurveDeviation]:
+    """The deviations of all robots, by the number of the move among `Simulation.moves`."""
+    return {
+        offset + number: deviation
+        for one, offset in zip(simulation.robots, simulation.move_offsets, strict=True)
+        for number, deviation in curve_deviations(one).items()
+    }
+
+
+def curve_deviations(one: RobotRun) -> Mapping[int, CurveDeviation]:
+    """The deviations of a robot's lines and arcs, by the number of the move.
+
+    Moves that have no part between their zones are left out, and those whose tool or work something
+    else than the arm moves: they have no curve in base.
+    """
+    if one.robot.external:
+        return {}
+    segments = segments_of(one)
+    moves = [move for move in one.moves if _has_curve(segments.get(move.index))]
+    if not moves:
+        return {}
+    driven = [segments[move.index] for move in moves]
+    places = int(np.clip(_PLACES // len(moves), _FEWEST_PLACES, _MOST_PLACES))
+    # The middles of equal times: its ends lie in zones, or on the points themselves.
+    shares = (np.arange(places) + 0.5) / places
+    starts, ends = np.array([(move.start_s, move.end_s) for move in moves]).T
+    times = (starts[:, None] + shares * (ends - starts)[:, None]).ravel()
+    order = np.argsort(times, kind="stable")
+    joints = np.empty((len(times), len(one.robot.joints)))
+    joints[order] = evaluate(one.trajectory, times[order]).joints
+    row = np.repeat(np.arange(len(moves)), places)
+    tcp = (one.robot.forward(joints) @ _flange_from_tcp(driven, row)).translation
+    between = _between_zones(one, moves, tcp.reshape(len(moves), places, 3))
+    off = _off_the_curves(curves_of(driven, one.robot.kinematics), row, tcp).reshape(-1, places)
+    return {
+        move.index: CurveDeviation(
+            float(distances[kept].max()), float(np.sqrt(np.mean(distances[kept] ** 2)))
+        )
+        for move, distances, kept in zip(moves, off, between, strict=True)
+        if kept.any()
+    }
+
+
+def _has_curve(segment: Segment | None) -> bool:
+    return (
+        segment is not None
+        and segment.geometry is not Geometry.JOINT
+        and segment.carrier is None
+        and segment.wrist_pair is None
+        and circle_fault(segment) is None
+    )
+
+
+def _flange_from_tcp(segments: Sequence[Segment], row: npt.NDArray[np.int64]) -> Transform:
+    """The tools (k,) of segments."""
+    tools = [segment.tcp_from_flange.inverse() for segment in segments]
+    rotations = np.array([tool.rotation for tool in tools])
+    return Transform(rotations[row], np.array([tool.translation for tool in tools])[row])
+
+
+def _between_zones(
+    one: RobotRun, moves: Sequence[ExecutedMove], tcp: Array
+) -> npt.NDArray[np.bool_]:
+    """Which places (m, k, 3) [m] are outside the zones at both ends of their moves."""
+
+    def zone(move: ExecutedMove) -> float:
+        return move.zone_m if move.corner is CornerKind.FLY_BY else 0.0
+
+    # Before the first move of a run nothing is passed by: the move stands in for one before it.
+    before = [one.moves[max(move.index - 1, 0)] for move in moves]
+    starts = np.array([move.base_from_tcp.translation for move in before])
+    ends = np.array([move.base_from_tcp.translation for move in moves])
+    at_start, at_end = np.array([(zone(b), zone(m)) for b, m in zip(before, moves, strict=True)]).T
+    from_start = np.linalg.norm(tcp - starts[:, None], axis=-1)
+    from_end = np.linalg.norm(tcp - ends[:, None], axis=-1)
+    outside: npt.NDArray[np.bool_] = (from_start >= at_start[:, None]) & (
+        from_end >= at_end[:, None]
+    )
+    return outside
+
+
+def _off_the_curves(curves: Curves, row: npt.NDArray[np.int64], tcp: Array) -> Array:
+    """Distances (k,) [m] of places (k, 3) from the lines or circles of their curves."""
+    chord, spoke, turn = curves.chord[row], curves.spoke[row], curves.frame_turn[row]
+    aside = tcp - curves.start.translation[row]
+    along = chord / np.maximum(np.linalg.norm(chord, axis=-1, keepdims=True), 1e-12)
+    off_line = np.linalg.norm(np.cross(aside, along), axis=-1)
+    radius = np.linalg.norm(spoke, axis=-1)
+    axis = turn / np.maximum(np.linalg.norm(turn, axis=-1, keepdims=True), 1e-12)
+    from_centre = aside + spoke
+    up = np.sum(from_centre * axis, axis=-1)
+    out = np.linalg.norm(from_centre - up[:, None] * axis, axis=-1) - radius
+    off: Array = np.where(radius > 0.0, np.hypot(up, out), off_line)
+    return off

@@ -1,0 +1,145 @@
+"""Modules of the tasks of a controller backup, and what is said of those nobody can read."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from rapidsim.jobs.check_files import check
+from rapidsim.jobs.run_files import simulate
+
+Backup = Callable[[dict[str, str | bytes]], Path]
+
+MAIN = """MODULE MainModule
+  PROC main()
+    TPWrite "main";
+    fromUser;
+  ENDPROC
+ENDMODULE
+"""
+USER = """MODULE user(SYSMODULE)
+  PROC fromUser()
+    TPWrite "user";
+  ENDPROC
+ENDMODULE
+"""
+SYS = r"""SYS:CFG_1.0:6:1::
+#
+CAB_TASK_MODULES:
+
+      -File "HOME:/user.sys" -ModName "user" -AllTask
+#
+CAB_TASKS:
+
+      -Name "T_ROB1" -Type "NORMAL" -MotionTask
+
+      -Name "logger" -Entry "log_main"
+"""
+LOGGER = """MODULE logs
+  PROC log_main()
+    TPWrite "log";
+    fromUser;
+    WaitTime 100;
+  ENDPROC
+ENDMODULE
+"""
+CODE = bytes(range(1, 256)) * 8
+
+
+@pytest.fixture
+def backup(tmp_path: Path) -> Backup:
+    def written(files: dict[str, str | bytes]) -> Path:
+        for name, content in files.items():
+            file = tmp_path / "cell" / name
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_bytes(content.encode() if isinstance(content, str) else content)
+        return tmp_path / "cell"
+
+    return written
+
+
+def listed(*modules: str) -> str:
+    return "\n".join([">>TASK1: (T_ROB1,,)", *(f"{one} @ " for one in modules), ">>EOF:"])
+
+
+def texts(folder: Path) -> set[str]:
+    return {one.message for one in simulate([folder]).events if one.kind.value == "text"}
+
+
+def codes(folder: Path) -> list[tuple[str, str]]:
+    return [(one.violation.code, one.severity.value) for one in check([folder]).diagnostics]
+
+
+def test_a_file_that_the_backup_does_not_list_is_not_loaded(backup: Backup) -> None:
+    folder = backup(
+        {
+            "BACKINFO/backinfo.txt": listed("SYSMOD\\user.sys", "PROGMOD/MainModule.mod"),
+            "RAPID/TASK1/PROGMOD/MainModule.mod": MAIN,
+            "RAPID/TASK1/PROGMOD/Older.mod": MAIN,
+            "RAPID/TASK1/SYSMOD/user.sys": USER,
+        }
+    )
+    assert codes(folder) == []
+    assert texts(folder) == {"main", "user"}
+
+
+@pytest.mark.parametrize("content", [CODE, None])
+def test_what_a_module_that_cannot_be_read_may_declare_is_no_error(
+    backup: Backup, content: bytes | None
+) -> None:
+    files: dict[str, str | bytes] = {
+        "BACKINFO/backinfo.txt": listed("PROGMOD/MainModule.mod", "PROGMOD/Secret.mod"),
+        "RAPID/TASK1/PROGMOD/MainModule.mod": MAIN.replace("fromUser", "reg1:=secret"),
+    }
+    if content is not None:
+        files["RAPID/TASK1/PROGMOD/Secret.mod"] = content
+    folder = backup(files)
+    assert codes(folder) == [("N216", "warning")]
+    (folder / "RAPID/TASK1/PROGMOD/Secret.mod").write_text("MODULE Secret\nENDMODULE\n")
+    assert codes(folder) == [("N201", "error")]
+
+
+def test_a_backup_without_backinfo_has_the_folders_of_its_tasks(backup: Backup) -> None:
+    folder = backup(
+        {
+            "RAPID/T_ROB1/PROGMOD/MainModule.mod": MAIN,
+            "RAPID/logger/logs.mod": LOGGER,
+            "HOME/user.sys": USER,
+            "SYSPAR/SYS.cfg": SYS,
+        }
+    )
+    assert codes(folder) == []
+    run = simulate([folder])
+    said = {(one.task, one.message) for one in run.events if one.kind.value == "text"}
+    assert said == {
+        ("T_ROB1", "main"),
+        ("T_ROB1", "user"),
+        ("logger", "log"),
+        ("logger", "user"),
+    }
+
+
+def test_the_task_of_the_safety_controller_is_not_run(backup: Backup) -> None:
+    folder = backup(
+        {
+            "BACKINFO/backinfo.txt": ">>TASK1: (T_ROB1,,)\n\n>>TASK2: (SC_CBC,,)\n",
+            "RAPID/TASK1/PROGMOD/MainModule.mod": MAIN,
+            "RAPID/TASK1/SYSMOD/user.sys": USER,
+            "RAPID/TASK2/SYSMOD/user.sys": USER,
+            "SYSPAR/SYS.cfg": SYS,
+        }
+    )
+    assert texts(folder) == {"main", "user"}
+
+
+def test_a_module_of_an_add_in_may_declare_what_the_backup_does_not(backup: Backup) -> None:
+    add_in = '-File "ADDIN:/RAPID/Tools.mod" -ModName "Tools" -AllMotionTask\n#\nCAB_TASKS:'
+    folder = backup(
+        {
+            "BACKINFO/backinfo.txt": listed("PROGMOD/MainModule.mod"),
+            "RAPID/TASK1/PROGMOD/MainModule.mod": MAIN.replace("fromUser", "reg1:=toolCount"),
+            "HOME/user.sys": USER,
+            "SYSPAR/SYS.cfg": SYS.replace("#\nCAB_TASKS:", f"\n      {add_in}"),
+        }
+    )
+    assert codes(folder) == [("N216", "warning")]
