@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
-from typing import TypeAlias
+from typing import Protocol
 
 from rapidsim.analysis.program import Program
 from rapidsim.jobs.job import Job
 from rapidsim.reach.checked_moves import ReachReport
 
-CheckMoves: TypeAlias = Callable[[Program, str], ReachReport]
-"""Checks the moves of a program on the robot of a task, given by its name."""
+
+class CheckMoves(Protocol):
+    """Checks the moves of a program."""
+
+    def __call__(self, program: Program, task: str, *, runs: bool) -> ReachReport:
+        """Check them on the robot of a task, given by its name; `runs` if main may be run."""
+        ...
 
 
 def choose_move_check(job: Job) -> CheckMoves | None:
@@ -26,7 +30,7 @@ def choose_move_check(job: Job) -> CheckMoves | None:
     if job.is_arm_named:
         opened()
 
-    def check_moves(program: Program, task: str) -> ReachReport:
+    def check_moves(program: Program, task: str, *, runs: bool) -> ReachReport:
         from rapidsim.frames.transform import Transform
         from rapidsim.jobs.run_options import run_options
         from rapidsim.reach.reach import check_reach
@@ -43,7 +47,7 @@ def choose_move_check(job: Job) -> CheckMoves | None:
             entry=job.entry(task),
         )
         budget_s = station.check.cycle_budget_s
-        trial_run = job.asked.trial_run
+        trial_run = job.asked.trial_run and runs
         report = check_reach(program, arm, options, run=trial_run, cycle_budget_s=budget_s)
         if job.is_arm_named:
             return report
