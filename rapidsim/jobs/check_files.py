@@ -160,18 +160,25 @@ def _moves_checked(
     loaded: Loaded, task: str, moves: CheckMoves | None, always: bool, cell: CellNames
 ) -> ReachReport:
     written = written_moves(loaded.files)
+    why = "nobody asked for it" if moves is None else "the program cannot run as it is"
     if (written or always) and moves is not None and loaded.program is not None:
-        return moves(loaded.program, task, runs=True)
-    part = faultless_part(loaded, cell) if written and moves is not None else None
+        report = moves(loaded.program, task, runs=True)
+        if isinstance(report, ReachReport):
+            return report
+        why = report
+    part = None
+    if written and moves is not None and loaded.program is None:
+        part = faultless_part(loaded, cell)
     if part is not None and moves is not None:
         # The moves that are known without a run, for the program cannot run.
         report = moves(part.program, task, runs=False)
-        faulty = tuple(
-            UncheckedMove(span, "there is an error in it")
-            for span in written
-            if any(one.start == span.start and one.file == span.file for one in part.replaced)
-        )
-        return replace(report, coverage=report.coverage + Coverage(unchecked=faulty))
-    why = "nobody asked for it" if moves is None else "the program cannot run as it is"
+        if isinstance(report, ReachReport):
+            faulty = tuple(
+                UncheckedMove(span, "there is an error in it")
+                for span in written
+                if any(one.start == span.start and one.file == span.file for one in part.replaced)
+            )
+            return replace(report, coverage=report.coverage + Coverage(unchecked=faulty))
+        why = report
     unchecked = tuple(UncheckedMove(span, why) for span in written)
     return ReachReport((), Coverage(unchecked=unchecked))

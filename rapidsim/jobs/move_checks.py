@@ -14,8 +14,14 @@ from rapidsim.reach.checked_moves import ReachReport
 class CheckMoves(Protocol):
     """Checks the moves of a program."""
 
-    def __call__(self, program: Program, task: str, *, runs: bool) -> ReachReport:
-        """Check them on the robot of a task, given by its name; `runs` if main may be run."""
+    def __call__(self, program: Program, task: str, *, runs: bool) -> ReachReport | str:
+        """Check them on the robot of a task, given by its name, or say why not.
+
+        Args:
+            program: Without errors.
+            task: By name.
+            runs: Whether main may be run.
+        """
         ...
 
 
@@ -30,14 +36,19 @@ def choose_move_check(job: Job) -> CheckMoves | None:
     if job.is_arm_named:
         opened()
 
-    def check_moves(program: Program, task: str, *, runs: bool) -> ReachReport:
+    def check_moves(program: Program, task: str, *, runs: bool) -> ReachReport | str:
         from rapidsim.frames.transform import Transform
         from rapidsim.jobs.run_options import run_options
         from rapidsim.reach.reach import check_reach
 
         number = station.robot_number(task)
         robot = station.robots[number] if station.robots else None
-        arm = job.open_robot(robot.name) if number and robot and robot.name else opened()
+        if robot is not None and robot.unknown and job.asked.robot is None:
+            return f"arm unknown: the catalogue has no {robot.unknown}; --robot names another"
+        if number and robot and robot.name:
+            arm = robot.bounded(job.open_robot(robot.name))
+        else:
+            arm = opened()
         options = replace(
             run_options(job),
             start_joints_deg=robot.start_joints_deg if robot else None,
