@@ -270,7 +270,8 @@ class Diagnostic:
     routine: str | None = None
     """The routine the place stands in, when it stands in one."""
     assumed: bool = False
-    """Whether it holds under an assumption only, such as an arm that nobody named."""
+    """Whether it holds under an assumption only, such as an arm that nobody named, or the station
+    says that a run goes on."""
     order: tuple[str, int] = field(init=False, compare=False)
     """Sort key: file, then offset."""
 

@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime, timedelta
 from typing import Protocol, TypeVar
 
@@ -22,14 +22,20 @@ from rapidsim.controller.cell.cell import Cause, Cell
 from rapidsim.controller.interrupt_table import InterruptTable
 from rapidsim.controller.journal.events import CUT_OFF, THE_TIME, EventKind, Wait
 from rapidsim.controller.journal.journal import Instant, Journal, Moment
-from rapidsim.controller.journal.stop_reasons import TimeLimitReached, WaitsForever
+from rapidsim.controller.journal.stop_reasons import (
+    PollsForever,
+    TimeLimitReached,
+    WaitsForever,
+)
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.pointer_time import BACKGROUND_TICK_S, PointerTime
+from rapidsim.controller.polling import Polling
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.path_planner import LOOK_AHEAD_SLACK_S
 from rapidsim.language.moves import Place
 
 T = TypeVar("T")
+_ROUNDING_S = 1e-9
 
 
 class Happening(Protocol):
@@ -92,7 +98,12 @@ class TaskClock:
         self._unit = unit
         self._journal = journal
         self._table = table
+        self.program_state: Callable[[], object] = lambda: None
+        self._polling = Polling(lambda: self.program_state())
         self._time = PointerTime()
+        self._lines_noted = 0
+        self._reported = place
+        """The place of the last call that did more than look, as a round begins with it."""
         self._passed_s = 0.0
         """Up to here everything has happened; nothing happens before it any more."""
         self._looks_at_s: float | None = None
@@ -173,8 +184,39 @@ class TaskClock:
         if not time.is_known and time.offset_s > LOOK_AHEAD_SLACK_S:
             self.observe()
         if time.is_known:
-            self.pass_time(time.known_s)
+            due_s = self.next_due_s()
+            # Ticks add up to a rounding less: what is due in this very tick is due now.
+            is_now = due_s is not None and 0.0 < due_s - time.known_s < _ROUNDING_S
+            self.pass_time(due_s if is_now and due_s is not None else time.known_s)
+            self._skip_rounds()
         self.grant()
+
+    def _skip_rounds(self) -> None:
+        """Go to where something happens, if the program only looks for it in the same way again.
+
+        Raises:
+            PollsForever: If nothing ever happens.
+        """
+        if self.place is not self._reported:
+            # Of its own, so that a call from this very statement shows, too.
+            self.place = self._reported = replace(self.place)
+            self._lines_noted += 1
+        used, now_s = self._time.used, self._time.known_s
+        ticks = self._polling.look(used, (self._lines_noted, self._cell.happenings))
+        if ticks is None:
+            return
+        due_s = self.next_due_s()
+        until_s = min(math.inf if due_s is None else due_s, self._cell.turns.next_s(self))
+        if math.isinf(until_s) and self._cell.turns.rest(self):
+            raise PollsForever(
+                "the program goes round for ever here: it looks at nothing that ever changes"
+            )
+        self._polling.again()
+        round_s = ticks * self._time.tick_s
+        # The last round before it is made: in which tick of it the program looks, it may tell.
+        rounds = math.ceil((min(until_s, self._cell.max_time_s) - now_s) / round_s - 1e-6) - 1
+        if rounds > 0:
+            self.pass_time(now_s + rounds * round_s)
 
     def end_time_s(self) -> float:
         """When everything is over [s]: the program pointer and the arm."""
@@ -230,7 +272,8 @@ class TaskClock:
         until_s = min(self._cell.max_time_s, math.inf if due_s is None else due_s)
         if self._cell.is_shared:
             until_s = min(until_s, self._cell.turns.next_s(self))
-        self.left = self._time.grant(until_s, LOOK_AHEAD_SLACK_S)
+        most = self._polling.ticks_left(self._time.used)
+        self.left = self._time.grant(until_s, LOOK_AHEAD_SLACK_S, most)
 
     def observe(self) -> float:
         """The time [s] of the statement that runs, planned if nobody has had to know it yet."""
@@ -325,7 +368,12 @@ class TaskClock:
         if instant.time is not None:
             start_s = max(start_s, instant.time + offset_s)
         self._time.set(start_s)
-        run()
+        try:
+            run()
+        except Exception:
+            # An error of it goes on where an ERROR clause of what was interrupted lists it.
+            self._passed_s = max(self._passed_s, self.observe())
+            raise
         ended_s = self.observe()
         self._passed_s = max(self._passed_s, ended_s)
         self.place = place
@@ -396,6 +444,7 @@ class TaskClock:
             look()
         if self._table.watches:
             self._look_at_persistents()
+        self._lines_noted += 1
         self._journal.line(self.moment(), self.place)
 
     def event(self, kind: EventKind, message: str, **details: object) -> None:

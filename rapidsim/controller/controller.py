@@ -22,6 +22,7 @@ from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.operator import TaskHonesty, TaskOperator
 from rapidsim.controller.other_tasks import TaskOthers
 from rapidsim.controller.path_control import TaskPathControl
+from rapidsim.controller.path_recorder import TaskPathRecorder
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.path_marks import PathMarks
 from rapidsim.controller.queue.zone_table import WorldZoneTable
@@ -81,6 +82,7 @@ def virtual_controller(
         clock=clock,
         motion=motion,
         path_control=TaskPathControl(clock, unit, marks),
+        path_recorder=TaskPathRecorder(clock, unit, resolver, state, team.put),
         searches=TaskSearch(clock, unit, cell, resolver, team.put),
         world_zones=TaskZones(clock, unit, cell, journal, watched),
         operator=TaskOperator(clock, cell, journal),

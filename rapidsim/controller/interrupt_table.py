@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 from rapidsim.controller.journal.stop_reasons import TrapStorm
 from rapidsim.language.error_log import LoggedError
-from rapidsim.language.error_numbers import ERR_INOISSAFE, ERR_UNKINO
+from rapidsim.language.error_numbers import ERR_INOISSAFE, ERR_UNKINO, rapid_error
 from rapidsim.language.errors import RapidError
 from rapidsim.language.reference import Reference
 
@@ -45,6 +45,8 @@ class _Connection:
     trap: Callable[[], None]
     trap_name: str
     asleep: bool = False
+    safe: bool = False
+    r"""It was ordered with \SingleSafe and cannot be put to sleep."""
     next_s: float | None = None
     """When a timer fires next."""
     period_s: float | None = None
@@ -69,6 +71,7 @@ class _Connection:
     def withdraw(self) -> None:
         """Forget the order."""
         self.next_s = self.period_s = self.signal = self.watched = self.wanted = None
+        self.safe = False
 
 
 @dataclass(slots=True)
@@ -192,8 +195,21 @@ class InterruptTable:
         self._queue = [due for due in self._queue if due.number != number]
 
     def sleep(self, number: float, *, asleep: bool) -> None:
-        """Switch one interrupt off or on."""
-        self._find(number).asleep = asleep
+        """Switch one interrupt off or on.
+
+        Raises:
+            RapidError: ERR_UNKINO, if it is not connected; ERR_INOISSAFE, if it is a safe one.
+        """
+        connection = self._find(number)
+        if asleep and connection.safe:
+            raise rapid_error(
+                ERR_INOISSAFE, r"an interrupt ordered with \SingleSafe cannot be put to sleep"
+            )
+        connection.asleep = asleep
+
+    def make_safe(self, number: float) -> None:
+        """Let nobody put an interrupt to sleep."""
+        self._find(number).safe = True
 
     @property
     def armed(self) -> bool:

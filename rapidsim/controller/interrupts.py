@@ -102,6 +102,10 @@ class TaskInterrupts:
         self.clock.observe()
         self.table.sleep(interrupt, asleep=asleep)
 
+    def make_safe(self, interrupt: float) -> None:
+        """Let nobody put an interrupt to sleep."""
+        self.table.make_safe(interrupt)
+
     def hold_interrupts(self, *, hold: bool) -> None:
         """Queue all interrupts, or serve them again."""
         now_s = self.clock.observe()
@@ -125,6 +129,8 @@ class TaskErrorNumbers:
     """Implements `language.controller.ErrorNumbers`."""
 
     errno: float = 0.0
+    retries: int = 0
+    handler: float = 0.0
     _booked: int = 0
 
     def book_error_number(self) -> float:

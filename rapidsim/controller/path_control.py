@@ -44,12 +44,12 @@ class TaskPathControl:
         """
         self.clock.note_line()
         now_s = self.clock.observe()
-        away_deg = self.unit.queue.away_deg()
-        if away_deg > 0.0:
+        too_far = self.unit.queue.too_far_off()
+        if too_far:
             raise rapid_error(
                 ERR_PATHDIST,
-                f"the robot stands {away_deg:.3g} deg off where it left its path; move it back "
-                "before RestoPath",
+                f"the robot stands {too_far} off where it left its path; move it back before "
+                "RestoPath",
             )
         self.unit.queue.resume(now_s)
         self.clock.tell()

@@ -18,6 +18,8 @@ LONGEST_SLICE = 100_000
 """Ticks after which the controller looks around even when nothing is due."""
 
 
+_ROUNDING = 1e-6
+"""Share of a tick that a time computed in another way may be off."""
 NO_TICKS = -(1 << 62)
 """What is left of a slice whose ticks the watchdog has taken away: how many were used is not
 known, at most those of one slice."""
@@ -26,13 +28,15 @@ known, at most those of one slice."""
 class PointerTime:
     """When the statement that runs happens."""
 
-    __slots__ = ("_granted", "instant", "offset_s", "tick_s")
+    __slots__ = ("_granted", "instant", "offset_s", "tick_s", "used")
 
     def __init__(self, tick_s: float = TICK_S) -> None:
         """Start at time zero, with no ticks granted; a tick takes so long [s]."""
         self.tick_s = tick_s
         self.instant = Instant(0.0)
         self.offset_s = 0.0
+        self.used = 0
+        """Ticks so far."""
         self._granted = 0
 
     @property
@@ -53,13 +57,21 @@ class PointerTime:
     def settle(self, left: int) -> None:
         """Turn the ticks that were used into time, given those that are left."""
         if left > NO_TICKS // 2:
-            self.offset_s += max(0, self._granted - left) * self.tick_s
+            used = max(0, self._granted - left)
+            self.offset_s += used * self.tick_s
+            self.used += used
             self._granted = left
 
-    def grant(self, until_s: float, slack_s: float) -> int:
-        """Ticks that the program may use until a time [s], or for a slack [s] if none is known."""
+    def grant(self, until_s: float, slack_s: float, most: int) -> int:
+        """Ticks that the program may use until a time [s], or for a slack [s] if none is known.
+
+        They are no more than `most`.
+        """
         wait_s = until_s - self.known_s if self.is_known else slack_s
-        self._granted = math.ceil(min(max(wait_s, 0.0), LONGEST_SLICE * self.tick_s) / self.tick_s)
+        slice_s = min(max(wait_s, 0.0), LONGEST_SLICE * self.tick_s)
+        ticks = min(math.ceil(slice_s / self.tick_s - _ROUNDING), most)
+        # With the last of them none is left, and the one that finds none looks around.
+        self._granted = max(0, ticks - 1)
         return self._granted
 
     def set(self, time_s: float) -> None:

@@ -45,6 +45,12 @@ class ConfigurationNotReachable(Violation, code="K603"):
         return f"it is reached, nearest first, by {listed}{f' and {more} more' if more > 0 else ''}"
 
 
+class ConfigurationChangesOnLine(Violation, code="K606"):
+    target: str
+    stored: str
+    arrives: str
+
+
 class PathNotReachable(Violation, code="K604"):
     target: str
     percent: float

@@ -23,12 +23,6 @@ class NearSingularity(Violation, code="K605"):
         return ways[self.which]
 
 
-class ConfigurationChangesOnLine(Violation, code="K606"):
-    target: str
-    stored: str
-    arrives: str
-
-
 class LowJointMargin(Violation, code="K607"):
     target: str
     axis: int

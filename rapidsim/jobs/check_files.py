@@ -16,6 +16,7 @@ from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import TaskFiles
 from rapidsim.jobs.baseline import Key, read_baseline, told_apart
 from rapidsim.jobs.checked_program import Loaded, load
+from rapidsim.jobs.faultless_part import faultless_part
 from rapidsim.jobs.given_options import asked_in_python
 from rapidsim.jobs.job import Job, job
 from rapidsim.jobs.misspelt_signals import misspelt_in
@@ -147,7 +148,7 @@ def check_tasks(
     wanted = detectors_of() if rules is None else rules
     loaded = [(task, load(task.files, wanted, cell=cell, unseen=task.unseen)) for task in tasks]
     reports = [
-        _moves_checked(one, task.name or DEFAULT_TASK, moves, even_without_moves)
+        _moves_checked(one, task.name or DEFAULT_TASK, moves, even_without_moves, cell)
         for task, one in loaded
     ]
     found = [
@@ -174,14 +175,28 @@ def _disagreements(tasks: Sequence[Loaded]) -> tuple[Diagnostic, ...]:
 
 
 def _moves_checked(
-    loaded: Loaded, task: str, moves: CheckMoves | None, always: bool
+    loaded: Loaded, task: str, moves: CheckMoves | None, always: bool, cell: CellNames
 ) -> ReachReport:
     written = written_moves(loaded.files)
     why = "nobody asked for it" if moves is None else "the program cannot run as it is"
     if (written or always) and moves is not None and loaded.program is not None:
-        report = moves(loaded.program, task)
+        report = moves(loaded.program, task, runs=True)
         if isinstance(report, ReachReport):
             return report
+        why = report
+    part = None
+    if written and moves is not None and loaded.program is None:
+        part = faultless_part(loaded, cell)
+    if part is not None and moves is not None:
+        # The moves that are known without a run, for the program cannot run.
+        report = moves(part.program, task, runs=False)
+        if isinstance(report, ReachReport):
+            faulty = tuple(
+                UncheckedMove(span, "there is an error in it")
+                for span in written
+                if any(one.start == span.start and one.file == span.file for one in part.replaced)
+            )
+            return replace(report, coverage=report.coverage + Coverage(unchecked=faulty))
         why = report
     unchecked = tuple(UncheckedMove(span, why) for span in written)
     return ReachReport((), Coverage(unchecked=unchecked))

@@ -55,6 +55,7 @@ def with_given(station: Station, options: RunOptions) -> Station:
         robots=_robots(station.robots, options),
         external_axes=options.external_axes or station.external_axes,
         model=station.model if options.model == MotionModel() else options.model,
+        nearest_configuration=station.nearest_configuration or options.nearest_configuration,
         io=station.io.and_also(options.io),
         tasks=(StationTask(options.task),) if is_named else station.tasks,
     )

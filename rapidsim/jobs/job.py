@@ -48,6 +48,11 @@ class Job:
         return tuple(file for task in self.tasks for file in task.files)
 
     @property
+    def is_arm_named(self) -> bool:
+        """Whether anybody named the arm; else nobody knows if the program is for this one."""
+        return self.robot.reason is None or self.station.robot is not None
+
+    @property
     def cell(self) -> CellNames:
         """What the station declares that programs may use."""
         real = {os.path.realpath(stub) for stub in self.station.stubs}

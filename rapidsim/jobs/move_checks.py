@@ -2,17 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
-from typing import TypeAlias
+from typing import Protocol
 
 from rapidsim.analysis.program import Program
 from rapidsim.jobs.job import Job
 from rapidsim.reach.checked_moves import ReachReport
 
-CheckMoves: TypeAlias = Callable[[Program, str], ReachReport | str]
-"""Checks the moves of a program on the robot of a task, given by its name; or says why not."""
+
+class CheckMoves(Protocol):
+    """Checks the moves of a program."""
+
+    def __call__(self, program: Program, task: str, *, runs: bool) -> ReachReport | str:
+        """Check them on the robot of a task, given by its name, or say why not.
+
+        Args:
+            program: Without errors.
+            task: By name.
+            runs: Whether main may be run.
+        """
+        ...
 
 
 def choose_move_check(job: Job) -> CheckMoves | None:
@@ -23,11 +33,10 @@ def choose_move_check(job: Job) -> CheckMoves | None:
     """
     opened = cache(job.arm)
     station = job.station
-    is_named = job.robot.reason is None or station.robot is not None
-    if is_named:
+    if job.is_arm_named:
         opened()
 
-    def check_moves(program: Program, task: str) -> ReachReport | str:
+    def check_moves(program: Program, task: str, *, runs: bool) -> ReachReport | str:
         from rapidsim.frames.transform import Transform
         from rapidsim.jobs.run_options import run_options
         from rapidsim.reach.reach import check_reach
@@ -49,9 +58,9 @@ def choose_move_check(job: Job) -> CheckMoves | None:
             entry=job.entry(task),
         )
         budget_s = station.check.cycle_budget_s
-        trial_run = job.asked.trial_run
+        trial_run = job.asked.trial_run and runs
         report = check_reach(program, arm, options, run=trial_run, cycle_budget_s=budget_s)
-        if is_named:
+        if job.is_arm_named:
             return report
         # Whether the program is for the default arm nobody knows.
         assumed = tuple(replace(found, assumed=True) for found in report.diagnostics)

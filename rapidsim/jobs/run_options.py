@@ -13,6 +13,7 @@ def run_options(job: Job) -> RunOptions:
     return RunOptions(
         program_files=tuple(file.name for file in job.files),
         model=station.model,
+        nearest_configuration=station.nearest_configuration or not job.is_arm_named,
         io=station.io,
         answers=asked.answers,
         answers_are_typed=asked.answers_are_typed,

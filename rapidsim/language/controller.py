@@ -29,7 +29,7 @@ from rapidsim.language.moves import (
     Move,
     Place,
 )
-from rapidsim.language.path_control import PathControl, Searches, WorldZones
+from rapidsim.language.path_control import PathControl, PathRecorder, Searches, WorldZones
 from rapidsim.language.path_events import Trigger
 from rapidsim.language.reference import Reference
 from rapidsim.language.sockets import Connection, Listener
@@ -46,6 +46,10 @@ class ClockService(Protocol):
     it falls below zero."""
     place: Place
     """The statement that runs, set before each call that reports."""
+
+    program_state: Callable[[], object]
+    """All that decides what the program does next, to be compared; None where it is too much. The
+    interpreter sets it."""
 
     def service(self) -> None:
         """Do what is due (traps, other tasks, limits) and grant the next slice.
@@ -374,6 +378,10 @@ class Interrupts(Protocol):
         """Switch one interrupt off or on."""
         ...
 
+    def make_safe(self, interrupt: float) -> None:
+        r"""Let nobody put an interrupt to sleep that is ordered with \SingleSafe."""
+        ...
+
     def hold_interrupts(self, *, hold: bool) -> None:
         """Queue all interrupts instead of serving them, or serve them again."""
         ...
@@ -411,6 +419,10 @@ class ErrorNumbers(Protocol):
 
     errno: float
     """RAPID's ERRNO."""
+    retries: int
+    """How often the statement was retried whose ERROR clause runs."""
+    handler: float
+    """Which clause of a routine runs, as ExecHandler says it."""
 
     def book_error_number(self) -> float:
         """The next number that is free, from `error_numbers.FIRST_BOOKED` up."""
@@ -436,6 +448,7 @@ class Controller:
     clock: ClockService
     motion: Motion
     path_control: PathControl
+    path_recorder: PathRecorder
     searches: Searches
     world_zones: WorldZones
     operator: Operator
@@ -462,6 +475,7 @@ CONCERNS: Mapping[type, str] = MappingProxyType(
         ClockService: "clock",
         Motion: "motion",
         PathControl: "path_control",
+        PathRecorder: "path_recorder",
         Searches: "searches",
         WorldZones: "world_zones",
         Operator: "operator",

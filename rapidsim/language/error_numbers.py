@@ -281,6 +281,14 @@ EVENTS: Mapping[float, int] = MappingProxyType(
 )
 """The controller's event number for the errors that have one."""
 
+MAX_RETRIES: Final = 4
+"""The controller's system parameter No Of Retry as it is delivered."""
+IN_NO_HANDLER: Final = 0.0
+"""HANDLER_NONE of ExecHandler: the body of a routine runs."""
+IN_ERROR: Final = 2.0
+"""HANDLER_ERR: an ERROR clause runs."""
+IN_UNDO: Final = 3.0
+"""HANDLER_UNDO: an UNDO clause runs."""
 FIRST_BOOKED: Final = 20501.0
 """BookErrNo hands out numbers from here on."""
 

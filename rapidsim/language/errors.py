@@ -28,6 +28,10 @@ class RaisedError(RapidError):
     """An error that an instruction raises on purpose: out of an ERROR clause it goes on up."""
 
 
+class RaisedToUser(RapidError):  # noqa: N818 - it says where to
+    """An error that leaves all routines of modules that are NOSTEPIN: RaiseToUser."""
+
+
 class Stopped(BaseException):
     """Execution ends and no ERROR clause runs: EXIT, Stop, a limit of the run."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Protocol
 
-from rapidsim.language.data import JointTarget, RobTarget
+from rapidsim.language.data import JointTarget, Pos, RobTarget, SpeedData
 from rapidsim.language.moves import Flank, Move, SearchStop
 from rapidsim.language.path_events import ZoneShape
 
@@ -44,6 +44,47 @@ class PathControl(Protocol):
 
     def restore_path(self) -> None:
         """Take up the path that was kept; the robot goes on with it after `start_move`."""
+        ...
+
+
+class PathRecorder(Protocol):
+    """Going back on the moves that were made, and forth again; places have identifiers."""
+
+    def start_recording(self) -> int:
+        """Record the moves from here on; the number of the identifier of this place."""
+        ...
+
+    def stop_recording(self, *, clear: bool) -> None:
+        """Record no further moves; with `clear`, forget all."""
+        ...
+
+    def may_go_back(self, identifier: int | None) -> bool:
+        """Whether there is a recorded way back to a place, None for the first."""
+        ...
+
+    def may_go_forth(self, identifier: int | None) -> bool:
+        """Whether the robot has gone back, and can go forth to a place."""
+        ...
+
+    def go_back(self, identifier: int | None, offset: Pos | None, speed: SpeedData | None) -> None:
+        """Go back on the recorded path to a place.
+
+        Args:
+            identifier: Of the place; None for the first.
+            offset: Of the TCP from the path [mm], in the tool's frame.
+            speed: None for the recorded speeds.
+
+        Raises:
+            RapidError: ERR_PATH, where no such path is recorded.
+        """
+        ...
+
+    def go_forth(self, identifier: int | None, offset: Pos | None, speed: SpeedData | None) -> None:
+        """Go forth again to a place, None for where the way back began.
+
+        Raises:
+            RapidError: ERR_PATH, where the robot has not gone back.
+        """
         ...
 
 

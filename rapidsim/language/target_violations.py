@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rapidsim.diagnostics import Violation
+from rapidsim.diagnostics import Severity, Violation
 
 TOLERATED_NORM_ERROR = 1e-4
 """How far the length of a quaternion may be from 1: seven digits of four numbers, rounded."""
@@ -11,3 +11,10 @@ TOLERATED_NORM_ERROR = 1e-4
 class QuaternionNotUnit(Violation, code="M501"):
     target: str
     length: float
+    refused: bool = False
+    """A move asks for it, and it is so far off that the move cannot be made."""
+
+    @property
+    def severity(self) -> Severity:
+        """The controller stops at a move to no orientation."""
+        return Severity.ERROR if self.refused else super().severity

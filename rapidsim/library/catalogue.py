@@ -34,6 +34,7 @@ from rapidsim.library.motion import MOTION
 from rapidsim.library.motion_settings import MOTION_SETTINGS
 from rapidsim.library.operator import OPERATOR
 from rapidsim.library.output_moves import OUTPUT_MOVES
+from rapidsim.library.path_recorder import PATH_RECORDER
 from rapidsim.library.positions import POSITIONS
 from rapidsim.library.raw_bytes import RAW_BYTES
 from rapidsim.library.robot_state import ROBOT_STATE
@@ -73,6 +74,7 @@ CHAPTERS: Mapping[str, Mapping[str, LibraryRoutine]] = MappingProxyType(
         "Moves with outputs": OUTPUT_MOVES,
         "Search": SEARCH,
         "Stop and start": STOP_START,
+        "Path recorder": PATH_RECORDER,
         "World zones": WORLD_ZONES,
         "Tasks": TASKS,
         "Flow": FLOW,

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rapidsim.language.annotations import ErrNum, ErrStr, Num, String, Switch, Var
+from rapidsim.language.annotations import ErrNum, ErrStr, HandlerType, Num, String, Switch, Var
 from rapidsim.language.controller import Controller, ErrorNumbers
 from rapidsim.language.error_log import (
     ERROR,
@@ -17,7 +17,9 @@ from rapidsim.language.error_log import (
     WARNING,
     LoggedError,
 )
-from rapidsim.language.errors import RaisedError
+from rapidsim.language.error_numbers import ERR_ARGVALERR, MAX_RETRIES, NUMBERS, rapid_error
+from rapidsim.language.errors import RaisedError, RaisedToUser
+from rapidsim.library.honesty import ignored
 from rapidsim.library.predefined import ERRSTR_CONTEXT, ERRSTR_TASK, TYPES
 from rapidsim.library.table import routine, table
 from rapidsim.library.text import number_text
@@ -109,6 +111,42 @@ def error_texts(controller: Controller, given: Sequence[str]) -> list[str]:
     return [meant.get(text, text) for text in given if text]
 
 
+def reset_retry_count(controller: ErrorNumbers) -> None:
+    """Count the retries of the statement anew whose ERROR clause runs."""
+    controller.retries = 0
+
+
+def remaining_retries(controller: ErrorNumbers) -> Num:
+    """How often the statement may still be retried whose ERROR clause runs."""
+    return max(0.0, float(MAX_RETRIES - controller.retries))
+
+
+def exec_handler(controller: ErrorNumbers) -> HandlerType:
+    """Which clause of a routine runs: none, ERROR or UNDO."""
+    return controller.handler
+
+
+def raise_to_user(
+    controller: Controller,
+    *,
+    continue_: Switch = False,
+    break_off: Switch = False,
+    error_number: ErrNum | None = None,
+) -> None:
+    r"""Pass an error on to the ERROR clause of the first routine whose module is not NOSTEPIN.
+
+    With \Continue that clause would go on inside; a run leaves the routines as with \BreakOff.
+    """
+    if not (continue_ or break_off):
+        raise rapid_error(ERR_ARGVALERR, r"RaiseToUser needs \Continue or \BreakOff")
+    ignored(controller.honesty, "RaiseToUser", {r"\Continue": continue_})
+    numbers = controller.error_numbers
+    number = numbers.errno if error_number is None else error_number
+    names = [name for name, value in NUMBERS.items() if value == number]
+    what = names[0] if names else f"{number:g}"
+    raise RaisedToUser(number, f"the program raised error {what} to the user")
+
+
 def _kind(warning: bool, information: bool) -> str:
     return "warning" if warning else "information" if information else "error"
 
@@ -118,6 +156,10 @@ def _type(warning: bool, information: bool) -> float:
 
 
 ERRORS = table(
+    routine("ResetRetryCount", reset_retry_count),
+    routine("RemainingRetries", remaining_retries),
+    routine("ExecHandler", exec_handler),
+    routine("RaiseToUser", raise_to_user, r"\Continue \BreakOff \ErrorNumber", does=Does.LEAVE),
     routine("BookErrNo", book_err_no),
     routine("ErrWrite", err_write, r"\W|\I Header Reason \RL2 \RL3 \RL4", does=Does.TELL),
     routine("SkipWarn", skip_warn, does=Does.TELL),

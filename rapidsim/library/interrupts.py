@@ -1,7 +1,7 @@
 r"""Interrupts: ordering, stopping, removing. CONNECT is a statement of the language.
 
-\SingleSafe orders like \Single; that such an interrupt also waits while the program is stopped has
-no meaning in a run, which never stops half-way.
+\SingleSafe orders like \Single, and ISleep refuses such an interrupt; that it also waits while the
+program is stopped has no meaning in a run, which never stops half-way.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types.
 """
@@ -29,7 +29,7 @@ from rapidsim.language.annotations import (
 )
 from rapidsim.language.controller import Controller, Interrupts
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
-from rapidsim.language.reference import Box
+from rapidsim.language.reference import Box, Reference
 from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
 from rapidsim.library.traits import Does
@@ -48,6 +48,7 @@ def i_timer(
 ) -> None:
     """Order an interrupt in so many seconds, again and again or once."""
     controller.order_timer(interrupt.value, time, single=single or single_safe)
+    _keep(controller, interrupt, single_safe)
 
 
 def i_signal_di(
@@ -63,6 +64,7 @@ def i_signal_di(
     matches = _any_value if trigg_value == EDGE else _equals(trigg_value)
     name = connected(signal)
     controller.order_signal(interrupt.value, name, matches, single=single or single_safe)
+    _keep(controller, interrupt, single_safe)
 
 
 def i_signal_do(
@@ -89,6 +91,7 @@ def i_signal_gi(
     """Order an interrupt when a group of inputs changes."""
     once = single or single_safe
     controller.order_signal(interrupt.value, connected(signal), _any_value, single=once)
+    _keep(controller, interrupt, single_safe)
 
 
 def i_signal_go(
@@ -138,6 +141,7 @@ def i_signal_ai(
 
     once = single or single_safe
     controller.interrupts.order_signal(interrupt.value, connected(signal), matches, single=once)
+    _keep(controller.interrupts, interrupt, single_safe)
 
 
 def i_signal_ao(
@@ -184,6 +188,13 @@ def i_pers(
     """
     data = Box(name) if isinstance(name, list) else name
     controller.order_persistent(interrupt.value, data, single=single or single_safe)
+    _keep(controller, interrupt, single_safe)
+
+
+def _keep(controller: Interrupts, interrupt: Reference[float], single_safe: bool) -> None:
+    r"""Let an interrupt that was ordered with \SingleSafe not be put to sleep."""
+    if single_safe:
+        controller.make_safe(interrupt.value)
 
 
 def i_delete(controller: Interrupts, interrupt: Var[IntNum]) -> None:

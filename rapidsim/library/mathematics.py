@@ -16,6 +16,7 @@ from rapidsim.language.error_numbers import (
     ERR_ARGVALERR,
     ERR_INT_MAXVAL,
     ERR_INT_NOTVAL,
+    ERR_NUM_LIMIT,
     ERR_OVERFLOW,
     rapid_error,
 )
@@ -183,7 +184,7 @@ def dnum_to_num(value: Dnum, *, integer: Switch = False) -> Num:
     if integer:
         _check_whole(value, LARGEST_EXACT_INTEGER)
     if abs(value) > LARGEST_SINGLE:
-        raise rapid_error(ERR_ARGVALERR, f"{value:g} is beyond the range of num")
+        raise rapid_error(ERR_NUM_LIMIT, f"{value:g} is beyond the range of num")
     return value
 
 

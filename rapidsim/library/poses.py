@@ -12,6 +12,9 @@ from rapidsim.language.data import Orient, Pos, Pose
 from rapidsim.language.error_numbers import ERR_ILLQUAT, rapid_error
 from rapidsim.language.single import single
 
+ILLEGAL_NORM_ERROR = 0.1
+"""How far from 1 the length of a quaternion may be for functions to compute with it."""
+
 
 def composed(a_from_b: Pose, b_from_c: Pose) -> Pose:
     """a_from_c, not rounded."""
@@ -32,7 +35,31 @@ def rounded(pose: Pose) -> Pose:
 
 
 def unit(rotation: Orient) -> Quaternion:
-    """An orientation with unit length.
+    """An orientation, normalised: its digits are rounded.
+
+    Raises:
+        RapidError: ERR_ILLQUAT, if its length is not about 1.
+    """
+    require_unit(rotation)
+    return normalised(rotation)
+
+
+def require_unit(rotation: Orient) -> None:
+    """Refuse a quaternion that is no orientation.
+
+    Raises:
+        RapidError: ERR_ILLQUAT, if its length is not about 1.
+    """
+    length = quaternion.norm(rotation)
+    if abs(length - 1.0) > ILLEGAL_NORM_ERROR:
+        written = ",".join(f"{q:g}" for q in rotation)
+        raise rapid_error(
+            ERR_ILLQUAT, f"the orientation [{written}] is none: its length is {length:.4g}, not 1"
+        )
+
+
+def normalised(rotation: Orient) -> Quaternion:
+    """An orientation with unit length, whatever length it had.
 
     Raises:
         RapidError: ERR_ILLQUAT, if it is all zero, as in a target nobody taught.

@@ -14,7 +14,7 @@ from rapidsim.frames.vectors import crossed, dot, length, minus, plus, scaled
 from rapidsim.language.annotations import Num, Switch
 from rapidsim.language.data import WOBJ0, Orient, Pos, Pose, RobTarget, WobjData
 from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_FRAME, rapid_error
-from rapidsim.library.poses import composed, from_axes, inverted, rounded, unit
+from rapidsim.library.poses import composed, from_axes, inverted, normalised, rounded, unit
 from rapidsim.library.table import routine, table
 from rapidsim.library.traits import Does
 
@@ -86,7 +86,7 @@ def euler_zyx(rotation: Orient, *, x: Switch = False, y: Switch = False, z: Swit
 
 def n_orient(rotation: Orient) -> Orient:
     """The orientation with unit length."""
-    return Orient(*unit(rotation))
+    return Orient(*normalised(rotation))
 
 
 def pose_mult(pose1: Pose, pose2: Pose) -> Pose:

@@ -42,6 +42,7 @@ from rapidsim.library.traits import Does
 
 DEFAULT_PULSE_S = 0.2
 LEAST_PULSE_S = 0.001
+LONGEST_DELAY_S = 2000.0
 LONGEST_PULSE_S = 2000.0
 LARGEST_GROUP_NUM = 8388607.0
 """A group of up to 23 signals fits a `num`."""
@@ -198,6 +199,10 @@ def _read(controller: Signals, signal: Reference[Signal]) -> float:
 def _write(
     controller: Signals, signal: Reference[Signal], value: float, delay_s: float | None = None
 ) -> None:
+    if delay_s is not None and not 0.0 <= delay_s <= LONGEST_DELAY_S:
+        raise rapid_error(
+            ERR_ARGVALERR, f"a delay of {delay_s:g} s; 0..{LONGEST_DELAY_S:g} are possible"
+        )
     controller.write_signal(connected(signal), value, delay_s=delay_s or 0.0)
 
 

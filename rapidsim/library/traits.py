@@ -74,6 +74,8 @@ class Does(Flag):
 
 
 NOTHING = Does(0)
+ONLY_LOOKS = Does.READ_ARGUMENT | Does.READ_TASK | Does.READ_CELL
+"""Changes nothing."""
 LIMITS = frozenset({"maxtime", "maxwait", "timeout"})
 """Parameters that limit how long a routine waits."""
 _IMPLIED = ((Does.OUTPUT, Does.INSTANT), (Does.TELL, Does.INSTANT), (Does.ASK, Does.WAIT))

@@ -20,6 +20,7 @@ from rapidsim.motion.configurations.confdata import (
     configuration,
     configurations,
     select,
+    stands_as,
     told_apart,
 )
 from rapidsim.motion.configurations.reachability import limit_excess, turns_within_limits
@@ -88,7 +89,8 @@ def ends_of(posed: PosedMoves, robot: Robot) -> Ends:
         within = branches.exists & ~limit_excess(robot, turned).any(axis=-1)
         reachable[at] = within.any(axis=-1)
         selected = select(robot, pose, _confdata(posed.moves, at.tolist()), near)
-        kept = selected.exists & ~selected.quarters_off.any(axis=-1)
+        wanted = _confdata(posed.moves, at.tolist())
+        kept = selected.exists & stands_as(robot.kinematics, selected.joints, wanted)
         kept &= ~limit_excess(robot, selected.joints).any(axis=-1)
         works[at] = kept
         stored[at] = np.where(kept[:, None], selected.joints, 0.0)

@@ -8,13 +8,13 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from rapidsim.analysis.program import Program
+from rapidsim.controller.moves.configuration_choice import conf_text
 from rapidsim.controller.moves.motion_findings import fault_violation
 from rapidsim.controller.moves.move_data import zone_of
 from rapidsim.diagnostics import Diagnostic, Related, Violation
-from rapidsim.findings.reach_and_motion_data import CircleUncertain
+from rapidsim.findings.reach_and_motion_data import CircleUncertain, ConfigurationChangesOnLine
 from rapidsim.findings.reachability import (
     AxisSpeedLimits,
-    ConfigurationChangesOnLine,
     NearSingularity,
     ZeroLengthMove,
     ZoneTooLarge,
@@ -39,7 +39,6 @@ from rapidsim.reach.arm_configurations import (
     stored_confdata,
 )
 from rapidsim.reach.move_segments import segments_of
-from rapidsim.reach.target_findings import conf_text
 from rapidsim.reach.target_poses import PosedMoves
 from rapidsim.reach.wording import confdata_fix, target_span, target_text
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from rapidsim.analysis.program import Program
-from rapidsim.diagnostics import Diagnostic, Span
+from rapidsim.diagnostics import Diagnostic, Severity, Span
 from rapidsim.frames.transform import Array
 from rapidsim.motion.compiled import decided_anew
 from rapidsim.motion.robot.robot import Robot
@@ -21,6 +21,7 @@ from rapidsim.reach.path_findings import WayFinder
 from rapidsim.reach.target_findings import (
     configuration_findings,
     margin_findings,
+    orientation_findings,
     unreachable_findings,
     wind_up_findings,
 )
@@ -29,9 +30,9 @@ from rapidsim.reach.trial_run import LONGEST_RUN_S, RunMoves, run_for_moves
 from rapidsim.simulation.options import RunOptions
 
 _SAID_BY_TEXT = ("M501",)
-"""Findings of a run that checking the text makes already."""
-_SAME_CAUSE = {"K603": "K606"}
-"""A run says the first where checking by value says the second."""
+"""Warnings of a run that checking the text makes already."""
+_GIVES_WAY = ("K603", "K606")
+"""Findings at which no run stops that takes the nearest configuration."""
 
 
 @decided_anew()
@@ -76,6 +77,7 @@ def check_reach(
     finder = WayFinder(program, placed, ends, robot, options.model, joints)
     ways = finder.survey()
     found = [
+        *orientation_findings(program, placed, options.external_axes),
         *unreachable_findings(program, placed, ends, robot, cures),
         *configuration_findings(program, placed, ends, robot),
         *finder.findings(ways),
@@ -86,6 +88,10 @@ def check_reach(
     if budget is not None and told is not None:
         found += budget_findings(program, told, budget)
         found += stop_findings(program, placed, ways)
+    goes_on = options.nearest_configuration
+    found = [
+        replace(one, assumed=goes_on) if one.violation.code in _GIVES_WAY else one for one in found
+    ]
     distinct = tuple(_Places(walked).distinct(found))
     return ReachReport(distinct, _coverage(walked, ends, told, left_out))
 
@@ -106,9 +112,8 @@ class _Places:
         said: set[tuple[str, object]] = set()
         for diagnostic in diagnostics:
             code, move = diagnostic.violation.code, self._move_of(diagnostic.span)
-            if code in _SAID_BY_TEXT:
-                continue
-            if {(code, move), (_SAME_CAUSE.get(code, code), move)} & said:
+            is_error = diagnostic.severity is Severity.ERROR
+            if (code, move) in said or (code in _SAID_BY_TEXT and not is_error):
                 continue
             said.add((code, move))
             yield diagnostic

@@ -7,6 +7,9 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from rapidsim.analysis.program import Program
+from rapidsim.controller.moves.configuration_choice import by_stored, conf_text
+from rapidsim.controller.moves.target_checks import frame_orientations
+from rapidsim.controller.moves.target_words import named_target
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.findings.reach_and_motion_data import (
     ConfigurationNotReachable,
@@ -14,23 +17,30 @@ from rapidsim.findings.reach_and_motion_data import (
     UnreachableTarget,
 )
 from rapidsim.findings.reachability import JointWindUp, LowJointMargin
+from rapidsim.frames.quaternion import norm
 from rapidsim.frames.transform import Array
-from rapidsim.motion.configurations.confdata import confdata_of, select, told_apart
+from rapidsim.language.data import Orient, RobTarget
+from rapidsim.language.moves import Interpolation
+from rapidsim.language.target_violations import QuaternionNotUnit
 from rapidsim.motion.configurations.reach_cures import reason_with_lengths
-from rapidsim.motion.configurations.reachability import (
-    limit_excess,
-    turns_within_limits,
-    why_unreachable,
-)
+from rapidsim.motion.configurations.reachability import limit_excess, why_unreachable
+from rapidsim.motion.configurations.targets import is_no_orientation
+from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.arm_configurations import Ends, Stances, is_free, is_monitored, stored_confdata
 from rapidsim.reach.cures import Cures
+from rapidsim.reach.dataflow.known_moves import KnownMove
 from rapidsim.reach.target_poses import PosedMoves
-from rapidsim.reach.wording import confdata_fix, data_of, declared, target_span, target_text
+from rapidsim.reach.wording import (
+    argument,
+    confdata_fix,
+    data_of,
+    declared,
+    target_span,
+    target_text,
+)
 
 LOW_MARGIN = np.radians(5.0)
-
-Confdata = tuple[int, int, int, int]
 
 
 def unreachable_findings(
@@ -62,7 +72,8 @@ def configuration_findings(
     """K603: the stored configuration does not work where it is monitored, and which ones do."""
     stale = ends.looked_at & ends.reachable & ~ends.stored_works & ~posed.to_axes
     rows = [row for row in np.flatnonzero(stale).tolist() if is_monitored(posed.moves[row], robot)]
-    working = _working(posed, robot, rows)
+    flanges = posed.base_from_flange[np.array(rows, dtype=np.int64)]
+    working = by_stored(robot, flanges, [stored_confdata(posed.moves[row]) for row in rows])
     for row, choices in zip(rows, working, strict=True):
         if not choices:
             continue
@@ -70,15 +81,44 @@ def configuration_findings(
         found = ConfigurationNotReachable(
             target_text(program, known),
             conf_text(stored_confdata(known)),
-            conf_text(choices[0]),
-            tuple(map(conf_text, choices)),
+            conf_text(choices[0].confdata),
+            tuple(conf_text(one.confdata) for one in choices),
         )
         yield Diagnostic(
             found,
             target_span(program, known),
-            fix=confdata_fix(program, known, choices[0]),
+            fix=confdata_fix(program, known, choices[0].confdata),
             routine=known.routine,
         )
+
+
+def orientation_findings(
+    program: Program, posed: PosedMoves, external: Sequence[ExternalAxis]
+) -> Iterator[Diagnostic]:
+    """M501: a frame or a target that is no orientation, at the move that asks for it."""
+    for row in sorted(posed.left_out):
+        known = posed.moves[row]
+        if known.move.interpolation is Interpolation.EXTERNAL_AXES:
+            continue
+        for name, rotation in _orientations(program, known, external):
+            if is_no_orientation(rotation):
+                found = QuaternionNotUnit(name, norm(rotation), refused=True)
+                yield Diagnostic(found, target_span(program, known), routine=known.routine)
+                break
+
+
+def _orientations(
+    program: Program, known: KnownMove, external: Sequence[ExternalAxis]
+) -> Iterator[tuple[str, Orient]]:
+    """What turns the end of a move, in the order in which a run looks at it."""
+    move = known.move
+    yield from frame_orientations(move.tool, move.wobj, external)
+    if isinstance(move.to, RobTarget):
+        yield target_text(program, known), move.to.rot
+    if move.circle_point is not None:
+        circle_point = argument(program, known, "cirpoint")
+        place = known.span if circle_point is None else known.module.span(circle_point)
+        yield named_target(place.text), move.circle_point.rot
 
 
 def margin_findings(
@@ -121,11 +161,6 @@ def wind_up_findings(
         yield Diagnostic(found, target_span(program, known), routine=known.routine)
 
 
-def conf_text(conf: Sequence[int]) -> str:
-    """Confdata as RAPID writes it."""
-    return f"[{','.join(map(str, conf))}]"
-
-
 def _over(robot: Robot, joints: Array) -> str:
     excess = limit_excess(robot, joints)
     return ", ".join(
@@ -133,33 +168,3 @@ def _over(robot: Robot, joints: Array) -> str:
         f"{np.degrees(abs(excess[axis])):.1f} deg past its limit"
         for axis in np.flatnonzero(excess)
     )
-
-
-def _working(posed: PosedMoves, robot: Robot, rows: list[int]) -> list[list[Confdata]]:
-    """The configurations that reach the ends of moves, those like the stored one first."""
-    if not rows or not told_apart(robot.kinematics):
-        return [[] for _ in rows]
-    stored = np.array([stored_confdata(posed.moves[row]) for row in rows])
-    near = turns_within_limits(robot, np.zeros(len(robot.joints)))
-    found: list[list[Confdata]] = [[] for _ in rows]
-    for branch in range(robot.kinematics.branch_count):
-        wanted = stored.copy()
-        wanted[:, 3] = branch
-        selected = select(robot, posed.base_from_flange[np.array(rows)], wanted, near)
-        # The turns nearest to those stored, else those in the middle of the range.
-        for joints in (selected.joints, turns_within_limits(robot, selected.joints)):
-            within = selected.exists & ~limit_excess(robot, joints).any(axis=-1)
-            named = confdata_of(robot.kinematics, joints)
-            for at in np.flatnonzero(within).tolist():
-                cf1, cf4, cf6, cfx = named[at].tolist()
-                if (cf1, cf4, cf6, cfx) not in found[at]:
-                    found[at].append((cf1, cf4, cf6, cfx))
-    for choices, meant in zip(found, stored.tolist(), strict=True):
-        choices.sort(
-            key=lambda conf: (
-                conf[3] != meant[3],
-                sum(abs(a - b) for a, b in zip(conf[:3], meant[:3], strict=True)),
-                conf,
-            )
-        )
-    return found

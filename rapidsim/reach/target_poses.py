@@ -7,9 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rapidsim.frames.quaternion import norm
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.language.data import JointTarget, Orient, ToolData, WobjData
+from rapidsim.language.data import JointTarget, ToolData, WobjData
 from rapidsim.language.moves import Interpolation
 from rapidsim.motion.configurations import targets
 from rapidsim.motion.kinematics.arm import Mask
@@ -82,7 +81,7 @@ def posed(
         if isinstance(move.to, JointTarget):
             continue
         for target in (move.to, *(() if move.circle_point is None else (move.circle_point,))):
-            if _is_no_orientation(target.rot):
+            if targets.is_no_orientation(target.rot):
                 left_out[row] = "its orientation is no unit quaternion"
         if known.previous is None and led_by_wrist(known, robot):
             left_out[row] = "two wrist axes lead it from where the arm stands, which a run tells"
@@ -119,10 +118,6 @@ def _placement(
     external: Sequence[ExternalAxis],
 ) -> targets.Placement | targets.NotSimulatedFrame:
     for frame in (tool.tframe, wobj.uframe, wobj.oframe):
-        if _is_no_orientation(frame.rot):
+        if targets.is_no_orientation(frame.rot):
             return targets.NotSimulatedFrame(FRAME_WITHOUT_ORIENTATION)
     return targets.placement(tool, wobj, base_from_world, external)
-
-
-def _is_no_orientation(rotation: Orient) -> bool:
-    return abs(norm(rotation) - 1.0) > targets.REFUSED_NORM_ERROR

@@ -2,7 +2,7 @@
 
 The run is short and has no consequences: files go to a folder that is thrown away, and it is over
 after some virtual time, or at a question to the operator. It ends earlier where the arm cannot go
-on.
+on, but not at a stored configuration that cannot be had: the moves after it are worth looking at.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from tempfile import TemporaryDirectory
 
 from rapidsim.analysis.program import Program
 from rapidsim.controller.moves.executed_move import ExecutedMove
-from rapidsim.diagnostics import Diagnostic
+from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import InputError
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.language.errors import Stopped
@@ -90,6 +90,7 @@ def run_for_moves(
             options,
             home=Path(home),
             answers=_nobody,
+            nearest_configuration=True,
             max_cycles=1,
             max_time_s=min(options.max_time_s, longest_s),
             max_wall_s=LONGEST_WORK_S,
@@ -124,13 +125,18 @@ def run_for_moves(
         moves,
         tuple(one for one, _ in made),
         frozenset(failed | {call for _, (call, _) in made}),
-        tuple(one for one in run.diagnostics if one.violation.code[0] in "KM"),
+        tuple(one for one in run.diagnostics if _is_told(one)),
         run.time_s if run.end in (End.ENDED, End.CYCLE_LIMIT) else None,
         f"more than {run.time_s:.0f} s"
         if run.end is End.TIME_LIMIT
         else "a time that is not known: its run stopped before the end",
         f"does not tell: {_ENDS[run.end]}",
     )
+
+
+def _is_told(found: Diagnostic) -> bool:
+    """Whether a finding of the run is one of the check, too: of moves, or why the program ends."""
+    return found.violation.code[0] in "KM" or found.severity is Severity.ERROR
 
 
 def _nobody(prompt: str) -> str | None:

@@ -23,6 +23,9 @@ class RunOptions:
     program_files: tuple[str, ...] = ()
     """The files as the user named them, for reports."""
     model: MotionModel = field(default_factory=MotionModel)
+    nearest_configuration: bool = False
+    """Whether a move to a target whose stored configuration cannot be had goes to the nearest one
+    and the run on; else it ends there, as on a controller with ConfJ or ConfL on."""
     start_joints_deg: tuple[float, ...] | None = None
     """Where the arm stands at the start; None takes all zero with axis 5 at 30 degrees."""
     world_from_base: Transform = field(default_factory=Transform.identity)

@@ -8,6 +8,7 @@ from rapidsim.analysis.program import Program
 from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.journal.stop_reasons import (
     MoveImpossible,
+    PollsForever,
     TimeLimitReached,
     TrapStorm,
     WaitsForever,
@@ -78,6 +79,9 @@ def endless_wait_finding(
         others: Further tasks that wait, which could have ended it.
     """
     _, place = waiting
+    if isinstance(stopped, PollsForever):
+        routine, span, callers = _where(rapid_stack(stopped), place)
+        return Diagnostic(EndlessWait(stopped.reason), span, callers, routine=routine)
     if not others:
         return Diagnostic(EndlessWait(stopped.reason), place.span, routine=place.routine)
     each = [

@@ -113,7 +113,13 @@ def prepare(
     robot = setup.robot or stand_in
     start = _start_waypoint(robot, setup.start_joints_deg)
     queue = solo_queue(robot, options.model, start, cell.watchdog.look)
-    resolver = Resolver(robot, journal, setup.place.inverse(), options.model.payload_acceleration)
+    resolver = Resolver(
+        robot,
+        journal,
+        setup.place.inverse(),
+        options.model.payload_acceleration,
+        options.nearest_configuration,
+    )
     place = _entry_place(setup.program, setup.entry or options.entry)
     unit, has_robot = MechanicalUnit(queue), setup.robot is not None
     controller = virtual_controller(cell, unit, resolver, journal, place, has_robot=has_robot)

@@ -19,6 +19,7 @@ _KEYS = (
     "parabola_acceleration",
     "orientation_zone",
     "accelerations_kept_by",
+    "configuration",
 )
 
 
@@ -51,6 +52,18 @@ def read_motion(reader: Reader, motion: Table) -> MotionModel:
         orientation_zone=_orientation_zone(reader, motion, default.orientation_zone),
         accelerations_kept_by=_keeper(reader, motion, default.accelerations_kept_by),
     )
+
+
+def reads_nearest_configuration(reader: Reader, motion: Table) -> bool:
+    """`configuration`: whether a stored one that cannot be had gives way to the nearest."""
+    match reader.text(motion, "motion", "configuration") or "stop":
+        case "stop":
+            return False
+        case "nearest":
+            return True
+        case other:
+            reader.wrong("motion.configuration", f"`{other}` is neither `stop` nor `nearest`")
+            return False
 
 
 def _smoothing(reader: Reader, motion: Table, default: Smoothing) -> Smoothing:

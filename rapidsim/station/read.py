@@ -15,7 +15,7 @@ from rapidsim.station.check import read_check
 from rapidsim.station.controller import read_robotware_of, read_stubs
 from rapidsim.station.conveyors import read_conveyors
 from rapidsim.station.external_axes import read_external_axes
-from rapidsim.station.motion import read_motion
+from rapidsim.station.motion import read_motion, reads_nearest_configuration
 from rapidsim.station.robot import read_robots
 from rapidsim.station.signals import read_crosses, read_signals
 from rapidsim.station.sockets import read_sockets
@@ -46,6 +46,7 @@ def read_station(file: Path) -> Station:
         robots=robots,
         external_axes=read_external_axes(reader, table, model.acceleration_time),
         model=model,
+        nearest_configuration=reads_nearest_configuration(reader, reader.table(table, "motion")),
         tasks=tasks,
         io=_io(reader, table),
         robotware=read_robotware_of(reader, reader.table(table, "controller")),

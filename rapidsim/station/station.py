@@ -38,6 +38,8 @@ class Station:
     external_axes: tuple[ExternalAxis, ...] = ()
     """Those of the first robot."""
     model: MotionModel = field(default_factory=MotionModel)
+    nearest_configuration: bool = False
+    """Whether moves go on to the nearest configuration where the stored one cannot be had."""
     tasks: tuple[StationTask, ...] = ()
     """In the order of the file; without any there is one, with the first robot."""
     io: CellIo = field(default_factory=CellIo)

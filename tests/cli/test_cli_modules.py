@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from cli_helper import rapidsim
 
-EMPTY_MAIN = "MODULE Main\n  PROC main()\n  ENDPROC\nENDMODULE\n"
+EMPTY_MAIN = "MODULE Shop\n  PROC main()\n  ENDPROC\nENDMODULE\n"
 
 
 def folder(path: Path, **modules: str) -> Path:
@@ -37,7 +37,7 @@ def finding(path: Path) -> tuple[str, int, str]:
 
 def test_modules_call_each_other_and_share_global_data(tmp_path: Path) -> None:
     main = (
-        "MODULE Main\n  PROC main()\n    count;\n    count;\n"
+        "MODULE Shop\n  PROC main()\n    count;\n    count;\n"
         "    TPWrite ValToStr(counted)+limit;\n  ENDPROC\nENDMODULE\n"
     )
     counting = (
@@ -50,11 +50,11 @@ def test_modules_call_each_other_and_share_global_data(tmp_path: Path) -> None:
 
 def test_local_data_and_routines_hide_global_ones_in_their_module_only(tmp_path: Path) -> None:
     main = (
-        'MODULE Main\n  VAR string who:="global";\n  PROC main()\n    say;\n    other;\n  ENDPROC\n'
+        'MODULE Shop\n  VAR string who:="global";\n  PROC main()\n    say;\n    other;\n  ENDPROC\n'
         "  PROC say()\n    TPWrite who;\n  ENDPROC\nENDMODULE\n"
     )
     other = (
-        'MODULE Other\n  LOCAL VAR string who:="local";\n'
+        'MODULE Others\n  LOCAL VAR string who:="local";\n'
         '  PROC other()\n    VAR num k;\n    say;\n    routine;\n    %"say"%;\n  ENDPROC\n'
         '  LOCAL PROC say()\n    TPWrite "local say, "+who;\n  ENDPROC\n'
         '  PROC routine()\n    VAR string who:="routine";\n    TPWrite who;\n  ENDPROC\nENDMODULE\n'
@@ -64,7 +64,7 @@ def test_local_data_and_routines_hide_global_ones_in_their_module_only(tmp_path:
 
 
 def test_a_local_main_is_not_where_the_program_starts(tmp_path: Path) -> None:
-    other = 'MODULE Other\n  LOCAL PROC main()\n    TPWrite "no";\n  ENDPROC\nENDMODULE\n'
+    other = 'MODULE Others\n  LOCAL PROC main()\n    TPWrite "no";\n  ENDPROC\nENDMODULE\n'
     main = EMPTY_MAIN.replace("main()\n", 'main()\n    TPWrite "yes";\n')
     assert texts(folder(tmp_path, Main=main, Another=other)) == ["yes"]
 
@@ -72,11 +72,11 @@ def test_a_local_main_is_not_where_the_program_starts(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("other", "place"),
     [
-        ("MODULE MAIN\n  PROC work()\n  ENDPROC\nENDMODULE\n", ("B.mod", 1, "N202")),
-        ("MODULE Other\n  PROC main()\n  ENDPROC\nENDMODULE\n", ("B.mod", 2, "N202")),
-        ("MODULE Other\n  PROC work()\n  ENDPROC\n", ("B.mod", 3, "E102")),
-        ("MODULE Other\n  VAR num main;\nENDMODULE\n", ("B.mod", 2, "N202")),
-        ("MODULE Other\n  LOCAL VAR num a;\n  VAR num A;\nENDMODULE\n", ("B.mod", 3, "N202")),
+        ("MODULE SHOP\n  PROC work()\n  ENDPROC\nENDMODULE\n", ("B.mod", 1, "N202")),
+        ("MODULE Others\n  PROC main()\n  ENDPROC\nENDMODULE\n", ("B.mod", 2, "N202")),
+        ("MODULE Others\n  PROC work()\n  ENDPROC\n", ("B.mod", 3, "E102")),
+        ("MODULE Others\n  VAR num main;\nENDMODULE\n", ("B.mod", 2, "N202")),
+        ("MODULE Others\n  LOCAL VAR num a;\n  VAR num A;\nENDMODULE\n", ("B.mod", 3, "N202")),
     ],
     ids=["module twice", "main twice", "no ENDMODULE", "main as data", "twice in a module"],
 )

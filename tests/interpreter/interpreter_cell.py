@@ -34,6 +34,8 @@ class RecordingController:
     settings: MotionSettings = field(default_factory=MotionSettings)
     place: Place = field(default_factory=lambda: Place(Span(Source("", ""), 0, 0), ""))
     errno: float = 0.0
+    retries: int = 0
+    handler: float = 0.0
     intno: float = 0.0
     slices: int = 0
     max_slices: int = 100

@@ -185,7 +185,7 @@ def test_text_html_xml_and_lcov(measured: Path) -> None:
 
 
 def test_a_source_folder_shows_modules_that_never_ran(tmp_path: Path) -> None:
-    empty = 'MODULE {0}\n  PROC {0}()\n    TPWrite "a";\n  ENDPROC\nENDMODULE\n'
+    empty = 'MODULE {0}s\n  PROC {0}()\n    TPWrite "a";\n  ENDPROC\nENDMODULE\n'
     for name in ("main", "spare"):
         (tmp_path / f"{name}.MOD").write_text(empty.format(name))
     (tmp_path / ".coveragerc").write_text(f"{CONFIGURATION}source = .\n")

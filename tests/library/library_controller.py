@@ -21,6 +21,7 @@ from rapidsim.language.data import (
     Pos,
     RobJoint,
     RobTarget,
+    SpeedData,
     ToolData,
     WobjData,
 )
@@ -88,6 +89,8 @@ class RecordingController:
     time_s: float = 0.0
     left: int = 0
     errno: float = 0.0
+    retries: int = 0
+    handler: float = 0.0
     intno: float = 0.0
     place: Place = field(default_factory=lambda: Place(Span(Source("", ""), 0, 0), "main"))
     settings: MotionSettings = field(default_factory=MotionSettings)
@@ -114,6 +117,7 @@ class RecordingController:
 
     def __post_init__(self) -> None:
         self.call_procedure: Callable[[str], None] = print
+        self.program_state: Callable[[], object] = lambda: None
 
     def call(self, name: str, *arguments: Any, **options: Any) -> Any:
         """Call a routine, with this controller if it wants one."""
@@ -125,7 +129,7 @@ class RecordingController:
         """All concerns in one; mypy holds it against the protocol of each."""
         whole = Controller(
             *(self, self, self, self, self, self),
-            *(self, self, self, self, self, self, self, self, self, self, self, self),
+            *(self, self, self, self, self, self, self, self, self, self, self, self, self),
         )
         for name in ("symbols", "modules"):
             if hasattr(self, name):
@@ -403,6 +407,28 @@ class RecordingController:
 
     def sleep_interrupt(self, interrupt: float, *, asleep: bool) -> None:
         self.log.append(f"{'sleep' if asleep else 'watch'} {interrupt:g}")
+
+    def make_safe(self, interrupt: float) -> None:
+        self.log.append(f"safe {interrupt:g}")
+
+    def start_recording(self) -> int:
+        self.log.append("record")
+        return 1
+
+    def stop_recording(self, *, clear: bool) -> None:
+        self.log.append(f"record no more, clear {clear}")
+
+    def may_go_back(self, identifier: int | None) -> bool:
+        return identifier is not None
+
+    def may_go_forth(self, identifier: int | None) -> bool:
+        return identifier is not None
+
+    def go_back(self, identifier: int | None, offset: Pos | None, speed: SpeedData | None) -> None:
+        self.log.append(f"back to {identifier}")
+
+    def go_forth(self, identifier: int | None, offset: Pos | None, speed: SpeedData | None) -> None:
+        self.log.append(f"forth to {identifier}")
 
     def hold_interrupts(self, *, hold: bool) -> None:
         self.log.append("hold" if hold else "serve")

@@ -173,7 +173,7 @@ REFUSED = [
     ("Round", (1.0,), {"dec": 16.0}, "ERR_ARGVALERR", "16 decimals"),
     ("DnumToNum", (0.5,), {"integer": True}, "ERR_INT_NOTVAL", "0.5 is not a whole number"),
     ("DnumToNum", (1e7,), {"integer": True}, "ERR_INT_MAXVAL", "larger than 8388608"),
-    ("DnumToNum", (1e300,), {}, "ERR_ARGVALERR", "1e\\+300 is beyond the range of num"),
+    ("DnumToNum", (1e300,), {}, "ERR_NUM_LIMIT", "1e\\+300 is beyond the range of num"),
     ("TryInt", (0.5,), {}, "ERR_INT_NOTVAL", "0.5 is not a whole number"),
     ("BitAnd", (256.0, 1.0), {}, "ERR_ARGVALERR", "256 is not within 0..255"),
     ("BitAnd", (1.5, 1.0), {}, "ERR_NOTINTVAL", "1.5 is not a whole number"),

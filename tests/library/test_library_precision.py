@@ -45,6 +45,9 @@ def sample(of: Type, name: str = "") -> Any:
     of = resolved(of)
     if isinstance(of, ArrayOf):
         return [at(sample(of.element), k) for k in range(4)]
+    if isinstance(of, Record) and of.name == "orient":
+        # About a unit, or it is no orientation.
+        return tuple.__new__(of.python, [0.5 + 1e-9 * THIRD] * 4)
     if isinstance(of, Record):
         return tuple.__new__(of.python, [sample(one.type) for one in of.components])
     if of in (NUM, DNUM):

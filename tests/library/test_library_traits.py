@@ -148,7 +148,7 @@ ELSEWHERE = {
     "motion/timing/constraints.py": {"PathAccLim", "WorldAccLim"},
     "plots": {"round"},
     "report": {"dim", "distance"},
-    "station": {"type", "set", "close", "max", "min"},
+    "station": {"type", "set", "close", "max", "min", "stop"},
     "syntax": {"EXP", "open", "close"},
 }
 

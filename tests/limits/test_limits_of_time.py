@@ -54,7 +54,9 @@ UNREACHED = forever(
 )
 TO_P1 = "    MoveJ p1,v1000,fine,tool0;\n"
 SLOW_FLY_BY = (
-    TO_P1 + "    MoveL Offs(p1,0,300,0),v5,z50,tool0;\n    MoveL Offs(p1,0,-300,0),v5,z50,tool0;"
+    TO_P1
+    + "    ConfL \\Off;\n    MoveL Offs(p1,0,300,0),v5,z50,tool0;\n"
+    + "    MoveL Offs(p1,0,-300,0),v5,z50,tool0;"
 )
 FILE = '    Open "m.mod",file\\Write;\n    Write file,"MODULE m";\n    Write file,"ENDMODULE";\n'
 FILE += "    Close file;"

@@ -183,15 +183,59 @@ def test_the_log_has_a_position_on_the_path_for_each_half_second(drawing: Drawin
         assert in_base == pytest.approx(seen, abs=0.2)
 
 
-def test_stale_configurations_are_said_once_for_each_target(drawing: Drawing) -> None:
-    found = drawing.report["diagnostics"]
+def test_nothing_is_said_of_the_drawing(drawing: Drawing) -> None:
+    assert drawing.report["diagnostics"] == []
+
+
+STALE = "[-1,0,-1,0]"
+
+
+def stale_drawing(folder: Path, station: str, *arguments: object) -> tuple[int, dict[str, object]]:
+    """The drawing with the configurations of another table: exit code and report."""
+    text = PROGRAM.read_text()
+    for stored in ("[0,0,1,0]", "[0,0,0,0]", "[0,0,0,0]"):
+        text = text.replace(f"    {stored},[9E", f"    {STALE},[9E", 1)
+    (folder / "stale.mod").write_text(text)
+    (folder / "rapidsim.toml").write_text(station)
+    (folder / "answers.txt").write_text("100\n50\n30\n")
+    files = ("--answers", "answers.txt", "--no-record", "--format", "json")
+    done = call("run", "stale.mod", *arguments, *files, cwd=folder)
+    return done.code, json.loads(done.out)
+
+
+def test_a_stale_configuration_stops_the_drawing(tmp_path: Path) -> None:
+    code, report = stale_drawing(tmp_path, "", "--robot", "irb1600")
+    assert (code, report["end"], report["moves"]) == (1, "error", [])
+    found = report["diagnostics"]
     assert isinstance(found, list)
-    stale = [d for d in found if d["code"] == "K603"]
-    said = [d["message"].split("`")[1] for d in stale]
-    assert len(said) == len(set(said))
-    assert said[:3] == ["p10", "p20", "p30"]
-    assert "[-1,0,-1,0]" in stale[0]["message"]
-    assert "[0,0,1,0]" in stale[0]["help"]
+    assert [(one["code"], one["severity"]) for one in found] == [("K603", "error")]
+    assert found[0]["message"].startswith("`p10` cannot be reached in its stored configuration")
+    assert STALE in found[0]["message"]
+    check = call(
+        *("check", "stale.mod", "--robot", "irb1600", "--output-format", "json"),
+        *("--select", "K6"),
+        cwd=tmp_path,
+    )
+    told = json.loads(check.out)["diagnostics"]
+    assert check.code == 1
+    assert (told[0]["message"], told[0]["line"]) == (found[0]["message"], found[0]["line"])
+
+
+@pytest.mark.parametrize(
+    ("station", "arguments"),
+    [('[motion]\nconfiguration = "nearest"\n', ("--robot", "irb1600")), ("", ())],
+    ids=["where the station says so", "on an arm that nobody named"],
+)
+def test_the_drawing_goes_on_in_the_nearest(
+    station: str, arguments: tuple[str, ...], tmp_path: Path
+) -> None:
+    code, report = stale_drawing(tmp_path, station, *arguments)
+    assert (code, report["end"]) == (0, "ended")
+    found = report["diagnostics"]
+    assert isinstance(found, list)
+    assert {(one["code"], one["severity"]) for one in found} == {("K603", "warning")}
+    said = [one["message"].split("`")[1] for one in found]
+    assert said == ["p10", "p20", "p30"]
 
 
 @pytest.mark.process  # Each orders its sets in its own way.

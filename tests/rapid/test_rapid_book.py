@@ -21,6 +21,8 @@ CHAPTERS = (
     "interrupts",
     "waiting",
     "motion",
+    "recovery",
+    "configurations",
     "modules",
     "operator",
     "system",

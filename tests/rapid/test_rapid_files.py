@@ -119,11 +119,11 @@ PROGRAM_FILE = """<?xml version="1.0" encoding="ISO-8859-1" ?>
 
 
 def test_a_program_file_lists_its_modules(tmp_path: Path) -> None:
-    main = "MODULE Main\nPROC main()\nTPWrite greeting;\nENDPROC\nENDMODULE\n"
+    main = "MODULE Shop\nPROC main()\nTPWrite greeting;\nENDPROC\nENDMODULE\n"
     tools = 'MODULE Tools\nCONST string greeting:="listed";\nENDMODULE\n'
     written(tmp_path, main.encode(), "Größe.mod")
     written(tmp_path, tools.encode(), "Tools.sys")
-    written(tmp_path, b"MODULE Other\nPROC main()\nENDPROC\nENDMODULE\n", "NotListed.mod")
+    written(tmp_path, b"MODULE Others\nPROC main()\nENDPROC\nENDMODULE\n", "NotListed.mod")
     assert shown(written(tmp_path, PROGRAM_FILE.encode("latin-1"), "cell.pgf")) == ["listed"]
 
 

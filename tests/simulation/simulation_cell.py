@@ -53,7 +53,10 @@ class Cell:
         start = Waypoint(_START, self.robot.forward(_START))
         self.queue = solo_queue(self.robot, self.options.model, start)
         self.trajectory = self.queue.trajectory
-        resolver = Resolver(self.robot, self.journal, Transform.identity())
+        # The programs of these tests store the configuration 0 everywhere.
+        resolver = Resolver(
+            self.robot, self.journal, Transform.identity(), nearest_configuration=True
+        )
         self.shared = shared.Cell(self.options.cell, self.journal)
         self.controller = virtual_controller(
             self.shared,

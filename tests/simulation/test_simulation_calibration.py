@@ -48,7 +48,9 @@ def _logged(moves: str, every_s: float = 0.008) -> LoggedRun:
     loaded = load([SourceFile("moves.mod", _program(moves), "utf-8")])
     assert loaded.program is not None, loaded.diagnostics
     run = simulate(
-        loaded.program, ROBOT, options=RunOptions(model=TRUTH, start_joints_deg=START_DEG)
+        loaded.program,
+        ROBOT,
+        options=RunOptions(model=TRUTH, start_joints_deg=START_DEG, nearest_configuration=True),
     )
     # A log starts some time before the arm does, at a zero of its own.
     times = np.arange(-0.1, run.only.trajectory.duration + 0.2, every_s)

@@ -154,6 +154,10 @@ def _without_duplicates(homes: Sequence[Context]) -> list[tuple[Context, Declara
             if not isinstance(node, Declaration):
                 continue
             name = node.name
+            if isinstance(node, tree.Routine) and name.key == home.module.name.key:
+                place = home.module.span(home.module.name)
+                violation = DuplicateName(name.text, ", as the module and as a routine in it")
+                home.report(violation, name, Related(place, "the module is here"))
             if name.text.startswith("<"):
                 home.report(UnfinishedDeclaration(name.text), name)
                 continue

@@ -13,6 +13,7 @@ from rapidsim.analysis.program import (
     RoutineSymbol,
     Storage,
 )
+from rapidsim.analysis.program import Scope as Visibility
 from rapidsim.analysis.tree_walk import clauses
 from rapidsim.analysis.types.argument_violations import BadArgumentMode
 from rapidsim.analysis.types.assignability import require, require_value
@@ -160,6 +161,10 @@ def _check_connect(statement: tree.Connect, context: Context) -> None:
         if of is not None and resolved(of) != resolved(TYPES["intnum"]):
             written = context.module.span(interrupt).text
             violation = BadConnect("a variable of type intnum", written, of.name)
+            context.report(violation, interrupt, *context.declaration(symbol))
+        elif isinstance(symbol, DataSymbol) and symbol.scope is Visibility.ROUTINE:
+            wanted = "an interrupt variable of a module, which outlives the routine"
+            violation = BadConnect(wanted, symbol.name, "declared in the routine")
             context.report(violation, interrupt, *context.declaration(symbol))
         elif isinstance(symbol, DataSymbol) and symbol.storage is Storage.PERS:
             mode = BadArgumentMode(by, "a variable", f"`{symbol.name}` is {kind_of(symbol)}")

@@ -104,15 +104,25 @@ class Journal:
         """Note a wait that is over."""
         self._waits.append(wait)
 
-    def finding(self, violation: Violation, place: Place | None, *, once: object = None) -> None:
-        """Note a finding; with `once`, only the first of those that share the key."""
+    def finding(
+        self,
+        violation: Violation,
+        place: Place | None,
+        *,
+        once: object = None,
+        assumed: bool = False,
+    ) -> None:
+        """Note a finding; with `once`, only the first of those that share the key.
+
+        What is `assumed` is no error: the run goes on.
+        """
         if once is not None:
             if self.has_found(once):
                 return
             self._reported.add(once)
         span = place.span if place else None
         routine = place.routine if place else None
-        self._diagnostics.append(Diagnostic(violation, span, routine=routine))
+        self._diagnostics.append(Diagnostic(violation, span, routine=routine, assumed=assumed))
 
     def failed_move(self, failed: FailedMove) -> None:
         """Note a move that could not be made; a loop that tries it again notes it once."""

@@ -22,6 +22,10 @@ class WaitsForever(Stopped):
     """The program waits for something that cannot happen."""
 
 
+class PollsForever(WaitsForever):
+    """The program looks again and again at what never changes."""
+
+
 class TrapStorm(Stopped):
     """Interrupts come faster than their traps are done with."""
 

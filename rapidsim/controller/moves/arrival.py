@@ -1,31 +1,35 @@
 """How the arm stands at the end of a move to a pose: which of its configurations, which turns.
 
 The controller wants the stored configuration exactly when ConfJ or ConfL is on, and stops when it
-does not work. We take the nearest that works and say so once for each target: programs are often
+does not work. So does the run, unless it is told to take the nearest that works: programs are often
 run against another work object than they were taught with, and the rest of them is worth seeing.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from rapidsim.controller.journal.failed_moves import failed_on_the_way, refused_move
 from rapidsim.controller.journal.journal import Journal
+from rapidsim.controller.journal.stop_reasons import MoveImpossible
 from rapidsim.controller.moves.configuration_choice import (
-    by_distance,
+    Quarters,
+    by_stored,
     conf_text,
     nearest,
     nearest_without_switch,
     rounded,
-    stored_or_nearest,
 )
 from rapidsim.controller.moves.motion_findings import fault_violation
 from rapidsim.controller.moves.move_request import AskedMove, MoveRefusedError
 from rapidsim.controller.moves.target_checks import excess_text
+from rapidsim.diagnostics import Violation
 from rapidsim.findings.reach_and_motion_data import (
     CircleUncertain,
+    ConfigurationChangesOnLine,
     ConfigurationNotReachable,
     JointOutOfRange,
     OrientationDeviates,
@@ -41,6 +45,7 @@ from rapidsim.motion.configurations.confdata import (
     configuration,
     configurations,
     named,
+    stands_as,
     told_apart,
 )
 from rapidsim.motion.configurations.reach_cures import reason_with_lengths
@@ -68,6 +73,8 @@ class Arrivals:
 
     robot: Robot
     journal: Journal
+    takes_nearest: bool = False
+    """Whether a stored configuration that cannot be had gives way to the nearest."""
 
     def of(
         self, asked: AskedMove, stored: ConfData, segment: Segment, *, is_short: bool
@@ -83,6 +90,7 @@ class Arrivals:
 
         Raises:
             MoveRefusedError: When the end cannot be reached, or an arc is no sure circle.
+            MoveImpossible: When it cannot be reached as stored, and the nearest is not taken.
         """
         if segment.wrist_pair is not None and circle_fault(segment) is None:
             return self._led(asked, segment)
@@ -92,7 +100,7 @@ class Arrivals:
                 arrival = self.configuration(segment.end.joints)
             else:
                 arrival = self._chosen(asked, stored, segment)
-            self._tell_configuration(asked, stored, segment, arrival)
+            self._hold_to_stored(asked, stored, segment, arrival)
             area = asked.request.settings.singular_area
             if area is SingularArea.LOCK_AXIS_4 and _has_axis_4(segment):
                 arrival = self._locked(asked, arrival, segment)
@@ -144,39 +152,50 @@ class Arrivals:
     def _chosen(self, asked: AskedMove, stored: ConfData, segment: Segment) -> Configuration:
         """The configuration as stored, where that works; else the nearest."""
         near = segment.start.joints
-        in_joints = segment.geometry is Geometry.JOINT
-        if not in_joints and not segment.wrist_in_joints:
+        if not _in_joints(segment):
             arrived = self._end_of_curve(segment)
             return arrived or nearest(self._working(asked, segment), near)
         if not self._is_monitored(asked, segment):
             working = self._working(asked, segment)
             return nearest_without_switch(working, self.configuration(near))
-        as_stored = named(self.robot, self._base_from_flange(asked, segment), rounded(stored))
-        return as_stored or stored_or_nearest(self._working(asked, segment), stored, near)
+        wanted = rounded(stored)
+        as_stored = named(self.robot, self._base_from_flange(asked, segment), wanted)
+        return as_stored or self._by_stored(asked, wanted, segment)[0]
 
-    def _tell_configuration(
+    def _hold_to_stored(
         self, asked: AskedMove, stored: ConfData, segment: Segment, chosen: Configuration
     ) -> None:
-        """Tell of a configuration that is not the stored one, where the controller would stop."""
+        """Stop the run, or tell, where the controller would stop: at another configuration.
+
+        Raises:
+            MoveImpossible: When the nearest is not to be taken.
+        """
         wanted = rounded(stored)
-        if chosen.confdata == wanted or not self._is_monitored(asked, segment):
+        if self._stands_as(chosen, wanted) or not self._is_monitored(asked, segment):
             return
         key = ("configuration", asked.written)
-        if self.journal.has_found(key):
+        if self.takes_nearest and self.journal.has_found(key):
             return
-        self.journal.finding(
-            ConfigurationNotReachable(
-                asked.name,
-                conf_text(wanted),
-                conf_text(chosen.confdata),
-                tuple(
-                    conf_text(c.confdata)
-                    for c in by_distance(self._working(asked, segment), chosen.joints)
-                ),
-            ),
-            asked.place,
-            once=key,
-        )
+        working = self._by_stored(asked, wanted, segment)
+        found: Violation
+        if not self._stands_as(working[0], wanted):
+            listed = tuple(conf_text(one.confdata) for one in working)
+            found = ConfigurationNotReachable(asked.name, conf_text(wanted), listed[0], listed)
+        elif not _in_joints(segment) and self._end_of_curve(segment) is None:
+            # Planning says where.
+            return
+        else:
+            arrives = conf_text(chosen.confdata)
+            found = ConfigurationChangesOnLine(asked.name, conf_text(wanted), arrives)
+        if not self.takes_nearest:
+            if segment.carrier is None:
+                failed = refused_move(asked.place, found, segment, self.robot)
+                self.journal.failed_move(failed)
+            raise MoveImpossible(found)
+        self.journal.finding(found, asked.place, once=key, assumed=True)
+
+    def _stands_as(self, chosen: Configuration, wanted: Quarters) -> bool:
+        return bool(stands_as(self.robot.kinematics, chosen.joints, np.array(wanted)))
 
     def _is_monitored(self, asked: AskedMove, segment: Segment) -> bool:
         """Whether ConfJ or ConfL is on for a move of an arm whose solutions confdata names."""
@@ -187,6 +206,14 @@ class Arrivals:
     def _working(self, asked: AskedMove, segment: Segment) -> tuple[Configuration, ...]:
         """Every configuration at the end of a segment; raises as `working` does."""
         return self.working(self._base_from_flange(asked, segment), asked.name)
+
+    def _by_stored(
+        self, asked: AskedMove, wanted: Quarters, segment: Segment
+    ) -> Sequence[Configuration]:
+        """What reaches the end of a segment, the nearest to what is stored first."""
+        flange = self._base_from_flange(asked, segment)
+        (found,) = by_stored(self.robot, flange[None], [wanted])
+        return found or self._working(asked, segment)
 
     def _base_from_flange(self, asked: AskedMove, segment: Segment) -> Transform:
         """Where the flange must be at the end of a segment."""
@@ -271,6 +298,11 @@ class Arrivals:
         if angle > _TOLD_DEVIATION:
             note = OrientationDeviates(asked.name, switch, np.degrees(angle), where)
             self.journal.finding(note, asked.place, once=(f"turned {where}", asked.written))
+
+
+def _in_joints(segment: Segment) -> bool:
+    """Whether a segment ends in the configuration that is chosen, not where its way leads."""
+    return segment.geometry is Geometry.JOINT or segment.wrist_in_joints
 
 
 def _has_axis_4(segment: Segment) -> bool:

@@ -6,9 +6,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from rapidsim.frames.transform import Array
+from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import ConfData
-from rapidsim.motion.configurations.confdata import Configuration
+from rapidsim.motion.configurations.confdata import Configuration, confdata_of, select, told_apart
+from rapidsim.motion.configurations.reachability import limit_excess, turns_within_limits
+from rapidsim.motion.robot.robot import Robot
 
 Quarters = tuple[int, int, int, int]
 """cf1, cf4, cf6, cfx."""
@@ -29,6 +31,43 @@ def stored_or_nearest(
             return candidate
     same_branch = [candidate for candidate in working if candidate.confdata[3] == wanted[3]]
     return nearest(same_branch or working, near)
+
+
+def by_stored(
+    robot: Robot, base_from_flange: Transform, stored: Sequence[Quarters]
+) -> list[list[Configuration]]:
+    """The configurations that reach poses (k,), of each those first that are nearest to its stored.
+
+    Nearest is the branch of cfx first, then the fewest quarter turns away, so it does not depend on
+    where the arm comes from. Of each branch it is the turn nearest to what is stored, and the one
+    in the middle of the range.
+    """
+    if not stored or not told_apart(robot.kinematics):
+        return [[] for _ in stored]
+    meant = np.array(stored)
+    near = turns_within_limits(robot, np.zeros(len(robot.joints)))
+    found: list[dict[Quarters, Configuration]] = [{} for _ in stored]
+    for branch in range(robot.kinematics.branch_count):
+        wanted = meant.copy()
+        wanted[:, 3] = branch
+        selected = select(robot, base_from_flange, wanted, near)
+        for joints in (selected.joints, turns_within_limits(robot, selected.joints)):
+            within = selected.exists & ~limit_excess(robot, joints).any(axis=-1)
+            named = confdata_of(robot.kinematics, joints)
+            for at in np.flatnonzero(within).tolist():
+                cf1, cf4, cf6, cfx = named[at].tolist()
+                conf = (cf1, cf4, cf6, cfx)
+                found[at].setdefault(conf, Configuration(joints[at], conf))
+    return [
+        [choices[conf] for conf in sorted(choices, key=lambda conf: _far(conf, of))]
+        for choices, of in zip(found, stored, strict=True)
+    ]
+
+
+def _far(conf: Quarters, stored: Quarters) -> tuple[bool, int, Quarters]:
+    """How far confdata is from what is stored, to sort by."""
+    quarters = sum(abs(a - b) for a, b in zip(conf[:3], stored[:3], strict=True))
+    return conf[3] != stored[3], quarters, conf
 
 
 def nearest_without_switch(working: Sequence[Configuration], start: Configuration) -> Configuration:
@@ -62,6 +101,6 @@ def rounded(conf: ConfData) -> Quarters:
     return round(conf.cf1), round(conf.cf4), round(conf.cf6), round(conf.cfx)
 
 
-def conf_text(conf: Quarters) -> str:
+def conf_text(conf: Sequence[int]) -> str:
     """Confdata as RAPID writes it."""
     return f"[{','.join(map(str, conf))}]"

@@ -28,6 +28,7 @@ from rapidsim.controller.moves.segments import segments
 from rapidsim.controller.moves.target_checks import (
     check_orientation,
     external_end,
+    frame_orientations,
     require_limits,
     require_orientation,
 )
@@ -56,6 +57,8 @@ class Resolver:
     """With all external axes at zero."""
     payload_acceleration: float = 1.0
     """See `MotionModel`."""
+    nearest_configuration: bool = False
+    """Whether a stored configuration that cannot be had gives way to the nearest."""
     _placements: dict[tuple[ToolData, WobjData], targets.Placement | targets.NotSimulatedFrame] = (
         field(default_factory=dict)
     )
@@ -161,7 +164,7 @@ class Resolver:
 
     @cached_property
     def _arrivals(self) -> Arrivals:
-        return Arrivals(self.robot, self.journal)
+        return Arrivals(self.robot, self.journal, self.nearest_configuration)
 
     def _end(self, asked: AskedMove, start: Waypoint, external: Array) -> tuple[Waypoint, bool]:
         """Where a move ends, and whether its joints there are known.
@@ -223,10 +226,8 @@ class Resolver:
         """
         placed = self._placements.get((tool, wobj))
         if placed is None:
-            require_orientation("tframe of the tool", tool.tframe.rot)
-            if not targets.unit_of(wobj, self.robot.external):
-                require_orientation("uframe of the work object", wobj.uframe.rot)
-            require_orientation("oframe of the work object", wobj.oframe.rot)
+            for name, rotation in frame_orientations(tool, wobj, self.robot.external):
+                require_orientation(name, rotation)
             placed = targets.placement(tool, wobj, self.base_from_world, self.robot.external)
             self._placements[tool, wobj] = placed
         if isinstance(placed, targets.NotSimulatedFrame):

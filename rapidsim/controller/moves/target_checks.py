@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+
 import numpy as np
 
 from rapidsim.controller.journal.failed_moves import refused_axes
@@ -15,15 +17,24 @@ from rapidsim.findings.reach_and_motion_data import (
 )
 from rapidsim.frames.quaternion import norm
 from rapidsim.frames.transform import Array
-from rapidsim.language.data import NO_EXTERNAL_AXES, UNUSED_AXIS, ExtJoint, Orient
+from rapidsim.language.data import (
+    NO_EXTERNAL_AXES,
+    UNUSED_AXIS,
+    ExtJoint,
+    Orient,
+    ToolData,
+    WobjData,
+)
 from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH, ERR_ROBLIMIT
 from rapidsim.language.target_violations import QuaternionNotUnit
 from rapidsim.motion.configurations.reachability import limit_excess
 from rapidsim.motion.configurations.targets import (
-    REFUSED_NORM_ERROR,
     TOLERATED_NORM_ERROR,
     external_values,
+    is_no_orientation,
+    unit_of,
 )
+from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.motion.robot.robot import Robot
 
 _NOTHING_MEANT = (0.0, 9999.0)
@@ -50,8 +61,18 @@ def require_orientation(name: str, rotation: Orient) -> None:
         MoveRefusedError: When it is far off.
     """
     length = norm(rotation)
-    if abs(length - 1.0) > REFUSED_NORM_ERROR:
-        raise MoveRefusedError(ERR_OUTSIDE_REACH, QuaternionNotUnit(name, length))
+    if is_no_orientation(rotation):
+        raise MoveRefusedError(ERR_OUTSIDE_REACH, QuaternionNotUnit(name, length, refused=True))
+
+
+def frame_orientations(
+    tool: ToolData, wobj: WobjData, external: Sequence[ExternalAxis]
+) -> Iterator[tuple[str, Orient]]:
+    """The orientations that a tool and a work object bring to a move, named as in findings."""
+    yield "tframe of the tool", tool.tframe.rot
+    if not unit_of(wobj, external):
+        yield "uframe of the work object", wobj.uframe.rot
+    yield "oframe of the work object", wobj.oframe.rot
 
 
 def external_end(

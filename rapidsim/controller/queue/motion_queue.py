@@ -120,6 +120,9 @@ class MotionQueue(Protocol):
         """
         ...
 
-    def away_deg(self) -> float:
-        """How far [deg] the arm stands from where it left the path it is to take up; 0 if there."""
+    def too_far_off(self) -> str:
+        """How far the arm stands from where it left the path it is to take up, in words.
+
+        Empty where it is near enough to go back there by itself.
+        """
         ...

@@ -13,6 +13,7 @@ from rapidsim.controller.moves.queued_move import MotionError, QueuedMove, execu
 from rapidsim.controller.queue import stopping
 from rapidsim.controller.queue.block import Block
 from rapidsim.controller.queue.path_planner import BlockPlanner
+from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.interruption import Look, undisturbed
@@ -23,8 +24,12 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 
-REGAINED_DEG = 1e-3
-"""So near [deg] an arm must stand to where it left a path to take it up."""
+REGAINED_M = 0.010
+"""So far [m] from where it left its path the TCP may be to go back by itself."""
+REGAINED = np.radians(20.0)
+"""So far [rad] the tool may be turned there, likewise."""
+_OTHER_STANCE = np.radians(90.0)
+"""An axis so far off stands in another configuration, though the tool may be near."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,8 +38,8 @@ class _Stored:
 
     block: Block
     end: Waypoint
-    joints: Array
-    """Where the arm stood, shape (n,) [rad]."""
+    stood: Waypoint
+    """Where the arm stood."""
 
 
 @dataclass(slots=True, eq=False)
@@ -46,8 +51,8 @@ class SoloQueue:
     end: Waypoint
     """Where the last queued move ends."""
     _stored: list[_Stored] = field(default_factory=list)
-    _left_at: Array | None = None
-    """Joints at which the path that was taken up again was left."""
+    _left_at: Waypoint | None = None
+    """Where the path was left that was taken up again."""
 
     @property
     def trajectory(self) -> Trajectory:
@@ -91,6 +96,7 @@ class SoloQueue:
 
     def append(self, queued: QueuedMove, now_s: float) -> None:
         """Put a move on the path; see `BlockPlanner.append`."""
+        queued.level = self.stored
         self.planner.append(queued, now_s)
         self.end = queued.segment.end
 
@@ -137,8 +143,10 @@ class SoloQueue:
         return stopping.halt(self.planner, now_s)
 
     def resume(self, now_s: float) -> None:
-        """Let the robot go on from where it was stopped."""
-        self._left_at = None
+        """Let the robot go on from where it was stopped, back from where it has got to since."""
+        left_at, self._left_at = self._left_at, None
+        if left_at is not None and self.is_open:
+            now_s = stopping.regain(self.planner, self.standing(), left_at, now_s)
         stopping.resume(self.planner, now_s)
 
     def leave(self) -> None:
@@ -147,6 +155,7 @@ class SoloQueue:
 
     def clear(self) -> None:
         """Forget what is left of the path of a robot that stands."""
+        self._left_at = None
         stopping.clear(self.planner)
         self.end = self.standing()
 
@@ -154,14 +163,16 @@ class SoloQueue:
         """Keep the path of a robot that stands, and begin another."""
         self.planner.version += 1
         stands = self.standing()
-        self._stored.append(_Stored(self.planner.block, self.end, stands.joints))
+        # A path that was taken up and not gone on with is left where it was left before.
+        left_at, self._left_at = self._left_at or stands, None
+        self._stored.append(_Stored(self.planner.block, self.end, left_at))
         self.planner.block, self.end = Block(), stands
 
     def restore(self) -> None:
         """Take up the path that was kept last, where it was left."""
         self.planner.version += 1
         kept = self._stored.pop()
-        self.planner.block, self.end, self._left_at = kept.block, kept.end, kept.joints
+        self.planner.block, self.end, self._left_at = kept.block, kept.end, kept.stood
         kept.block.plan = None
 
     def continue_from(self, ready_s: float) -> None:
@@ -171,12 +182,24 @@ class SoloQueue:
         planner.ready_s = max(planner.ready_s, ready_s)
         planner.block = Block(is_halted=planner.is_halted)
 
-    def away_deg(self) -> float:
-        """How far [deg] the arm stands from where it left the path it is to take up; 0 if there."""
-        if self._left_at is None:
-            return 0.0
-        off = np.degrees(np.max(np.abs(self.standing().joints - self._left_at)))
-        return float(off) if off > REGAINED_DEG else 0.0
+    def too_far_off(self) -> str:
+        """How far the arm stands from where it left its path, in words; empty if near enough."""
+        block, left_at = self.planner.block, self._left_at
+        if left_at is None or not block.is_open:
+            return ""
+        tool = block.moves[block.commit.move].segment.tcp_from_flange.inverse()
+        here, there = (one.base_from_tcp @ tool for one in (self.standing(), left_at))
+        way = float(np.linalg.norm(there.translation - here.translation))
+        turn = float(np.linalg.norm(vector_from_rotation(there.rotation @ here.rotation.T)))
+        if way > REGAINED_M or turn > REGAINED:
+            return f"{1e3 * way:.1f} mm and {np.degrees(turn):.1f} deg"
+        off = np.abs(self.standing().joints - left_at.joints)
+        axis = int(np.argmax(off))
+        return (
+            f"with axis {axis + 1} {np.degrees(off[axis]):.0f} deg"
+            if off[axis] > _OTHER_STANCE
+            else ""
+        )
 
     def standing(self) -> Waypoint:
         """Where the command comes to its end, as the flange with no tool."""

@@ -14,8 +14,14 @@ import numpy as np
 from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.controller.queue.block import Commit, Plan
 from rapidsim.controller.queue.path_planner import BlockPlanner
+from rapidsim.frames.transform import Transform
+from rapidsim.motion.geometry.segments import Geometry, Waypoint
 from rapidsim.motion.timing.braking import stop_at
+from rapidsim.motion.timing.planning import plan
 from rapidsim.motion.trajectory.command import Piece
+
+_SAME_JOINTS = np.radians(1e-3)
+"""An arm that stands so near [rad] to where it left a path has nothing to regain."""
 
 
 def halt(planner: BlockPlanner, now_s: float) -> float:
@@ -73,6 +79,40 @@ def resume(planner: BlockPlanner, now_s: float) -> None:
         block.plan = None
         if not block.driven:
             block.moves[0].command_start_s = block.commit.time_s
+
+
+def regain(planner: BlockPlanner, stands: Waypoint, left_at: Waypoint, now_s: float) -> float:
+    """Go back to where the path was left, all axes together, as slowly as the path is programmed.
+
+    Args:
+        planner: Of the path.
+        stands: Where the arm stands, as a flange with no tool.
+        left_at: Where it left the path, likewise.
+        now_s: When it begins [s].
+
+    Returns:
+        Command time [s] at which it is there; `now_s` if it is there already.
+    """
+    if np.max(np.abs(stands.joints - left_at.joints)) < _SAME_JOINTS:
+        return now_s
+    moves, index = planner.block.moves, planner.block.commit.move
+    segment = replace(
+        moves[index].segment,
+        geometry=Geometry.JOINT,
+        start=stands,
+        end=left_at,
+        tcp_from_flange=Transform.identity(),
+        zone=None,
+        via=None,
+        duration=None,
+        carrier=None,
+        wrist_in_joints=False,
+    )
+    path = planner.build([replace(moves[index], segment=segment)], None)
+    timing = plan(path, planner.limits, look=planner.look)
+    start_s = max(now_s, planner.ready_s)
+    planner.trajectory.append(Piece(start_s, path, timing, 0.0, path.length))
+    return start_s + timing.duration + planner.model.fine_dwell
 
 
 def clear(planner: BlockPlanner) -> None:

@@ -129,9 +129,9 @@ class TeamQueue:
         """
         raise rapid_error(ERR_PATH, _NOT_TOGETHER.format("RestoPath"))
 
-    def away_deg(self) -> float:
+    def too_far_off(self) -> str:
         """A team never takes up a stored path."""
-        return 0.0
+        return ""
 
 
 _NOT_TOGETHER = "{} while robots move together is not simulated; SyncMoveOff first"

@@ -27,7 +27,7 @@ from rapidsim.language.moves import Place
 from rapidsim.language.types import NUM, ArrayOf, Type, resolved
 from rapidsim.library.table import LibraryRoutine, Parameter, Signature
 from rapidsim.library.text import value_text
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import ONLY_LOOKS, Does
 from rapidsim.syntax import tree
 
 
@@ -242,7 +242,8 @@ class Calls:
         if not signature.takes_controller:
             return Code(at.call(function, values, options), may_raise=True, calls=calls)
         place, asked = at.name(self._place(call, given)), at.name(f"_{signature.concern}")
-        node = at.call("_call_at", [place, function, asked, *values], options)
+        how = "_look_at" if ONLY_LOOKS & routine.does else "_call_at"
+        node = at.call(how, [place, function, asked, *values], options)
         return Code(node, may_raise=True, calls=True)
 
     def _instruction(self, routine: LibraryRoutine, call: tree.Call, at: At) -> list[ast.stmt]:

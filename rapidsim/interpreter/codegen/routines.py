@@ -10,7 +10,7 @@ What it looks like with all its clauses:
                 <statements>
             except BaseException as _u:
                 if _unwinds(_u):
-                    _undo()
+                    _in_undo(_undo)
                 raise
         except _Leave as _l:
             return _l.value
@@ -110,7 +110,10 @@ class _RoutineTranslation:
             end = self._context.positions.between(self._node.end - 1, self._node.end)
             body.append(end.throw(end.call("_no_return", [end.constant(self._symbol.name)])))
         if undo is not None:
-            unwinds = at.when(at.call("_unwinds", [at.name("_u")]), [at.do(at.call("_undo"))])
+            unwinds = at.when(
+                at.call("_unwinds", [at.name("_u")]),
+                [at.do(at.call("_in_undo", [at.name("_undo")]))],
+            )
             body = [at.attempt(body, at.name("_BaseException"), "_u", [unwinds, at.throw()])]
         clauses: list[ast.stmt] = [clause for clause in (handler, undo) if clause is not None]
         if handler is not None:

@@ -331,9 +331,10 @@ class Statements:
 
     def _raise(self, number: tree.Expression | None, at: At) -> list[ast.stmt]:
         node = self.expressions.value(number).node if number is not None else at.constant(None)
+        written = at.constant("" if number is None else self.expressions.span(number).text)
         if self.in_handler:
-            return [at.throw(at.call("_propagate", [at.name("_e"), node]))]
-        return self._guard([at.throw(at.call("_raised", [node]))], at)
+            return [at.throw(at.call("_propagate", [at.name("_e"), node, written]))]
+        return self._guard([at.throw(at.call("_raised", [node, written]))], at)
 
     def _connect(self, statement: tree.Connect, at: At) -> list[ast.stmt]:
         if isinstance(statement.interrupt, tree.Placeholder):

@@ -18,6 +18,7 @@ from rapidsim.interpreter.linking.symbols import TaskSymbols
 from rapidsim.interpreter.linking.task_modules import TaskModules
 from rapidsim.interpreter.runtime.call_stack import FatalError, Frame, rapid_stack
 from rapidsim.interpreter.runtime.error_recovery import Unrecoverable, as_rapid_error
+from rapidsim.interpreter.runtime.idle_state import idle_state
 from rapidsim.interpreter.runtime.memory import ChangedPersistent, module_data
 from rapidsim.interpreter.runtime.references import ABSENT
 from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents
@@ -142,6 +143,10 @@ def load(program: Program, controller: Controller, shared: SharedPersistents | N
         late = linked.late
         linked.recovery.trap(lambda: late.call(main_module, controller.clock.place, name, (), ()))()
 
+    def beside() -> object:
+        return controller.error_numbers.errno, controller.motion.settings
+
+    controller.clock.program_state = lambda: idle_state(linked.memory.homes, beside)
     controller.interrupts.call_procedure = call_procedure
     controller.modules = TaskModules(linked)
     controller.symbols = TaskSymbols(linked)

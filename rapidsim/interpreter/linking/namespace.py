@@ -99,6 +99,14 @@ def task_functions(
         clock.place = place
         return body(asked, *values, **options)
 
+    def look_at(
+        place: Place, body: Callable[..., Any], asked: object, *values: object, **options: object
+    ) -> Any:
+        before, clock.place = clock.place, place
+        value = body(asked, *values, **options)
+        clock.place = before
+        return value
+
     def stand_in(place: Place, name: str, instead: str, value: object) -> object:
         clock.place = place
         controller.honesty.not_simulated(name, instead)
@@ -160,7 +168,9 @@ def task_functions(
         "_connect": connect,
         "_connect_late": connect_late,
         "_late": partial(late.call, module),
+        "_in_undo": recovery_of_task.undo,
         "_loaded": loaded,
+        "_look_at": look_at,
         "_loaded_function": loaded_function,
         "_propagate": recovery_of_task.propagate,
         "_recover": recovery_of_task.recover,

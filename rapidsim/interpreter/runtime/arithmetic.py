@@ -24,6 +24,7 @@ from rapidsim.language.error_numbers import (
     rapid_error,
 )
 from rapidsim.language.single import single
+from rapidsim.library.poses import require_unit
 
 MAX_DOUBLE = 1.7976931348623157e308
 MAX_INTEGER = 2**24
@@ -105,7 +106,13 @@ def cross_product(a: Pos, b: Pos) -> Pos:
 
 
 def compose_orientations(a: Orient, b: Orient) -> Orient:
-    """The rotation b in the frame that a turns to, each component a single."""
+    """The rotation b in the frame that a turns to, each component a single.
+
+    Raises:
+        RapidError: ERR_ILLQUAT, if one of them is no orientation.
+    """
+    require_unit(a)
+    require_unit(b)
     return Orient(*(single(component) for component in quaternion.multiply(a, b)))
 
 

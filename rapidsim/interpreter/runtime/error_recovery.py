@@ -23,17 +23,18 @@ from rapidsim.language.error_numbers import (
     ERR_FNCNORET,
     ERR_ILLRAISE,
     FIRST_BOOKED,
+    IN_ERROR,
+    IN_NO_HANDLER,
+    IN_UNDO,
     LONG_JMP_ALL_ERR,
+    MAX_RETRIES,
     NUMBERS,
     rapid_error,
 )
-from rapidsim.language.errors import RaisedError, RapidError, Stopped
+from rapidsim.language.errors import RaisedError, RaisedToUser, RapidError, Stopped
 
 ERRORS: Final = (RapidError, ZeroDivisionError)
 """What a program can catch. Python divides by zero on its own; any other exception is a defect."""
-
-MAX_RETRIES: Final = 4
-"""The controller's system parameter No Of Retry as it is delivered."""
 
 GENERATED: Final = "_origin"
 """The namespaces of generated code hold this name, and no other does."""
@@ -99,42 +100,63 @@ class Recovery:
         rapid = as_rapid_error(error)
         if isinstance(rapid, LongJump) and rapid.target is not sys._getframe(1):
             raise rapid
-        self.numbers.errno = rapid.errno
+        if isinstance(rapid, RaisedToUser) and _hides(sys._getframe(1)):
+            raise rapid
+        numbers = self.numbers
+        numbers.errno, numbers.retries = rapid.errno, tries
+        around, numbers.handler = numbers.handler, IN_ERROR
         try:
             retry = handler(rapid)
+        except RaisedToUser:
+            raise
         except Propagated as propagated:
-            raise propagated.error from None
+            error = propagated.error
+            if error.__traceback__ is None:
+                # It is a new one, raised in the clause.
+                error = error.with_traceback(propagated.__traceback__)
+            raise error from None
         except RaisedError as inside:
             raise inside from None
         except ERRORS as inside:
             raise Unrecoverable(as_rapid_error(inside)) from inside
+        finally:
+            numbers.handler = around
         if not retry:
             return 0
+        # ResetRetryCount may have begun to count anew.
+        tries = numbers.retries
         if tries >= MAX_RETRIES:
             raise rapid_error(ERR_EXCRTYMAX, f"{tries} retries did not help: {rapid.message}")
         return tries + 1
 
-    def propagate(self, error: RapidError, number: float | None) -> Propagated:
-        """RAISE in an ERROR clause, with a number of its own or the one it has."""
+    def undo(self, clause: Callable[[], object]) -> None:
+        """Run the UNDO clause of a routine."""
+        around, self.numbers.handler = self.numbers.handler, IN_UNDO
+        try:
+            clause()
+        finally:
+            self.numbers.handler = around
+
+    def propagate(self, error: RapidError, number: float | None, written: str) -> Propagated:
+        """RAISE in an ERROR clause, with a number of its own, as written, or the one it has."""
         if number is not None:
-            error = raised(number)
+            error = raised(number, written)
         elif isinstance(error, LongJump):
             error = RapidError(error.errno, error.message, cf=error.cf)
-        target = self._long_jump_target(error.errno)
-        return Propagated(error if target is None else LongJump(error, target))
-
-    def _long_jump_target(self, errno: float) -> FrameType | None:
-        """The nearest routine further up whose ERROR clause lists the number."""
-        if not self.long_jumps:
-            return None
         # Up from the ERROR clause over `recover` and its routine to that routine's caller.
-        frame: FrameType | None = sys._getframe(2)
+        frame: FrameType | None = sys._getframe(1)
         while frame is not None and (not is_generated(frame) or frame.f_code.co_name == "ERROR"):
             frame = frame.f_back
-        frame = frame.f_back if frame is not None else None
+        target = self._long_jump_target(error.errno, frame.f_back if frame is not None else None)
+        return Propagated(error if target is None else LongJump(error, target))
+
+    def _long_jump_target(self, errno: float, frame: FrameType | None) -> FrameType | None:
+        """The nearest routine from a frame up whose ERROR clause lists the number."""
+        if not self.long_jumps:
+            return None
         while frame is not None:
             in_handler = is_generated(frame) and frame.f_code.co_name == "ERROR"
-            if in_handler or frame.f_code is _run_trap.__code__:
+            if in_handler or frame.f_code is Recovery._run_trap.__code__:
                 return None
             numbers = self.long_jumps.get(frame.f_code)
             if numbers is not None:
@@ -145,27 +167,44 @@ class Recovery:
         return None
 
     def trap(self, routine: Callable[[], object]) -> Callable[[], None]:
-        """A trap routine as the controller calls it: ERRNO as before, errors final."""
-        return partial(_run_trap, self.numbers, routine)
+        """A trap routine as the controller calls it: ERRNO as before, errors final.
+
+        But one whose number an ERROR clause of what was interrupted lists goes there.
+        """
+        return partial(self._run_trap, routine)
+
+    def _run_trap(self, routine: Callable[[], object]) -> None:
+        numbers = self.numbers
+        errno, retries, around = numbers.errno, numbers.retries, numbers.handler
+        numbers.handler = IN_NO_HANDLER
+        try:
+            routine()
+        except ERRORS as error:
+            rapid = as_rapid_error(error)
+            target = self._long_jump_target(rapid.errno, sys._getframe(1))
+            if target is None:
+                raise Unrecoverable(rapid) from error
+            raise LongJump(rapid, target) from error
+        finally:
+            numbers.handler = around
+        numbers.errno, numbers.retries = errno, retries
 
 
-def _run_trap(numbers: ErrorNumbers, routine: Callable[[], object]) -> None:
-    errno = numbers.errno
-    try:
-        routine()
-    except ERRORS as error:
-        raise Unrecoverable(as_rapid_error(error)) from error
-    numbers.errno = errno
+def _hides(frame: FrameType) -> bool:
+    """Whether a routine belongs to a module that is NOSTEPIN."""
+    attributes = frame.f_globals[GENERATED].module.attributes
+    return any(name.key == "nostepin" for name in attributes)
 
 
-def raised(number: float) -> RapidError:
-    """The error of `RAISE number`."""
+def raised(number: float, written: str) -> RapidError:
+    """The error of `RAISE number`, with the number as the program writes it."""
     names = [name for name, value in NUMBERS.items() if value == number]
     if not (names or 1 <= number <= 90 or number >= FIRST_BOOKED) or number != int(number):
+        what = written if written == f"{number:g}" else f"{written}, which is {number:g}"
         return rapid_error(
-            ERR_ILLRAISE, f"RAISE {number:g}: allowed are 1 to 90, booked numbers and ERR_ names"
+            ERR_ILLRAISE, f"RAISE {what}: allowed are 1 to 90, booked numbers and ERR_ names"
         )
-    return rapid_error(number, f"the program raised error {names[0] if names else f'{number:g}'}")
+    return rapid_error(number, f"the program raised error {names[0] if names else written}")
 
 
 def no_return(function: str) -> RapidError:

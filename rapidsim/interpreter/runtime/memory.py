@@ -6,7 +6,7 @@ shares a cell or list shares the variable.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -60,6 +60,10 @@ class Memory:
             shared = self.shared(symbol)
             self._homes[key] = _new_home(symbol) if shared is None else shared
         return self._homes[key]
+
+    def homes(self) -> Iterable[Any]:
+        """The cells and lists of all variables that anybody has asked for."""
+        return self._homes.values()
 
     def value(self, symbol: DataSymbol) -> Value:
         """A copy of the value that a variable has now."""

@@ -31,7 +31,7 @@ from rapidsim.language.errors import Stopped
 from rapidsim.language.types import Type, resolved
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.text import value_text
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import ONLY_LOOKS, Does
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import Parsed, parse
 
@@ -47,7 +47,6 @@ _ACTS = (
     | Does.LOAD
 )
 """What a function does that nobody may call when the run is over."""
-_ONLY_LOOKS = Does.READ_TASK | Does.READ_CELL | Does.READ_ARGUMENT
 _SHOWN = frozenset(
     {"num", "dnum", "bool", "string", "pos", "orient", "pose", "robtarget", "jointtarget"}
 )
@@ -305,7 +304,7 @@ def _require_computing(function: RoutineSymbol, program: Program) -> None:
 
 
 def _only_looks(routine: LibraryRoutine) -> bool:
-    if _ONLY_LOOKS & routine.does:
+    if ONLY_LOOKS & routine.does:
         return True
     signature = routine.signature
     computes = not signature.takes_controller and routine.simulated

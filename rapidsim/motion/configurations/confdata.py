@@ -31,6 +31,8 @@ QUARTER = pi / 2.0
 TURN = 2.0 * pi
 SNAP = 2e-8
 """A joint this close [rad] below a quarter counts as standing on it: 90 deg computed."""
+BORDER = pi / 1800.0
+"""So near [rad] to a quarter turn's border an axis stands on both of its sides."""
 UNDETERMINED_WRIST = 1e-7
 """Axis 5 up to which [rad] confdata may share out the sum of axes 4 and 6."""
 SAME = 1e-9
@@ -77,6 +79,19 @@ def confdata_of(kinematics: Kinematics, joints: Array) -> Integers:
 def configuration(kinematics: Kinematics, joints: Array) -> Configuration:
     """A joint vector (n,) [rad] with its confdata."""
     return Configuration(joints, _four(confdata_of(kinematics, joints)))
+
+
+def stands_as(kinematics: Kinematics, joints: Array, confdata: Array | Integers) -> Mask:
+    """Whether joint vectors (..., n) [rad] stand as confdata (..., 4) says.
+
+    The border of a quarter turn belongs to both of its sides: the digits of a target decide there.
+    """
+    wanted = np.asarray(confdata)
+    branch = kinematics.branch_of(np.asarray(joints)) == wanted[..., 3]
+    below = _counted_quarters(joints - BORDER) <= wanted[..., :3]
+    above = _counted_quarters(joints + BORDER) >= wanted[..., :3]
+    as_said: Mask = branch & (below & above).all(axis=-1)
+    return as_said
 
 
 def select(

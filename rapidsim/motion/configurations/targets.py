@@ -22,6 +22,7 @@ import numpy as np
 
 from rapidsim.frames import rigid
 from rapidsim.frames.moving_frames import ExternalCourse, carried, standing
+from rapidsim.frames.quaternion import norm
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import (
     NO_EXTERNAL_AXES,
@@ -182,6 +183,11 @@ def world_from_base_at(
     still = np.zeros_like(values)
     moved = carried(screws_of(external, on_track, frame), ExternalCourse(values, still, still))
     return world_from_base @ moved.base_from_tcp
+
+
+def is_no_orientation(rotation: Orient) -> bool:
+    """Whether a quaternion is so far from a unit that it turns nothing."""
+    return abs(norm(rotation) - 1.0) > REFUSED_NORM_ERROR
 
 
 def unit_of(wobj: WobjData, external: Sequence[ExternalAxis]) -> tuple[str, ...]:

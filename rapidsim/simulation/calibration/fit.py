@@ -198,7 +198,7 @@ def _misses(rows: _Rows, robot: Robot, model: MotionModel) -> Array:
 
 def _simulated(run: LoggedRun, robot: Robot, model: MotionModel) -> RobotRun:
     start = tuple(float(angle) for angle in np.degrees(run.log.joints[0]))
-    options = RunOptions(model=model, start_joints_deg=start)
+    options = RunOptions(model=model, nearest_configuration=True, start_joints_deg=start)
     simulation = simulate(run.program, robot, options=options)
     if simulation.end is not End.ENDED or not simulation.moves:
         what = (

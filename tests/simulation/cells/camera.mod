@@ -10,6 +10,7 @@ MODULE camera
     SocketCreate eye;
     SocketConnect eye,"192.168.125.5",5000;
     MoveJ look,v1000,fine,tool0;
+    ConfL \Off;
     WHILE is_number DO
       SocketSend eye\Str:="TRIG\0D\0A";
       SocketReceive eye\Str:=answer;

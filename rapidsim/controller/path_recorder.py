@@ -1,0 +1,204 @@
+r"""The path recorder: going back on the moves that were made, and forth again.
+
+What is recorded are the moves of the path level on which the recorder was started. Backwards each
+is made again the other way round, from where the robot stands on it: a line as a line, an arc as an
+arc (one that was interrupted as a line), a joint move as one to the joints it began at.
+Configurations are not monitored meanwhile.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types, "PathRecStart",
+"PathRecMoveBwd", "PathRecMoveFwd". Which point is meant without \ID is our reading: backwards the
+place where the recorder was started, forwards the place where the last way back began.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.motion_state import MotionState
+from rapidsim.controller.moves.queued_move import QueuedMove
+from rapidsim.controller.moves.resolve import Resolver
+from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.controller.solo_moves import Put
+from rapidsim.frames import quaternion
+from rapidsim.language.data import FINE, JointTarget, Pos, RobTarget, SpeedData
+from rapidsim.language.error_numbers import ERR_PATH, rapid_error
+from rapidsim.language.moves import Interpolation, Move
+from rapidsim.motion.configurations.targets import rob_joint
+from rapidsim.motion.geometry.segments import Waypoint
+
+_SAME_JOINTS = 1e-4
+"""An arm that stands so near [rad] to the end of a move has made it."""
+
+
+@dataclass(slots=True, eq=False)
+class TaskPathRecorder:
+    """Implements `language.path_control.PathRecorder`."""
+
+    clock: TaskClock
+    unit: MechanicalUnit
+    resolver: Resolver
+    state: MotionState
+    put: Put
+    _ids: dict[int, int] = field(default_factory=dict)
+    """For each identifier how many moves had been given to the robot when it was set."""
+    _level: int = 0
+    _last: int | None = None
+    """One past the last move that is recorded; None while the recorder runs."""
+    _given: list[QueuedMove] = field(default_factory=list)
+    """The moves of the way back, in the order in which they were recorded."""
+    _origin: Waypoint | None = None
+    """Where the last way back began; None where the robot is there."""
+    _made: list[QueuedMove] = field(default_factory=list)
+    """The moves of ways back and forth, which are no part of the record."""
+    _left: int = 0
+    """How many of `_given` the robot has not gone back on."""
+
+    def start_recording(self) -> int:
+        """Record the moves from here on; the number of the identifier of this place."""
+        self.clock.note_line()
+        if not self._ids or self._last is not None:
+            self._forget()
+            self._level = self.unit.own.stored
+        number = len(self._ids) + 1
+        self._ids[number] = len(self.unit.own.moves)
+        return number
+
+    def stop_recording(self, *, clear: bool) -> None:
+        """Record no further moves; with `clear`, forget all."""
+        self.clock.note_line()
+        self._last = len(self.unit.own.moves)
+        if clear:
+            self._forget()
+
+    def may_go_back(self, identifier: int | None) -> bool:
+        """Whether there is a recorded way back to a place."""
+        if not self._ids or (identifier is not None and identifier not in self._ids):
+            return False
+        return bool(self._way_back(identifier))
+
+    def may_go_forth(self, identifier: int | None) -> bool:
+        """Whether the robot has gone back, and can go forth to a place."""
+        if self._origin is None:
+            return False
+        return identifier is None or self._place_of(identifier) > self._left
+
+    def go_back(self, identifier: int | None, offset: Pos | None, speed: SpeedData | None) -> None:
+        """Go back on the recorded path to a place.
+
+        Args:
+            identifier: Of the place; None for the first.
+            offset: Of the TCP from the path [mm], in the tool's frame.
+            speed: None for the recorded speeds.
+
+        Raises:
+            RapidError: ERR_PATH, where no such path is recorded.
+        """
+        self.clock.note_line()
+        way = self._way_back(identifier) if self._ids else []
+        if not way or (identifier is not None and identifier not in self._ids):
+            raise rapid_error(ERR_PATH, "no path is recorded that leads back there")
+        self.clock.come_to_rest()
+        if self._origin is None:
+            self._origin = self.unit.own.standing()
+            self._given = self._begun()
+            self._left = len(self._given)
+        for queued in reversed(way):
+            target = self._standing_at(queued, queued.segment.start, offset)
+            is_last = queued is way[0]
+            before = self._given.index(queued) - 1
+            zone = FINE if is_last or before < 0 else self._given[before].move.zone
+            self._make(queued, replace(queued.move, to=target, zone=zone), speed)
+        self._left = self._given.index(way[0])
+
+    def go_forth(self, identifier: int | None, offset: Pos | None, speed: SpeedData | None) -> None:
+        """Go forth again to a place, or to where the way back began.
+
+        Args:
+            identifier: Of the place; None for where the way back began.
+            offset: Of the TCP from the path [mm], in the tool's frame.
+            speed: None for the recorded speeds.
+
+        Raises:
+            RapidError: ERR_PATH, where the robot has not gone back.
+        """
+        self.clock.note_line()
+        if not self.may_go_forth(identifier):
+            raise rapid_error(ERR_PATH, "the robot has not gone back on a recorded path")
+        self.clock.come_to_rest()
+        to = len(self._given) if identifier is None else self._place_of(identifier)
+        for number in range(self._left, to):
+            queued = self._given[number]
+            is_end = number == len(self._given) - 1
+            assert self._origin is not None
+            end = self._origin if is_end else queued.segment.end
+            target = self._standing_at(queued, end, offset)
+            zone = FINE if number == to - 1 else queued.move.zone
+            self._make(queued, replace(queued.move, to=target, zone=zone), speed)
+        self._left = to
+        if to == len(self._given):
+            self._origin = None
+
+    def _begun(self) -> list[QueuedMove]:
+        """The recorded moves on which the robot has been."""
+        first = min(self._ids.values())
+        last = self._last
+        return [
+            one
+            for one in self.unit.own.moves[first:last]
+            if one.level == self._level and one.started.time is not None and one not in self._made
+        ]
+
+    def _way_back(self, identifier: int | None) -> Sequence[QueuedMove]:
+        """The moves that lead from a place to where the robot stands, in recorded order."""
+        given = self._begun() if self._origin is None else self._given[: self._left]
+        first = min(self._ids.values()) if identifier is None else self._ids.get(identifier, 0)
+        index = {id(one): number for number, one in enumerate(self.unit.own.moves)}
+        return [one for one in given if index[id(one)] >= first]
+
+    def _place_of(self, identifier: int) -> int:
+        """How many moves of the way back lie before a place."""
+        index = {id(one): number for number, one in enumerate(self.unit.own.moves)}
+        first = self._ids.get(identifier, 0)
+        return sum(index[id(one)] < first for one in self._given)
+
+    def _standing_at(
+        self, queued: QueuedMove, stands: Waypoint, offset: Pos | None
+    ) -> RobTarget | JointTarget:
+        """A place of a recorded move as a target for it."""
+        move = queued.move
+        external = self.resolver.ext_joint(stands.external)
+        if move.interpolation is Interpolation.AXES and offset is None:
+            return JointTarget(rob_joint(stands.joints), external)
+        target = self.resolver.target(
+            stands.joints, stands.external, move.tool, move.wobj, queued.place
+        )
+        if offset is None:
+            return target
+        x, y, z = quaternion.rotate(quaternion.normalised(target.rot), offset)
+        trans = target.trans
+        return target._replace(trans=Pos(trans.x + x, trans.y + y, trans.z + z))
+
+    def _make(self, of: QueuedMove, move: Move, speed: SpeedData | None) -> None:
+        """Make a move on the way of a recorded one, whatever configuration it leads to."""
+        assert self._origin is not None
+        is_last = of is self._given[-1]
+        off = np.abs(of.segment.end.joints - self._origin.joints).max()
+        if move.interpolation is Interpolation.CIRCLE and is_last and off > _SAME_JOINTS:
+            move = replace(move, interpolation=Interpolation.LINE, circle_point=None)
+        if isinstance(move.to, RobTarget) and move.interpolation is Interpolation.AXES:
+            move = replace(move, interpolation=Interpolation.JOINT)
+        settings = self.state.settings
+        self.state.settings = replace(settings, conf_j=False, conf_l=False)
+        try:
+            move = replace(move, duration_s=None, concurrent=False, sync_id=None, stop=None)
+            self.put(replace(move, speed=speed or move.speed), self._made.append)
+        finally:
+            self.state.settings = settings
+
+    def _forget(self) -> None:
+        self._ids, self._last = {}, None
+        self._given, self._origin, self._left = [], None, 0

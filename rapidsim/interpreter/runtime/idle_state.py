@@ -1,0 +1,58 @@
+"""All that decides what a task's program does next, as a value to compare.
+
+Where two of them are equal and only looked at the controller in between, the program does the same
+again.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterable
+from types import FrameType
+from typing import Any
+
+from rapidsim.interpreter.runtime.error_recovery import is_generated
+from rapidsim.language.reference import Box
+
+MOST_VALUES = 20_000
+"""Values beyond which the state of a program is too much to compare now and then."""
+
+
+class _TooMuchError(Exception):
+    """There are more values than anybody would compare."""
+
+
+def idle_state(module_data: Callable[[], Iterable[Any]], beside: Callable[[], object]) -> object:
+    """Where the program stands, and what its variables hold; None where that is too much.
+
+    Args:
+        module_data: The cells and lists of all variables outside of routines.
+        beside: What else counts, such as ERRNO.
+    """
+    left = [MOST_VALUES]
+    try:
+        frames = tuple(_frames(sys._getframe(1), left))
+        return frames, tuple(_frozen(home, left) for home in module_data()), beside()
+    except _TooMuchError:
+        return None
+
+
+def _frames(frame: FrameType | None, left: list[int]) -> Iterable[object]:
+    """The routines that run, each with its place and what it holds."""
+    while frame is not None:
+        if is_generated(frame):
+            values = tuple(_frozen(one, left) for one in frame.f_locals.values())
+            yield id(frame), frame.f_lasti, values
+        frame = frame.f_back
+
+
+def _frozen(value: Any, left: list[int]) -> object:
+    """A value that stays as it is; what is neither data nor a variable counts as itself."""
+    left[0] -= 1
+    if left[0] < 0:
+        raise _TooMuchError
+    if isinstance(value, Box):
+        return id(value), _frozen(value.value, left)
+    if isinstance(value, list):
+        return id(value), tuple(_frozen(one, left) for one in value)
+    return value

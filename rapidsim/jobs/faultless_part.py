@@ -1,0 +1,92 @@
+"""A program without the statements that have errors, so that the moves of the rest are checked.
+
+In place of each stands a call of what nobody knows: what follows may find all data changed. Where
+an error is not within a simple statement, or that statement writes data that only its routine
+sees, nothing is left to look at.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields, is_dataclass, replace
+from operator import is_
+from typing import Any
+
+from rapidsim.analysis.cell_names import CellNames
+from rapidsim.analysis.passes.checker import check
+from rapidsim.analysis.program import Program
+from rapidsim.analysis.tree_walk import clauses, descendants, statements
+from rapidsim.diagnostics import Severity, Span
+from rapidsim.jobs.checked_program import Loaded
+from rapidsim.syntax import tree
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FaultlessPart:
+    """What is left of a program."""
+
+    program: Program
+    replaced: tuple[Span, ...]
+    """The statements that stand no more in it."""
+
+
+def faultless_part(loaded: Loaded, cell: CellNames) -> FaultlessPart | None:
+    """The program with its faulty statements replaced; None where that does not make it whole."""
+    faulty: dict[int, tree.Statement] = {}
+    replaced = []
+    for one in loaded.diagnostics:
+        if one.severity is not Severity.ERROR:
+            continue
+        found = None if one.span is None else _statement_at(loaded.files, one.span)
+        if found is None or one.span is None:
+            return None
+        faulty[id(found)] = found
+        replaced.append(Span(one.span.source, found.start, found.end))
+    instead = {key: _unknown_call(statement) for key, statement in faulty.items()}
+    files = tuple(_rebuilt(file, instead) for file in loaded.files)
+    checked = check(files, (), cell=cell)
+    if checked.program is None:
+        return None
+    return FaultlessPart(checked.program, tuple(replaced))
+
+
+def _statement_at(files: Sequence[tree.File], span: Span) -> tree.Statement | None:
+    """The assignment or call that a place stands in, if it writes nothing of its routine alone."""
+    for file in files:
+        for module in file.modules:
+            for routine in module.routines if module.source is span.source else ():
+                if routine.start <= span.start < routine.end:
+                    return _in_routine(routine, span)
+    return None
+
+
+def _in_routine(routine: tree.RoutineNode, span: Span) -> tree.Statement | None:
+    own = {node.name.key for node in descendants(routine) if isinstance(node, tree.Data)}
+    own |= {node.name.key for node in descendants(routine) if isinstance(node, tree.Parameter)}
+    for statement in statements(*clauses(routine)):
+        simple = isinstance(statement, tree.Assignment | tree.Call)
+        if simple and statement.start <= span.start < statement.end:
+            named = (node for node in descendants(statement) if isinstance(node, tree.Reference))
+            return None if any(node.name.key in own for node in named) else statement
+    return None
+
+
+def _unknown_call(statement: tree.Statement) -> tree.LateCall:
+    """A call of what only a run would know, in the place of a statement."""
+    start, end = statement.start, statement.end
+    return tree.LateCall(start, end, tree.String(start, end, ""), ())
+
+
+def _rebuilt(part: Any, instead: Mapping[int, tree.Node]) -> Any:
+    """A part of a tree with some of its nodes replaced, by the identity of the old ones."""
+    if isinstance(part, tuple):
+        parts = tuple(_rebuilt(one, instead) for one in part)
+        return part if all(map(is_, part, parts)) else parts
+    if not is_dataclass(part) or isinstance(part, type):
+        return part
+    if id(part) in instead:
+        return instead[id(part)]
+    old = {one.name: getattr(part, one.name) for one in fields(part) if one.init}
+    new = {name: _rebuilt(value, instead) for name, value in old.items()}
+    changed = {name: value for name, value in new.items() if value is not old[name]}
+    return replace(part, **changed) if changed else part

@@ -1,0 +1,70 @@
+"""The path recorder: going back on the moves that were made, and forth again.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types, "PathRecStart",
+"PathRecStop", "PathRecMoveBwd", "PathRecMoveFwd", "PathRecValidBwd", "PathRecValidFwd".
+"""
+
+from __future__ import annotations
+
+from rapidsim.language.annotations import Bool, PathRecId, Switch, Var
+from rapidsim.language.data import Pos, SpeedData
+from rapidsim.language.path_control import PathRecorder
+from rapidsim.language.reference import Reference
+from rapidsim.library.table import routine, table
+
+
+def path_rec_start(controller: PathRecorder, id_: Var[PathRecId]) -> None:
+    """Record the path from here on; the identifier stands for this place."""
+    id_.value = controller.start_recording()
+
+
+def path_rec_stop(controller: PathRecorder, *, clear: Switch = False) -> None:
+    r"""Record no further moves; with \Clear, forget those that were recorded."""
+    controller.stop_recording(clear=clear)
+
+
+def path_rec_move_bwd(
+    controller: PathRecorder,
+    *,
+    id_: Var[PathRecId] | None = None,
+    tool_offs: Pos | None = None,
+    speed: SpeedData | None = None,
+) -> None:
+    """Go back on the recorded path, to an identifier or to where the recorder was started."""
+    controller.go_back(_number(id_), tool_offs, speed)
+
+
+def path_rec_move_fwd(
+    controller: PathRecorder,
+    *,
+    id_: Var[PathRecId] | None = None,
+    tool_offs: Pos | None = None,
+    speed: SpeedData | None = None,
+) -> None:
+    """Go forth again, to an identifier or to where PathRecMoveBwd began."""
+    controller.go_forth(_number(id_), tool_offs, speed)
+
+
+def path_rec_valid_bwd(controller: PathRecorder, *, id_: Var[PathRecId] | None = None) -> Bool:
+    """Whether PathRecMoveBwd can go back there."""
+    return controller.may_go_back(_number(id_))
+
+
+def path_rec_valid_fwd(controller: PathRecorder, *, id_: Var[PathRecId] | None = None) -> Bool:
+    """Whether PathRecMoveFwd can go forth there."""
+    return controller.may_go_forth(_number(id_))
+
+
+def _number(identifier: Reference[int | None] | None) -> int | None:
+    """The number of a place; 0, which none has, for an identifier that nobody has set."""
+    return None if identifier is None else identifier.value or 0
+
+
+PATH_RECORDER = table(
+    routine("PathRecStart", path_rec_start, "ID"),
+    routine("PathRecStop", path_rec_stop),
+    routine("PathRecMoveBwd", path_rec_move_bwd, r"\ID \ToolOffs \Speed"),
+    routine("PathRecMoveFwd", path_rec_move_fwd, r"\ID \ToolOffs \Speed"),
+    routine("PathRecValidBwd", path_rec_valid_bwd, r"\ID"),
+    routine("PathRecValidFwd", path_rec_valid_fwd, r"\ID"),
+)

@@ -1,0 +1,146 @@
+"""Loops that only look are taken to where something happens: the same run, at next to no cost."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.polling import Polling
+from rapidsim.jobs.check_files import check
+from rapidsim.jobs.run_files import simulate
+from rapidsim.simulation.results.simulation import End, Simulation
+
+STATION = """
+[signals]
+diPart = { type = "di", value = 0 }
+diOther = { type = "di", value = 0 }
+doBusy = { type = "do" }
+[[stimulus]]
+at = 0.730041
+set = { diPart = 1 }
+[[stimulus]]
+at = 0.25
+set = { diOther = 1 }
+[[stimulus]]
+when = "doBusy = 1"
+after = 0.4
+set = { diOther = 0 }
+"""
+LOOPS = {
+    "a loop without anything in it": "WHILE diPart=0 DO\nENDWHILE",
+    "a jump": "again: IF DInput(diPart)=0 GOTO again;",
+    "a loop that calls": "WHILE TRUE DO\nlook;\nIF seen RETURN;\nENDWHILE",
+    "loops in a loop": "WHILE diPart=0 DO\nFOR i FROM 1 TO 3 DO\nlast:=i;\nENDFOR\nENDWHILE",
+    "a loop that counts now and then": (
+        'WHILE diPart=0 DO\nIF diOther=1 AND n=0 THEN\nIncr n;\nTPWrite "other";\nENDIF\nENDWHILE'
+    ),
+    "a loop that counts its rounds": "WHILE n<40000 DO\nIncr n;\nENDWHILE",
+    "a loop that reads a clock": "ClkStart watch;\nWHILE ClkRead(watch)<0.3 DO\nENDWHILE",
+    "one loop after the other": (
+        "WHILE diOther=0 DO\nENDWHILE\nSetDO doBusy,1;\nWHILE diOther=1 DO\nENDWHILE"
+    ),
+    "a trap that ends it": (
+        "CONNECT beat WITH tick;\nITimer 0.2,beat;\nWHILE n<3 DO\nENDWHILE\nIDelete beat;"
+    ),
+    "while the robot moves": (
+        "MoveAbsJ [[20,0,0,0,30,0],none],v100,z10,tool0;\nWHILE diPart=0 DO\nENDWHILE"
+    ),
+    "until an output is set on the way": (
+        "TriggIO there,10\\DOp:=doBusy,1;\n"
+        "TriggJ CRobT(\\Tool:=tool0),v100,there,fine,tool0;\n"
+        "WHILE diPart=0 DO\nENDWHILE"
+    ),
+    "an error that is handled": "WHILE diPart=0 DO\nlast:=fails();\nENDWHILE",
+}
+PROGRAM = """MODULE polls
+  CONST extjoint none:=[9E9,9E9,9E9,9E9,9E9,9E9];
+  VAR num n;
+  VAR num last;
+  VAR bool seen;
+  VAR clock watch;
+  VAR intnum beat;
+  VAR triggdata there;
+  PROC main()
+{loop}
+    TPWrite "on with "\\Num:=n;
+    WaitTime 0.1;
+  ENDPROC
+  PROC look()
+    IF diPart=1 THEN
+      seen:=TRUE;
+    ENDIF
+  ENDPROC
+  FUNC num fails()
+    RETURN 1/n;
+  ERROR
+    RETURN 5;
+  ENDFUNC
+  TRAP tick
+    Incr n;
+  ENDTRAP
+ENDMODULE
+"""
+
+
+def ran(folder: Path, loop: str, station: str = STATION) -> Simulation:
+    (folder / "rapidsim.toml").write_text(station)
+    (folder / "polls.mod").write_text(PROGRAM.format(loop=loop))
+    return simulate([folder / "polls.mod"], robot="irb1600")
+
+
+def told(run: Simulation) -> list[tuple[float, str]]:
+    return [(round(event.time_s, 9), event.message) for event in run.events]
+
+
+@pytest.mark.parametrize("name", LOOPS)
+def test_a_run_that_skips_rounds_is_the_run_that_makes_them(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    skipped = ran(tmp_path, LOOPS[name])
+    monkeypatch.setattr(Polling, "look", lambda self, used, done: None)
+    monkeypatch.setattr(Polling, "ticks_left", lambda self, used: 1 << 60)
+    made = ran(tmp_path, LOOPS[name])
+    assert skipped.end is made.end is End.ENDED
+    assert told(skipped) == told(made)
+    assert skipped.time_s == pytest.approx(made.time_s, abs=1e-9)
+    assert [move.end_s for move in skipped.moves] == [move.end_s for move in made.moves]
+
+
+def test_rounds_that_are_skipped_cost_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    looks = []
+    service = TaskClock.service
+
+    def counted(self: TaskClock) -> None:
+        looks.append(self)
+        service(self)
+
+    monkeypatch.setattr(TaskClock, "service", counted)
+    station = STATION.replace("0.730041", "3000.0")
+    run = ran(tmp_path, LOOPS["a loop that calls"], station)
+    assert run.end is End.ENDED
+    assert run.time_s > 3000.0
+    # A turn takes 10 us, so the loop is made 300 million times.
+    assert len(looks) < 1000
+
+
+def test_a_loop_that_nothing_ends_is_told_where_it_stands(tmp_path: Path) -> None:
+    run = ran(tmp_path, "WHILE diPart<2 DO\nENDWHILE")
+    assert run.end is End.ERROR
+    (found,) = [one for one in run.diagnostics if one.violation.code == "R106"]
+    assert found.span is not None
+    assert found.span.text.startswith("WHILE diPart<2")
+    assert run.time_s < 1.0
+
+
+def test_a_check_does_not_go_round_for_ever_either(tmp_path: Path) -> None:
+    loop = (
+        "WHILE diPart<2 DO\nENDWHILE\nMoveAbsJ [[DInput(diPart),0,0,0,30,0],none],v100,fine,tool0;"
+    )
+    (tmp_path / "rapidsim.toml").write_text(STATION)
+    (tmp_path / "polls.mod").write_text(PROGRAM.format(loop=loop))
+    found = check([tmp_path / "polls.mod"], robot="irb1600")
+    assert [one.violation.code for one in found.diagnostics if one.span and one.span.line == 10]
