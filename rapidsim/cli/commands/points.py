@@ -1,4 +1,4 @@
-"""`rapidsim points`: a table of points for `rapidsim follow`, drawn by lot."""
+"""`rapidsim points`: a table of points for `rapidsim follow`, at random."""
 
 from __future__ import annotations
 
