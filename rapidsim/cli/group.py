@@ -29,7 +29,7 @@ _COMMANDS: Mapping[str, str] = MappingProxyType(
         "calibrate": "Fit the motion model to logs of a real controller.",
         "kin": "Forward and inverse kinematics and Jacobian of one pose.",
         "follow": "Follow points of a table in lines, splines or joint polynomials.",
-        "points": "Print points drawn by lot, for follow.",
+        "points": "Print random points, for follow.",
     }
 )
 

@@ -81,7 +81,7 @@ def test_an_urdf_file_lies_beside_it(tmp_path: Path) -> None:
         ('[signals]\ngo1 = { type = "go", width = 2, value = 4 }', "4 is outside", None),
         ("[[stimulus]]\nat = 1", "stimulus.set: name signals", None),
         ("[[stimulus]]\nset = { a = 1 }", "stimulus: say `at`, `every` or `when`", None),
-        ('[[stimulus]]\nwhen = "a = b"\nset = { c = 1 }', "`a = b` is no condition", None),
+        ('[[stimulus]]\nwhen = "a = b"\nset = { c = 1 }', "`a = b` is not a valid condition", None),
         ('[[cross]]\nset = "a"\nfrom = "b and a"', "`a` follows itself", None),
         ('[check]\nfail-on = "never"', "`never` is no severity", None),
     ],

@@ -87,7 +87,7 @@ def test_the_summary_says_what_happened() -> None:
         "irb1600-6-1.2 (by default)",
         "moving 2.000 s waiting 0.500 s",
         "2 (1 MoveJ, 1 MoveL), 300.0 mm travelled",
-        "1 stopped because the next move came too late (cf. ABB 50024)",
+        "1 stop because the next move came too late (cf. ABB 50024)",
         "cell.mod:4 main MoveL pPick 1 1.500 s",
         "ArcL (3 times): treated as MoveL",
         "axis speed / 0.16 s",
@@ -208,7 +208,7 @@ def test_all_robots_are_told_of() -> None:
     assert f"robot {ROBOT.name} of T_ROB1 (by default) twin of T_ROB2" in shown
     assert "4 (2 MoveJ, 2 MoveL), 600.0 mm travelled" in shown
     assert "of T_ROB2 came within" in shown
-    assert "smallest singular value of T_ROB1" in shown
+    assert "closest to singular of T_ROB1" in shown
     assert "Not modelled: twin: its cable." in shown
 
 

@@ -83,7 +83,7 @@ def _term(part: str, text: str) -> Term:
     match = _TERM.fullmatch(part.strip())
     if match is None or match["signal"].lower() in ("not", "and", "or"):
         raise ConditionError(
-            f"`{text}` is no condition; write it as in `doGrip = 1 and diOpen = 0`"
+            f"`{text}` is not a valid condition; expected e.g. `doGrip = 1 and diOpen = 0`"
         )
     relation, value = match["relation"] or "<>", float(match["value"] or 0.0)
     return Term(match["signal"], relation, value, negated=match["not"] is not None)

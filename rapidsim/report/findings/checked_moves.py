@@ -32,4 +32,4 @@ def coverage_lines(coverage: Coverage, robot: str) -> Iterator[str]:
     for move in coverage.unchecked[:_SHOWN]:
         yield f"  not checked: {move.span.file}:{move.span.line}: {move.reason}"
     if (more := len(coverage.unchecked) - _SHOWN) > 0:
-        yield f"  nor {more} more; the JSON format lists them all."
+        yield f"  ... and {more} more (--output-format json lists all)"

@@ -158,15 +158,17 @@ def _moves(simulation: Simulation, figures: Figures) -> str:
 
 
 def _corners(figures: Figures) -> Text:
-    words = {
-        CornerKind.FLY_BY: ("passed by", ""),
-        CornerKind.STOP: ("stopped at", ""),
-        CornerKind.STOP_CORNER_PATH_FAILURE: (
-            "stopped because the next move came too late (cf. ABB 50024)",
-            "yellow",
-        ),
-    }
-    texts = [Text(f"{n} {words[kind][0]}", words[kind][1]) for kind, n in figures.moves_by_corner]
+    late = "because the next move came too late (cf. ABB 50024)"
+    texts = []
+    for kind, count in figures.moves_by_corner:
+        stops = f"{count} stop{'' if count == 1 else 's'}"
+        match kind:
+            case CornerKind.FLY_BY:
+                texts.append(Text(f"{count} fly-by"))
+            case CornerKind.STOP:
+                texts.append(Text(stops))
+            case CornerKind.STOP_CORNER_PATH_FAILURE:
+                texts.append(Text(f"{stops} {late}", "yellow"))
     return Text(", ").join(texts)
 
 
@@ -180,7 +182,7 @@ def _margin(margin: JointMargin, *, several: bool) -> Text:
 def _singularity(singularity: SingularityMargin, *, several: bool) -> Text:
     value = singularity.smallest_singular_value
     whose = f" of {singularity.move.task}" if several else ""
-    text = f"smallest singular value{whose} {value:.3f}{_at(singularity.move)} (singular: 0)"
+    text = f"closest to singular{whose}: {value:.3f} (0 = singular){_at(singularity.move)}"
     return Text(text, "yellow" if value < _NEAR_SINGULAR else "")
 
 
