@@ -18,7 +18,7 @@ ENDMODULE
 
 
 def deviations(model: MotionModel) -> dict[int, CurveDeviation]:
-    made: Ran = ran(PROGRAM, model=model)
+    made: Ran = ran(PROGRAM, model=model, nearest_configuration=True)
     return dict(all_curve_deviations(made.run))
 
 
