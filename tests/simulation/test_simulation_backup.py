@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.files import backup_folders
 from rapidsim.jobs.run_files import simulate
+from rapidsim.language.robotware import RobotWare
 from rapidsim.simulation.results.signal_history import signal_changes
 from rapidsim.station.backup.backup import backup_station
 from rapidsim.station.backup.cfg_file import read_configuration
@@ -172,3 +173,25 @@ def test_a_long_configuration_shows_what_the_run_sets(
     changes = signal_changes(simulate([tmp_path], robot="irb120"))
     assert len(changes) == shown
     assert changes["diClosed"][-1][1] == 1.0
+
+
+@pytest.mark.parametrize(
+    ("line", "version"),
+    [
+        ("RobotWare Version: 6.08.01.00", RobotWare(6, 8)),
+        ("RobotWare_7.13.0", RobotWare(7, 13)),
+        ("5.15", None),
+    ],
+)
+def test_a_backup_says_which_robotware_it_is_of(
+    tmp_path: Path, line: str, version: RobotWare | None
+) -> None:
+    module = tmp_path / "RAPID" / "TASK1" / "PROGMOD" / "main.mod"
+    module.parent.mkdir(parents=True)
+    module.write_text("MODULE main_module\n  PROC main()\n  ENDPROC\nENDMODULE\n")
+    (tmp_path / "BACKINFO").mkdir()
+    (tmp_path / "BACKINFO" / "backinfo.txt").write_text(
+        f">>PRODUCTS_ID:\n{line}\n>>TASK1: (T_ROB1,MAIN,)\n"
+    )
+    station = backup_station([tmp_path / "RAPID" / "TASK1"])
+    assert station.robotware == version
