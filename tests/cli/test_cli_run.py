@@ -24,6 +24,11 @@ FAR = (
     "  PROC main()\n    MoveJ p,v100,fine,tool0;\n  ENDPROC\nENDMODULE\n"
 )
 
+LACKS = (
+    "MODULE a\n  CONST robtarget p:=[[900,0,900],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+    "  PROC main()\n    MoveJ p,v100,fine,tGrip\\WObj:=wBox;\n  ENDPROC\nENDMODULE\n"
+)
+
 
 def run(folder: Path, text: str, *arguments: str, record: bool = False) -> Ended:
     (folder / "a.mod").write_text(text)
@@ -197,3 +202,18 @@ def test_targets_that_functions_are_given_stand_in_the_work_object_of_their_move
     it = rapidsim("frames", "a.mod", "--format", "json", cwd=tmp_path)
     user = json.loads(it.out)["root"]["children"][-1]
     assert user["children"][0]["children"][0]["name"] == "p"
+
+
+def test_tools_and_work_objects_that_are_missing_are_assumed_if_asked_for(tmp_path: Path) -> None:
+    refused = run(tmp_path, LACKS)
+    assert refused.code == 1
+    assert "`tGrip` is not declared" in refused.out + refused.err
+    found = report(tmp_path, LACKS, "--assume-missing")
+    assert found["end"] == "ended"
+    diagnostics = found["diagnostics"]
+    assert isinstance(diagnostics, list)
+    told = [one["message"] for one in diagnostics if one["code"] == "N220"]
+    assert told == [
+        "the tooldata `tGrip` is not declared; `tool0` is taken for it",
+        "the wobjdata `wBox` is not declared; `wobj0` is taken for it",
+    ]

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind, Status
 from rapidsim.files import backup_folders
 from rapidsim.jobs.run_files import simulate
+from rapidsim.language.robotware import RobotWare
 from rapidsim.simulation.results.signal_history import signal_changes
 from rapidsim.station.backup.backup import backup_station
 from rapidsim.station.backup.cfg_file import read_configuration
@@ -190,3 +191,25 @@ SYSSIG_OUT:
     assert (grip.status, grip.task, grip.value) == (Status.TASK_EXECUTING, "T_ROB1", 1.0)
     assert (job.status, job.value) == (Status.EMERGENCY_STOP, 0.0)
     assert "no run follows MechUnitNotMoving: `aoFlow`" in said.remarks[-1]
+
+
+@pytest.mark.parametrize(
+    ("line", "version"),
+    [
+        ("RobotWare Version: 6.08.01.00", RobotWare(6, 8)),
+        ("RobotWare_7.13.0", RobotWare(7, 13)),
+        ("5.15", None),
+    ],
+)
+def test_a_backup_says_which_robotware_it_is_of(
+    tmp_path: Path, line: str, version: RobotWare | None
+) -> None:
+    module = tmp_path / "RAPID" / "TASK1" / "PROGMOD" / "main.mod"
+    module.parent.mkdir(parents=True)
+    module.write_text("MODULE main_module\n  PROC main()\n  ENDPROC\nENDMODULE\n")
+    (tmp_path / "BACKINFO").mkdir()
+    (tmp_path / "BACKINFO" / "backinfo.txt").write_text(
+        f">>PRODUCTS_ID:\n{line}\n>>TASK1: (T_ROB1,MAIN,)\n"
+    )
+    station = backup_station([tmp_path / "RAPID" / "TASK1"])
+    assert station.robotware == version
