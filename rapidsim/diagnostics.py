@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, ClassVar, dataclass_transform
 if TYPE_CHECKING:
     from importlib.resources.abc import Traversable
 
-ON_REQUEST = ("F409", "F410", "M514", "S")
+ON_REQUEST = ("F409", "F410", "M514", "S", "T323")
 """Rules and families that `rapidsim check` looks for only when asked, such as house style."""
 
 # Files that went through careless tools end lines in CR CR LF; that is one line end, not two.

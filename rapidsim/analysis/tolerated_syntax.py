@@ -53,7 +53,7 @@ def check_lenient_marks(context: Context) -> None:
                 context.report(CaseRange(), tree.Node(node.values[0].start, last.end))
             case tree.LateFunctionCall():
                 context.report(LateBoundFunction(), node)
-            case tree.Unary(not_after_operator=True):
+            case tree.Unary(operator="+" | "-", not_after_operator=True):
                 context.report(SignInside(node.operator), node)
             case tree.Field(dimensions=(_, *_)):
                 context.report(ArrayComponent(node.name.text), node)

@@ -26,6 +26,7 @@ from rapidsim.language.single import single
 from rapidsim.library.operator import option_text
 from rapidsim.library.table import routine, table
 from rapidsim.library.text import MAX_STRING, parsed_number
+from rapidsim.library.traits import Does
 
 _ENCODING = "iso-8859-1"
 END_OF_FILE = "EOF"
@@ -196,8 +197,8 @@ def _write(io_device: Reference[OpenFile | None], text: str) -> None:
 
 
 FILES = table(
-    routine("Open", open_, r"Object \File IODevice \Read|\Write|\Append \Bin"),
-    routine("Close", close),
+    routine("Open", open_, r"Object \File IODevice \Read|\Write|\Append \Bin", does=Does.OPEN),
+    routine("Close", close, does=Does.CLOSE),
     routine("Rewind", rewind),
     routine("ClearIOBuff", clear_io_buff),
     routine("Write", write, r"IODevice String \Num|\Bool|\Pos|\Orient|\Dnum \NoNewLine"),

@@ -248,6 +248,6 @@ INTERRUPTS = table(
     routine("IDelete", i_delete, does=Does.DISCONNECT),
     routine("ISleep", i_sleep),
     routine("IWatch", i_watch),
-    routine("IDisable", i_disable),
-    routine("IEnable", i_enable),
+    routine("IDisable", i_disable, does=Does.HOLD_INTERRUPTS, back="IEnable"),
+    routine("IEnable", i_enable, back="IEnable"),
 )

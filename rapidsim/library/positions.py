@@ -197,8 +197,8 @@ def vect_magn(vector: Pos) -> Num:
 
 POSITIONS = table(
     routine("Offs", offs, does=Does.OFFSET),
-    routine("RelTool", rel_tool, does=Does.OFFSET),
-    routine("OrientZYX", orient_zyx, "ZAngle YAngle XAngle"),
+    routine("RelTool", rel_tool, does=Does.OFFSET | Does.ANGLES),
+    routine("OrientZYX", orient_zyx, "ZAngle YAngle XAngle", does=Does.ANGLES),
     routine("EulerZYX", euler_zyx, r"\X|\Y|\Z Rotation"),
     routine("NOrient", n_orient),
     routine("PoseMult", pose_mult),

@@ -78,9 +78,9 @@ def is_stop_move_act(
 
 
 STOP_START = table(
-    routine("StopMove", stop_move),
-    routine("StartMove", start_move),
-    routine("StartMoveRetry", start_move_retry, does=Does.LEAVE | Does.RETRY),
+    routine("StopMove", stop_move, does=Does.HOLD_ROBOT, back="StartMove"),
+    routine("StartMove", start_move, back="StartMove"),
+    routine("StartMoveRetry", start_move_retry, does=Does.LEAVE | Does.RETRY, back="StartMove"),
     routine("StopMoveReset", stop_move_reset),
     routine("ClearPath", clear_path),
     routine("StorePath", store_path),

@@ -188,8 +188,8 @@ TIMING = table(
     routine("ClkReset", clk_reset, does=Does.INSTANT),
     routine("ClkStart", clk_start, does=Does.INSTANT),
     routine("ClkStop", clk_stop, does=Does.INSTANT),
-    routine("ClkRead", clk_read, does=Does.READ_TASK),
-    routine("CDate", c_date),
-    routine("CTime", c_time),
-    routine("GetTime", get_time, r"\WDay|\Hour|\Min|\Sec"),
+    routine("ClkRead", clk_read, does=Does.READ_TASK | Does.TIME),
+    routine("CDate", c_date, does=Does.TIME),
+    routine("CTime", c_time, does=Does.TIME),
+    routine("GetTime", get_time, r"\WDay|\Hour|\Min|\Sec", does=Does.TIME),
 )

@@ -45,6 +45,20 @@ class Does(Flag):
     """Takes other modules into the program."""
     DISCONNECT = auto()
     """Takes an interrupt away from its trap."""
+    HOLD_ROBOT = auto()
+    """The robot stands still until it is told to go on."""
+    HOLD_INTERRUPTS = auto()
+    """Interrupts are kept until they are let through again."""
+    TIME = auto()
+    """Answers how late it is: what compares it becomes true by itself."""
+    OPEN = auto()
+    """Opens a file, which can be opened again when it has been closed."""
+    CLOSE = auto()
+    """Closes it."""
+    COUNT_UP = auto()
+    """Adds one to what it is given."""
+    ANGLES = auto()
+    """Takes angles [deg]: its parameters Rx, Ry, Rz and those that are called angle."""
     OFFSET = auto()
     """Answers a target beside the one it is given."""
     TEST_PRESENT = auto()

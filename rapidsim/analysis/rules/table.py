@@ -9,20 +9,40 @@ from rapidsim.analysis.program_parts import Facts
 from rapidsim.analysis.rules.control_flow import (
     conditions,
     handlers,
+    left_held,
     mode_leak,
+    open_files,
     recursion,
     traps,
+    unchanging,
     waits,
 )
-from rapidsim.analysis.rules.motion import first_move, orientations, target_data, tools, zones
+from rapidsim.analysis.rules.motion import (
+    drifting,
+    first_move,
+    orientations,
+    target_data,
+    tools,
+    units,
+    zones,
+)
 from rapidsim.analysis.rules.names import (
     late_names,
     never_set,
     optional_parameters,
     shadowing,
     unused,
+    world_zones,
 )
-from rapidsim.analysis.rules.text import numbers, style, style_layout, text_rules, unsimulated
+from rapidsim.analysis.rules.text import (
+    array_loops,
+    numbers,
+    strings,
+    style,
+    style_layout,
+    text_rules,
+    unsimulated,
+)
 from rapidsim.diagnostics import Diagnostic, Rule, Violation
 from rapidsim.language.target_violations import QuaternionNotUnit
 
@@ -47,15 +67,23 @@ DETECTORS = (
     Detector(numbers.find_float_equality, (numbers.FloatEquality,)),
     Detector(numbers.find_long_integers, (numbers.NumIntegerPrecision,)),
     Detector(numbers.find_zero_divisors, (numbers.DivisionByConstantZero,)),
+    Detector(array_loops.find_loops_beyond_arrays, (array_loops.LoopBeyondArray,)),
+    Detector(strings.find_long_texts, (strings.TextTooLong,)),
+    Detector(world_zones.find_world_zones, (world_zones.WorldZoneOfRoutine,)),
     Detector(optional_parameters.find_absent_optionals, (optional_parameters.AbsentOptionalUsed,)),
     Detector(conditions.find_constant_conditions, (conditions.ConstantCondition,)),
     Detector(conditions.find_endless_loops, (conditions.EndlessLoop,)),
+    Detector(unchanging.find_unchanging_conditions, (unchanging.UnchangingCondition,)),
+    Detector(open_files.find_opened_in_loops, (open_files.OpenedInLoop,)),
+    Detector(conditions.find_not_before_and, (conditions.NotBeforeAnd,)),
     Detector(conditions.find_tests_without_default, (conditions.TestWithoutDefault,)),
     Detector(
         handlers.find_careless_handlers, (handlers.RetryWithoutChange, handlers.SwallowedError)
     ),
     Detector(recursion.find_recursion, (recursion.Recursion,)),
     Detector(mode_leak.find_mode_leaks, (mode_leak.ModeLeak,)),
+    Detector(left_held.find_interrupts_left_off, (left_held.InterruptsLeftOff,)),
+    Detector(left_held.find_robot_left_stopped, (left_held.RobotLeftStopped,)),
     Detector(never_set.find_never_set, (never_set.ReadBeforeSet,)),
     Detector(traps.find_trap_hazards, (traps.TrapHazard,)),
     Detector(orientations.find_bad_orientations, (QuaternionNotUnit,)),
@@ -66,6 +94,9 @@ DETECTORS = (
     Detector(target_data.find_external_axes, (target_data.ExternalAxisValue,)),
     Detector(target_data.find_bad_confdata, (target_data.BadConfdata,)),
     Detector(target_data.find_duplicates, (target_data.DuplicateTargets,)),
+    Detector(units.find_metres, (units.MetresOrRadians,)),
+    Detector(units.find_radians, (units.MetresOrRadians,)),
+    Detector(drifting.find_drifting_targets, (drifting.DriftingTarget,)),
     Detector(first_move.find_first_move, (first_move.FirstMoveLinear,)),
     Detector(first_move.find_moves_without_speed, (first_move.MoveWithoutSpeed,)),
     Detector(waits.find_waits_without_timeout, (waits.WaitWithoutTimeout,)),

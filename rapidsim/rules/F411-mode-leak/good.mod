@@ -44,3 +44,23 @@ MODULE near_miss
     MoveL p20,v100,fine,tool0;
   ENDPROC
 ENDMODULE
+! ---
+MODULE begins_with_settings
+  CONST jointtarget home:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    prepare;
+    WHILE TRUE DO
+      MoveL p10,v100,fine,tool0;
+    ENDWHILE
+  ENDPROC
+  PROC prepare()
+    settings;
+    ConfL\Off;
+    MoveAbsJ home,v500,fine,tool0;
+  ENDPROC
+  PROC settings()
+    AccSet 50,50;
+    MoveAbsJ home,v100,fine,tool0;
+  ENDPROC
+ENDMODULE

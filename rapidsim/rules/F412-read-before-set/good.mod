@@ -28,3 +28,20 @@ MODULE near_miss
     s:="filled";
   ENDPROC
 ENDMODULE
+! ---
+MODULE triggers
+  CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  VAR triggdata glue_on;
+  VAR triggdata several{2};
+  VAR signaldo glue;
+  PROC main()
+    define glue_on,1;
+    TriggIO several{1},5\DOp:=glue,1;
+    MoveJ p10,v500,fine,tool0;
+    TriggL p10,v100,glue_on,fine,tool0;
+    TriggL p10,v100,several,fine,tool0;
+  ENDPROC
+  PROC define(VAR triggdata trigger,num value)
+    TriggIO trigger,5\DOp:=glue,value;
+  ENDPROC
+ENDMODULE

@@ -30,4 +30,11 @@ MODULE near_miss
   TRAP tick
     TPWrite "tick";
   ENDTRAP
+  TRAP hold
+    StopMove;
+    StorePath;
+    WaitTime 1;
+    RestoPath;
+    StartMove;
+  ENDTRAP
 ENDMODULE

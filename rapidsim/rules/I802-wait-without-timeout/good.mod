@@ -12,6 +12,7 @@ ENDMODULE
 MODULE near_miss
   VAR signaldi part_there;
   VAR bool late;
+  VAR clock watch;
   VAR num number;
   VAR socketdev line;
   VAR string answer;
@@ -19,6 +20,7 @@ MODULE near_miss
     WaitTime 2;
     WaitDI part_there,1\MaxTime:=30\TimeFlag:=late;
     WaitUntil late\MaxTime:=3;
+    WaitUntil late OR ClkRead(watch)>5;
     may_wait\seconds:=3;
     ! A person is asked, and a socket waits no longer than 60 s.
     TPReadNum number,"How many?";

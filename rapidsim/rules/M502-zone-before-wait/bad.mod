@@ -44,3 +44,48 @@ MODULE bad
     SyncMoveOff parting;
   ENDPROC
 ENDMODULE
+! ---
+MODULE through_calls
+  CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget p20:=[[600,90,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  VAR signaldo grip;
+  VAR signaldi gripped;
+  VAR bool is_heavy;
+  PROC main()
+    MoveL p10,v300,z5,tool0;          ! found
+    grip_close;
+    MoveL p20,v300,z5,tool0;          ! found
+    hand_over;
+    MoveL p10,v300,z5,tool0;          ! found
+    is_heavy:=weight()>3;
+    ends_flying;
+    WaitTime 1;                       ! found
+    WHILE TRUE DO
+      WaitDI gripped,0\MaxTime:=9;
+      MoveL p10,v300,fine,tool0;
+      MoveL p20,v300,z10,tool0;       ! found
+    ENDWHILE
+  ENDPROC
+  PROC hand_over()
+    IF is_heavy THEN
+      AccSet 50,50;
+    ENDIF
+    grip_close;
+  ENDPROC
+  PROC grip_close()
+    SetDO grip,1;
+    WaitDI gripped,1\MaxTime:=2;
+  ENDPROC
+  FUNC num weight()
+    WaitTime 0.5;
+    RETURN 2;
+  ENDFUNC
+  PROC ends_flying()
+    MoveL p20,v300,fine,tool0;
+    IF is_heavy THEN
+      MoveL p10,v100,z5,tool0;
+    ELSE
+      MoveL p10,v300,z5,tool0;
+    ENDIF
+  ENDPROC
+ENDMODULE

@@ -17,5 +17,17 @@ MODULE near_miss
     MoveJ p20,v500,z20,tool0;
     MoveJ p10,v500,fine,tool0;
     Reset gripper;
+    MoveJ p20,v500,z20,tool0;
+    home;
+    open_it;
+    MoveJ p20,v500,z20,tool0;
+    WaitRob\InPos;
+    open_it;
+  ENDPROC
+  PROC home()
+    MoveJ p10,v500,fine,tool0;
+  ENDPROC
+  PROC open_it()
+    Reset gripper;
   ENDPROC
 ENDMODULE

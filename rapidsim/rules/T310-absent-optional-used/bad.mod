@@ -19,6 +19,6 @@ MODULE bad
   ENDPROC
   PROC either(\num a|num b)
     WaitTime a;                       ! found
-    WaitTime b;                       ! found
+    WaitTime b;
   ENDPROC
 ENDMODULE

@@ -26,3 +26,25 @@ MODULE near_miss
     IF Present(fast) WaitTime 0.1;
   ENDPROC
 ENDMODULE
+! ---
+MODULE callers_know
+  VAR bool far;
+  PROC main()
+    check_axis\with_track\limit:=3;
+    slow_down\percent:=50;
+    perhaps\speed:=3;
+  ENDPROC
+  PROC check_axis(\switch with_track\num limit)
+    IF Present(with_track) far:=reg1>limit;
+  ENDPROC
+  PROC perhaps(\num speed)
+    IF Present(speed) THEN
+      slow_down\percent?speed;
+    ENDIF
+  ENDPROC
+  PROC slow_down(\num percent)
+    VelSet percent,500;
+    WaitTime 1;
+    VelSet 100,5000;
+  ENDPROC
+ENDMODULE

@@ -25,7 +25,7 @@ MODULE lenient
     ENDTEST
     n:=%"two"%();                       ! error: E145
     n:=n*-2;                            ! note: E146
-    IF n=1 AND NOT m=2 n:=1;            ! note: E146
+    IF n=1 AND NOT m=2 n:=1;
     <SMT>                               ! warning: E148
     n:=<EXP>;                           ! warning: E148
   ENDPROC

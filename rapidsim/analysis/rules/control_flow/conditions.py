@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from rapidsim.analysis.program_parts import Facts, Part
 from rapidsim.analysis.rules.facts.instruction_questions import may_do
 from rapidsim.analysis.tree_walk import descendants
-from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.diagnostics import Diagnostic, Edit, Fix, Violation
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
@@ -20,6 +20,11 @@ class ConstantCondition(Violation, code="F402"):
 
 class EndlessLoop(Violation, code="F403"):
     pass
+
+
+class NotBeforeAnd(Violation, code="F417"):
+    written: str
+    meant: str
 
 
 class TestWithoutDefault(Violation, code="F409"):
@@ -49,6 +54,34 @@ def find_endless_loops(facts: Facts) -> Iterator[Diagnostic]:
             if _literal_truth(loop.condition) and not _takes_time(loop, part, facts):
                 keyword = tree.Node(loop.start, loop.condition.end)
                 yield part.finding(EndlessLoop(), keyword)
+
+
+def find_not_before_and(facts: Facts) -> Iterator[Diagnostic]:
+    """NOT before an AND without parentheses: it turns around the whole."""
+    for part in facts.parts:
+        for node in part.all(tree.Unary):
+            inner = node.operand
+            if (
+                node.operator == "NOT"
+                and isinstance(inner, tree.Binary)
+                and inner.operator == "AND"
+            ):
+                source = part.module.source
+                text = source.text
+                first = _first_of_and(inner)
+                written = " ".join(text[inner.start : inner.end].split())
+                negated = " ".join(text[first.start : first.end].split())
+                meant = f"({' '.join(text[node.start : first.start].split())} {negated})"
+                cure = Edit(part.module.span(tree.Node(node.start, first.end)), meant)
+                fix = Fix("NOT for the first one only", (cure,), safe=False)
+                yield part.finding(NotBeforeAnd(written, meant), node, fix=fix)
+
+
+def _first_of_and(conjunction: tree.Binary) -> tree.Expression:
+    left = conjunction.left
+    while isinstance(left, tree.Binary) and left.operator == "AND":
+        left = left.left
+    return left
 
 
 def find_tests_without_default(facts: Facts) -> Iterator[Diagnostic]:

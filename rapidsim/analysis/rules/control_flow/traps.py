@@ -20,8 +20,10 @@ def find_trap_hazards(facts: Facts) -> Iterator[Diagnostic]:
     """Waits in traps; CONNECT in loops that never delete the interrupt."""
     for part in facts.routine_parts:
         if isinstance(part.routine, tree.Trap):
+            held = [call.start for call in part.calls if Does.HOLD_ROBOT in facts.does(call)]
             for call in part.calls:
-                if Does.WAIT in facts.does(call):
+                # Who has stopped the robot means to wait.
+                if Does.WAIT in facts.does(call) and call.start < min(held, default=call.end):
                     problem = f"{call.name.text} in a trap holds up program and interrupts"
                     cure = "let the trap set a flag, and wait in the program"
                     yield part.finding(TrapHazard(problem, cure), call)

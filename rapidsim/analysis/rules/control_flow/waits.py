@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rapidsim.analysis.program_parts import Facts
+from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
@@ -29,5 +30,10 @@ def find_waits_without_timeout(facts: Facts) -> Iterator[Diagnostic]:
                 for one in call.arguments
                 if isinstance(one, tree.Optional | tree.Conditional)
             }
-            if routine.limit.lower() not in given:
+            looks_at_time = any(
+                Does.TIME in facts.does(node)
+                for node in descendants(call)
+                if isinstance(node, tree.FunctionCall)
+            )
+            if routine.limit.lower() not in given and not looks_at_time:
                 yield part.finding(WaitWithoutTimeout(call.name.text, routine.limit), call.name)

@@ -9,6 +9,7 @@ from rapidsim.analysis.program import DataSymbol, Storage, Symbol
 from rapidsim.analysis.program_parts import Facts, Part
 from rapidsim.analysis.rules.facts.instruction_questions import Move, moves
 from rapidsim.analysis.rules.facts.known_values import known_value, numbers
+from rapidsim.analysis.rules.facts.taught_targets import taught_target
 from rapidsim.diagnostics import Diagnostic, Related, Violation
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
@@ -50,7 +51,7 @@ def find_mixed_frames(facts: Facts) -> Iterator[Diagnostic]:
     for part in facts.routine_parts:
         for move in moves(part, facts):
             target = move.arguments.get("topoint")
-            symbol = facts.symbol(target)
+            symbol = None if target is None else facts.symbol(taught_target(target, facts))
             if isinstance(symbol, DataSymbol) and symbol.storage is not Storage.VAR:
                 use = _Use(part, move, _name(move, "tool", "tool0"), _name(move, "wobj", "wobj0"))
                 uses.setdefault(symbol, []).append(use)

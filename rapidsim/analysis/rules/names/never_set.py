@@ -6,15 +6,15 @@ from collections.abc import Iterator
 
 from rapidsim.analysis.program import DataSymbol, Storage
 from rapidsim.analysis.program_parts import Facts
-from rapidsim.analysis.rules.facts.instruction_questions import arguments_of
-from rapidsim.analysis.types.data_paths import root_of
+from rapidsim.analysis.rules.facts.changed_data import changed_in
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.language import types
-from rapidsim.language.annotations import Mode
 from rapidsim.language.types import ArrayOf, Record, resolved
+from rapidsim.library.predefined import TYPES
 from rapidsim.syntax import tree
 
-_PATHS = (tree.Reference, tree.Index, tree.Component)
+_WITHOUT_START = (types.NUM, types.DNUM, types.STRING, types.BOOL, TYPES["triggdata"])
+"""Types beside records whose data somebody must set before they mean anything."""
 
 
 class ReadBeforeSet(Violation, code="F412"):
@@ -25,7 +25,7 @@ def find_never_set(facts: Facts) -> Iterator[Diagnostic]:
     """The first use of each variable of numbers, texts or records that nothing sets."""
     if not facts.is_read:
         return
-    set_somewhere = _set(facts)
+    set_somewhere = {symbol for part in facts.parts for symbol in changed_in(part, facts)}
     reported: set[DataSymbol] = set()
     for part in facts.parts:
         for node in part.all(tree.Reference):
@@ -51,7 +51,7 @@ def _has_value(symbol: DataSymbol) -> bool:
     of = resolved(symbol.type)
     if isinstance(of, ArrayOf):
         of = resolved(of.element)
-    return isinstance(of, Record) or of in (types.NUM, types.DNUM, types.STRING, types.BOOL)
+    return isinstance(of, Record) or of in _WITHOUT_START
 
 
 def _all_is_seen(symbol: DataSymbol, facts: Facts) -> bool:
@@ -59,24 +59,3 @@ def _all_is_seen(symbol: DataSymbol, facts: Facts) -> bool:
     assert symbol.node is not None
     is_outside = symbol.module is not None and symbol.node in symbol.module.items
     return not is_outside or symbol.node.scope == "LOCAL" or facts.is_whole
-
-
-def _set(facts: Facts) -> set[object]:
-    """Symbols that are assigned, or passed to where they may be."""
-    found: set[object] = set()
-    for part in facts.parts:
-        for assignment in part.all(tree.Assignment):
-            if isinstance(assignment.target, _PATHS):
-                found.add(facts.symbol(root_of(assignment.target)))
-        for connect in part.all(tree.Connect):
-            if isinstance(connect.interrupt, _PATHS):
-                found.add(facts.symbol(root_of(connect.interrupt)))
-        for call in part.calls:
-            for formal, value in arguments_of(call, facts):
-                if isinstance(value, _PATHS) and (formal is None or formal.mode is not Mode.IN):
-                    found.add(facts.symbol(root_of(value)))
-        for late in part.all(tree.LateCall):
-            for argument in late.arguments:
-                if isinstance(argument, tree.Required) and isinstance(argument.value, _PATHS):
-                    found.add(facts.symbol(root_of(argument.value)))
-    return found

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 
 from rapidsim.analysis.program import ParameterSymbol
 from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
@@ -17,11 +19,13 @@ class AbsentOptionalUsed(Violation, code="T310"):
 
 def find_absent_optionals(facts: Facts) -> Iterator[Diagnostic]:
     """The first use of each optional parameter that nothing asks for."""
+    calls: dict[tree.Routine, list[_Caller]] | None = None
     for part in facts.routine_parts:
         optionals = _optionals(part)
         if not optionals:
             continue
-        asked = _asked(part, facts)
+        asked = _asked(part.all(tree.FunctionCall), facts)
+        guarded = _guarded(part, facts)
         reported: set[str] = set()
         for node in part.all(tree.Reference):
             key = node.name.key
@@ -29,9 +33,15 @@ def find_absent_optionals(facts: Facts) -> Iterator[Diagnostic]:
                 continue
             if not isinstance(facts.symbol(node), ParameterSymbol):
                 continue
-            # Of parameters that exclude each other, asking for one answers for the other.
-            if optionals[key].isdisjoint(asked):
-                reported.add(key)
+            # Of parameters that exclude each other, asking for one answers for the other; and
+            # where any is asked for, those that come together with it are.
+            if not optionals[key].isdisjoint(asked) or _names_at(node, guarded):
+                continue
+            reported.add(key)
+            calls = _calls(facts) if calls is None else calls
+            assert part.routine is not None
+            callers = calls.get(part.routine, [])
+            if not callers or not all(_gives(one, key, facts) for one in callers):
                 place = part.place(_declared(part, key), "declared as optional here")
                 yield part.finding(AbsentOptionalUsed(node.name.text), node, place)
 
@@ -52,10 +62,69 @@ def _alternatives(group: tree.OptionalGroup) -> list[tree.Parameter]:
     return [one for one in group.alternatives if isinstance(one, tree.Parameter)]
 
 
-def _asked(part: Part, facts: Facts) -> set[str]:
+@dataclass(frozen=True, slots=True)
+class _Caller:
+    """A call of a routine of the user."""
+
+    call: tree.Call | tree.FunctionCall
+    part: Part
+
+
+def _calls(facts: Facts) -> dict[tree.Routine, list[_Caller]]:
+    """The calls of each routine."""
+    found: dict[tree.Routine, list[_Caller]] = {}
+    for part in facts.routine_parts:
+        for call in part.calls:
+            routine = facts.routine_called(call)
+            if routine is not None:
+                found.setdefault(routine, []).append(_Caller(call, part))
+    return found
+
+
+def _gives(caller: _Caller, key: str, facts: Facts) -> bool:
+    """Whether a call surely gives an optional argument."""
+    for argument in caller.call.arguments:
+        match argument:
+            case tree.Optional(name=name) if name.key == key:
+                return True
+            case tree.Conditional(name=name, present=present) if name.key == key:
+                return present.key in _names_at(caller.call, _guarded(caller.part, facts))
+    return False
+
+
+@dataclass(frozen=True, slots=True)
+class _Guarded:
+    """Text that is executed only where a condition holds that asks for parameters."""
+
+    start: int
+    end: int
+    names: frozenset[str]
+
+
+def _guarded(part: Part, facts: Facts) -> list[_Guarded]:
+    ways = [
+        *((node.condition, node.body) for node in part.all(tree.Branch)),
+        *((node.condition, (node.statement,)) for node in part.all(tree.CompactIf)),
+    ]
+    found: list[_Guarded] = []
+    for condition, body in ways:
+        functions = [n for n in descendants(condition) if isinstance(n, tree.FunctionCall)]
+        names = frozenset(_asked(functions, facts))
+        if names and body:
+            found.append(_Guarded(body[0].start, body[-1].end, names))
+    return found
+
+
+def _names_at(node: tree.Node, guarded: list[_Guarded]) -> frozenset[str]:
+    """The parameters that were asked for where a node stands."""
+    around = (one.names for one in guarded if one.start <= node.start < one.end)
+    return frozenset().union(*around)
+
+
+def _asked(functions: Iterable[tree.FunctionCall], facts: Facts) -> set[str]:
     return {
         argument.value.name.key
-        for call in part.all(tree.FunctionCall)
+        for call in functions
         if Does.TEST_PRESENT in facts.does(call)
         for argument in call.arguments
         if isinstance(argument, tree.Required) and isinstance(argument.value, tree.Reference)

@@ -1,0 +1,54 @@
+"""Rules F419 and F420: interrupts and the robot, held and on some way not let go again."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.rules.facts.modes_in_force import Left, left_in_force
+from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.library.traits import Does
+from rapidsim.syntax import tree
+
+
+class InterruptsLeftOff(Violation, code="F419"):
+    routine: str
+    ends: str
+
+
+class RobotLeftStopped(Violation, code="F420"):
+    trap: str
+    ends: str
+
+
+def find_interrupts_left_off(facts: Facts) -> Iterator[Diagnostic]:
+    """Ways out of a routine on which interrupts are kept for ever."""
+    for part in facts.routine_parts:
+        for left in _left(part, facts, Does.HOLD_INTERRUPTS):
+            assert part.routine is not None
+            violation = InterruptsLeftOff(part.routine.name.text, left.ends)
+            yield part.finding(violation, left.call)
+
+
+def find_robot_left_stopped(facts: Facts) -> Iterator[Diagnostic]:
+    """Ways out of a trap on which the robot stands still for ever."""
+    for part in facts.routine_parts:
+        if isinstance(part.routine, tree.Trap):
+            for left in _left(part, facts, Does.HOLD_ROBOT):
+                violation = RobotLeftStopped(part.routine.name.text, left.ends)
+                yield part.finding(violation, left.call)
+
+
+def _left(part: Part, facts: Facts, holds: Does) -> Iterator[Left]:
+    """What a routine holds and should let go itself.
+
+    One that never does may be the first of a pair of routines, if another one does.
+    """
+    for left in left_in_force(part, facts, lambda row: holds in row.does):
+        homes = [one for one in facts.parts if _lets_go(one, left.back)]
+        if not homes or part in homes:
+            yield left
+
+
+def _lets_go(part: Part, back: str) -> bool:
+    return any(call.name.key == back.lower() for call in part.all(tree.Call))

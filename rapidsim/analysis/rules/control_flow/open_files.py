@@ -1,0 +1,65 @@
+"""Rule F421: files that a loop opens again and again and does not close."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rapidsim.analysis.program import DataSymbol, Scope
+from rapidsim.analysis.program_parts import Facts
+from rapidsim.analysis.rules.facts.reached_routines import reached_calls
+from rapidsim.analysis.tree_walk import descendants
+from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.library.traits import Does
+from rapidsim.syntax import tree
+
+_LEAVES = (tree.Return, tree.Exit, tree.Goto, tree.Raise, tree.Broken, tree.LateCall)
+
+
+class OpenedInLoop(Violation, code="F421"):
+    opened: str
+
+
+def find_opened_in_loops(facts: Facts) -> Iterator[Diagnostic]:
+    """What each round of a loop opens for certain, if nothing in the loop may close it."""
+    for part in facts.routine_parts:
+        bodies = [loop.body for loop in part.all(tree.For)]
+        bodies += [loop.body for loop in part.all(tree.While)]
+        for body in bodies:
+            opened = next(_opened(body, facts), None)
+            if opened is None or any(_leaves(node, facts) for node in descendants(*body)):
+                continue
+            if any(Does.CLOSE in facts.does(call) for call in reached_calls(body, facts)):
+                continue
+            yield part.finding(OpenedInLoop(opened.name.text), opened)
+
+
+def _opened(body: tree.Body, facts: Facts, depth: int = 0) -> Iterator[tree.Call]:
+    """The statements of a list that open something whenever the list is executed."""
+    for statement in body:
+        if not isinstance(statement, tree.Call):
+            continue
+        if Does.OPEN in facts.does(statement):
+            if depth == 0 or not _is_of_routine(statement, facts):
+                yield statement
+            continue
+        routine = facts.routine_called(statement)
+        if routine is not None and depth == 0 and any(_opened(routine.body, facts, depth + 1)):
+            yield statement
+
+
+def _is_of_routine(call: tree.Call, facts: Facts) -> bool:
+    """Whether a device is data of the routine, a new one with each call."""
+    symbols = (facts.symbol(node) for node in descendants(call))
+    return any(
+        isinstance(symbol, DataSymbol) and symbol.scope is Scope.ROUTINE for symbol in symbols
+    )
+
+
+def _leaves(node: tree.Node, facts: Facts) -> bool:
+    if isinstance(node, _LEAVES):
+        return True
+    if not isinstance(node, tree.Call):
+        return False
+    # What is not known may close it.
+    is_known = facts.installed(node) is not None or facts.routine_called(node) is not None
+    return not is_known or Does.LEAVE in facts.does(node)

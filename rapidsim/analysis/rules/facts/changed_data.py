@@ -1,0 +1,56 @@
+"""What gives data another value: assignments, and calls that are given data to change."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from rapidsim.analysis.parameters import Formal
+from rapidsim.analysis.program import Symbol
+from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.rules.facts.instruction_questions import arguments_of
+from rapidsim.analysis.types.data_paths import root_of
+from rapidsim.language.annotations import Mode
+from rapidsim.library.predefined import TYPES
+from rapidsim.library.traits import Does
+from rapidsim.syntax import tree
+
+_TRIGGER = TYPES["triggdata"]
+_PATHS = (tree.Reference, tree.Index, tree.Component)
+
+
+def changed_in(part: Part, facts: Facts) -> Iterator[Symbol | None]:
+    """The data that a routine changes itself, or passes on to where they may be."""
+    kinds = (tree.Assignment, tree.Connect, tree.LateCall)
+    yield from changed_by(
+        [*(node for kind in kinds for node in part.all(kind)), *part.calls], facts
+    )
+
+
+def changed_by(nodes: Iterable[tree.Node], facts: Facts) -> Iterator[Symbol | None]:
+    """The data that some nodes change, not looking into them or where they lead to."""
+    for node in nodes:
+        match node:
+            case tree.Assignment(target=target) if isinstance(target, _PATHS):
+                yield facts.symbol(root_of(target))
+            case tree.Connect(interrupt=interrupt) if isinstance(interrupt, _PATHS):
+                yield facts.symbol(root_of(interrupt))
+            case tree.Call() | tree.FunctionCall():
+                is_move = Does.MOVE in facts.does(node)
+                for formal, value in arguments_of(node, facts):
+                    if not isinstance(value, _PATHS):
+                        continue
+                    if formal is None or (
+                        formal.mode is not Mode.IN and not (is_move and _is_trigger(formal))
+                    ):
+                        yield facts.symbol(root_of(value))
+            case tree.LateCall(arguments=arguments):
+                for argument in arguments:
+                    if isinstance(argument, tree.Required) and isinstance(argument.value, _PATHS):
+                        yield facts.symbol(root_of(argument.value))
+            case _:
+                pass
+
+
+def _is_trigger(formal: Formal) -> bool:
+    """Whether a parameter takes trigger data, which moves are given by reference and only read."""
+    return formal.types[0] == _TRIGGER

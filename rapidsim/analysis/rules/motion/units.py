@@ -1,0 +1,182 @@
+"""Rule M516: metres and radians where RAPID has millimetres and degrees."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from rapidsim.analysis.program import DataSymbol, Scope, Storage
+from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.rules.facts.instruction_questions import Move, arguments_of, moves
+from rapidsim.analysis.rules.facts.known_values import known_value, numbers
+from rapidsim.analysis.rules.facts.taught_targets import taught_target
+from rapidsim.analysis.tree_walk import descendants
+from rapidsim.analysis.types.constant_folding import Value
+from rapidsim.diagnostics import Diagnostic, Related, Violation
+from rapidsim.library.predefined import DATA
+from rapidsim.library.traits import Does
+from rapidsim.syntax import tree
+
+_NEAREST_TARGET_MM = 10.0
+"""No arm brings a tool so near to the centre of its own foot."""
+_SHORTEST_TOOL_MM = 1.0
+_LONG_ENOUGH = {
+    1.0 / 2.0: 2,
+    1.0: 2,
+    2.0: 2,
+    1.0 / 3.0: 3,
+    1.0 / 4.0: 3,
+    1.0 / 6.0: 3,
+    3.0 / 2.0: 3,
+}
+"""Multiples of pi, with the decimals from which on a number is taken for one."""
+_PI = "pi"
+
+
+class MetresOrRadians(Violation, code="M516"):
+    what: str
+    unit: str
+    cure: str
+
+
+def find_metres(facts: Facts) -> Iterator[Diagnostic]:
+    """Targets at the foot of the arm, and tools shorter than a millimetre."""
+    reported: set[object] = set()
+    for part in facts.routine_parts:
+        for move in moves(part, facts):
+            target = move.arguments.get("topoint")
+            if target is None or not _is_from_base(move, facts):
+                continue
+            taught = taught_target(target, facts)
+            symbol = facts.symbol(taught)
+            if symbol in reported or (
+                isinstance(symbol, DataSymbol) and symbol.storage is Storage.VAR
+            ):
+                continue
+            distance = _length(known_value(taught, facts), 0)
+            if distance is None or not 0.0 < distance < _NEAREST_TARGET_MM:
+                continue
+            if symbol is not None:
+                reported.add(symbol)
+            shown = " ".join(part.module.span(taught).text.split())
+            named = f"`{shown}`" if len(shown) < 40 else "this target"
+            what = f"{named} is {distance:.3g} mm from the robot's base"
+            yield part.finding(_metres(what), taught, *_declared(symbol, part))
+    for part in facts.parts:
+        for node in part.all(tree.Data):
+            if node.type.key != "tooldata" or node.dimensions or node.value is None:
+                continue
+            value = known_value(node.value, facts)
+            frame = value[1] if isinstance(value, tuple) and len(value) == 3 else None
+            length = _length(frame, 0)
+            if length is not None and 0.0 < length < _SHORTEST_TOOL_MM:
+                what = f"the TCP of `{node.name.text}` is {length:.3g} mm from the flange"
+                yield part.finding(_metres(what), node.name)
+
+
+def find_radians(facts: Facts) -> Iterator[Diagnostic]:
+    """Angles that are made with pi, or are parts of it."""
+    for part in facts.parts:
+        for node in part.all(tree.Data):
+            if node.type.key == "jointtarget" and not node.dimensions and node.value is not None:
+                declared = known_value(node.value, facts)
+                axes = numbers(declared[0], 6) if isinstance(declared, tuple) and declared else None
+                if axes is not None and _are_radians(axes):
+                    what = f"the axes of `{node.name.text}`"
+                    yield part.finding(_radians(what), node.name)
+        for call in part.all(tree.FunctionCall):
+            if Does.ANGLES not in facts.does(call):
+                continue
+            for formal, value in arguments_of(call, facts):
+                if formal is None or value is None or not _is_angle(formal.key):
+                    continue
+                if _is_made_with_pi(value, facts) or _is_part_of_pi(known_value(value, facts)):
+                    shown = " ".join(part.module.span(value).text.split())
+                    what = f"`{shown}` for {formal.spelled} of {call.name.text}"
+                    yield part.finding(_radians(what), value)
+
+
+def _metres(what: str) -> MetresOrRadians:
+    return MetresOrRadians(what, "metres", "RAPID counts in millimetres: multiply by 1000")
+
+
+def _radians(what: str) -> MetresOrRadians:
+    return MetresOrRadians(what, "radians", "RAPID counts in degrees: multiply by 180/pi")
+
+
+def _is_from_base(move: Move, facts: Facts) -> bool:
+    """Whether a target counts from the base of the arm, as far as the program tells."""
+    if "wobj" not in move.arguments:
+        return True
+    symbol = facts.symbol(move.arguments["wobj"])
+    return isinstance(symbol, DataSymbol) and symbol.scope is Scope.INSTALLED
+
+
+def _length(value: object, position: int) -> float | None:
+    """The distance that a component of a record stands for [mm]."""
+    if not isinstance(value, tuple) or len(value) <= position:
+        return None
+    place = numbers(value[position], 3)
+    return None if place is None else math.hypot(*place)
+
+
+def _declared(symbol: object, part: Part) -> tuple[Related, ...]:
+    if not isinstance(symbol, DataSymbol) or symbol.node is None or symbol.module is None:
+        return ()
+    module = part.module if symbol.scope is Scope.ROUTINE else symbol.module
+    return (Related(module.span(symbol.node), "declared here"),)
+
+
+def _are_radians(axes: tuple[float, ...]) -> bool:
+    """Whether the positions of axes are no more than a turn in radians, and parts of pi."""
+    telling = [axis for axis in axes if axis != 0.0]
+    return max(map(abs, axes)) < 2.1 * math.pi and sum(map(_is_part_of_pi, telling)) >= 2
+
+
+def _is_angle(key: str) -> bool:
+    return key in ("rx", "ry", "rz") or key.endswith("angle")
+
+
+def _is_made_with_pi(expression: tree.Expression, facts: Facts) -> bool:
+    """Whether an angle is so many times pi, and not divided by it."""
+    match expression:
+        case tree.Reference():
+            return facts.symbol(expression) is not None and _is_predefined_pi(expression, facts)
+        case tree.Parenthesised(inner=inner) | tree.Unary(operand=inner):
+            return _is_made_with_pi(inner, facts)
+        case tree.Binary(left=left, operator="*", right=right):
+            sides = (left, right)
+            by_pi = any(
+                isinstance(node, tree.Binary) and node.operator == "/" and _names_pi(node.right)
+                for node in descendants(expression)
+            )
+            return not by_pi and any(_is_made_with_pi(side, facts) for side in sides)
+        case tree.Binary(left=left, operator="/" | "+" | "-", right=right):
+            return _is_made_with_pi(left, facts) and not _names_pi(right)
+        case _:
+            return False
+
+
+def _is_predefined_pi(reference: tree.Reference, facts: Facts) -> bool:
+    symbol = facts.symbol(reference)
+    is_installed = isinstance(symbol, DataSymbol) and symbol.scope is Scope.INSTALLED
+    return is_installed and reference.name.key == _PI and _PI in DATA
+
+
+def _names_pi(expression: tree.Expression) -> bool:
+    return any(
+        isinstance(node, tree.Reference) and node.name.key == _PI
+        for node in descendants(expression)
+    )
+
+
+def _is_part_of_pi(value: Value | None) -> bool:
+    """Whether a number is a part of pi, or twice pi, to the digits it is written with."""
+    if not isinstance(value, float):
+        return False
+    angle = abs(value)
+    decimals = len(f"{angle:.7g}".partition(".")[2])
+    return any(
+        decimals >= needed and abs(angle - multiple * math.pi) < 10.0**-decimals
+        for multiple, needed in _LONG_ENOUGH.items()
+    )

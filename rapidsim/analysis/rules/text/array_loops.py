@@ -1,0 +1,203 @@
+"""Rule T325: loops that run over the bounds of an array."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from rapidsim.analysis.program import CounterSymbol, Symbol
+from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.rules.facts.changed_data import changed_by
+from rapidsim.analysis.rules.facts.instruction_questions import arguments_of
+from rapidsim.analysis.rules.facts.known_values import known_value
+from rapidsim.analysis.tree_walk import blocks, descendants
+from rapidsim.analysis.types.constant_folding import computed
+from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.language.types import ArrayOf, resolved
+from rapidsim.library.traits import Does
+from rapidsim.syntax import tree
+
+_LEAVES = (tree.Return, tree.Exit, tree.Goto, tree.Raise, tree.Broken)
+_PATHS = (tree.Reference, tree.Index, tree.Component)
+
+
+class LoopBeyondArray(Violation, code="T325"):
+    element: str
+    index: int
+    array: str
+    bounds: str
+
+
+@dataclass(frozen=True, slots=True)
+class _Rounds:
+    """What counts the rounds of a loop, from where to where."""
+
+    counter: Symbol
+    least: float | None
+    most: float | None
+
+
+def find_loops_beyond_arrays(facts: Facts) -> Iterator[Diagnostic]:
+    """Elements whose index is too small in the first round of a loop, or too large in the last."""
+    for part in facts.routine_parts:
+        for loop in part.all(tree.For):
+            rounds = _of_for(loop, facts)
+            if rounds is not None and not _may_end_early(loop.body, facts):
+                yield from _beyond(loop.body, rounds, part, facts)
+        for loop_while in part.all(tree.While):
+            rounds = _of_while(loop_while, facts)
+            if rounds is not None and not _may_end_early(loop_while.body, facts):
+                first = _before_counting(loop_while.body, rounds.counter, facts)
+                yield from _beyond(first, rounds, part, facts)
+
+
+def _of_for(loop: tree.For, facts: Facts) -> _Rounds | None:
+    counter = facts.symbol(loop)
+    first, last = _number(loop.first, facts), _number(loop.last, facts)
+    step = 1.0 if loop.step is None else _number(loop.step, facts)
+    if not isinstance(counter, CounterSymbol) or not step:
+        return None
+    if first is not None and last is not None:
+        if loop.step is None and first > last:
+            step = -1.0
+        if (last - first) * step < 0:
+            return None
+        last = first + step * int((last - first) / step)
+    elif step != 1.0 or loop.step is not None:
+        return None
+    ends = (first, last) if step > 0 else (last, first)
+    return _Rounds(counter, *ends)
+
+
+def _of_while(loop: tree.While, facts: Facts) -> _Rounds | None:
+    """Rounds that a variable counts up by one until it passes a constant."""
+    match loop.condition:
+        case tree.Binary(left=tree.Reference() as left, operator="<=" | "<" as operator):
+            counter = facts.symbol(left)
+            limit = _number(loop.condition.right, facts)
+        case _:
+            return None
+    if counter is None or limit is None or not limit.is_integer():
+        return None
+    steps = [node for node in descendants(*loop.body) if counter in changed_by([node], facts)]
+    if len(steps) != 1 or not _adds_one(steps[0], facts):
+        return None
+    return _Rounds(counter, None, limit if operator == "<=" else limit - 1)
+
+
+def _adds_one(node: tree.Node, facts: Facts) -> bool:
+    match node:
+        case tree.Assignment(target=tree.Reference(name=name), value=tree.Binary() as value):
+            left = value.left
+            is_same = isinstance(left, tree.Reference) and left.name.key == name.key
+            return is_same and value.operator == "+" and _number(value.right, facts) == 1.0
+        case tree.Call():
+            return Does.COUNT_UP in facts.does(node)
+        case _:
+            return False
+
+
+def _before_counting(body: tree.Body, counter: Symbol, facts: Facts) -> tree.Body:
+    """The statements of a round that come before the counting."""
+    found: list[tree.Statement] = []
+    for statement in body:
+        if counter in changed_by(descendants(statement), facts):
+            break
+        found.append(statement)
+    return tuple(found)
+
+
+def _may_end_early(body: tree.Body, facts: Facts) -> bool:
+    return any(
+        isinstance(node, _LEAVES)
+        or (isinstance(node, tree.Call) and Does.LEAVE in facts.does(node))
+        for node in descendants(*body)
+    )
+
+
+def _beyond(body: tree.Body, rounds: _Rounds, part: Part, facts: Facts) -> Iterator[Diagnostic]:
+    for node in _unguarded(body, rounds.counter, facts):
+        of = facts.analysis.type_of.get(node.array)
+        of = None if of is None else resolved(of)
+        if not isinstance(of, ArrayOf) or len(of.dimensions) != len(node.indices):
+            continue
+        for index, size in zip(node.indices, of.dimensions, strict=True):
+            beside = _beside(index, rounds.counter, facts)
+            if beside is None:
+                continue
+            at = None
+            if size is not None and rounds.most is not None and rounds.most + beside > size:
+                at = rounds.most + beside
+            elif rounds.least is not None and rounds.least + beside < 1:
+                at = rounds.least + beside
+            if at is not None:
+                shown = " ".join(part.module.span(node).text.split())
+                array = " ".join(part.module.span(node.array).text.split())
+                bounds = "begins at 1" if size is None else f"has 1 to {size}"
+                yield part.finding(LoopBeyondArray(shown, int(at), array, bounds), node)
+                break
+
+
+def _unguarded(body: tree.Body, counter: Symbol, facts: Facts) -> Iterator[tree.Index]:
+    """The elements that every round reaches, as far as the counter decides."""
+    for statement in body:
+        inner = list(blocks(statement))
+        if inner:
+            heads = [node for node in descendants(statement) if facts.symbol(node) is counter]
+            decides = any(
+                not any(block and block[0].start <= node.start < block[-1].end for block in inner)
+                for node in heads
+            )
+            if not decides or isinstance(statement, tree.For):
+                for block in inner:
+                    yield from _unguarded(block, counter, facts)
+            continue
+        for node in descendants(statement):
+            if isinstance(node, tree.Index):
+                yield node
+
+
+def _beside(index: tree.Expression, counter: Symbol, facts: Facts) -> float | None:
+    """How far an index is from the counter; None if it is another expression."""
+    match index:
+        case tree.Parenthesised(inner=inner):
+            return _beside(inner, counter, facts)
+        case tree.Reference():
+            return 0.0 if facts.symbol(index) is counter else None
+        case tree.Binary(left=left, operator="+" | "-" as operator, right=right):
+            a, b = _beside(left, counter, facts), _number(right, facts)
+            if a is not None and b is not None:
+                return computed(operator, a, b)
+            a, b = _number(left, facts), _beside(right, counter, facts)
+            return a + b if operator == "+" and a is not None and b is not None else None
+        case _:
+            return None
+
+
+def _number(expression: tree.Expression, facts: Facts) -> float | None:
+    """A number that is the same in every run, sizes of arrays too."""
+    match expression:
+        case tree.FunctionCall() if Does.READ_ARGUMENT in facts.does(expression):
+            return _size(expression, facts)
+        case tree.Binary(left=left, operator=operator, right=right):
+            a, b = _number(left, facts), _number(right, facts)
+            return None if a is None or b is None else computed(operator, a, b)
+        case _:
+            value = known_value(expression, facts, persistents=False)
+            return value if isinstance(value, float) else None
+
+
+def _size(call: tree.FunctionCall, facts: Facts) -> float | None:
+    """What Dim answers of an array whose size is declared."""
+    given = {formal.key: value for formal, value in arguments_of(call, facts) if formal is not None}
+    array, number = given.get("arrpar"), given.get("dimno")
+    if not isinstance(array, _PATHS) or number is None:
+        return None
+    of = facts.analysis.type_of.get(array)
+    dimension = known_value(number, facts, persistents=False)
+    of = None if of is None else resolved(of)
+    if not isinstance(of, ArrayOf) or not isinstance(dimension, float):
+        return None
+    sizes = dict(enumerate(of.dimensions, start=1))
+    size = sizes.get(int(dimension))
+    return None if size is None else float(size)

@@ -1,0 +1,23 @@
+MODULE example
+  CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    MoveJ p10,v500,fine,tool0;
+  ENDPROC
+ENDMODULE
+! ---
+MODULE near_miss
+  PERS wobjdata table:=[FALSE,TRUE,"",[[500,0,300],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
+  PERS tooldata flange:=[TRUE,[[0,0,0],[1,0,0,0]],[0.5,[0,0,0.001],[1,0,0,0],0,0,0]];
+  CONST robtarget corner:=[[0.5,0.25,0],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST jointtarget home:=[[0,-1.5,1.5,0,3.14,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  VAR robtarget here:=[[0,0,1],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    MoveAbsJ home,v500,fine,flange;
+    MoveL corner,v500,fine,flange\WObj:=table;
+    here:=CRobT();
+    MoveL here,v500,fine,flange;
+    MoveL RelTool(p10,0,0,3.14159\Rz:=1.5\Rx:=3),v500,fine,flange;
+    reg1:=Sin(reg2*180/pi)+Cos(90)+pi*Sin(30);
+  ENDPROC
+ENDMODULE
