@@ -37,8 +37,18 @@ def call(
     stdin: bytes = b"",
     columns: int = 80,
     environment: Mapping[str, str] | None = None,
+    terminal: bool = False,
 ) -> Ended:
-    """Run `rapidsim` with its arguments; output is never a terminal."""
+    """Run `rapidsim` with its arguments.
+
+    Args:
+        arguments: Of the command line.
+        cwd: Where it is called.
+        stdin: What it is given to read.
+        columns: How wide its output may be.
+        environment: Variables beyond those that every process has.
+        terminal: Whether its streams say that they are a terminal.
+    """
     words = [str(argument) for argument in arguments]
     variables = {
         **{name: os.environ[name] for name in ("PATH", "HOME") if name in os.environ},
@@ -46,11 +56,23 @@ def call(
         "PYTHONIOENCODING": "utf-8",
         **(environment or {}),
     }
-    called = _in_a_process if os.environ.get(SWITCH) == PROCESS else _here
-    code, out, err = called(words, cwd, stdin, variables)
+    if os.environ.get(SWITCH) == PROCESS and not terminal:
+        code, out, err = _in_a_process(words, cwd, stdin, variables)
+    else:
+        code, out, err = _here(words, cwd, stdin, variables, _Terminal if terminal else _Stream)
     ended = Ended(code, out.decode(), err.decode())
     assert "Traceback" not in ended.err
     return ended
+
+
+_Stream = io.TextIOWrapper
+
+
+class _Terminal(io.TextIOWrapper):
+    """A stream that believes to be one."""
+
+    def isatty(self) -> bool:
+        return True
 
 
 def _in_a_process(
@@ -68,16 +90,20 @@ def _in_a_process(
 
 
 def _here(
-    arguments: list[str], cwd: Path, stdin: bytes, environment: Mapping[str, str]
+    arguments: list[str],
+    cwd: Path,
+    stdin: bytes,
+    environment: Mapping[str, str],
+    stream: type[io.TextIOWrapper],
 ) -> tuple[int, bytes, bytes]:
     given, out, err = io.BytesIO(stdin), io.BytesIO(), io.BytesIO()
     with (
         contextlib.chdir(cwd),
         patch.dict(os.environ, environment, clear=True),
         warnings.catch_warnings(),
-        patch("sys.stdin", io.TextIOWrapper(given, encoding="utf-8")),
-        patch("sys.stdout", io.TextIOWrapper(out, encoding="utf-8")) as stdout,
-        patch("sys.stderr", io.TextIOWrapper(err, encoding="utf-8")) as stderr,
+        patch("sys.stdin", stream(given, encoding="utf-8")),
+        patch("sys.stdout", stream(out, encoding="utf-8")) as stdout,
+        patch("sys.stderr", stream(err, encoding="utf-8")) as stderr,
     ):
         warnings.simplefilter("error")
         code = run_commands(arguments)

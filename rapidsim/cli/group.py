@@ -22,6 +22,7 @@ _COMMANDS: Mapping[str, str] = MappingProxyType(
         "view": "Open a recording.",
         "check": "Find the mistakes in a program without running it.",
         "explain": "Explain a rule, with an example and a fix.",
+        "init": "Write a first station file for a program, a folder or a backup.",
         "robots": "List the robots, or show one.",
         "frames": "Show the frames of a program: tools, work objects, targets.",
         "calibrate": "Fit the motion model to logs of a real controller.",

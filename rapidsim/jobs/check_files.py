@@ -159,8 +159,11 @@ def _moves_checked(
     loaded: Loaded, task: str, moves: CheckMoves | None, always: bool
 ) -> ReachReport:
     written = written_moves(loaded.files)
-    if (written or always) and moves is not None and loaded.program is not None:
-        return moves(loaded.program, task)
     why = "nobody asked for it" if moves is None else "the program cannot run as it is"
+    if (written or always) and moves is not None and loaded.program is not None:
+        report = moves(loaded.program, task)
+        if isinstance(report, ReachReport):
+            return report
+        why = report
     unchecked = tuple(UncheckedMove(span, why) for span in written)
     return ReachReport((), Coverage(unchecked=unchecked))

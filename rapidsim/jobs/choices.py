@@ -63,7 +63,6 @@ def choose_robot(robot: Robot | str | None, station: Station) -> RobotChoice:
         return RobotChoice(robot if isinstance(robot, str) else robot.name, None)
     if station.robot is not None:
         return RobotChoice(station.robot, f"from {station.robot_source or station.file}")
-    unknown = (
-        f"the catalogue has no {station.unknown_robots[0]}; " if station.unknown_robots else ""
-    )
+    first = station.robots[0].unknown if station.robots else None
+    unknown = f"the catalogue has no {first}; " if first else ""
     return RobotChoice(DEFAULT_ROBOT, f"by default; {unknown}--robot names another")

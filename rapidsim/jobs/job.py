@@ -75,6 +75,8 @@ class Job:
             InputError: If it is unknown; `RobotError` where `open_robot` says so.
         """
         given = self.asked.robot
+        if given is None and self.station.robots:
+            return self.station.robots[0].bounded(self.open_robot(self.robot.name))
         if given is None or isinstance(given, str):
             return self.open_robot(self.robot.name)
         return given

@@ -11,8 +11,8 @@ from rapidsim.analysis.program import Program
 from rapidsim.jobs.job import Job
 from rapidsim.reach.checked_moves import ReachReport
 
-CheckMoves: TypeAlias = Callable[[Program, str], ReachReport]
-"""Checks the moves of a program on the robot of a task, given by its name."""
+CheckMoves: TypeAlias = Callable[[Program, str], ReachReport | str]
+"""Checks the moves of a program on the robot of a task, given by its name; or says why not."""
 
 
 def choose_move_check(job: Job) -> CheckMoves | None:
@@ -27,14 +27,19 @@ def choose_move_check(job: Job) -> CheckMoves | None:
     if is_named:
         opened()
 
-    def check_moves(program: Program, task: str) -> ReachReport:
+    def check_moves(program: Program, task: str) -> ReachReport | str:
         from rapidsim.frames.transform import Transform
         from rapidsim.jobs.run_options import run_options
         from rapidsim.reach.reach import check_reach
 
         number = station.robot_number(task)
         robot = station.robots[number] if station.robots else None
-        arm = job.open_robot(robot.name) if number and robot and robot.name else opened()
+        if robot is not None and robot.unknown and job.asked.robot is None:
+            return f"arm unknown: the catalogue has no {robot.unknown}; --robot names another"
+        if number and robot and robot.name:
+            arm = robot.bounded(job.open_robot(robot.name))
+        else:
+            arm = opened()
         options = replace(
             run_options(job),
             start_joints_deg=robot.start_joints_deg if robot else None,

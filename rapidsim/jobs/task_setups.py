@@ -61,7 +61,9 @@ def task_setups(
             continue
         given += 1
         robot = robots[number] if number < len(robots) else StationRobot()
-        arm = with_axes if number == 0 else open_robot(robot.name) if robot.name else first
+        arm = with_axes if number == 0 else first
+        if number and robot.name:
+            arm = robot.bounded(open_robot(robot.name))
         start, place = robot.start_joints_deg, robot.world_from_base
         _require_axes(station, arm, start)
         setups.append(TaskSetup(task.name, task.program, arm, start, place, kind, task.written))

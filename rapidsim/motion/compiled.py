@@ -75,7 +75,7 @@ def _functions(module: ModuleType) -> dict[str, Callable[..., Any]]:
         own = FunctionType(function.__code__, space, function.__name__)
         own.__qualname__ = f"{function.__name__}_{digest}"
         try:
-            space[function.__name__] = numba.njit(own, cache=True)
+            space[function.__name__] = numba.njit(own, cache=True, no_cfunc_wrapper=True)
         except RuntimeError:
             # No folder that can be written to: then it is compiled anew in each run.
             space[function.__name__] = numba.njit(own)

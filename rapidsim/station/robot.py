@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
 
 from rapidsim.frames.transform import Transform
 from rapidsim.station.external_axes import read_frame
 from rapidsim.station.toml_reader import Reader, Table
+
+if TYPE_CHECKING:
+    from rapidsim.motion.robot.robot import Robot
 
 _KEYS = ("model", "urdf", "base", "start")
 _KEYS_OF_SEVERAL = ("name", *_KEYS)
@@ -23,6 +27,24 @@ class StationRobot:
     world_from_base: Transform = field(default_factory=Transform.identity)
     label: str | None = None
     """What [[task]] tables call it; None where the file does not say."""
+    unknown: str | None = None
+    """What a backup calls an arm that the catalogue does not have."""
+    bounds: tuple[tuple[float, float] | None, ...] = ()
+    """Of each axis what a backup lets it do [rad], None where that is not said."""
+
+    def armed(self, other: StationRobot) -> StationRobot:
+        """This robot with the arm of another and what is said of its axes."""
+        return replace(self, name=other.name, unknown=other.unknown, bounds=other.bounds)
+
+    def bounded(self, arm: Robot) -> Robot:
+        """The arm with the bounds of its axes, where they were said of such an arm."""
+        if len(self.bounds) != len(arm.joints):
+            return arm
+        joints = tuple(
+            joint if bound is None else replace(joint, lower=bound[0], upper=bound[1])
+            for joint, bound in zip(arm.joints, self.bounds, strict=True)
+        )
+        return replace(arm, joints=joints)
 
 
 def read_robots(reader: Reader, station: Table) -> tuple[StationRobot, ...]:

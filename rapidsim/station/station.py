@@ -44,8 +44,8 @@ class Station:
     """What `check` looks for."""
     robot_source: str | None = None
     """What names the robots, in words; None where that is the file."""
-    unknown_robots: tuple[str, ...] = ()
-    """Types of robots that are named there and not in the catalogue."""
+    other_units: tuple[str, ...] = ()
+    """Mechanical units beside the robots of which only the names are known."""
     remarks: tuple[str, ...] = ()
     """What is said of the cell and left out."""
 
@@ -55,16 +55,17 @@ class Station:
             self,
             tasks=self.tasks or backup.tasks,
             io=backup.io.and_also(self.io),
+            external_axes=self.external_axes or backup.external_axes,
+            other_units=backup.other_units,
             remarks=backup.remarks,
         )
         if self.robot is not None or not backup.robots:
             return whole
-        named = (replace(self.robots[0], name=backup.robot),) if self.robots else backup.robots
+        named = (self.robots[0].armed(backup.robots[0]),) if self.robots else backup.robots
         return replace(
             whole,
             robots=named,
             robot_source=backup.robot_source,
-            unknown_robots=backup.unknown_robots,
         )
 
     @property
@@ -104,7 +105,8 @@ class Station:
     @property
     def units(self) -> tuple[str, ...]:
         """Names of the mechanical units beside the robot."""
-        return tuple(dict.fromkeys(axis.unit for axis in self.external_axes))
+        simulated = (axis.unit for axis in self.external_axes)
+        return tuple(dict.fromkeys((*simulated, *self.other_units)))
 
 
 def find_station(paths: Iterable[str]) -> Path | None:

@@ -19,9 +19,17 @@ def rapidsim(
     stdin: bytes = b"",
     columns: int = 80,
     environment: Mapping[str, str] | None = None,
+    terminal: bool = False,
 ) -> Ended:
-    """Run `rapidsim` with its arguments; output is never a terminal."""
-    return call(*arguments, cwd=cwd, stdin=stdin, columns=columns, environment=environment)
+    """Run `rapidsim` with its arguments."""
+    return call(
+        *arguments,
+        cwd=cwd,
+        stdin=stdin,
+        columns=columns,
+        environment=environment,
+        terminal=terminal,
+    )
 
 
 def assert_golden(name: str, text: str) -> None:

@@ -9,7 +9,7 @@ import pytest
 from rapidsim.cli.boundary import run_commands
 
 PROGRAM = 'MODULE job\n  PROC main()\n    TPWrite "done";\n  ENDPROC\nENDMODULE\n'
-MANY = 10_000_000
+MANY = 2_000_000
 DEEP = 5_000
 
 

@@ -264,7 +264,6 @@ def test_without_a_terminal_it_is_refused(tmp_path: Path) -> None:
     assert "--break needs a terminal" in ended.err
 
 
-@pytest.mark.process
 @pytest.mark.parametrize(
     ("place", "message"),
     [
@@ -274,6 +273,8 @@ def test_without_a_terminal_it_is_refused(tmp_path: Path) -> None:
     ],
 )
 def test_a_place_that_is_none_is_refused(place: str, message: str, tmp_path: Path) -> None:
-    answers, _, code = debug(tmp_path, [place])
-    assert code == 2
-    assert message in answers[0]
+    (tmp_path / "cell.mod").write_text(CELL)
+    arguments = ("run", "cell.mod", "--no-record", "--break", place)
+    ended = rapidsim(*arguments, cwd=tmp_path, terminal=True)
+    assert ended.code == 2
+    assert message in ended.err

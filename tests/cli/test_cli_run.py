@@ -38,7 +38,6 @@ def report(folder: Path, text: str, *arguments: str) -> dict[str, object]:
     return loaded
 
 
-@pytest.mark.process
 @pytest.mark.parametrize(
     ("text", "arguments", "code", "end"),
     [

@@ -21,7 +21,7 @@ PROGRAM = """MODULE Short
   ENDPROC
 ENDMODULE
 """
-LONG = PROGRAM.replace("PROC main()", "PROC main()\n    FOR k FROM 1 TO 25 DO").replace(
+LONG = PROGRAM.replace("PROC main()", "PROC main()\n    FOR k FROM 1 TO 5 DO").replace(
     "    MoveJ p, v500, fine, tool0;\n",
     "    MoveJ p, v500, fine, tool0;\n    MoveJ Offs(p,0,400,0), v50, z10, tool0;\n    ENDFOR\n",
 )

@@ -1,7 +1,8 @@
 """Programs that nobody would write: every command ends with an exit code that a page promises.
 
 In `generated/` stand the smallest programs that failed once, as `benchmarks/fuzz.py` left them; the
-others are a few of those it makes, the same in every run.
+others are a few of those it makes, the same in every run. What all of them get, one in many gets
+with pictures, a recording and a report: 50 is among the first.
 """
 
 from pathlib import Path
@@ -12,11 +13,13 @@ from fuzzing.dice import Dice
 from fuzzing.laws import LAWS
 from fuzzing.sending import send
 from fuzzing.shrinking import shrunk
+from laws import cases
 
 GENERATED = Path(__file__).parent / "generated"
 FAILED_ONCE = sorted(path for path in GENERATED.iterdir() if path.is_dir() or path.suffix == ".mod")
 SEED = 13
-AT_ONCE = 15
+FIRST = 45
+AT_ONCE = 9
 
 
 @pytest.mark.parametrize("path", FAILED_ONCE, ids=lambda path: path.stem)
@@ -47,10 +50,10 @@ def test_a_trace_ends_with_the_run(name: str, tmp_path: Path) -> None:
     assert float(last) < 6.0
 
 
-@pytest.mark.parametrize("first", range(0, 90, AT_ONCE))
+@pytest.mark.parametrize("first", range(FIRST, FIRST + cases(90), AT_ONCE))
 def test_a_sample_of_programs(first: int) -> None:
     tally = Tally()
-    for number in range(first + 1, first + 1 + AT_ONCE):
+    for number in range(first, first + AT_ONCE):
         try_program(SEED, number, tally)
     assert not tally.failures
     assert tally.accepted > 0.5 * tally.programs

@@ -126,8 +126,10 @@ WRITE = main('    Open "{path}",file\\Write;\n    Write file,"x";', "  VAR iodev
         ("../outside/a.txt", "lies outside the home folder"),
         ("HOME:/../../outside/a.txt", "lies outside the home folder"),
         ("HOME:/way_out/a.txt", "lies outside the home folder"),
-        ("com1:", "only HOME: is simulated"),
-        ("//server:/share/a.txt", "only HOME: is simulated"),
+        ("RAMDISK:/../../outside/a.txt", "lies outside the home folder"),
+        ("C:/../../outside/a.txt", "lies outside the home folder"),
+        ("com1:", "only disks are simulated"),
+        ("//server:/share/a.txt", "only disks are simulated"),
     ],
 )
 def test_a_file_outside_the_home_folder(tmp_path: Path, path: str, message: str) -> None:

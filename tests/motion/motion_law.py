@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from laws import cases
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.curves import Index
@@ -15,8 +16,9 @@ from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 
 STEP = 1e-3
-MOST_SAMPLES = 30_000
-"""So much of a long run is looked at."""
+MOST_SAMPLES = cases(30_000)
+"""So much of a long run is looked at, in stretches all over it."""
+_STRETCH = 200
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,19 +49,29 @@ def with_axes_smoothed(trajectory: Trajectory) -> Trajectory:
 def excess_of(trajectory: Trajectory, limits: Limits, most: int = MOST_SAMPLES) -> Excess:
     """How much of the limits a motion uses; AccSet and programmed speeds are those of its moves."""
     share, speed = _of_moves(trajectory.pieces)
-    count = min(int(trajectory.duration / STEP) + 5, most)
-    samples = trajectory.at(np.linspace(-2.0 * STEP, STEP * (count - 3), count))
+    times = instants(trajectory, most)
+    samples = trajectory.at(times.ravel())
     joints = np.concatenate([samples.joints, samples.external], axis=1)
-    rates = np.diff(joints, axis=0) / STEP
-    changes = np.diff(rates, axis=0) / STEP
-    allowed = _largest_of_neighbours(share[samples.move])
+    rates = np.diff(joints.reshape(*times.shape, -1), axis=1) / STEP
+    changes = np.diff(rates, axis=1) / STEP
+    allowed = _largest_of_neighbours(share[samples.move].reshape(times.shape))
     return Excess(
         axis_speed=float((np.abs(rates) / limits.max_speed).max(initial=0.0)),
         axis_acceleration=float(
-            (np.abs(changes) / limits.max_acceleration / allowed[:, None]).max(initial=0.0)
+            (np.abs(changes) / limits.max_acceleration / allowed[..., None]).max(initial=0.0)
         ),
         tcp_speed=float((samples.tcp_speed / speed[samples.move]).max(initial=0.0)),
     )
+
+
+def instants(trajectory: Trajectory, most: int = MOST_SAMPLES) -> Array:
+    """Instants (b, k) [s] in b stretches, from just before a motion to just after it."""
+    count = int(trajectory.duration / STEP) + 5
+    stretches = 1 if count <= most else most // _STRETCH
+    length = count if stretches == 1 else _STRETCH
+    begins = np.linspace(-2.0, count - 2.0 - length, stretches)
+    spread: Array = STEP * (begins[:, None] + np.arange(length))
+    return spread
 
 
 def _of_moves(pieces: tuple[Piece, ...]) -> tuple[Array, Array]:
@@ -79,7 +91,7 @@ def _of_moves(pieces: tuple[Piece, ...]) -> tuple[Array, Array]:
 
 
 def _largest_of_neighbours(values: Array) -> Array:
-    return np.maximum(np.maximum(values[:-2], values[1:-1]), values[2:])
+    return np.maximum(np.maximum(values[:, :-2], values[:, 1:-1]), values[:, 2:])
 
 
 def off_curve(trajectory: Trajectory) -> float:
@@ -88,8 +100,7 @@ def off_curve(trajectory: Trajectory) -> float:
     On arcs that two wrist axes lead it is that of the z axis of the tool where it passes the plane.
     The TCP is found from the joints that were sampled, so this measures the arm, not its plan.
     """
-    count = min(int(trajectory.duration / STEP) + 1, MOST_SAMPLES)
-    samples = trajectory.at(np.linspace(0.0, STEP * (count - 1), count))
+    samples = trajectory.at(instants(trajectory).ravel())
     places = trajectory.place_at(samples.times)
     worst = 0.0
     begin = 0.0

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from laws import examples
+from laws import cases, examples
 from motion_law import Excess, command_of, excess_of, off_curve, with_axes_smoothed
 from motion_programs import LIMITS, ROBOT, Programmer, path_or_fault, programs, zone
 
@@ -27,7 +27,7 @@ from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.simulate import simulate
 
 ROOT = FilePath(__file__).parents[2]
-_LOOK_AT_AXES = 3_000
+_LOOK_AT_AXES = cases(3_000)
 """So many samples of each program with smoothed axes, which take longer."""
 
 

@@ -119,7 +119,7 @@ def test_an_arm_is_known_by_type_reach_and_payload(
 ) -> None:
     said = station(tmp_path, {"SYSPAR/MOC.cfg": MOC.format(type=type_name)})
     assert said.robot == arm
-    assert said.unknown_robots == (() if arm else (type_name,))
+    assert said.robots[0].unknown == (None if arm else type_name)
     place = said.world_from_base
     assert place is not None
     assert place.translation.tolist() == [0.5, 0.0, -0.25]
@@ -172,25 +172,3 @@ def test_a_long_configuration_shows_what_the_run_sets(
     changes = signal_changes(simulate([tmp_path], robot="irb120"))
     assert len(changes) == shown
     assert changes["diClosed"][-1][1] == 1.0
-
-
-def test_what_is_not_read_of_robots_is_said(tmp_path: Path) -> None:
-    task, system = tmp_path / "RAPID" / "TASK1", tmp_path / "SYSPAR"
-    task.mkdir(parents=True)
-    system.mkdir()
-    one = MOC.format(type="ROB1_1600_1.2_6")
-    two = one + one.partition("ROBOT:")[2].replace("ROB_1", "ROB_2")
-    bounds = '#\nARM:\n\n      -name "rob1_1" -upper_joint_bound 1.5 -lower_joint_bound -1.5\n'
-    groups = '#\nMECHANICAL_UNIT_GROUP:\n\n      -Name "rob2" -Robot "ROB_2"\n'
-    said = {}
-    for robots, moc, sys_cfg in (
-        ("one", one, groups),
-        ("bounds", one + bounds, ""),
-        ("groups", two, groups),
-    ):
-        (system / "MOC.cfg").write_text(moc)
-        (system / "SYS.cfg").write_text(sys_cfg)
-        said[robots] = " ".join(backup_station([task]).remarks)
-    assert said["one"] == ""
-    assert "joint bounds" in said["bounds"]
-    assert "mechanical unit groups" in said["groups"]

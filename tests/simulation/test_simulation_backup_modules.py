@@ -1,4 +1,4 @@
-"""Modules of the tasks of a controller backup, and what is said of those nobody can read."""
+"""Which modules the tasks of a controller backup have, and what is said of those nobody reads."""
 
 from collections.abc import Callable
 from pathlib import Path

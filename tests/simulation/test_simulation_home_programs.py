@@ -213,3 +213,30 @@ ENDMODULE
 """
     assert ran(text, starts_at=datetime(2024, 2, 28, 23, 59)).texts == ["2024-02-29 00:00:30 4 0"]
     assert ran(text).texts == ["2000-01-01 00:01:30 6 1"]
+
+
+def test_other_disks_are_folders_of_the_home_folder(tmp_path: Path) -> None:
+    text = r"""MODULE cell
+  VAR iodev file;
+  PROC main()
+    Open "RAMDISK:"\File:="a.bin",file\Write;
+    Write file,"ram";
+    Close file;
+    Open "C:/Users/me/b.txt",file\Write;
+    Write file,"drive";
+    Close file;
+    Open "Home/c.txt",file\Write;
+    Write file,"home";
+    Close file;
+    CopyFile "RAMDISK:/a.bin","TEMP:/a.bin";
+    TPWrite ValToStr(IsFile("BACKUP:"\Directory))+ValToStr(IsFile("pc:/none"));
+    Open "TEMP:/a.bin",file\Read;
+    TPWrite ReadStr(file);
+    Close file;
+  ENDPROC
+ENDMODULE
+"""
+    it = ran(text, home=tmp_path)
+    assert it.texts == ["TRUEFALSE", "ram"]
+    made = sorted(one.relative_to(tmp_path).as_posix() for one in tmp_path.rglob("*.*"))
+    assert made == ["C/Users/me/b.txt", "RAMDISK/a.bin", "TEMP/a.bin", "c.txt"]

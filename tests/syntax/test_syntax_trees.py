@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import inspect
 
-from hypothesis import given, settings
+from hypothesis import given
+from laws import examples
 from syntax_trees import Drawing, Sequence64, modules, shape
 
 from rapidsim.diagnostics import Source
@@ -18,7 +19,7 @@ ENOUGH = 60
 """Modules that hold every kind of node; as their sequence is fixed, they do always."""
 
 
-@settings(max_examples=200)
+@examples(200)
 @given(modules())
 def test_parse_undoes_print(module: tree.Module) -> None:
     assert_parse_undoes_print(module)

@@ -1,13 +1,15 @@
 """The controller's home folder on our disk, which a program cannot leave.
 
 RAPID names files "HOME:/log/today.txt" or just "today.txt". Both mean a place inside the folder the
-run was given. Whatever would lie outside, through "..", an absolute path or a link, is refused, as
-are devices: a program is untrusted input.
+run was given. Other disks, RAMDISK: or the C: of a virtual controller's computer, are folders in it
+that have their names. Whatever would lie outside, through "..", an absolute path or a link, is
+refused, as are devices: a program is untrusted input.
 """
 
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import stat
 from collections.abc import Iterator
@@ -33,6 +35,10 @@ _MOST_OPEN = 100
 """Files a program has open at one time; what the system allows serves rapidsim's own files too."""
 _LONGEST_LINE = 10_000_000
 """[bytes]; a home folder may come with a file that has no end."""
+_DISK = re.compile(r"TEMP|RAMDISK|BACKUP|PC|REMOVABLEDISK\d*|USBDISK\d*|[A-Z]")
+"""Disks besides HOME: those of a controller, its server, drives of a computer."""
+_HOME_FOLDER = "HOME/"
+"""What begins with it is meant from where HOME: lies."""
 _MODES = {FileMode.READ: "rb", FileMode.WRITE: "wb", FileMode.APPEND: "ab"}
 
 
@@ -239,15 +245,15 @@ class HomeFolder:
     def names_in(self, path: str) -> tuple[str, ...]:
         """The names in a folder, sorted."""
         place = self._place(path, or_root=True)
-        if not place.exists() and place == self._root():
+        if not place.exists() and self._is_disk(place):
             return ()
         with _refusals(path):
             return tuple(sorted(one.name for one in place.iterdir()))
 
     def is_folder(self, path: str) -> bool:
-        """Whether a folder is there; the home folder itself always is."""
+        """Whether a folder is there; a disk always is."""
         place = self._place(path, or_root=True)
-        return place == self._root() or place.is_dir()
+        return self._is_disk(place) or place.is_dir()
 
     def size(self, path: str) -> int | None:
         """Size of a file [bytes]; None if there is no such file."""
@@ -286,6 +292,11 @@ class HomeFolder:
             raise rapid_error(ERR_FILEEXIST, f"{path} is there already")
         return place
 
+    def _is_disk(self, place: Path) -> bool:
+        root = self._root()
+        named_so = place.parent == root and _DISK.fullmatch(place.name) is not None
+        return place == root or (named_so and not place.exists())
+
     def _root(self) -> Path | None:
         return None if self._folder is None else Path(os.path.realpath(self._folder))
 
@@ -295,15 +306,21 @@ class HomeFolder:
         if root is None:
             raise RapidError(ERR_FILEOPEN, f"{path}: the run has no home folder (use --home)")
         device, colon, rest = path.replace("\\", "/").rpartition(":")
-        if colon and device.lstrip("/").lower() != "home":
-            raise RapidError(ERR_FILEOPEN, f"{path}: only HOME: is simulated")
+        disk = device.lstrip("/").upper()
+        if not colon and rest.upper().startswith(_HOME_FOLDER):
+            rest = rest[len(_HOME_FOLDER) :]
+        elif colon and disk != "HOME":
+            if not _DISK.fullmatch(disk):
+                raise RapidError(ERR_FILEOPEN, f"{path}: only disks are simulated, as HOME:")
+            rest = f"{disk}/{rest.lstrip('/')}"
         if "\0" in rest:
             raise RapidError(ERR_FILEOPEN, f"{path!r} is not a file name")
         place = Path(os.path.realpath(root / rest.lstrip("/")))
         if place.is_symlink() or os.path.realpath(place) != str(place):
             # What stands behind a link to itself is not resolved, and could hide one that leaves.
             raise RapidError(ERR_FILEOPEN, f"{path} is a link to itself")
-        if not place.is_relative_to(root) or (place == root and not or_root):
+        is_whole_disk = place in (root, root / disk.removesuffix("HOME"))
+        if not place.is_relative_to(root) or (is_whole_disk and not or_root):
             raise RapidError(ERR_FILEOPEN, f"{path} lies outside the home folder")
         return place
 

@@ -45,7 +45,7 @@ class MotionCommand:
         # Row 0 is the standstill before the first piece. Columns: see `_Column`.
         self._table = np.zeros((16, 6))
         self._rows = 1
-        self._joined: tuple[Timings, int, int] | None = None
+        self._joined: _Joined | None = None
 
     def copy(self) -> MotionCommand:
         """The same, to be added to on its own."""
@@ -136,17 +136,17 @@ class MotionCommand:
         if not len(at):
             return way, integral
         numbers = number[at]
-        timings, lowest = self._timings_of(int(numbers.min()), int(numbers.max()))
+        joined = self._timings_of(int(numbers.min()), int(numbers.max()))
         start, duration, _, whole, offset, from_s = self._table[numbers].T
         since = times[at] - start
         driven = np.clip(since, 0.0, duration)
-        own = numbers - lowest
-        s, now = timings.place_and_integral(own, offset + driven)
-        _, before = timings.place_and_integral(own, offset)
+        own = numbers - joined.lowest
+        s, now = joined.timings.place_and_integral(own, offset + driven)
         # At its end the piece is where it says, whatever rounding makes of it.
         way[at] = np.where(since >= duration, whole, np.clip(s - from_s, 0.0, whole))
-        first = from_s - timings.s[timings.first[own]]
-        integral[at] = now - before - first * driven + whole * (since - driven)
+        integral[at] = (
+            now - joined.before[own] - joined.first[own] * driven + whole * (since - driven)
+        )
         return way, integral
 
     def speed(self, number: Index, times: Array) -> Array:
@@ -202,15 +202,34 @@ class MotionCommand:
             nodes.append(start + np.clip(times, 0.0, duration))
         return np.concatenate(nodes)
 
-    def _timings_of(self, lowest: int, highest: int) -> tuple[Timings, int]:
-        """The timings of some pieces, counted from 1, and the number of the first of them.
+    def _timings_of(self, lowest: int, highest: int) -> _Joined:
+        """The timings of some pieces, counted from 1.
 
         They are kept, for whoever asks about many pieces mostly asks again.
         """
-        if self._joined is None or lowest < self._joined[1] or highest > self._joined[2]:
+        joined = self._joined
+        if joined is None or lowest < joined.lowest or highest > joined.highest:
             timings = timings_of([piece.timing for piece in self._pieces[lowest - 1 : highest]])
-            self._joined = (timings, lowest, highest)
-        return self._joined[0], self._joined[1]
+            rows = self._table[lowest : highest + 1]
+            own = np.arange(len(rows))
+            _, before = timings.place_and_integral(own, rows[:, _Column.OFFSET])
+            first = rows[:, _Column.FROM_S] - timings.s[timings.first]
+            joined = self._joined = _Joined(timings, lowest, highest, before, first)
+        return joined
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Joined:
+    """The timings of some pieces (t,)."""
+
+    timings: Timings
+    lowest: int
+    """The number of the first piece."""
+    highest: int
+    before: Array
+    """What `way_integral` is where each piece starts."""
+    first: Array
+    """How far along its timing each piece starts [m]."""
 
 
 class _Column:

@@ -15,6 +15,9 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.timing.time_scaling import Timing
 
+_FEW = 4
+"""So many timings are cheaper to look through one by one."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Timings:
@@ -50,9 +53,16 @@ class Timings:
 
     def _cell(self, number: Index, t: Array) -> Index:
         """The node (k,) at which the cell begins that holds each time (k,)."""
+        lowest, highest = int(number.min()), int(number.max())
+        if highest - lowest < _FEW:
+            cell = np.empty_like(number)
+            for each in range(lowest, highest + 1):
+                at = slice(None) if lowest == highest else number == each
+                first, last = self.first[each], self.last[each]
+                past = np.searchsorted(self.times[first : last + 1], t[at], side="right")
+                cell[at] = first + np.clip(past - 1, 0, last - 1 - first)
+            return cell
         low, high = self.first[number], self.last[number] - 1
-        if len(self.first) == 1:
-            return np.clip(np.searchsorted(self.times, t, side="right") - 1, low, high)
         while (low < high).any():
             middle = (low + high + 1) // 2
             before = self.times[middle] <= t

@@ -2,29 +2,29 @@
 
 `BACKINFO/backinfo.txt` names the task of each folder `RAPID/TASKn`; `SYSPAR/SYS.cfg` has the type
 of each task and `-MotionTask` for those that move. A task without a type is semistatic there.
+Robots and external axes are those of `MOC.cfg`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from rapidsim.backinfo import listed_tasks
 from rapidsim.station.backup.cfg_file import (
-    SWITCHED_ON,
-    Configuration,
     read_configuration,
     text_in,
 )
+from rapidsim.station.backup.external_units import ExternalUnits, external_units
 from rapidsim.station.backup.loaded_modules import is_loaded_into, missing_modules
 from rapidsim.station.backup.robots import backup_robots
 from rapidsim.station.backup.signals import backup_io
+from rapidsim.station.backup.tasks import configured_tasks
 from rapidsim.station.station import Station
 from rapidsim.station.task_kind import TaskKind
 from rapidsim.station.tasks import StationTask
 
-_BOUNDS = ("upper_joint_bound", "lower_joint_bound")
+_GROUP = "MECHANICAL_UNIT_GROUP"
 
 
 def backup_station(folders: Sequence[Path]) -> Station:
@@ -34,42 +34,41 @@ def backup_station(folders: Sequence[Path]) -> Station:
         folders: Its task folders, one or more; see `rapidsim.files.backup_folders`.
     """
     root = folders[0].parent.parent
-    robots, unknown = backup_robots(root)
-    io, remarks = backup_io(root)
+    motion = read_configuration(text_in(root, "SYSPAR", "MOC.cfg"))
+    robots = backup_robots(motion)
+    units = external_units(motion)
+    io, remarks = backup_io(read_configuration(text_in(root, "SYSPAR", "EIO.cfg")))
     return Station(
         robots=robots,
+        external_axes=units.axes,
+        other_units=units.others,
         robot_source="the backup's MOC.cfg" if robots else None,
-        unknown_robots=unknown,
-        tasks=_tasks_of(root, folders),
+        tasks=_tasks_of(root, folders, [robot.label for robot in robots]),
         io=io,
-        remarks=(*remarks, *_not_read(root, len(robots))),
+        remarks=(*remarks, *_not_simulated(units)),
     )
 
 
-def _not_read(root: Path, robots: int) -> Iterator[str]:
-    """What the configuration says of robots and is left out, a remark each."""
-    arms = read_configuration(text_in(root, "SYSPAR", "MOC.cfg")).get("ARM", ())
-    if any(bound in arm for arm in arms for bound in _BOUNDS):
+def _not_simulated(units: ExternalUnits) -> Iterator[str]:
+    """What is said of units whose axes no run has."""
+    for unit in units.others:
         yield (
-            "the joint bounds in the backup's MOC.cfg are not read: arms have the limits of the "
-            "catalogue"
-        )
-    groups = read_configuration(text_in(root, "SYSPAR", "SYS.cfg")).get("MECHANICAL_UNIT_GROUP", ())
-    if groups and robots > 1:
-        yield (
-            "the mechanical unit groups in the backup's SYS.cfg are not read: tasks that move get "
-            "the robots in the order of MOC.cfg"
+            f"the unit {unit} of the backup is known by its name alone: MOC.cfg does not say what "
+            "its axes can do, or it is not active at the start; [[external_axis]] tables do"
         )
 
 
-def _tasks_of(root: Path, folders: Sequence[Path]) -> tuple[StationTask, ...]:
+def _tasks_of(
+    root: Path, folders: Sequence[Path], labels: Sequence[str | None]
+) -> tuple[StationTask, ...]:
     """In the order of the folders; none where the backup does not say what its folders are."""
     listed = listed_tasks(text_in(root, "BACKINFO", "backinfo.txt"))
     if any(f.name.upper().startswith("TASK") and f.name.lower() not in listed for f in folders):
         return ()
     configuration = read_configuration(text_in(root, "SYSPAR", "SYS.cfg"))
-    configured = _configured(configuration)
+    configured = configured_tasks(configuration)
     loaded = configuration.get("CAB_TASK_MODULES", ())
+    groups = {one.get("name"): one.get("robot") for one in configuration.get(_GROUP, ())}
     tasks: list[StationTask] = []
     robots = 0
     for folder in folders:
@@ -80,7 +79,9 @@ def _tasks_of(root: Path, folders: Sequence[Path]) -> tuple[StationTask, ...]:
         moves = not tasks and not configured if settings is None else settings.moves
         wanted = [one for one in loaded if is_loaded_into(one, name, moves=moves)]
         modules, unseen = missing_modules(wanted, folder)
-        number = robots if moves else None
+        # A group names the robot; the others come in the order of MOC.cfg.
+        robot = groups.get(settings.group) if settings else None
+        number = (labels.index(robot) if robot in labels else robots) if moves else None
         tasks.append(
             StationTask(
                 name,
@@ -96,26 +97,3 @@ def _tasks_of(root: Path, folders: Sequence[Path]) -> tuple[StationTask, ...]:
         )
         robots += moves
     return tuple(tasks)
-
-
-@dataclass(frozen=True, slots=True)
-class _Settings:
-    """What a configuration says of a task."""
-
-    kind: TaskKind
-    moves: bool
-    entry: str | None
-
-
-def _configured(configuration: Configuration) -> Mapping[str, _Settings]:
-    """The tasks by folded name."""
-    found: dict[str, _Settings] = {}
-    for task in configuration.get("CAB_TASKS", ()):
-        word = task.get("type", "").lower()
-        known = word in [one.value for one in TaskKind]
-        found[task.get("name", "").lower()] = _Settings(
-            TaskKind(word) if known else TaskKind.SEMISTATIC,
-            task.get("motiontask", "").lower() == SWITCHED_ON,
-            task.get("entry"),
-        )
-    return found

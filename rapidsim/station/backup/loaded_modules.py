@@ -24,6 +24,11 @@ def is_loaded_into(module: Instance, task: str, *, moves: bool) -> bool:
     return named or any(module.get(switch, "").lower() == SWITCHED_ON for switch in for_all)
 
 
+def module_name(module: Instance) -> str:
+    """The name of the module that an instance loads."""
+    return module.get("modname") or Path(module.get("file", "").replace("\\", "/")).stem
+
+
 def missing_modules(
     wanted: Sequence[Instance], folder: Path
 ) -> tuple[tuple[Path, ...], tuple[str, ...]]:
@@ -40,8 +45,7 @@ def missing_modules(
     found: list[Path] = []
     unseen: list[str] = []
     for module in wanted:
-        written = module.get("file", "")
-        name = module.get("modname") or Path(written.replace("\\", "/")).stem
+        written, name = module.get("file", ""), module_name(module)
         if name.lower() in own or _SYSTEM.match(written):
             continue
         home = _in_home(written, folder.parent.parent)

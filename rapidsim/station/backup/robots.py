@@ -1,71 +1,96 @@
 """What a controller backup says of its robots: `SYSPAR/MOC.cfg`.
 
 The type of an arm is a name such as `ROB1_1200_0.9_5_TypeB`: type, reach in metres, payload in kg.
-Its base frame stands in metres.
+Its base frame stands in metres, the bounds of its axes (ARM) in radians.
 """
 
 from __future__ import annotations
 
 import re
-from pathlib import Path
+from collections.abc import Mapping, Sequence
 
 from rapidsim.frames.transform import Transform
 from rapidsim.motion.robot.catalogue import robot_names
-from rapidsim.station.backup.cfg_file import Instance, read_configuration, text_in
+from rapidsim.station.backup.cfg_file import Configuration, Instance
 from rapidsim.station.robot import StationRobot
 
-_TYPE = re.compile(r"ROB\d_(\w+?)_(\d+\.\d+)_(\d+(?:\.\d+)?)(?:_Type\w+)?", re.IGNORECASE)
-_NAME = re.compile(r"irb(\w+)-([\d.]+)-([\d.]+)")
+_PREFIX = re.compile(r"ROB\d*_(?:[LR]_)?(?:IRB|CRB)?_?", re.IGNORECASE)
+_TYPE_LETTER = re.compile(r"_Type\w+$", re.IGNORECASE)
+_NAME = re.compile(r"[ic]rb(\w+)-([\d.]+)-([\d.]+)")
+_JOINTS = 7
 
 
-def backup_robots(root: Path) -> tuple[tuple[StationRobot, ...], tuple[str, ...]]:
-    """The robots of a backup in its order.
-
-    Args:
-        root: The folder of the backup.
-
-    Returns:
-        The robots, without a name where the catalogue does not have the arm; and the types of
-        those.
-    """
-    instances = read_configuration(text_in(root, "SYSPAR", "MOC.cfg")).get("ROBOT", ())
-    arms = [one for one in instances if one.get("use_robot_type")]
-    robots = [
-        StationRobot(_catalogue_name(one["use_robot_type"]), None, _base(one), one.get("name"))
-        for one in arms
-    ]
-    unknown = [
-        one["use_robot_type"] for one, robot in zip(arms, robots, strict=True) if robot.name is None
-    ]
-    return tuple(robots), tuple(unknown)
+def backup_robots(motion: Configuration) -> tuple[StationRobot, ...]:
+    """The robots of a backup in its order; without a name where the catalogue lacks the arm."""
+    arms = {one.get("name", ""): one for one in motion.get("ARM", ())}
+    return tuple(_robot(one, arms) for one in motion.get("ROBOT", ()) if one.get("use_robot_type"))
 
 
-def _catalogue_name(type_name: str) -> str | None:
+def _robot(instance: Instance, arms: Mapping[str, Instance]) -> StationRobot:
+    type_name = instance["use_robot_type"]
+    name = catalogue_name(type_name)
+    joints = [joint for n in range(_JOINTS) if (joint := instance.get(f"use_joint_{n}"))]
+    return StationRobot(
+        name=name,
+        world_from_base=base_frame(instance),
+        label=instance.get("name"),
+        unknown=type_name if name is None else None,
+        bounds=_bounds([arms.get(joint) for joint in joints]),
+    )
+
+
+def catalogue_name(type_name: str) -> str | None:
     """The arm of the catalogue with this type, reach and payload; None if there is none."""
-    match = _TYPE.fullmatch(type_name)
-    if match is None:
+    prefix = _PREFIX.match(type_name)
+    if prefix is None:
         return None
-    wanted = (match[1].lower(), float(match[2]), float(match[3]))
+    words = _TYPE_LETTER.sub("", type_name[prefix.end() :]).lower().split("_")
+    if len(words) != 3:
+        return None
+    reach, payload = _figure(words[1]), _figure(words[2])
     for name in robot_names():
         parts = _NAME.fullmatch(name)
-        if parts and (parts[1], float(parts[3]), float(parts[2])) == wanted:
+        if parts and (parts[1], float(parts[3]), float(parts[2])) == (words[0], reach, payload):
             return name
     return None
 
 
-def _base(instance: Instance) -> Transform:
-    """world_from_base; where the arm stands in the origin if the file does not say."""
-    position = [_value(instance, f"base_frame_pos_{axis}", 0.0) for axis in "xyz"]
-    quaternion = [
-        _value(instance, f"base_frame_orient_u{n}", 1.0 if n == 0 else 0.0) for n in range(4)
-    ]
+def _figure(word: str) -> float | None:
+    """A number of a type; `05` is 0.5."""
+    if re.fullmatch(r"0\d+", word):
+        word = f"0.{word[1:]}"
+    try:
+        return float(word)
+    except ValueError:
+        return None
+
+
+def _bounds(arms: Sequence[Instance | None]) -> tuple[tuple[float, float] | None, ...]:
+    """Of each axis in order; none for seven axes, whose order RAPID counts in its own way."""
+    if len(arms) >= _JOINTS:
+        return ()
+    return tuple(None if arm is None else bounds(arm) for arm in arms)
+
+
+def bounds(arm: Instance) -> tuple[float, float] | None:
+    """What an axis may do [rad or m]; None where the file does not say."""
+    lower, upper = number(arm, "lower_joint_bound"), number(arm, "upper_joint_bound")
+    return None if lower is None or upper is None or lower >= upper else (lower, upper)
+
+
+def base_frame(instance: Instance) -> Transform:
+    """world_from_base; where it stands in the origin if the file does not say."""
+    position = [number(instance, f"base_frame_pos_{axis}") or 0.0 for axis in "xyz"]
+    turned = [number(instance, f"base_frame_orient_u{n}") for n in range(4)]
+    quaternion = [1.0 if n == 0 and u is None else u or 0.0 for n, u in enumerate(turned)]
     if not any(quaternion):
         return Transform.identity()
     return Transform.from_quaternion(quaternion, position)
 
 
-def _value(instance: Instance, attribute: str, default: float) -> float:
+def number(instance: Instance, attribute: str) -> float | None:
+    """The value of an attribute; None where it is missing or no number."""
     try:
-        return float(instance.get(attribute, default))
-    except ValueError:
-        return default
+        return float(instance[attribute])
+    except (KeyError, ValueError):
+        return None

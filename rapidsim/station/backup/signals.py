@@ -7,7 +7,6 @@ bus and device carries a signal is nothing that a run would need.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from pathlib import Path
 
 from rapidsim.controller.cell.conditions import Condition, Term
 from rapidsim.controller.cell.description import (
@@ -17,22 +16,18 @@ from rapidsim.controller.cell.description import (
     SignalDeclaration,
     SignalKind,
 )
-from rapidsim.station.backup.cfg_file import SWITCHED_ON, Instance, read_configuration, text_in
+from rapidsim.station.backup.cfg_file import SWITCHED_ON, Configuration, Instance
 from rapidsim.station.signals import follows_itself
 
 _MOST_ACTORS = 5
 
 
-def backup_io(root: Path) -> tuple[CellIo, tuple[str, ...]]:
-    """The signals of a backup and how they are wired.
-
-    Args:
-        root: The folder of the backup.
+def backup_io(types: Configuration) -> tuple[CellIo, tuple[str, ...]]:
+    """The signals of an I/O configuration and how they are wired.
 
     Returns:
         Signals and cross connections, and a remark for each connection that is left out.
     """
-    types = read_configuration(text_in(root, "SYSPAR", "EIO.cfg"))
     signals = (_signal(one) for one in types.get("EIO_SIGNAL", ()))
     crosses, remarks = _crosses(types.get("EIO_CROSS", ()))
     return CellIo(tuple(one for one in signals if one is not None), crosses), remarks

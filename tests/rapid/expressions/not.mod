@@ -8,7 +8,7 @@ MODULE nots
     TPWrite ValToStr((NOT no) AND no);    ! -> FALSE
     TPWrite ValToStr(NOT yes OR yes);     ! -> TRUE
     TPWrite ValToStr(yes OR NOT yes);     ! -> TRUE
-    TPWrite ValToStr(yes AND NOT no);     ! note: E146 ! -> TRUE
+    TPWrite ValToStr(yes AND NOT no);     ! -> TRUE
     TPWrite ValToStr(NOT yes=no);         ! -> TRUE
   ENDPROC
 ENDMODULE

@@ -4,7 +4,7 @@ MODULE functions_change_arguments
   VAR num height;
 
   PROC main()
-    IF push(5) AND push(6) AND push(7) AND NOT push(8) TPWrite "full";  ! note: E146 ! -> full
+    IF push(5) AND push(6) AND push(7) AND NOT push(8) TPWrite "full";  ! -> full
     TPWrite ValToStr(taken(height));      ! -> 7
     TPWrite ValToStr(height);             ! -> 2
   ENDPROC

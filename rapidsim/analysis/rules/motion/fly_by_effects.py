@@ -8,6 +8,7 @@ the task makes that of what the rows of the library say that their routines do.
 from __future__ import annotations
 
 from bisect import bisect_left
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -304,11 +305,12 @@ def _joined(ways: list[_Pending | None], before: _Pending) -> _Pending | None:
     arriving = [way for way in ways if way is not None]
     if not arriving:
         return None
+    count = Counter(move for way in arriving for move in way)
     joined: dict[tree.Call | None, bool] = {}
     for way in arriving:
         for move, sure in way.items():
             if move in before:
-                joined[move] = before[move] and all(move in one for one in arriving)
+                joined[move] = before[move] and count[move] == len(arriving)
             elif len(joined) < _MOST_MOVES:
                 joined[move] = joined.get(move, True) and sure
     return joined

@@ -1,0 +1,250 @@
+"""What is known of the cell of some programs, for a first station file: `rapidsim init`.
+
+A backup says most of it by itself. Of modules in a folder each `main` is a task of its own; a
+module without one belongs to the tasks that use what it declares. Configuration files (SYS.cfg,
+EIO.cfg, MOC.cfg) in a folder that is named count as they would on a controller.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from rapidsim.analysis.names.signal_violations import UnknownSignal
+from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
+from rapidsim.diagnostics import Source
+from rapidsim.files import InputError, SourceFile, TaskFiles, backup_folders, read_tasks
+from rapidsim.jobs.checked_program import load
+from rapidsim.reach.dataflow.written_moves import written_moves
+from rapidsim.station.backup.backup import backup_station
+from rapidsim.station.backup.loose_configuration import (
+    LooseConfiguration,
+    has_configuration,
+    loose_configuration,
+)
+from rapidsim.station.cell_names import declared_names
+from rapidsim.station.draft import NOT_NAMED, Draft, DraftRobot, DraftTask
+from rapidsim.station.station import FILE_NAME, Station
+from rapidsim.station.task_kind import TaskKind
+from rapidsim.syntax import tree
+from rapidsim.syntax.parser import parse
+
+_COMMENT = re.compile(r"!.*")
+_NAME = re.compile(r"[A-Za-z]\w*")
+_MAIN = "main"
+
+
+@dataclass(frozen=True, slots=True)
+class DraftFile:
+    """A station file that could be written."""
+
+    path: Path
+    draft: Draft
+
+
+@dataclass(frozen=True, slots=True)
+class _Module:
+    """A file of a folder, and what matters for the task it belongs to."""
+
+    source: SourceFile
+    declares: frozenset[str]
+    uses: frozenset[str]
+    has_main: bool
+    moves: bool
+
+    @property
+    def name(self) -> str:
+        """Its name without a suffix, folded."""
+        return Path(self.source.name).stem.lower()
+
+
+def draft_for(paths: Sequence[str], robot: str | None) -> DraftFile:
+    """What the station file of some programs could say, and where it would lie.
+
+    Args:
+        paths: What a command would be given; besides, folders of configuration files.
+        robot: The arm, where somebody names it.
+
+    Raises:
+        InputError: If something is missing, unreadable, or no RAPID.
+    """
+    configured = [path for path in paths if has_configuration(Path(path))]
+    programs = [path for path in paths if path not in configured]
+    if not programs:
+        raise InputError("no RAPID file was named", "name a module, a folder or a backup")
+    folders = backup_folders(programs)
+    if folders:
+        return _of_backup(folders, robot)
+    tasks = read_tasks(programs)
+    configuration = loose_configuration(Path(configured[0])) if configured else None
+    files = [file for task in tasks for file in task.files]
+    folder = Path(os.path.commonpath([os.path.realpath(Path(f.name).parent) for f in files]))
+    return DraftFile(folder / FILE_NAME, _of_modules(files, configuration, folder, robot))
+
+
+def _of_backup(folders: Sequence[Path], robot: str | None) -> DraftFile:
+    station = backup_station(folders)
+    root = folders[0].parent.parent
+    tasks = read_tasks([str(root)])
+    arms = ", ".join(one.name or one.unknown or "" for one in station.robots)
+    remarks = (
+        "Tasks, signals and wiring are those of the backup: SYS.cfg and EIO.cfg.",
+        *((f"So are the arms, of MOC.cfg: {arms}.",) if arms and robot is None else ()),
+        "What stands here counts in place of it.",
+    )
+    unknown = next((one.unknown for one in station.robots if one.unknown), None)
+    robots: tuple[DraftRobot, ...] = ()
+    if robot is not None:
+        robots = (DraftRobot(model=robot),)
+    elif unknown is not None or not station.robots:
+        why = f"the catalogue has no {unknown}" if unknown else "the backup names no arm"
+        robots = (DraftRobot(remark=why),)
+    signals = _undeclared(tasks, station)
+    return DraftFile(root / FILE_NAME, Draft(remarks, robots, (), signals))
+
+
+def _of_modules(
+    files: Sequence[SourceFile],
+    configuration: LooseConfiguration | None,
+    folder: Path,
+    robot: str | None,
+) -> Draft:
+    modules = [_module(file) for file in files]
+    station = Station()
+    robots: tuple[DraftRobot, ...] = (DraftRobot(model=robot),) if robot else (DraftRobot(),)
+    tasks: list[tuple[DraftTask, list[_Module]]] = []
+    if configuration is not None:
+        station = replace(station, io=configuration.io, robots=configuration.robots)
+        tasks = list(_configured(configuration, modules))
+        robots = _robots_of(configuration, robot, sum(task.moves for task, _ in tasks))
+        tasks = list(_with_robots(tasks, robots))
+    elif sum(module.has_main for module in modules) > 1:
+        tasks = list(_one_a_main(modules))
+        movers = sum(task.moves for task, _ in tasks)
+        if movers > 1:
+            robots = tuple(DraftRobot(f"robot{n}", robot) for n in range(1, movers + 1))
+            tasks = list(_with_robots(tasks, robots))
+    grouped = [TaskFiles(task.name, tuple(m.source for m in own)) for task, own in tasks]
+    grouped = grouped or [TaskFiles(None, tuple(files))]
+    named = tuple(
+        replace(task, modules=tuple(_below(module, folder) for module in own))
+        for task, own in tasks
+    )
+    signals = (*station.io.signals, *_undeclared(grouped, station))
+    return Draft((), robots, named, signals)
+
+
+def _robots_of(
+    configuration: LooseConfiguration, robot: str | None, movers: int
+) -> tuple[DraftRobot, ...]:
+    """As many robots as tasks move one, at least one."""
+    known = configuration.robots
+    found = []
+    for number in range(max(movers, 1)):
+        of = known[number] if number < len(known) else None
+        label = of.label if of is not None and of.label else f"robot{number + 1}"
+        model = robot or (of.name if of is not None else None)
+        why = f"the catalogue has no {of.unknown}" if of is not None and of.unknown else NOT_NAMED
+        found.append(DraftRobot(label, model, why))
+    return tuple(found)
+
+
+def _with_robots(
+    tasks: Iterable[tuple[DraftTask, list[_Module]]], robots: Sequence[DraftRobot]
+) -> Iterator[tuple[DraftTask, list[_Module]]]:
+    """The tasks that move, each with the next robot, where there are several."""
+    labels = iter([robot.label for robot in robots])
+    for task, own in tasks:
+        named = replace(task, robot=next(labels)) if task.moves and len(robots) > 1 else task
+        yield named, own
+
+
+def _configured(
+    configuration: LooseConfiguration, modules: Sequence[_Module]
+) -> Iterator[tuple[DraftTask, list[_Module]]]:
+    """The tasks of a configuration with their modules.
+
+    What it does not load, goes to the first task that moves, if that uses it.
+    """
+    named = {name for task in configuration.tasks for name in task.modules}
+    others = [module for module in modules if module.name not in named]
+    taken = False
+    for task in configuration.tasks:
+        own = [module for module in modules if module.name in task.modules]
+        if task.settings.moves and not taken:
+            own, taken = [*own, *_needed(own, others)], True
+        if not own:
+            continue
+        one = task.settings
+        yield DraftTask(one.name, (), one.kind, one.moves, entry=one.entry), own
+
+
+def _one_a_main(modules: Sequence[_Module]) -> Iterator[tuple[DraftTask, list[_Module]]]:
+    """A task for each main: T_ROB1, T_ROB2 ... those that move, by their module the others."""
+    mains = [module for module in modules if module.has_main]
+    shared = [module for module in modules if not module.has_main]
+    groups = [[main, *_needed([main], shared)] for main in mains]
+    moving = [group for group in groups if any(module.moves for module in group)]
+    used = {module.name for group in groups for module in group}
+    left = [module for module in shared if module.name not in used]
+    for number, group in enumerate(moving or groups[:1], 1):
+        yield DraftTask(f"T_ROB{number}", ()), [*group, *(left if number == 1 else ())]
+    for group in groups:
+        if group in moving or (not moving and group is groups[0]):
+            continue
+        name = Path(group[0].source.name).stem
+        kind = TaskKind.SEMISTATIC if moving else TaskKind.NORMAL
+        yield DraftTask(name, (), kind, moves=False), group
+
+
+def _needed(own: Sequence[_Module], others: Sequence[_Module]) -> list[_Module]:
+    """Of other modules those whose names are used, and what they use in turn."""
+    needed: list[_Module] = []
+    while True:
+        uses = frozenset().union(*(module.uses for module in (*own, *needed)))
+        declares = frozenset().union(*(module.declares for module in (*own, *needed)))
+        new = [
+            one
+            for one in others
+            if one not in needed
+            and (uses - declares) & one.declares
+            and not declares & one.declares
+        ]
+        if not new:
+            return needed
+        needed.append(new[0])
+
+
+def _module(file: SourceFile) -> _Module:
+    parsed = parse(Source(file.name, file.text)).file
+    items = [item for module in parsed.modules for item in module.items]
+    declares = frozenset(
+        item.name.key
+        for item in items
+        if not isinstance(item, tree.Broken | tree.Placeholder)
+        and getattr(item, "scope", None) != "LOCAL"
+    )
+    has_main = any(isinstance(item, tree.Proc) and item.name.key == _MAIN for item in items)
+    uses = frozenset(name.lower() for name in _NAME.findall(_COMMENT.sub("", file.text)))
+    return _Module(file, declares, uses, has_main, bool(written_moves([parsed])))
+
+
+def _undeclared(tasks: Sequence[TaskFiles], station: Station) -> tuple[SignalDeclaration, ...]:
+    """The signals that programs use and nothing declares, each once."""
+    names = declared_names(station)
+    found: dict[str, SignalDeclaration] = {}
+    for task in tasks:
+        for one in load(task.files, cell=names, unseen=task.unseen).diagnostics:
+            violation = one.violation
+            if isinstance(violation, UnknownSignal):
+                kind = SignalKind(violation.type.removeprefix("signal"))
+                signal = SignalDeclaration(violation.signal, kind)
+                found.setdefault(violation.signal.lower(), signal)
+    return tuple(found.values())
+
+
+def _below(module: _Module, folder: Path) -> str:
+    return Path(os.path.realpath(module.source.name)).relative_to(folder).as_posix()

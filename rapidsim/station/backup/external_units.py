@@ -1,0 +1,121 @@
+"""Tracks and positioners of a backup: mechanical units of `SYSPAR/MOC.cfg` beside the robots.
+
+An axis is spread over many types: MECHANICAL_UNIT names its SINGLE, that its SINGLE_TYPE (track or
+rotating) and JOINT, which has the number of its place in `extjoint` and names the rest: bounds of
+ARM, acceleration of ACC_DATA, transmission, and the speed of its motor. Units of ABB's own
+positioners have no such instances in a backup: of these only the names are known. So it is with a
+unit that a program must activate: its axes have no values until then, and a run has no such units.
+
+Source: Technical reference manual System parameters, topic Motion.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from rapidsim.motion.robot.external_axes import LETTERS, ExternalAxis
+from rapidsim.station.backup.cfg_file import SWITCHED_ON, Configuration, Instance
+from rapidsim.station.backup.robots import base_frame, bounds, number
+
+_SINGLES = 6
+_FIRST_AXIS = 7
+_LINEAR = ("TRACK", "EXT_LIN", "FREE_LIN")
+_ROTATING = ("FREE_ROT", "EXT_ROT")
+
+
+@dataclass(frozen=True, slots=True)
+class ExternalUnits:
+    """The units beside the robots."""
+
+    axes: tuple[ExternalAxis, ...] = ()
+    """Those that a run has."""
+    others: tuple[str, ...] = ()
+    """Names of the units of which the backup does not say enough."""
+
+
+def external_units(motion: Configuration) -> ExternalUnits:
+    """The units of a configuration."""
+    named = {kind: _by_name(instances) for kind, instances in motion.items()}
+    track = next((robot.get("base_frame_coordinated") for robot in motion.get("ROBOT", ())), None)
+    active = {
+        unit.get("name")
+        for unit in motion.get("MECHANICAL_UNIT", ())
+        if unit.get("activate_at_start_up", "").lower() == SWITCHED_ON
+    }
+    axes: list[ExternalAxis] = []
+    others: list[str] = []
+    for unit, singles in _units(motion).items():
+        found = [_axis(unit, one, named, carries_robot=unit == track) for one in singles]
+        whole = [axis for axis in found if axis is not None]
+        taken = {axis.letter for axis in (*axes, *whole)}
+        fits = len(whole) == len(found) and len(taken) == len(axes) + len(whole)
+        if fits and unit in active:
+            axes += whole
+        else:
+            others.append(unit)
+    return ExternalUnits(tuple(sorted(axes, key=lambda axis: axis.letter)), tuple(others))
+
+
+def _units(motion: Configuration) -> Mapping[str, Sequence[str]]:
+    """Names of the singles of each unit; a single that no unit names is one by itself."""
+    units: dict[str, list[str]] = {}
+    for unit in motion.get("MECHANICAL_UNIT", ()):
+        singles = [one for n in range(_SINGLES) if (one := unit.get(f"use_single_{n}"))]
+        if singles and unit.get("name"):
+            units[unit["name"]] = singles
+    used = {name for singles in units.values() for name in singles}
+    for single in motion.get("SINGLE", ()):
+        if (name := single.get("name")) and name not in used:
+            units.setdefault(name, [name])
+    return units
+
+
+def _axis(
+    unit: str,
+    name: str,
+    named: Mapping[str, Mapping[str, Instance]],
+    *,
+    carries_robot: bool,
+) -> ExternalAxis | None:
+    """One axis of a unit; None where the configuration does not say all of it."""
+
+    def instance(kind: str, of: str | None) -> Instance:
+        return named.get(kind, {}).get(of or "", {})
+
+    single = instance("SINGLE", name)
+    mechanics = instance("SINGLE_TYPE", single.get("use_single_type")).get("mechanics", "").upper()
+    joint = instance("JOINT", single.get("use_joint"))
+    arm = instance("ARM", joint.get("use_arm"))
+    place = number(joint, "logical_axis")
+    limits = bounds(arm)
+    gear = number(instance("TRANSMISSION", joint.get("use_transmission")), "transm_joint")
+    duty = instance("STRESS_DUTY_CYCLE", joint.get("use_stress_duty_cycle") or joint.get("name"))
+    motor_speed = number(duty, "speed_absolute_max")
+    acceleration = instance("ACC_DATA", arm.get("use_acc_data"))
+    most = number(acceleration, "wc_acc") or number(acceleration, "nom_acc")
+    known = mechanics in (*_LINEAR, *_ROTATING)
+    if not (known and place and limits and gear and motor_speed and most):
+        return None
+    letter = int(place) - _FIRST_AXIS
+    if not 0 <= letter < len(LETTERS):
+        return None
+    linear = mechanics in _LINEAR
+    frame = base_frame(single)
+    return ExternalAxis(
+        unit=unit,
+        letter=LETTERS[letter],
+        linear=linear,
+        lower=limits[0],
+        upper=limits[1],
+        max_speed=motor_speed / math.fabs(gear),
+        max_acceleration=most,
+        carries=("robot" if carries_robot else None) if linear else "wobj",
+        direction=tuple(frame.rotation[:, 0 if linear else 2].tolist()),
+        world_from_user=frame,
+    )
+
+
+def _by_name(instances: Sequence[Instance]) -> Mapping[str, Instance]:
+    return {one.get("name", ""): one for one in instances}

@@ -1,0 +1,104 @@
+"""A station file to begin with: what is known of a cell, written as TOML."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from rapidsim.controller.cell.description import GROUP_WIDTH, SignalDeclaration, SignalKind
+from rapidsim.station.task_kind import TaskKind
+
+NOT_NAMED = "nothing names the arm: `rapidsim robots` lists those there are"
+_BARE = re.compile(r"[A-Za-z0-9_-]+")
+_GROUPS = (SignalKind.GI, SignalKind.GO)
+_ANALOG = (SignalKind.AI, SignalKind.AO)
+
+
+@dataclass(frozen=True, slots=True)
+class DraftRobot:
+    """An arm of the cell."""
+
+    label: str | None = None
+    """Its name, where there are several."""
+    model: str | None = None
+    """None where nothing names an arm that the catalogue has."""
+    remark: str = NOT_NAMED
+
+
+@dataclass(frozen=True, slots=True)
+class DraftTask:
+    """A task of the cell."""
+
+    name: str
+    modules: tuple[str, ...]
+    """Paths from where the file will lie, with `/`."""
+    kind: TaskKind = TaskKind.NORMAL
+    moves: bool = True
+    robot: str | None = None
+    entry: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Draft:
+    """What is known of a cell."""
+
+    remarks: tuple[str, ...] = ()
+    """What stands at the top as comments."""
+    robots: tuple[DraftRobot, ...] = ()
+    """None where a backup says it all."""
+    tasks: tuple[DraftTask, ...] = ()
+    """None where there is one, or a backup says it all."""
+    signals: tuple[SignalDeclaration, ...] = ()
+
+
+def draft_text(draft: Draft) -> str:
+    """The text of the file."""
+    blocks = [
+        [f"# {remark}" for remark in draft.remarks],
+        *(list(_robot(robot, several=len(draft.robots) > 1)) for robot in draft.robots),
+        *(list(_task(task)) for task in draft.tasks),
+    ]
+    if draft.signals:
+        blocks.append(["[signals]", *(_signal(one) for one in draft.signals)])
+    return "\n\n".join("\n".join(block) for block in blocks if block) + "\n"
+
+
+def _robot(robot: DraftRobot, *, several: bool) -> Iterator[str]:
+    yield "[[robot]]" if several else "[robot]"
+    if robot.label is not None and several:
+        yield f"name = {json.dumps(robot.label)}"
+    if robot.model is not None:
+        yield f"model = {json.dumps(robot.model)}"
+    else:
+        yield f'# model = "..."   # {robot.remark}'
+
+
+def _task(task: DraftTask) -> Iterator[str]:
+    yield "[[task]]"
+    yield f"name = {json.dumps(task.name)}"
+    yield f"modules = {json.dumps(list(task.modules), ensure_ascii=False)}"
+    if task.kind is not TaskKind.NORMAL:
+        yield f"type = {json.dumps(task.kind.value)}"
+    if task.entry is not None:
+        yield f"entry = {json.dumps(task.entry)}"
+    if not task.moves:
+        yield "motion = false"
+    elif task.robot is not None:
+        yield f"robot = {json.dumps(task.robot)}"
+
+
+def _signal(signal: SignalDeclaration) -> str:
+    name = signal.name if _BARE.fullmatch(signal.name) else json.dumps(signal.name)
+    parts = [f'type = "{signal.kind}"']
+    if signal.value:
+        parts.append(f"value = {signal.value:.10g}")
+    if signal.kind in _GROUPS and signal.highest is not None:
+        width = round(math.log2(signal.highest + 1.0))
+        parts += [f"width = {width}"] if width != GROUP_WIDTH else []
+    if signal.kind in _ANALOG:
+        limits = (("min", signal.lowest), ("max", signal.highest))
+        parts += [f"{key} = {limit:.10g}" for key, limit in limits if limit is not None]
+    return f"{name} = {{ {', '.join(parts)} }}"

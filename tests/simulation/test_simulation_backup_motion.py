@@ -1,0 +1,146 @@
+"""What the MOC.cfg of a backup says of arms, their bounds, tracks and positioners."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rapidsim.files import backup_folders
+from rapidsim.jobs.check_files import check
+from rapidsim.jobs.run_files import simulate
+from rapidsim.station.backup.backup import backup_station
+from rapidsim.station.backup.robots import catalogue_name
+from rapidsim.station.station import Station
+
+MAIN = """MODULE m
+  PROC main()
+    MoveAbsJ [[100,0,0,0,30,0],[9E9,0,9E9,9E9,9E9,9E9]],v1000,fine,tool0;
+    ActUnit TRACK_1;
+  ENDPROC
+ENDMODULE
+"""
+ARMS = "\n".join(
+    f'      -name "rob1_{n}" -upper_joint_bound {2.0 if n > 1 else 1.0} -lower_joint_bound -1.5\n'
+    for n in range(1, 7)
+)
+MOC = f"""MOC:CFG_1.0:6:0::
+#
+MECHANICAL_UNIT:
+
+      -name "TRACK_1" -use_single_0 "T1" -activate_at_start_up
+
+      -name "STN_1" -use_single_0 "S1"
+#
+ROBOT:
+
+      -name "ROB_1" -use_robot_type "THE_ARM"\\
+      -use_joint_0 "rob1_1" -use_joint_1 "rob1_2" -use_joint_2 "rob1_3"\\
+      -use_joint_3 "rob1_4" -use_joint_4 "rob1_5" -use_joint_5 "rob1_6"\\
+      -base_frame_coordinated "TRACK_1"
+#
+SINGLE:
+
+      -name "T1" -use_single_type "LINE" -use_joint "T1" -base_frame_orient_u0 0.707107\\
+      -base_frame_orient_u3 0.707107
+
+      -name "S1" -use_single_type "IRBP" -use_joint "S1"
+#
+SINGLE_TYPE:
+
+      -name "LINE" -mechanics "TRACK"
+#
+JOINT:
+
+      -name "T1" -logical_axis 8 -use_arm "T1" -use_transmission "T1"
+#
+TRANSMISSION:
+
+      -name "T1" -transm_joint -200
+#
+ACC_DATA:
+
+      -name "T1" -wc_acc 2.5
+#
+STRESS_DUTY_CYCLE:
+
+      -name "T1" -speed_absolute_max 300
+#
+ARM:
+
+{ARMS}
+      -name "T1" -use_acc_data "T1" -upper_joint_bound 4 -lower_joint_bound -0.1
+"""
+
+
+def backup(folder: Path, arm: str = "ROB1_1200_0.7_7") -> Path:
+    for name, text in {
+        "RAPID/TASK1/m.mod": MAIN,
+        "BACKINFO/backinfo.txt": ">>TASK1: (T_ROB1,,)\n",
+        "SYSPAR/MOC.cfg": MOC.replace("THE_ARM", arm),
+    }.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    return folder
+
+
+def said(folder: Path) -> Station:
+    return backup_station(backup_folders([str(folder)]))
+
+
+@pytest.mark.parametrize("name", ["ROB_L_14000_05_05", "ROB_R_14000_0.5_0.5"])
+def test_the_arms_of_a_yumi_are_known_by_their_names(name: str) -> None:
+    assert catalogue_name(name) == "irb14000-0.5-0.5"
+
+
+def test_a_track_is_read_with_all_that_it_can_do(tmp_path: Path) -> None:
+    station = said(backup(tmp_path))
+    (track,) = station.external_axes
+    assert (track.unit, track.letter, track.carries) == ("TRACK_1", "b", "robot")
+    assert track.linear
+    assert (track.lower, track.upper) == (-0.1, 4.0)
+    assert (track.max_speed, track.max_acceleration) == (1.5, 2.5)
+    assert np.allclose(track.direction, (0.0, 1.0, 0.0), atol=1e-6)
+    assert station.other_units == ("STN_1",)
+    (remark,) = station.remarks
+    assert "STN_1" in remark
+
+
+def test_a_unit_that_does_not_start_active_is_known_by_name(tmp_path: Path) -> None:
+    folder = backup(tmp_path)
+    moc = (folder / "SYSPAR/MOC.cfg").read_text()
+    (folder / "SYSPAR/MOC.cfg").write_text(moc.replace(" -activate_at_start_up", ""))
+    station = said(folder)
+    assert not station.external_axes
+    assert station.units == ("TRACK_1", "STN_1")
+
+
+def test_the_bounds_of_the_controller_hold(tmp_path: Path) -> None:
+    folder = backup(tmp_path)
+    found = check([folder]).diagnostics
+    assert [one.violation.code for one in found if one.severity == "error"] == ["K602"]
+    run = simulate([folder])
+    assert run.end == "error"
+    assert said(folder).robots[0].bounds == ((-1.5, 1.0), *[(-1.5, 2.0)] * 5)
+
+
+def test_an_arm_that_is_not_known_is_not_judged(tmp_path: Path) -> None:
+    folder = backup(tmp_path, "ROB1_9999_9.99_999")
+    result = check([folder])
+    assert not [one for one in result.diagnostics if one.violation.code[0] == "K"]
+    (unchecked,) = result.coverage.unchecked
+    assert unchecked.reason.startswith("arm unknown: the catalogue has no ROB1_9999_9.99_999")
+    named = check([folder], robot="irb1200")
+    assert named.coverage.checked == 1
+
+
+def test_a_group_of_units_says_which_robot_a_task_moves(tmp_path: Path) -> None:
+    folder = backup(tmp_path)
+    moc = (folder / "SYSPAR/MOC.cfg").read_text()
+    second = '\n      -name "ROB_2" -use_robot_type "ROB1_120_0.58_3"\n#\nSINGLE:'
+    (folder / "SYSPAR/MOC.cfg").write_text(moc.replace("#\nSINGLE:", second, 1))
+    (folder / "SYSPAR/SYS.cfg").write_text(
+        'MECHANICAL_UNIT_GROUP:\n      -Name "right" -Robot "ROB_2"\n#\nCAB_TASKS:\n'
+        '      -Name "T_ROB1" -Type "NORMAL" -UseMechanicalUnitGroup "right" -MotionTask\n'
+    )
+    (task,) = said(folder).tasks
+    assert task.robot_number == 1
