@@ -107,6 +107,53 @@ class Facts:
         return {part.routine: part for part in self.routine_parts if part.routine is not None}
 
     @cached_property
+    def called_by(self) -> Mapping[Part, tuple[Part, ...]]:
+        """The routines that each routine calls, each once."""
+        found: dict[Part, tuple[Part, ...]] = {}
+        for part in self.routine_parts:
+            called = (self.routine_called(call) for call in part.calls)
+            known = (self.part_of[one] for one in called if one is not None and one in self.part_of)
+            found[part] = tuple(dict.fromkeys(known))
+        return found
+
+    @cached_property
+    def callees_first(self) -> tuple[Part, ...]:
+        """The routines, each behind those it calls as far as that can be."""
+        ordered: dict[Part, None] = {}
+        seen: set[Part] = set()
+        for first in self.routine_parts:
+            stack = [(first, False)]
+            while stack:
+                part, is_done = stack.pop()
+                if is_done:
+                    ordered[part] = None
+                elif part not in seen:
+                    seen.add(part)
+                    stack.append((part, True))
+                    stack += [(callee, False) for callee in self.called_by[part]]
+        return tuple(ordered)
+
+    @cached_property
+    def bit_of(self) -> Mapping[Part, int]:
+        """A bit for each routine: sets of routines are numbers, which join at once."""
+        return {part: 1 << number for number, part in enumerate(self.callees_first)}
+
+    @cached_property
+    def reached_from(self) -> Mapping[Part, int]:
+        """The bits of all routines that may run because of each routine, its own among them."""
+        reached = dict(self.bit_of)
+        changed = True
+        while changed:
+            changed = False
+            for part in self.callees_first:
+                joined = reached[part]
+                for callee in self.called_by[part]:
+                    joined |= reached[callee]
+                if joined != reached[part]:
+                    reached[part], changed = joined, True
+        return reached
+
+    @cached_property
     def names(self) -> frozenset[str]:
         """Folded names that are used anywhere in the task."""
         return frozenset().union(*(part.names for part in self.parts))

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from rapidsim.analysis.program_parts import Facts
 from rapidsim.analysis.rules.facts.instruction_questions import as_move
 from rapidsim.analysis.rules.facts.modes_in_force import left_in_force
-from rapidsim.analysis.rules.facts.reached_routines import reached_parts
+from rapidsim.analysis.rules.facts.reached_routines import reached
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.traits import Does
@@ -66,7 +66,8 @@ def _beginning(facts: Facts) -> set[tree.Routine]:
         if isinstance(statement, tree.While | tree.For) or as_move(statement, facts) is not None:
             break
         first.append(statement)
-    for part in reached_parts(first, facts):
-        if part.routine is not None and callers[part.routine] == 1:
+    begun = reached(first, facts)
+    for part, bit in facts.bit_of.items():
+        if bit & begun and part.routine is not None and callers[part.routine] == 1:
             found.add(part.routine)
     return found

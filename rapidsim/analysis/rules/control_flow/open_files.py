@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from rapidsim.analysis.program import DataSymbol, Scope
 from rapidsim.analysis.program_parts import Facts
-from rapidsim.analysis.rules.facts.reached_routines import reached_calls
+from rapidsim.analysis.rules.facts.reached_routines import bits_where, reached
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.library.traits import Does
@@ -21,6 +21,7 @@ class OpenedInLoop(Violation, code="F421"):
 
 def find_opened_in_loops(facts: Facts) -> Iterator[Diagnostic]:
     """What each round of a loop opens for certain, if nothing in the loop may close it."""
+    closing = bits_where(lambda part: _closes(part.all(tree.Call), facts), facts)
     for part in facts.routine_parts:
         bodies = [loop.body for loop in part.all(tree.For)]
         bodies += [loop.body for loop in part.all(tree.While)]
@@ -28,9 +29,13 @@ def find_opened_in_loops(facts: Facts) -> Iterator[Diagnostic]:
             opened = next(_opened(body, facts), None)
             if opened is None or any(_leaves(node, facts) for node in descendants(*body)):
                 continue
-            if any(Does.CLOSE in facts.does(call) for call in reached_calls(body, facts)):
+            if closing & reached(body, facts) or _closes(descendants(*body), facts):
                 continue
             yield part.finding(OpenedInLoop(opened.name.text), opened)
+
+
+def _closes(nodes: Iterable[tree.Node], facts: Facts) -> bool:
+    return any(Does.CLOSE in facts.does(node) for node in nodes)
 
 
 def _opened(body: tree.Body, facts: Facts, depth: int = 0) -> Iterator[tree.Call]:

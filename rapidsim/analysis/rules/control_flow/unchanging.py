@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -18,7 +18,7 @@ from rapidsim.analysis.program_parts import Facts, Part
 from rapidsim.analysis.rules.facts.changed_data import changed_by, changed_in
 from rapidsim.analysis.rules.facts.instruction_questions import arguments_of, may_do
 from rapidsim.analysis.rules.facts.known_values import known_value
-from rapidsim.analysis.rules.facts.reached_routines import reached_parts
+from rapidsim.analysis.rules.facts.reached_routines import bits_where, reached
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.analysis.types.operators import ORDERING
 from rapidsim.diagnostics import Diagnostic, Violation
@@ -72,15 +72,29 @@ class _Task:
     facts: Facts
 
     @cached_property
-    def _by_traps(self) -> frozenset[Symbol | None]:
-        """What the routines change that run in between."""
-        traps = [part for part in self.facts.routine_parts if isinstance(part.routine, tree.Trap)]
-        nodes = [part.routine for part in traps if part.routine is not None]
-        return self._by_parts([*traps, *reached_parts(nodes, self.facts)])
+    def _traps(self) -> int:
+        """The bits of the routines that may run in between."""
+        bits = 0
+        for part in self.facts.routine_parts:
+            if isinstance(part.routine, tree.Trap):
+                bits |= self.facts.reached_from[part]
+        return bits
 
     @cached_property
-    def _anywhere(self) -> frozenset[Symbol | None]:
-        return self._by_parts(self.facts.parts)
+    def _changing(self) -> Mapping[Symbol, int]:
+        """The bits of the routines that change each datum."""
+        found: dict[Symbol, int] = {}
+        for part, bit in self.facts.bit_of.items():
+            for symbol in changed_in(part, self.facts):
+                if symbol is not None:
+                    found[symbol] = found.get(symbol, 0) | bit
+        return found
+
+    @cached_property
+    def _leading_away(self) -> int:
+        """The bits of the routines that call what is not known."""
+        facts = self.facts
+        return bits_where(lambda part: any(_leads_away(c, facts) for c in _calls(part)), facts)
 
     @cached_property
     def _is_open(self) -> bool:
@@ -103,24 +117,22 @@ class _Task:
             isinstance(node, tree.Binary) and node.operator in ORDERING
             for node in descendants(condition)
         )
-        if self._anywhere.isdisjoint(found) and not is_ordering:
+        if self._changing.keys().isdisjoint(found) and not is_ordering:
             # A flag that nothing ever changes is another way to write TRUE.
             return None
         nodes = list(meanwhile)
         changed = set(changed_by(nodes, self.facts))
+        if not changed.isdisjoint(found):
+            return None
         if any(not _is_local(symbol) for symbol in found):
             if any(_leads_away(node, self.facts) for node in nodes):
                 return None
-            reached = reached_parts(nodes, self.facts)
-            if any(_leads_away(call, self.facts) for one in reached for call in _calls(one)):
+            between = self._traps | reached(nodes, self.facts)
+            if between & self._leading_away:
                 return None
-            changed |= self._by_traps | self._by_parts(reached)
-        if not changed.isdisjoint(found):
-            return None
+            if any(between & self._changing.get(symbol, 0) for symbol in found):
+                return None
         return " or ".join(f"`{name}`" for name in sorted({symbol.name for symbol in found}))
-
-    def _by_parts(self, parts: Iterable[Part]) -> frozenset[Symbol | None]:
-        return frozenset(symbol for part in parts for symbol in changed_in(part, self.facts))
 
     def _variables(self, condition: tree.Expression) -> set[DataSymbol | ParameterSymbol]:
         """The variables that a condition is made of; none if it looks at anything else."""

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from rapidsim.analysis.program_parts import Facts, Part
 from rapidsim.analysis.rules.facts.known_values import known_value
-from rapidsim.analysis.rules.facts.reached_routines import reached_calls
+from rapidsim.analysis.rules.facts.reached_routines import bits_where, reached
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
@@ -76,6 +76,7 @@ class _Ways:
         self._part = part
         self._settings = settings
         self._facts = facts
+        self._back: dict[str, int] = {}
         self.found: dict[str, tuple[tree.Call, str]] = {}
 
     def end(self, open_modes: _Open, ends: str) -> None:
@@ -127,9 +128,20 @@ class _Ways:
             return None
         if not current or self._facts.routine_called(call) is None:
             return current
-        within = (_setting(one, self._facts) for one in reached_calls([call], self._facts))
-        put_back = {one.mode for one in within if one is not None and one.is_back}
-        return {mode: by for mode, by in current.items() if mode not in put_back}
+        within = reached([call], self._facts)
+        return {mode: by for mode, by in current.items() if not within & self._putting_back(mode)}
+
+    def _putting_back(self, mode: str) -> int:
+        """The bits of the routines that put a mode back."""
+        if mode not in self._back:
+            facts = self._facts
+            self._back[mode] = bits_where(
+                lambda part: any(
+                    _setting(call, facts) == _Setting(mode, True) for call in part.all(tree.Call)
+                ),
+                facts,
+            )
+        return self._back[mode]
 
 
 def _joined(ways: list[_Open | None]) -> _Open | None:
@@ -144,7 +156,7 @@ def _joined(ways: list[_Open | None]) -> _Open | None:
     return joined
 
 
-def _setting(call: tree.Call | tree.FunctionCall, facts: Facts) -> _Setting | None:
+def _setting(call: tree.Call, facts: Facts) -> _Setting | None:
     """What a call sets, if it sets a mode."""
     routine = facts.installed(call)
     if routine is None or not routine.back:
@@ -152,7 +164,7 @@ def _setting(call: tree.Call | tree.FunctionCall, facts: Facts) -> _Setting | No
     return _Setting(routine.back, _puts_back(call, routine, facts))
 
 
-def _puts_back(call: tree.Call | tree.FunctionCall, routine: LibraryRoutine, facts: Facts) -> bool:
+def _puts_back(call: tree.Call, routine: LibraryRoutine, facts: Facts) -> bool:
     """Whether a call is as good as the one that puts its mode back."""
     name, *switches = routine.back.split("\\")
     if switches:

@@ -1,38 +1,28 @@
-"""What calls lead to: the routines of the user that may run because of them."""
+"""What nodes lead to: the routines of the user that may run because of them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable
 
 from rapidsim.analysis.program_parts import Facts, Part
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.syntax import tree
 
 
-def reached_parts(nodes: Iterable[tree.Node], facts: Facts) -> list[Part]:
-    """The routines that nodes of any kind may call, and those that these call, each once."""
-    found: dict[Part, None] = {}
-    waiting = [part for node in descendants(*nodes) for part in _led_to(node, facts)]
-    for part in waiting:
-        if part not in found:
-            found[part] = None
-            waiting += [callee for call in part.calls for callee in _led_to(call, facts)]
-    return list(found)
-
-
-def reached_calls(
-    nodes: Iterable[tree.Node], facts: Facts
-) -> Iterator[tree.Call | tree.FunctionCall]:
-    """The calls among nodes, and in the routines that may run because of them."""
-    nodes = list(nodes)
+def reached(nodes: Iterable[tree.Node], facts: Facts) -> int:
+    """The bits of the routines that nodes of any kind may call, and of those that these call."""
+    bits = 0
     for node in descendants(*nodes):
-        if isinstance(node, tree.Call | tree.FunctionCall):
-            yield node
-    for part in reached_parts(nodes, facts):
-        yield from part.calls
+        routine = facts.routine_called(node)
+        if routine is not None and routine in facts.part_of:
+            bits |= facts.reached_from[facts.part_of[routine]]
+    return bits
 
 
-def _led_to(node: tree.Node, facts: Facts) -> Iterator[Part]:
-    routine = facts.routine_called(node)
-    if routine is not None and routine in facts.part_of:
-        yield facts.part_of[routine]
+def bits_where(holds: Callable[[Part], bool], facts: Facts) -> int:
+    """The bits of the routines of which something holds."""
+    bits = 0
+    for part, bit in facts.bit_of.items():
+        if holds(part):
+            bits |= bit
+    return bits

@@ -72,7 +72,7 @@ class _Summary:
 def effects_behind_moves(facts: Facts) -> Iterator[BehindMove]:
     """What surely follows a fly-by move, and each output beside it, routine by routine."""
     summaries: dict[tree.Routine, _Summary] = {}
-    parts = _callees_first(facts)
+    parts = facts.callees_first
     found: dict[Part, list[BehindMove]] = {}
     for _ in range(_MOST_PASSES):
         before = dict(summaries)
@@ -81,41 +81,18 @@ def effects_behind_moves(facts: Facts) -> Iterator[BehindMove]:
             assert part.routine is not None
             summaries[part.routine] = way.summary()
             found[part] = way.found
-        if summaries == before or not _is_circular(parts, facts):
+        if summaries == before or not _is_circular(facts):
             break
     for part in facts.routine_parts:
         yield from found.get(part, ())
 
 
-def _callees_first(facts: Facts) -> list[Part]:
-    """The routines, each behind those it calls as far as that can be."""
-    ordered: dict[Part, None] = {}
-    seen: set[Part] = set()
-    for first in facts.routine_parts:
-        stack = [(first, False)]
-        while stack:
-            part, is_done = stack.pop()
-            if is_done:
-                ordered[part] = None
-            elif part not in seen:
-                seen.add(part)
-                stack.append((part, True))
-                stack += [(callee, False) for callee in _called(part, facts)]
-    return list(ordered)
-
-
-def _called(part: Part, facts: Facts) -> Iterator[Part]:
-    for call in part.calls:
-        routine = facts.routine_called(call)
-        if routine is not None and routine in facts.part_of:
-            yield facts.part_of[routine]
-
-
-def _is_circular(parts: list[Part], facts: Facts) -> bool:
+def _is_circular(facts: Facts) -> bool:
     """Whether a routine stands before one that it calls."""
-    position = {part: number for number, part in enumerate(parts)}
     return any(
-        position[callee] >= position[part] for part in parts for callee in _called(part, facts)
+        facts.bit_of[callee] >= facts.bit_of[part]
+        for part in facts.callees_first
+        for callee in facts.called_by[part]
     )
 
 
