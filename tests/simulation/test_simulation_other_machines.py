@@ -9,8 +9,7 @@ import math
 import os
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
-from functools import cache
+from collections.abc import Iterator
 from importlib import import_module
 from pathlib import Path
 
@@ -56,27 +55,17 @@ def run(program: str, folder: Path, *, without: str = "") -> tuple[str, str]:
     return done.stdout.decode().replace(str(trace), "the trace"), trace.read_text()
 
 
-@pytest.fixture(scope="module")
-def here(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], tuple[str, str]]:
-    """What a program gives on this machine, run once."""
-    return cache(lambda program: run(program, tmp_path_factory.mktemp("here")))
-
-
 @pytest.mark.parametrize("program", BIT_EQUAL)
-def test_a_machine_repeats_itself_to_the_last_bit(
-    program: str, tmp_path: Path, here: Callable[[str], tuple[str, str]]
-) -> None:
-    assert run(program, tmp_path) == here(program)
+def test_a_machine_repeats_itself_to_the_last_bit(program: str, tmp_path: Path) -> None:
+    assert run(program, tmp_path) == run(program, tmp_path)
 
 
 @needs_a_choice
 @pytest.mark.parametrize("program", BIT_EQUAL)
-def test_another_machine_agrees_within_a_ten_millionth(
-    program: str, tmp_path: Path, here: Callable[[str], tuple[str, str]]
-) -> None:
-    one, other = here(program), run(program, tmp_path, without=switchable())
-    assert_near(list(parts(json.loads(one[0]))), list(parts(json.loads(other[0]))))
-    assert_near(list(cells(one[1])), list(cells(other[1])))
+def test_another_machine_agrees_within_a_ten_millionth(program: str, tmp_path: Path) -> None:
+    here, elsewhere = run(program, tmp_path), run(program, tmp_path, without=switchable())
+    assert_near(list(parts(json.loads(here[0]))), list(parts(json.loads(elsewhere[0]))))
+    assert_near(list(cells(here[1])), list(cells(elsewhere[1])))
 
 
 def assert_near(here: list[object], elsewhere: list[object]) -> None:
