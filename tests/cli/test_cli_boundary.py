@@ -234,3 +234,22 @@ def test_no_line_of_help_is_cut() -> None:
         listed = rapidsim(*command, "--help").out.partition("Commands:")[2]
         assert listed
         assert not [line for line in listed.splitlines() if line.endswith("...")]
+
+
+@pytest.mark.parametrize(
+    ("words", "wanted"),
+    [
+        ("rapidsim ki", "plain,kin"),
+        ("rapidsim kin ", "plain,fk"),
+        ("rapidsim run --rec", "--record"),
+    ],
+)
+def test_a_shell_is_told_which_words_may_follow(words: str, wanted: str) -> None:
+    environment = {
+        "_RAPIDSIM_COMPLETE": "bash_complete",
+        "COMP_WORDS": words,
+        "COMP_CWORD": str(len(words.split(" ")) - 1),
+    }
+    ended = rapidsim(environment=environment)
+    assert ended.code == 0, ended.err
+    assert wanted in ended.out
