@@ -10,7 +10,7 @@ from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.diagnostics import Source
 from rapidsim.files import decode
-from rapidsim.language.controller import FileMode, OpenFile
+from rapidsim.language.files import FileMode, OpenFile
 
 
 @dataclass(frozen=True, slots=True)

@@ -26,9 +26,9 @@ from enum import Enum
 from typing import Annotated, Any, TypeVar
 
 from rapidsim.language import types
-from rapidsim.language.controller import OpenFile
 from rapidsim.language.data import ClockState, Signal
 from rapidsim.language.error_log import LoggedError
+from rapidsim.language.files import OpenFile
 from rapidsim.language.modules import LoadSession
 from rapidsim.language.path_events import Trigger, ZoneShape
 from rapidsim.language.reference import Reference

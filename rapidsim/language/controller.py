@@ -13,16 +13,15 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from datetime import datetime
-from enum import Enum
 from types import MappingProxyType
 from typing import Any, Protocol
 
-from rapidsim.diagnostics import Source
 from rapidsim.language.cameras import Cameras
 from rapidsim.language.cyclic_bools import CyclicBools
 from rapidsim.language.data import JointTarget, Pos, RobTarget, ToolData, WobjData
 from rapidsim.language.equipment import Equipment
 from rapidsim.language.error_log import LoggedError
+from rapidsim.language.files import Files
 from rapidsim.language.modules import Modules
 from rapidsim.language.moves import (
     MotionSettings,
@@ -181,99 +180,6 @@ DISK_BYTES = 1_000_000_000
 """The size of the controller's disk, which holds the home folder alone."""
 DISK_FILES = 10_000
 """How many files and folders a run may make there."""
-
-
-class FileMode(Enum):
-    """What a file is opened for."""
-
-    READ = "read"
-    WRITE = "write"
-    APPEND = "append"
-
-
-class OpenFile(Protocol):
-    """An open file of the controller's home folder; bytes are text in ISO 8859-1."""
-
-    def write(self, data: bytes) -> None:
-        """Append bytes."""
-        ...
-
-    def read_line(self) -> bytes | None:
-        """The next line without its end; None at the end of the file."""
-        ...
-
-    def read(self, count: int) -> bytes:
-        """Up to `count` bytes; none at the end of the file."""
-        ...
-
-    def rewind(self) -> None:
-        """Go back to the first byte."""
-        ...
-
-    def close(self) -> None:
-        """Flush and close; closing twice does nothing."""
-        ...
-
-
-class Files(Protocol):
-    """The controller's disk, confined to the home folder of the run."""
-
-    def open_file(self, path: str, mode: FileMode) -> OpenFile:
-        """Open a file named as RAPID names it, such as "HOME:/log/today.txt".
-
-        Raises:
-            RapidError: ERR_FILEOPEN when it is missing, outside the home folder, or not to be had.
-        """
-        ...
-
-    def read_module(self, path: str, most: int) -> Source:
-        """The text of a program file.
-
-        Raises:
-            RapidError: ERR_FILNOTFND if there is none, ERR_IOERROR if it cannot be read,
-                ERR_PRGMEMFULL if it has more than `most` bytes.
-        """
-        ...
-
-    def copy_file(self, old: str, new: str) -> None:
-        """Copy a file.
-
-        Raises:
-            RapidError: ERR_FILEACC, or ERR_FILEEXIST if the new one is there already.
-        """
-        ...
-
-    def rename_file(self, old: str, new: str) -> None:
-        """Give a file another name or place; raises as `copy_file` does."""
-        ...
-
-    def remove_file(self, path: str) -> None:
-        """Delete a file; ERR_FILEACC if there is none."""
-        ...
-
-    def make_folder(self, path: str) -> None:
-        """Make a folder; ERR_FILEACC if it is there or cannot be made."""
-        ...
-
-    def remove_folder(self, path: str) -> None:
-        """Delete an empty folder; ERR_FILEACC if it is not there or not empty."""
-        ...
-
-    def names_in(self, path: str) -> tuple[str, ...]:
-        """The names in a folder, in order; ERR_FILEACC if there is none."""
-        ...
-
-    def is_folder(self, path: str) -> bool:
-        """Whether a folder is there."""
-        ...
-
-    def file_size(self, path: str) -> int | None:
-        """Size of a file [bytes]; None if there is no such file."""
-        ...
-
-    def bytes_in(self, path: str) -> int:
-        """Bytes of all files below a folder."""
-        ...
 
 
 class Sockets(Protocol):

@@ -21,7 +21,7 @@ from rapidsim.language.annotations import (
     Switch,
     Var,
 )
-from rapidsim.language.controller import DISK_BYTES, Controller, Files
+from rapidsim.language.controller import DISK_BYTES, Controller
 from rapidsim.language.error_numbers import (
     ERR_FILEACC,
     ERR_FILEOPEN,
@@ -29,6 +29,7 @@ from rapidsim.language.error_numbers import (
     ERR_RANYBIN_EOF,
     rapid_error,
 )
+from rapidsim.language.files import Files
 from rapidsim.language.types import NUM
 from rapidsim.library.files import opened_device
 from rapidsim.library.table import routine, table

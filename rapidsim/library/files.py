@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 
 from rapidsim.language.annotations import Bool, Dnum, InOut, IoDev, Num, String, Switch, Var
-from rapidsim.language.controller import FileMode, Files, Honesty, OpenFile
+from rapidsim.language.controller import Honesty
 from rapidsim.language.data import Orient, Pos
 from rapidsim.language.error_numbers import (
     ERR_ARGVALERR,
@@ -21,6 +21,7 @@ from rapidsim.language.error_numbers import (
     ERR_RCVDATA,
     rapid_error,
 )
+from rapidsim.language.files import FileMode, Files, OpenFile
 from rapidsim.language.reference import Reference
 from rapidsim.language.single import single
 from rapidsim.library.operator import option_text

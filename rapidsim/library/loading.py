@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from rapidsim.diagnostics import Source
 from rapidsim.language.annotations import Bool, LoadSessionVar, String, Switch, TaskId, Var
-from rapidsim.language.controller import Controller, FileMode, Files
+from rapidsim.language.controller import Controller
 from rapidsim.language.error_numbers import (
     ERR_IOERROR,
     ERR_LOADNO_INUSE,
@@ -24,6 +24,7 @@ from rapidsim.language.error_numbers import (
     rapid_error,
 )
 from rapidsim.language.errors import RapidError
+from rapidsim.language.files import FileMode, Files
 from rapidsim.language.modules import LoadSession, SavedModule
 from rapidsim.library.files import joined_path
 from rapidsim.library.table import routine, table

@@ -22,9 +22,10 @@ from collections.abc import Mapping
 
 from rapidsim.files import decode
 from rapidsim.language.annotations import Bool, Num, String
-from rapidsim.language.controller import Controller, FileMode
+from rapidsim.language.controller import Controller
 from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_FILEACC, ERR_TXTNOEXIST, rapid_error
 from rapidsim.language.errors import RapidError
+from rapidsim.language.files import FileMode
 from rapidsim.language.texts import Texts
 from rapidsim.library.table import routine, table
 from rapidsim.library.text import MAX_STRING

@@ -9,7 +9,6 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from datetime import datetime
 from pathlib import Path
-from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from rapidsim.controller.cell.description import CellIo
@@ -47,7 +46,7 @@ class Station:
     """What the controller has; None where nobody says, and all that any version has is known."""
     stubs: tuple[Path, ...] = ()
     """Modules that stand for libraries which the program lacks; all tasks have them."""
-    configured: Configured = field(default_factory=lambda: MappingProxyType({}))
+    configured: Configured = field(default_factory=dict)
     """The system parameters of a backup."""
     starts_at: datetime | None = None
     """Date and time of day at which a run begins; None where the file does not say."""

@@ -68,7 +68,11 @@ CALLS: dict[str, tuple[tuple[object, ...], ...]] = {
     ),
     "kin-jacobian": (("kin", "jacobian", *ROBOT, "--joints", "0,0,0,0,0,0"),),
     "robots": (("robots",),),
-    "robot": (("robots", "irb120"), ("robots", "rvm1")),
+    "robot": (
+        ("robots", "irb120", "--table", "--workspace"),
+        ("robots", "rvm1"),
+        ("robots", "irb460", "--table"),
+    ),
     "frames": (("frames", PROGRAMS / "cell"),),
     "follow": (
         ("follow", PROGRAMS / "rvm1_line.csv", "--robot", "rvm1"),

@@ -17,8 +17,8 @@ from rapidsim.cli.tools import debugger
 from rapidsim.controller.cell import home_folder
 from rapidsim.files import read_tasks
 from rapidsim.jobs.checked_program import load
-from rapidsim.language.controller import FileMode
 from rapidsim.language.errors import RapidError
+from rapidsim.language.files import FileMode
 
 SECRET = "SECRET-OF-ANOTHER-FOLDER"
 PROGRAM = 'MODULE job\n  PROC main()\n    TPWrite "done";\n  ENDPROC\nENDMODULE\n'
@@ -86,7 +86,7 @@ def test_links_to_themselves_in_the_home_folder_are_no_defect(here: Path, call: 
     (here / "job.mod").write_text(WRITES)
     (here / "job.home").mkdir()
     (here / "job.home" / "a.txt").symlink_to("a.txt")
-    code, out, _ = call("run", "job.mod", "--no-record")
+    code, out, _ = call("run", "job.mod", "--no-record", "--home", "job.home")
     assert (code, "a link to itself" in out) == (1, True)
 
 

@@ -8,9 +8,11 @@ from dataclasses import dataclass, field
 from datetime import datetime, timedelta
 from typing import Any
 
+from memory_file import MemoryFile
+
 from rapidsim.diagnostics import Source, Span
 from rapidsim.language.cameras import Camera
-from rapidsim.language.controller import Controller, FileMode
+from rapidsim.language.controller import Controller
 from rapidsim.language.data import (
     NO_EXTERNAL_AXES,
     TOOL0,
@@ -33,6 +35,7 @@ from rapidsim.language.error_numbers import (
     ERR_OUTSIDE_REACH,
     rapid_error,
 )
+from rapidsim.language.files import FileMode
 from rapidsim.language.modules import Modules
 from rapidsim.language.moves import Flank, MotionSettings, Move, Place, SearchStop
 from rapidsim.language.option_data import CameraTarget
@@ -50,36 +53,6 @@ JOINTS = JointTarget(RobJoint(0.0, 10.0, 20.0, 0.0, 30.0, 0.0), NO_EXTERNAL_AXES
 def call(name: str, *arguments: Any, **options: Any) -> Any:
     """Call a routine that needs no controller."""
     return ROUTINES[name.lower()].body(*arguments, **options)
-
-
-class MemoryFile:
-    def __init__(self, content: bytearray) -> None:
-        self.content = content
-        self.at = 0
-        self.closed = False
-
-    def write(self, data: bytes) -> None:
-        self.content += data
-
-    def read_line(self) -> bytes | None:
-        end = self.content.find(b"\n", self.at)
-        end = len(self.content) if end < 0 else end
-        if self.at >= len(self.content):
-            return None
-        line = bytes(self.content[self.at : end])
-        self.at = end + 1
-        return line
-
-    def read(self, count: int) -> bytes:
-        data = bytes(self.content[self.at : self.at + count])
-        self.at += len(data)
-        return data
-
-    def rewind(self) -> None:
-        self.at = 0
-
-    def close(self) -> None:
-        self.closed = True
 
 
 @dataclass

@@ -337,12 +337,12 @@ def test_kinematics_of_targets() -> None:
     assert number.value == errors.ERR_OUTSIDE_REACH
 
 
-def test_other_tasks_are_asked_by_name_only() -> None:
+def test_the_arms_of_other_tasks_are_asked_for() -> None:
     controller = RecordingController()
     assert controller.call("CJointT", task_name="T_ROB2") == JOINTS
     assert not controller.unsimulated
-    controller.call("CJointT", task_ref=Box(None))
-    assert controller.unsimulated == [(r"CJointT \TaskRef", "the robot of the task itself")]
+    assert controller.call("CJointT", task_ref=Box(None)) == JOINTS
+    assert not controller.unsimulated
 
 
 def test_vmax_and_max_rob_speed_agree() -> None:

@@ -133,8 +133,11 @@ def test_what_follows_from_parameters_is_not_forgotten() -> None:
 # Rooms and files where words stand that are names of routines, too: keywords of files, styles of
 # text, parts of messages.
 ELSEWHERE = {
+    "__init__.py": {"load"},
     "analysis/tolerated_syntax.py": {"DIM"},
+    "cli/commands/follow.py": {"write"},
     "cli/tools/follow_steps.py": {"dim"},
+    "comparison/program_changes.py": {"type"},
     "controller": {
         *("ClearPath", "RestoPath", "StorePath", "SyncMoveOn", "SyncMoveOff", "SyncMoveSuspend"),
         *("SyncMoveResume", "stop", "load"),

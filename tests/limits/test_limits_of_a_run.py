@@ -10,8 +10,8 @@ from rapidsim.controller.cell.home_folder import HomeFolder
 from rapidsim.controller.journal import journal
 from rapidsim.files import SourceFile
 from rapidsim.jobs.checked_program import load
-from rapidsim.language.controller import FileMode
 from rapidsim.language.errors import RapidError
+from rapidsim.language.files import FileMode
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.simulate import simulate

@@ -234,7 +234,7 @@ def test_few_rows_and_a_switch_keep_numba_away(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setenv("RAPIDSIM_NUMBA", "0")
     assert compiled.compiled(two_pass_loops, "both_passes", 10**9) is None
     monkeypatch.setenv("RAPIDSIM_NUMBA", "1")
-    monkeypatch.setattr(compiled, "find_spec", lambda name: None)
+    monkeypatch.setattr(compiled, "is_installed", lambda name: False)
     assert compiled.compiled(two_pass_loops, "both_passes", 10**9) is None
 
 

@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 
 from rapidsim.controller.cell.home_folder import HomeFolder
-from rapidsim.language.controller import FileMode
 from rapidsim.language.error_numbers import ERR_FILEACC, ERR_FILEOPEN
 from rapidsim.language.errors import RapidError
+from rapidsim.language.files import FileMode
 
 
 def test_home_names_and_bare_names_mean_the_same_place(tmp_path: Path) -> None:

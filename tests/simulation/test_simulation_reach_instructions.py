@@ -14,6 +14,8 @@ HEAD = f"""MODULE cell
   VAR robtarget found;
   VAR jointtarget axes;
   VAR triggdata near;
+  VAR pose moved;
+  PERS num any:=1;
   VAR triggios outs{{1}}:=[[TRUE,5,TRUE,0,"doGlue",1,0]];
   VAR seamdata seam;
   VAR welddata weld;
@@ -37,6 +39,9 @@ OF_TYPE = {
     "egmident": "egm",
     "dionum": "1",
     "num": "1",
+    "anytype": "any",
+    "robtarget": "p",
+    "pose": "moved",
 }
 OPTIONS = {
     "MoveJGO": r"\Value:=1",

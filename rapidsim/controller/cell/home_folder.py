@@ -17,7 +17,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import BinaryIO
 
-from rapidsim.language.controller import DISK_BYTES, DISK_FILES, FileMode, OpenFile
+from rapidsim.language.controller import DISK_BYTES, DISK_FILES
 from rapidsim.language.error_numbers import (
     ERR_FILEACC,
     ERR_FILEEXIST,
@@ -28,6 +28,7 @@ from rapidsim.language.error_numbers import (
     rapid_error,
 )
 from rapidsim.language.errors import RapidError
+from rapidsim.language.files import FileMode, OpenFile
 
 # Never wait for a pipe, never follow a link that appeared after the check; Windows has neither.
 _CAUTION = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)

@@ -35,7 +35,7 @@ from rapidsim.reach.dataflow.known_values import Evaluator, Known, Unknown
 from rapidsim.reach.dataflow.motion_settings import DISPLACEMENTS, KnownSettings
 from rapidsim.reach.dataflow.recorder import Recorder
 from rapidsim.reach.dataflow.side_effects import Effects, ProgramEffects, root_of
-from rapidsim.reach.dataflow.state import State, joined
+from rapidsim.reach.dataflow.state import Frame, State, joined
 from rapidsim.reach.dataflow.transfer_functions import Performed, perform
 from rapidsim.syntax import tree
 from rapidsim.syntax.collection import uncollected
@@ -80,15 +80,6 @@ def walk_program(program: Program) -> WalkedProgram:
 
 
 @dataclass(eq=False)
-class _Frame:
-    """A routine that is being walked."""
-
-    routine: RoutineSymbol
-    returns: list[State] = field(default_factory=list)
-    results: list[Known] = field(default_factory=list)
-
-
-@dataclass(eq=False)
 class _Walker:
     program: Program
     effects: ProgramEffects
@@ -99,7 +90,7 @@ class _Walker:
     """As `unknown`, where no way through the program leads there; it counts if nothing else does.
     """
     _index: dict[object, int] = field(default_factory=dict)
-    _stack: list[_Frame] = field(default_factory=list)
+    _stack: list[Frame] = field(default_factory=list)
     _entered: set[RoutineSymbol] = field(default_factory=set)
     _constants: dict[Symbol, Known] = field(default_factory=dict)
     _body_effects: dict[int, Effects] = field(default_factory=dict)
@@ -158,7 +149,7 @@ class _Walker:
             state.forget(self.effects.locals_of(routine), _ELSEWHERE)
             self.state = state
             self._left += sum(1 for _ in statements(body))
-            self._stack.append(_Frame(routine))
+            self._stack.append(Frame(routine))
             self._execute(body)
             self._stack.pop()
             self._from_start = from_start
@@ -166,7 +157,7 @@ class _Walker:
     def _walk_body(self, routine: RoutineSymbol) -> Known:
         """Walk a routine from the current state to what is known after it; its result."""
         self._entered.add(routine)
-        frame = _Frame(routine)
+        frame = Frame(routine)
         self._stack.append(frame)
         self._execute(routine.node.body)
         self._stack.pop()

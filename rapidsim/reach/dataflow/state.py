@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from rapidsim.analysis.program import Symbol
+from rapidsim.analysis.program import RoutineSymbol, Symbol
 from rapidsim.reach.dataflow.known_values import Known, Unknown
 from rapidsim.reach.dataflow.motion_settings import KnownSettings
 
@@ -58,3 +58,12 @@ def joined(ways: Iterable[State]) -> State:
         if result.last != other.last:
             result.last = None
     return result
+
+
+@dataclass(eq=False)
+class Frame:
+    """A routine that is being walked."""
+
+    routine: RoutineSymbol
+    returns: list[State] = field(default_factory=list)
+    results: list[Known] = field(default_factory=list)

@@ -10,7 +10,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from types import MappingProxyType
 
 from rapidsim.backinfo import listed_tasks
 from rapidsim.language.equipment import Configured
@@ -60,7 +59,7 @@ def backup_station(folders: Sequence[Path]) -> Station:
 def _configured_in(root: Path) -> Configured:
     """What the files of SYSPAR say, by domain."""
     texts = ((domain, text_in(root, "SYSPAR", f"{domain}.cfg")) for domain in _DOMAINS)
-    return MappingProxyType({domain: read_configuration(text) for domain, text in texts if text})
+    return {domain: read_configuration(text) for domain, text in texts if text}
 
 
 def _robotware(root: Path) -> RobotWare | None:

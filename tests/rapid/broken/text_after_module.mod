@@ -1,8 +1,8 @@
 ! Field practice, Broken shapes: prose after ENDMODULE.
 MODULE text_after_module
   PROC main()
-    TPWrite "read";
+    TPWrite "read";  ! -> read
   ENDPROC
 ENDMODULE
 This program moves the robot home.
-! error: E110
+! warning: E124
