@@ -11,6 +11,7 @@ from rapidsim.language.data import Pos, SpeedData
 from rapidsim.language.path_control import PathRecorder
 from rapidsim.language.reference import Reference
 from rapidsim.library.table import routine, table
+from rapidsim.library.traits import Does
 
 
 def path_rec_start(controller: PathRecorder, id_: Var[PathRecId]) -> None:
@@ -63,8 +64,8 @@ def _number(identifier: Reference[int | None] | None) -> int | None:
 PATH_RECORDER = table(
     routine("PathRecStart", path_rec_start, "ID"),
     routine("PathRecStop", path_rec_stop),
-    routine("PathRecMoveBwd", path_rec_move_bwd, r"\ID \ToolOffs \Speed"),
-    routine("PathRecMoveFwd", path_rec_move_fwd, r"\ID \ToolOffs \Speed"),
+    routine("PathRecMoveBwd", path_rec_move_bwd, r"\ID \ToolOffs \Speed", does=Does.LEAVE_PATH),
+    routine("PathRecMoveFwd", path_rec_move_fwd, r"\ID \ToolOffs \Speed", does=Does.LEAVE_PATH),
     routine("PathRecValidBwd", path_rec_valid_bwd, r"\ID"),
     routine("PathRecValidFwd", path_rec_valid_fwd, r"\ID"),
 )

@@ -82,9 +82,9 @@ STOP_START = table(
     routine("StartMove", start_move, back="StartMove"),
     routine("StartMoveRetry", start_move_retry, does=Does.LEAVE | Does.RETRY, back="StartMove"),
     routine("StopMoveReset", stop_move_reset),
-    routine("ClearPath", clear_path),
-    routine("StorePath", store_path),
-    routine("RestoPath", resto_path),
+    routine("ClearPath", clear_path, does=Does.LEAVE_PATH),
+    routine("StorePath", store_path, does=Does.LEAVE_PATH),
+    routine("RestoPath", resto_path, does=Does.LEAVE_PATH),
     routine("PathLevel", path_level),
     routine("IsStopMoveAct", is_stop_move_act, r"\FromMoveTask|\FromNonMoveTask"),
 )

@@ -47,6 +47,8 @@ class Does(Flag):
     """Takes other modules into the program."""
     DISCONNECT = auto()
     """Takes an interrupt away from its trap."""
+    LEAVE_PATH = auto()
+    """What comes next begins where the robot stands, not at the end of the last move."""
     HOLD_ROBOT = auto()
     """The robot stands still until it is told to go on."""
     HOLD_INTERRUPTS = auto()

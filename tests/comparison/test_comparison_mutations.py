@@ -9,7 +9,7 @@ from rapidsim.comparison.compare import compare
 from rapidsim.comparison.told import as_text
 from rapidsim.jobs.asked import Asked
 
-MAIN = """MODULE Main
+MAIN = """MODULE Cell
   ! Take a part and put it down.
   PERS tooldata tGrip:=[TRUE,[[0,0,150],[1,0,0,0]],[3,[0,0,70],[1,0,0,0],0,0,0]];
   PERS wobjdata wTable:=[FALSE,TRUE,"",[[550,-200,300],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];

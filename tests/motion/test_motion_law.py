@@ -63,7 +63,7 @@ def trajectory_of(file: FilePath) -> Trajectory | None:
     loaded = load([SourceFile(file.name, decode(file.read_bytes())[0], "utf-8")])
     if loaded.program is None or "main" not in loaded.program.routines:
         return None
-    options = RunOptions(max_time_s=60.0, answers=lambda prompt: None)
+    options = RunOptions(max_time_s=60.0, answers=lambda prompt: None, nearest_configuration=True)
     trajectory = simulate(loaded.program, ROBOT, options=options).only.trajectory
     return trajectory if trajectory.pieces else None
 

@@ -114,7 +114,7 @@ def compared(program: Program, monkeypatch: pytest.MonkeyPatch) -> int:
     both = [(one, run[key]) for key, made in reach.items() if key in run for one in made]
     for one, others in both:
         differing = [list(differences(one, other)) for other in others]
-        assert not all(differing), differing[0]
+        assert not all(differing), (program.modules[0].name.text, differing[0])
     return len(both)
 
 

@@ -174,6 +174,9 @@ class SoloQueue:
         kept = self._stored.pop()
         self.planner.block, self.end, self._left_at = kept.block, kept.end, kept.stood
         kept.block.plan = None
+        if not kept.block.is_open:
+            # Nothing is left of it to go on with: what comes next begins where the arm stands.
+            self.end, self._left_at = self.standing(), None
 
     def continue_from(self, ready_s: float) -> None:
         """Let the robot go on alone where it has moved with others up to a time [s]."""

@@ -131,10 +131,11 @@ def _paces(
         return time
 
     fastest = spent(np.full(len(index), np.inf))
-    feasible = fastest < wanted * (1.0 - _TIME_TOLERANCE)
+    # Of a segment that takes no time there is nothing left to drive.
+    feasible = (fastest > 0.0) & (fastest < wanted * (1.0 - _TIME_TOLERANCE))
     # Half the mean speed is slow enough even where a fast start has to be braked away first.
     low = 0.5 * way / wanted
-    high = np.where(feasible, 4.0 * way / fastest + low, np.inf)
+    high = low + np.divide(4.0 * way, fastest, out=np.full(len(way), np.inf), where=feasible)
     found = high
     for _ in range(_TIMED_ROUNDS):
         for _ in range(_TIMED_HALVINGS):

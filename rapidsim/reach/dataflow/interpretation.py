@@ -459,6 +459,8 @@ class _Walker:
         else:
             asked = f"`{{name}}` comes from `{routine.name}`"
             self._forget_effects(self.effects.of_bodies((call,)), asked)
+        if Does.LEAVE_PATH in routine.does:
+            self.state.last = None
         if not moving:
             return
         displaced = bool(self.state.settings.uncertain & DISPLACEMENTS)
