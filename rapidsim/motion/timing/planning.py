@@ -99,7 +99,7 @@ def _timed(
             times[i] = max(segment.duration - spent_s, _LEAST_TIME_S)
         else:
             share = (ends[i] - max(start, begins[i])) / (ends[i] - begins[i])
-            times[i] = segment.duration * float(share)
+            times[i] = max(segment.duration * float(share), _LEAST_TIME_S)
     return times, driven
 
 
