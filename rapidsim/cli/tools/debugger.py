@@ -243,9 +243,9 @@ class _Debugger(pdb.Pdb):
         except NotShownError as error:
             self.error(str(error))
 
-    def message(self, msg: str) -> None:
-        """Print, as everything is printed."""
-        say(msg)
+    def message(self, msg: str, end: str = "\n") -> None:
+        """Print, as everything is printed; from Python 3.13 on, with an end of the line."""
+        say(msg + end.removesuffix("\n"))
 
     def error(self, msg: str) -> None:
         """Say what is wrong with a command; modules are not looked for in Python's places."""
