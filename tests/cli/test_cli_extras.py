@@ -25,6 +25,8 @@ ASKED = (
     ("pyarrow", ("follow", ROOT / "programs" / "rvm1_line.csv", "--trace", "x.parquet")),
     ("matplotlib", ("run", PROGRAM, "--plots", "pictures")),
     ("scipy", ("kin", "ik", "--robot", "irb120", *POSE, "--solver", "lm")),
+    ("scipy", ("follow", ROOT / "programs" / "kr10_row.csv", "--robot", "kr10", "--starts")),
+    ("rerun", ("kin", "fk", "--robot", "irb120", "--joints", "0,0,0,0,0,0", "--record", "a.rrd")),
     ("yourdfpy", ("kin", "fk", "--robot", URDF, "--joints", "0,0,0,0,0,0")),
     ("yourdfpy", ("run", PROGRAM, "--no-record", "--robot", URDF)),
     ("yourdfpy", ("check", PROGRAM, "--robot", URDF)),

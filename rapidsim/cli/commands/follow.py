@@ -21,6 +21,7 @@ from rapidsim.cli.options.poses import (
     world_from_base,
 )
 from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
+from rapidsim.extras import require
 from rapidsim.files import InputError, decode, input_bytes, standard_input
 from rapidsim.jobs.choices import DEFAULT_ROBOT
 
@@ -211,6 +212,8 @@ def follow(
     recording = new_recording(record) if record else None
     trace_file = new_trace(trace) if trace else None
     pictures = new_plots(plots) if plots else None
+    if starts:
+        require("scipy", "--starts")
     if (points_file is None) == (line is None):
         raise InputError("points come from a file or from --line X,Y,Z,X,Y,Z, one of them")
     for step in dt:
