@@ -14,7 +14,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.waypoints.attitudes import AttitudeRates, attitude_rates, unbroken
 from rapidsim.motion.waypoints.follow import Followed
 from rapidsim.plots.arm_picture import arm_at_both_ends
-from rapidsim.plots.look import Theme, new_figure, time_axis
+from rapidsim.plots.look import Theme, mark_start, new_figure, time_axis
 from rapidsim.plots.stick_arm import MM, as_cube
 from rapidsim.plots.time_pictures import draw_joint
 from rapidsim.plots.write import write_pictures
@@ -69,16 +69,7 @@ def way_picture(followed: Followed, name: str, theme: Theme) -> Figure:
         axes.plot(*points[:, shown].T, color=theme.programmed, linewidth=0.9, label="straight")
         axes.plot(*way[:, shown].T, color=theme.tcp, label="TCP")
         axes.plot(*points[:, shown].T, "o", color=theme.ink, markersize=3.0, label="points")
-        axes.plot(
-            *way[:1, shown].T,
-            marker="o",
-            markersize=8,
-            fillstyle="none",
-            markeredgewidth=1.6,
-            linestyle="none",
-            color=theme.ink,
-            label="start",
-        )
+        mark_start(axes, way[0, shown], theme)
         axes.set_xlabel(_AXES[shown[0]])
         axes.set_ylabel(_AXES[shown[1]])
         if axes is not space:

@@ -14,6 +14,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 
+from rapidsim.frames.transform import Array
 from rapidsim.language.moves import Interpolation
 
 DPI = 144
@@ -146,3 +147,17 @@ def time_axis(axes: Axes, end_s: float) -> None:
     """The time axis from 0 to the end [s] of the run."""
     axes.set_xlabel("time [s]")
     axes.set_xlim(0.0, max(end_s, _SHORTEST_S))
+
+
+def mark_start(axes: Axes, start: Array, theme: Theme) -> None:
+    """A ring where a way begins, at coordinates of shape (2,) or (3,), in units of the axes."""
+    axes.plot(
+        *start[:, None],
+        marker="o",
+        markersize=8,
+        fillstyle="none",
+        markeredgewidth=1.6,
+        linestyle="none",
+        color=theme.ink,
+        label="start",
+    )

@@ -14,7 +14,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.language.moves import Interpolation
 from rapidsim.library.motion import PLAIN_MOVES
 from rapidsim.plots.drawn import MM, end_mm, frame_of, pieces, places_mm, target_name, title_of
-from rapidsim.plots.look import Theme, new_figure
+from rapidsim.plots.look import Theme, mark_start, new_figure
 from rapidsim.plots.stick_arm import as_cube
 from rapidsim.simulation.results.sampling import SampledRun
 
@@ -209,16 +209,7 @@ def _draw_names(
 
 def _draw_start(axes: Axes, run: SampledRun, theme: Theme, shown: tuple[int, ...]) -> None:
     """A ring where the TCP is before the first move."""
-    axes.plot(
-        *places_mm(run)[:1, shown].T,
-        marker="o",
-        markersize=8,
-        fillstyle="none",
-        markeredgewidth=1.6,
-        linestyle="none",
-        color=theme.ink,
-        label="start",
-    )
+    mark_start(axes, places_mm(run)[0, shown], theme)
 
 
 def _apart(names: list[str], places: Array, sweep: Array) -> list[tuple[str, Array]]:

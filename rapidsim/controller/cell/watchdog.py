@@ -140,5 +140,6 @@ class Watchdog:
         with self._lock:
             interrupted, self._at_work = self._at_work is None, None
         if interrupted and not isinstance(sys.exception(), _Interrupted):
-            while True:
-                sleep(_AGAIN_S)
+            # One that is raised in this thread by now comes up when the sleep is over. If none
+            # does, it has come before and another took its place; `look` ends the run then.
+            sleep(_AGAIN_S)
