@@ -191,8 +191,9 @@ def test_the_command_that_opens_a_recording_can_be_copied(tmp_path: Path) -> Non
     assert out.splitlines()[-1] == 'Open the recording with: rerun "pick & place.rrd"'
 
 
-@pytest.mark.parametrize("arguments", [(), ("--robot", "irb1600")], ids=["default", "named"])
-@pytest.mark.parametrize("text", [FAR, BEHIND], ids=["far", "way"])
+@pytest.mark.parametrize(
+    ("text", "arguments"), [(FAR, ()), (FAR, ("--robot", "irb1600")), (BEHIND, ())]
+)
 def test_a_run_points_at_the_target_as_a_check_does(
     text: str, arguments: tuple[str, ...], tmp_path: Path
 ) -> None:
