@@ -42,7 +42,9 @@ DataLike = DataSymbol | ParameterSymbol | CounterSymbol | ConfiguredSymbol
 
 
 # Programmers name signals after their kind: diStart, DO10_1, gi_part.
-_SIGNAL_NAME = re.compile(r"(di|do|ai|ao|gi|go)(?=[A-Z0-9_])|(DI|DO|AI|AO|GI|GO)(?=[0-9_])")
+_SIGNAL_NAME = re.compile(
+    r"(di|do|ai|ao|gi|go)(?=[A-Z0-9_])|(DI|DO|AI|AO|GI|GO)(?=[0-9_])|(?i:[dag][io])(?=_)"
+)
 _SIGNAL_OF_KIND = {signal.name[-2:]: signal for signal in types.SIGNALS}
 
 
