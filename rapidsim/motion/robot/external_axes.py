@@ -17,6 +17,8 @@ from rapidsim.frames.transform import Array, Transform
 
 Carried = Literal["robot", "wobj"]
 LETTERS = "abcdef"
+ROUNDED_AWAY = 0.05
+"""A limit that is exceeded by less [deg or mm] is not exceeded: findings would say by 0.0."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -75,6 +77,12 @@ class Axes:
     def joint_count(self) -> int:
         """Axes of the arm."""
         return len(self.lower) - len(self.external)
+
+    @property
+    def tolerances(self) -> Array:
+        """How little past its range each axis may be (n + e,) [rad or m]."""
+        external = [ROUNDED_AWAY / axis.scale for axis in self.external]
+        return np.array([math.radians(ROUNDED_AWAY)] * self.joint_count + external)
 
     def name(self, index: int) -> str:
         """Such as `axis 3` or `axis eax_a of TRACK`."""
