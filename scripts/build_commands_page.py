@@ -68,6 +68,16 @@ def _escaped(text: str) -> str:
     return re.sub(r"(`[^`]*`)|<", lambda found: found[1] or "&lt;", text)
 
 
+def _table(options: list[click.Parameter], context: click.Context) -> Iterator[str]:
+    rows = [record for option in options if (record := option.get_help_record(context))]
+    if not rows:
+        return
+    yield "| option | |\n|---|---|"
+    for names, text in rows:
+        yield f"| {_code(names)} | {_cell(text)} |"
+    yield ""
+
+
 def _cell(text: str) -> str:
     return _escaped(text).replace("|", "\\|").replace("  [", " [")
 

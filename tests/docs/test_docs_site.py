@@ -1,4 +1,4 @@
-"""The site is built without a warning, every page has a place in it, and generated pages are new."""
+"""The site is built without a warning, has a place for every page, and generated pages are new."""
 
 import runpy
 import shutil
