@@ -16,8 +16,8 @@ from pathlib import Path
 import click
 import pytest
 from command_line import call
-from matplotlib.figure import Figure
 from docs_snippets import PAGES, ROOT, Snippet, commands, printed_as, snippets
+from matplotlib.figure import Figure
 
 import rapidsim
 from rapidsim.cli.group import commands as command_group
