@@ -66,6 +66,8 @@ class _Search:
                     yield symbol
             case tree.Call() | tree.FunctionCall():
                 yield from self._passed_on(node)
+            case _:
+                pass
 
     def _passed_on(self, call: tree.Call | tree.FunctionCall) -> Iterator[Symbol]:
         """What a call gives such values to: the parameters of a routine, the data it changes."""

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import degrees, radians
+from math import degrees
 
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.numerical.solver import Numerical
-from rapidsim.motion.robot.external_axes import ROUNDED_AWAY
 from rapidsim.motion.robot.robot import Robot
 
-LIMIT_TOLERANCE = radians(ROUNDED_AWAY)
-"""A joint counts as within its limits up to this [rad]."""
+LIMIT_TOLERANCE = 1e-9
+"""A joint counts as within its limits up to this [rad], for rounding."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,9 +67,9 @@ def turns_within_limits(robot: Robot, joints: Array) -> Array:
 
 def limit_excess(robot: Robot, joints: Array) -> Array:
     """How far joint vectors (..., n) [rad] are over their limits: + above, - below, 0 within."""
-    above, below = joints - robot.upper, robot.lower - joints
-    excess: Array = np.where(above > LIMIT_TOLERANCE, above, 0.0)
-    return excess - np.where(below > LIMIT_TOLERANCE, below, 0.0)
+    above = np.maximum(joints - robot.upper - LIMIT_TOLERANCE, 0.0)
+    below = np.maximum(robot.lower - joints - LIMIT_TOLERANCE, 0.0)
+    return above - below
 
 
 def why_unreachable(

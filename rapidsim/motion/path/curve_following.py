@@ -26,6 +26,7 @@ _SHORTEST_CELL = 2e-5
 _SHORTEST_SHARE = 1e-2
 """An axis that turns by half a radian within this way of the TCP [m], or share of a short curve,
 has to jump: with axis 5 nearer to 0 than 0.006 deg on most arms. The controller stops before."""
+_LIMIT_TOLERANCE = 1e-6
 _MATCH_TOLERANCE = 1e-3
 
 
@@ -116,8 +117,8 @@ def limit_fault(
     """The first of some places (k,) whose joints (k, n + e) are outside the limits."""
     lower, upper = axes.lower, axes.upper
     over = np.maximum(lower - joints, joints - upper)
-    bad = np.flatnonzero((over > axes.tolerances).any(axis=-1))
-    if not len(bad):
+    bad = np.flatnonzero((over > _LIMIT_TOLERANCE).any(axis=-1))
+    if not len(bad) or not (over > axes.tolerances).any():
         return None
     first = int(bad[0])
     axis = int(over[first].argmax())

@@ -18,7 +18,7 @@ from rapidsim.frames.transform import Array, Transform
 Carried = Literal["robot", "wobj"]
 LETTERS = "abcdef"
 ROUNDED_AWAY = 0.05
-"""A limit that is exceeded by less [deg or mm] is not exceeded: findings would say by 0.0."""
+"""What a program writes may be past a limit by less [deg or mm]: the controller shows 0.0."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -94,9 +94,14 @@ class Axes:
     def text(self, index: int, value: float) -> str:
         """A value of an axis with its unit, such as `12.5 deg`."""
         if index < self.joint_count:
-            return f"{math.degrees(value):.1f} deg"
+            return f"{amount_text(math.degrees(value))} deg"
         axis = self.external[index - self.joint_count]
-        return f"{value * axis.scale:.1f} {axis.measure}"
+        return f"{amount_text(value * axis.scale)} {axis.measure}"
+
+
+def amount_text(value: float) -> str:
+    """Degrees or millimetres with a digit behind the point; with more where that would be 0."""
+    return f"{value:.1f}" if value == 0.0 or abs(value) >= ROUNDED_AWAY else f"{value:.1g}"
 
 
 def screws_of(
