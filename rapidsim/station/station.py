@@ -57,7 +57,7 @@ class Station:
             io=backup.io.and_also(self.io),
             external_axes=self.external_axes or backup.external_axes,
             other_units=backup.other_units,
-            remarks=backup.remarks,
+            remarks=self.remarks + backup.remarks,
         )
         if self.robot is not None or not backup.robots:
             return whole

@@ -54,7 +54,7 @@ class Resolver:
     journal: Journal
     base_from_world: Transform
     """With all external axes at zero."""
-    payload_acceleration: float = 1.0
+    payload_acceleration: float | None = None
     """See `MotionModel`."""
     _placements: dict[tuple[ToolData, WobjData], targets.Placement | targets.NotSimulatedFrame] = (
         field(default_factory=dict)
