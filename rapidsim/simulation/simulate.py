@@ -109,8 +109,14 @@ def run_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> FinishedRun:
         cell.watchdog.rest()
     cell.end_sharing()
     named = zip(setups, outcomes, strict=True)
+    simulation = _simulation(runs, outcomes, cell, time_s, options)
+    if options.geometry is not None:
+        # Few cells have bodies; what measures them is imported for those.
+        from rapidsim.simulation.collisions import with_collisions  # noqa: PLC0415
+
+        simulation = with_collisions(simulation, options.geometry)
     return FinishedRun(
-        _simulation(runs, outcomes, cell, time_s, options),
+        simulation,
         {setup.name: outcome.task for setup, outcome in named if outcome.task is not None},
     )
 
