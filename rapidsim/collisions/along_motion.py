@@ -147,7 +147,7 @@ class _Search:
         self._first: Index = np.array([pair.first for pair in scene.pairs])
         self._second: Index = np.array([pair.second for pair in scene.pairs])
         self._owner: Index = np.array([pair.owner for pair in scene.pairs])
-        self._is_own = np.array([pair.is_own for pair in scene.pairs])
+        self._touch_only = np.array([pair.touch_only for pair in scene.pairs])
         self._best: dict[tuple[int, int], _Best] = {}
         # Of each robot and move: from which gap on a stretch is no news; and that gap itself.
         self._wanted = np.full((len(scene.arms), 1), FARTHEST_M)
@@ -213,7 +213,7 @@ class _Search:
         way = (shift + swing)[:, first] + (shift + swing)[:, second]
         slack = bend * (step[:, None] ** 2 / 8.0)
         least = 0.5 * (near[1:] + near[:-1] - way) - slack
-        wanted = np.where(self._is_own, -TOUCH_M, FARTHEST_M)
+        wanted = np.where(self._touch_only, -TOUCH_M, FARTHEST_M)
         at, pair = np.nonzero(least < wanted)
         unseen = np.zeros(len(at), dtype=np.bool_)
         return _Stretches(
@@ -296,7 +296,7 @@ class _Search:
         move = poses.moves[some.end, owner]
         long = poses.times[some.end] - poses.times[some.start] > SHORTEST_S
         long |= ~(some.seen_start & some.seen_end)
-        nearer = ~self._is_own[some.pair] & (least < self._wanted[owner, move])
+        nearer = ~self._touch_only[some.pair] & (least < self._wanted[owner, move])
         for (pair, of_move), touch in self._touch.items():
             over = (some.pair == pair) & (move == of_move)
             over &= poses.times[some.start] >= touch.time_s
@@ -325,7 +325,7 @@ class _Search:
 
     def _measured(self, some: _Stretches) -> _Stretches:
         way, slack = self._ways(some)
-        own = self._is_own[some.pair]
+        own = self._touch_only[some.pair]
         owner = self._owner[some.pair]
         move = self._poses.moves[some.end, owner]
         wanted = np.where(own, 0.0, self._nearest[owner, move])
@@ -375,7 +375,7 @@ class _Search:
                 if known is None or time_s < known.time_s:
                     place = poses.rotation[t, second] @ point[k] + poses.translation[t, second]
                     self._touch[p, move] = _Touch(time_s, place)
-            if not self._is_own[p] and gap[k] < self._nearest[owner, move]:
+            if not self._touch_only[p] and gap[k] < self._nearest[owner, move]:
                 place = poses.rotation[t, second] @ point[k] + poses.translation[t, second]
                 best = _Best(max(float(gap[k]), 0.0), time_s, p, place)
                 self._best[owner, move] = best

@@ -76,5 +76,7 @@ class CellGeometry:
     ignored: tuple[IgnoredPair, ...] = ()
     clearance_m: float = 0.0
     """A run that comes nearer than this is told so."""
+    stops: bool = False
+    """Whether a contact ends the run."""
     own_links: bool = True
     """Whether an arm is judged against itself."""

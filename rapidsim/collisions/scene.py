@@ -62,8 +62,9 @@ class Pair:
     second: int
     owner: int
     """The robot whose move it is."""
-    is_own: bool
-    """Whether both belong to one arm: how near they come is no news."""
+    touch_only: bool
+    """Whether how near they come is no news: of links of one arm, and of a part and what it lies
+    on."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from itertools import combinations
 
@@ -21,6 +21,8 @@ from rapidsim.motion.configurations.targets import transform
 from rapidsim.simulation.results.signal_history import Changes, signal_changes
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
 
+_LYING_M = 1e-3
+"""A part that is so near to something when it is taken or left lies on it."""
 _STOPPING_S = 0.5
 """After its last command an arm is seen to move no longer than this."""
 
@@ -76,8 +78,33 @@ class _Builder:
                 self._remarks.append(
                     f"the station ignores `{ignored.first}` and `{ignored.second}`: no such pair"
                 )
-        scene = Scene(self._arms, tuple(self._bodies), pairs)
+        scene = self._lying(Scene(self._arms, tuple(self._bodies), pairs))
         return CellScene(scene, tuple(dict.fromkeys(self._remarks)), self._objects)
+
+    def _lying(self, scene: Scene) -> Scene:
+        """The same with the pairs told apart of which one lies on the other, or is put there.
+
+        A part leaves what it lies on, and comes down on what it is put on: that is near, and meant.
+        """
+        bodies = scene.shapes()
+        pairs = list(scene.pairs)
+        for number, pair in enumerate(pairs):
+            carried = [one for one in (pair.first, pair.second) if self._carriers.get(one)]
+            if pair.touch_only or not carried:
+                continue
+            times = sorted({one.from_s for body in carried for one in self._bodies[body].carried})
+            poses = scene.poses(np.array(times))
+            back = np.swapaxes(poses.rotation[:, pair.second], 1, 2)
+            apart = poses.translation[:, pair.first] - poses.translation[:, pair.second]
+            seen = Transform(
+                back @ poses.rotation[:, pair.first], np.einsum("kij,kj->ki", back, apart)
+            )
+            here = np.zeros(len(times), dtype=np.int64)
+            enough = np.full(len(times), _LYING_M)
+            gaps = bodies.gaps(here + pair.first, here + pair.second, seen, enough)
+            if gaps.found.min() < _LYING_M:
+                pairs[number] = replace(pair, touch_only=True)
+        return replace(scene, pairs=tuple(pairs))
 
     def _named(self, name: str, robot: int) -> BodyName:
         whose = f" of {self._runs[robot].task}" if len(self._runs) > 1 else ""
@@ -204,7 +231,7 @@ class _Builder:
         for a, b in combinations(range(len(self._bodies)), 2):
             if a in links and b in links and links[a][0] == links[b][0]:
                 if (a, b) in own and not self._is_ignored(a, b):
-                    yield Pair(a, b, links[a][0], is_own=True)
+                    yield Pair(a, b, links[a][0], touch_only=True)
                 continue
             pair = self._pair(a, b, links)
             if pair is not None and not self._is_ignored(a, b):
@@ -222,7 +249,7 @@ class _Builder:
             # Tool and last link touch, as any two things that are bolted to each other do.
             if not self._geometry.own_links or abs(fixed_a[1] - fixed_b[1]) <= 2:
                 return None
-            return Pair(a, b, fixed_a[0], is_own=True)
+            return Pair(a, b, fixed_a[0], touch_only=True)
         for holders, fixed in ((holders_a, fixed_b), (holders_b, fixed_a)):
             if holders and fixed is not None and fixed[0] in holders:
                 # Fingers close on what they carry.
@@ -231,7 +258,7 @@ class _Builder:
                     return None
         first, second = (b, a) if self._rests(a) else (a, b)
         owner = min(self._movers(first) or moving)
-        return Pair(first, second, owner, is_own=False)
+        return Pair(first, second, owner, touch_only=False)
 
     def _movers(self, body: int) -> set[int]:
         """The robots that ever move a body."""

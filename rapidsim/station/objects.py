@@ -79,11 +79,12 @@ def read_geometry(reader: Reader, station: Table) -> CellGeometry | None:
 
 def _settings(reader: Reader, table: Table, found: CellGeometry) -> CellGeometry:
     """The table [collisions]."""
-    reader.known("collisions", table, ("clearance", "own-links", "ignore"))
+    reader.known("collisions", table, ("clearance", "stop-on-collision", "own-links", "ignore"))
     clearance = reader.not_negative(table, "collisions", "clearance")
     return replace(
         found,
         clearance_m=(clearance or 0.0) * MM,
+        stops=_flag(reader, table, "stop-on-collision", False),
         own_links=_flag(reader, table, "own-links", True),
         ignored=_ignored(reader, table),
     )

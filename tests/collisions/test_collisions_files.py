@@ -29,18 +29,18 @@ def export(folder: Path, kind: str) -> Path:
     """The box in a file of a kind."""
     match kind:
         case "gltf":
-            for name, data in trimesh.Scene(BOX).export(file_type="gltf").items():
+            for name, data in trimesh.Scene(BOX).export(file_type="gltf").items():  # type: ignore[no-untyped-call]
                 (folder / name).write_bytes(data)
             return folder / "model.gltf"
         case "glb":
-            trimesh.Scene(BOX).export(folder / "box.glb")
+            trimesh.Scene(BOX).export(folder / "box.glb")  # type: ignore[no-untyped-call]
             return folder / "box.glb"
         case "ascii.stl":
             (folder / kind).write_text(trimesh.exchange.stl.export_stl_ascii(BOX))
         case "ascii.ply":
             (folder / kind).write_bytes(trimesh.exchange.ply.export_ply(BOX, encoding="ascii"))
         case _:
-            BOX.export(folder / kind)  # type: ignore[no-untyped-call]
+            BOX.export(folder / kind)
     return folder / kind
 
 
@@ -58,7 +58,7 @@ def test_bodies_that_touch_are_pieces_of_their_own(tmp_path: Path) -> None:
     upper = BOX.copy()
     upper.apply_translation((0.0, 0.0, 300.0))
     upper.apply_scale((0.5, 0.5, 1.0))
-    trimesh.util.concatenate([BOX, upper, trimesh.creation.torus(500.0, 50.0)]).export(
+    trimesh.util.concatenate([BOX, upper, trimesh.creation.torus(500.0, 50.0)]).export(  # type: ignore[no-untyped-call]
         tmp_path / "three.stl"
     )
     mesh = read_mesh(tmp_path / "three.stl", tmp_path)

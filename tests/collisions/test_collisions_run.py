@@ -192,3 +192,18 @@ modules = ["right.mod"]
     assert ended.code == 1, ended
     assert "of T_LEFT" in ended.out
     assert "of T_RIGHT" in ended.out
+
+
+def test_a_contact_ends_the_run_where_the_station_says_so(tmp_path: Path) -> None:
+    moves = f'{DOWN.format(-150)}\n    TPWrite "over";'
+    station = f"[collisions]\nstop-on-collision = true\n{TABLE}"
+    cell(tmp_path, moves, TABLE)
+    goes_on = report(tmp_path, 1)
+    cell(tmp_path, moves, station)
+    stops = report(tmp_path, 1)
+    assert goes_on["end"] == "ended"
+    assert [one["message"] for one in goes_on["events"]] == ["over"]
+    assert stops["end"] == "error"
+    assert stops["time_s"] == goes_on["collisions"][0]["time_s"]
+    assert not stops["events"]
+    assert codes(stops) == ["C101"]
