@@ -31,7 +31,15 @@ if TYPE_CHECKING:
 _IO_KEYS = ("signals", "cross", "stimulus", "socket", "camera", "conveyor")
 _GEOMETRY_KEYS = ("object", "attach", "collisions")
 _KEYS = (
-    *("controller", "robot", "external_axis", "motion", "task", *_IO_KEYS, "clock", "check"),
+    "controller",
+    "robot",
+    "external_axis",
+    "motion",
+    "dynamics",
+    "task",
+    *_IO_KEYS,
+    "clock",
+    "check",
     *_GEOMETRY_KEYS,
 )
 
@@ -47,7 +55,9 @@ def read_station(file: Path) -> Station:
     reader = Reader(file)
     reader.known("", table, _KEYS)
     robots = read_robots(reader, table)
-    model = read_motion(reader, reader.table(table, "motion"))
+    model, remarks = read_motion(
+        reader, reader.table(table, "motion"), reader.table(table, "dynamics")
+    )
     tasks = read_tasks(reader, table, [robot.label for robot in robots] or [None])
     station = Station(
         file=file,
@@ -62,6 +72,7 @@ def read_station(file: Path) -> Station:
         starts_at=_starts_at(reader, reader.table(table, "clock")),
         check=read_check(reader, reader.table(table, "check")),
         geometry=_geometry(reader, table),
+        remarks=remarks,
     )
     reader.finish()
     return station
