@@ -101,7 +101,7 @@ class RecordingController:
     def whole(self) -> Controller:
         """All concerns in one; mypy holds it against the protocol of each."""
         whole = Controller(
-            *(self, self, self, self, self, self),
+            *(self, self, self, self, self, self, self),
             *(self, self, self, self, self, self, self, self, self, self, self, self, self),
         )
         for name in ("symbols", "modules"):
