@@ -94,10 +94,11 @@ class TaskExecution:
             # What cannot be planned is told when the program comes to it again.
             with suppress(MotionError):
                 queue.halt(since_s)
+        waited = self.table.waiting()
         self.stands, now_s = True, since_s
         while self.stands:
             now_s = self.cell.turns.until(self.clock, math.inf)
         self.clock.set(max(since_s, now_s))
-        self.table.stood(since_s, now_s)
+        self.table.stood(waited, since_s, now_s)
         if stopped and queue.is_halted:
             queue.resume(now_s)

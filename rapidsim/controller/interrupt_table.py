@@ -243,10 +243,21 @@ class InterruptTable:
                 return due
         return None
 
-    def stood(self, since_s: float, until_s: float) -> None:
-        """The program has stood for a while: what came then is lost, but for what is safe."""
+    def waiting(self) -> tuple[Due, ...]:
+        """The interrupts that wait for their traps."""
+        return tuple(self._queue)
+
+    def stood(self, waited: tuple[Due, ...], since_s: float, until_s: float) -> None:
+        """The program has stood for a while: what came then is lost, but for what is safe.
+
+        Args:
+            waited: What waited when it stopped.
+            since_s: When that was [s].
+            until_s: When it went on [s].
+        """
         safe = {number for number, one in self._connections.items() if one.safe}
-        self._queue = [one for one in self._queue if one.time_s <= since_s or one.number in safe]
+        kept = {id(one) for one in waited}
+        self._queue = [one for one in self._queue if id(one) in kept or one.number in safe]
         for connection in self._connections.values():
             next_s, period_s = connection.next_s, connection.period_s
             if next_s is None or next_s > until_s:

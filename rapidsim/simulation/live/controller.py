@@ -68,7 +68,7 @@ class LiveController:
         self.cell = Cell(self.options.cell, self._journal)
         self.cell.outsiders_act = True
         self.cell.logbook = lambda task, entry, time_s: self.log.written(entry, time_s)
-        self.log = EventLog(self.told)
+        self.log = EventLog(lambda entry: self.told(entry))
         self._turns = LiveTurns(self.cell)
         self.cell.share(self._turns)
         arms = [setup.robot for setup in self.setups if setup.robot is not None]
