@@ -54,10 +54,13 @@ def task_setups(
         said = known.get(task.name.lower())
         kind = TaskKind.NORMAL if said is None else said.kind
         number = None if said is None else said.robot_number
+        queue = None if said is None else said.queue
         if task in movers or (number is None and len(tasks) == 1):
             number = given
         if number is None:
-            setups.append(TaskSetup(task.name, task.program, kind=kind, written=task.written))
+            setups.append(
+                TaskSetup(task.name, task.program, kind=kind, written=task.written, queue=queue)
+            )
             continue
         given += 1
         robot = robots[number] if number < len(robots) else StationRobot()
@@ -66,7 +69,9 @@ def task_setups(
             arm = robot.bounded(open_robot(robot.name))
         start, place = robot.start_joints_deg, robot.world_from_base
         _require_axes(station, arm, start)
-        setups.append(TaskSetup(task.name, task.program, arm, start, place, kind, task.written))
+        setups.append(
+            TaskSetup(task.name, task.program, arm, start, place, kind, task.written, queue=queue)
+        )
     return tuple(setups)
 
 

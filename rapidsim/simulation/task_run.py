@@ -10,6 +10,7 @@ import numpy as np
 
 from rapidsim.analysis.program import Program
 from rapidsim.controller.cell.cell import Cell
+from rapidsim.controller.cell.message_queues import QueueSettings
 from rapidsim.controller.controller import VirtualController, virtual_controller
 from rapidsim.controller.journal.failed_moves import FailedMove, failed_on_the_way
 from rapidsim.controller.journal.journal import Journal
@@ -29,7 +30,7 @@ from rapidsim.files import InputError
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.interpreter.linking.loader import Task, running
 from rapidsim.interpreter.runtime.call_stack import FatalError
-from rapidsim.language.errors import CycleEnded, Stopped
+from rapidsim.language.errors import CycleEnded, NotAllowed, Stopped
 from rapidsim.language.moves import Place
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.robot.external_axes import ExternalAxis
@@ -42,6 +43,7 @@ from rapidsim.simulation.run_findings import (
     fatal_finding,
     impossible_move_finding,
     motion_finding,
+    not_allowed_finding,
     stopped_finding,
     time_limit_finding,
     trap_storm_finding,
@@ -67,6 +69,8 @@ class TaskSetup:
     """Folded names of the persistents that the program may write; None where nobody has looked."""
     entry: str | None = None
     """The procedure it begins with; None takes that of the run's options."""
+    queue: QueueSettings | None = None
+    """Its message queue; None where nobody describes it."""
 
     @property
     def counts(self) -> bool:
@@ -143,7 +147,9 @@ def begun(
     )
     place = _entry_place(setup.program, setup.entry or options.entry)
     has_robot = setup.robot is not None
-    controller = virtual_controller(cell, unit, resolver, journal, place, has_robot=has_robot)
+    controller = virtual_controller(
+        cell, unit, resolver, journal, place, has_robot=has_robot, queue=setup.queue
+    )
     if not setup.counts:
         controller.clock.run_in_background()
     return TaskRun(setup, journal, unit.own, controller)
@@ -232,6 +238,9 @@ def outcome_of(
         case MoveImpossible():
             controller.motion.abandon()
             return Outcome(End.ERROR, (impossible_move_finding(error, place),))
+        case NotAllowed():
+            controller.motion.abandon()
+            return Outcome(End.ERROR, (not_allowed_finding(error, place),))
         case _:
             controller.motion.abandon()
             return Outcome(End.STOPPED, (stopped_finding(error, place),))

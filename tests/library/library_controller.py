@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
 from datetime import datetime, timedelta
-from typing import Any
+from typing import Any, cast
 
 from memory_file import MemoryFile
 
@@ -35,7 +35,9 @@ from rapidsim.language.error_numbers import (
     ERR_OUTSIDE_REACH,
     rapid_error,
 )
+from rapidsim.language.errors import Stopped
 from rapidsim.language.files import FileMode
+from rapidsim.language.messages import Messages
 from rapidsim.language.modules import Modules
 from rapidsim.language.moves import Flank, MotionSettings, Move, Place, SearchStop
 from rapidsim.language.option_data import CameraTarget
@@ -103,6 +105,8 @@ class RecordingController:
         whole = Controller(
             *(self, self, self, self, self, self, self),
             *(self, self, self, self, self, self, self, self, self, self, self, self, self),
+            # Messages go between tasks, and here is one: the book of the language has them.
+            cast(Messages, self),
         )
         for name in ("symbols", "modules"):
             if hasattr(self, name):
@@ -131,6 +135,9 @@ class RecordingController:
     def move(self, move: Move, triggers: tuple[Trigger, ...] = ()) -> None:
         self.moves.append(move)
         self.triggers += triggers
+
+    def stop(self, reason: str) -> None:
+        raise Stopped(reason)
 
     def stop_move(self) -> None:
         self.log.append("stop")
