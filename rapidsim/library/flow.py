@@ -79,9 +79,14 @@ def linked_m_exe() -> None:
 
 FLOW = table(
     routine("Stop", stop, does=Does.WAIT),
-    routine("Break", break_),
+    routine("Break", break_, does=Does.WAIT),
     routine("ExitCycle", exit_cycle, does=Does.LEAVE),
-    routine("SystemStopAction", system_stop_action, r"\Stop|\StopBlock|\Halt", does=Does.LEAVE),
+    routine(
+        "SystemStopAction",
+        system_stop_action,
+        r"\Stop|\StopBlock|\Halt",
+        does=Does.LEAVE | Does.WAIT,
+    ),
     routine("OpMode", op_mode),
     routine("RunMode", run_mode),
     routine("RobOS", rob_os),

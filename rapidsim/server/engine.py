@@ -16,6 +16,7 @@ from rapidsim.server.messages import (
     DONE,
     Message,
     Note,
+    Refusal,
     RefusedRequest,
     Reply,
     Request,
@@ -177,6 +178,11 @@ class Engine:
             return self._replied(message)
         except RefusedRequest as refused:
             return refused.refusal
+        except Exception as error:
+            # A defect of ours ends a request, not the controller.
+            defect = f"rapidsim has a defect: {type(error).__name__}: {error}"
+            self.told(Note(f"error: {defect}; please report it with the request, {message!r}"))
+            return Refusal(500, -1, defect)
         finally:
             self.subscriptions.look()
 

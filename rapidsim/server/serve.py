@@ -74,7 +74,7 @@ async def _serve(
         # Windows has none in a loop; Ctrl-C raises KeyboardInterrupt there.
         with suppress(NotImplementedError):
             loop.add_signal_handler(number, over.set)
-    runner = web.AppRunner(face.app(), handle_signals=False, shutdown_timeout=1.0)
+    runner = web.AppRunner(face.app(), handle_signals=False, access_log=None, shutdown_timeout=1.0)
     await runner.setup()
     try:
         site = web.TCPSite(runner, settings.host, settings.rws1_port)

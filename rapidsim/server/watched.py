@@ -10,12 +10,14 @@ from rapidsim.server.messages import Change, Item, RefusedRequest
 from rapidsim.server.resources import panel, programs, signals, symbols
 from rapidsim.server.resources.codes import NOT_FOUND, refused
 from rapidsim.server.resources.context import Context
+from rapidsim.server.resources.queues import message_item
 from rapidsim.simulation.live.event_log import LogEntry
 from rapidsim.simulation.live.states import Refused
 
 _SIGNALS: Final = "/rw/iosystem/signals/"
 _SYMBOLS: Final = "/rw/rapid/symbol/data/RAPID/"
 _LOG: Final = "/rw/elog/"
+_QUEUES: Final = "/rw/dipc/"
 
 Look = Callable[[], tuple[Item, ...]]
 
@@ -34,6 +36,8 @@ class _Group:
     values: list[_Watched] = field(default_factory=list)
     domains: list[str] = field(default_factory=list)
     """Of the event log."""
+    queues: list[str] = field(default_factory=list)
+    """Of clients."""
 
 
 @dataclass(slots=True, eq=False)
@@ -50,6 +54,11 @@ class Subscriptions:
         """Hear of signals."""
         self.context.live.cell.listeners.append(self)
 
+    @property
+    def groups(self) -> int:
+        """How many there are."""
+        return len(self._groups)
+
     def begin(self, group: int, resources: tuple[str, ...]) -> None:
         """Listen to resources; their values now are told first.
 
@@ -64,6 +73,11 @@ class Subscriptions:
                 heard.append((name.lower(), resource))
             elif resource.startswith(_LOG):
                 made.domains.append(resource.removeprefix(_LOG).strip("/"))
+            elif resource.startswith(_QUEUES):
+                name = resource.removeprefix(_QUEUES).strip("/")
+                if name not in self.context.queues:
+                    raise refused(NOT_FOUND, f"there is no queue {name}")
+                made.queues.append(name)
             else:
                 look = self._look(resource)
                 made.values.append(_Watched(look, look()))
@@ -92,6 +106,15 @@ class Subscriptions:
                 if now != watched.last:
                     watched.last = now
                     self.told(Change(group, now))
+            for name in one.queues:
+                self._take(group, name)
+
+    def _take(self, group: int, name: str) -> None:
+        """Tell the messages that wait for a client, which takes them away."""
+        queue = self.context.queues.get(name)
+        while queue is not None and queue.messages:
+            item = message_item(name, queue.messages.pop(0), "dipc-msg-ev")
+            self.told(Change(group, (item,)))
 
     def logged(self, entry: LogEntry) -> None:
         """Tell of an entry of the event log."""

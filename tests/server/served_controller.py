@@ -56,6 +56,23 @@ class Served:
             assert text
             return response.status, body["_embedded"]["status"]["code"]
 
+    async def status(self, path: str) -> tuple[int, int]:
+        """Status and code of a refusal."""
+        join = "&" if "?" in path else "?"
+        async with self.client.get(f"{self.base}/{path}{join}json=1") as response:
+            return response.status, (await response.json())["_embedded"]["status"]["code"]
+
+    async def search(self, path: str, **form: str) -> list[dict[str, Any]]:
+        """The items that an action answers with."""
+        async with self.client.post(f"{self.base}/{path}&json=1", data=form) as response:
+            assert response.status == 200
+            items: list[dict[str, Any]] = (await response.json())["_embedded"]["_state"]
+            return items
+
+    async def second_client(self) -> Served:
+        """The same controller for another client, who must close it."""
+        return Served(self.base, _client(), self.engine, self.face)
+
     async def executes(self) -> bool:
         (state,) = await self.get("rw/rapid/execution")
         return bool(state["ctrlexecstate"] == "running")
@@ -88,9 +105,14 @@ async def _serve(
         site = web.TCPSite(runner, "127.0.0.1", 0)
         await site.start()
         port = runner.addresses[0][1]
-        digest = aiohttp.DigestAuthMiddleware("Default User", "robotics")
-        jar = aiohttp.CookieJar(unsafe=True)
-        async with aiohttp.ClientSession(middlewares=(digest,), cookie_jar=jar) as client:
+        async with _client() as client:
             return await use(Served(f"http://127.0.0.1:{port}", client, link.engine, face))
     finally:
         await runner.cleanup()
+
+
+def _client() -> aiohttp.ClientSession:
+    digest = aiohttp.DigestAuthMiddleware("Default User", "robotics")
+    # Cookies of addresses in figures are kept only so.
+    jar = aiohttp.CookieJar(unsafe=True)
+    return aiohttp.ClientSession(middlewares=(digest,), cookie_jar=jar)

@@ -127,6 +127,8 @@ class Face:
             response = await handler(request)
         except EngineEndedError:
             return web.Response(status=500, text="the controller has ended\n")
+        except (UnicodeError, ValueError):
+            return web.Response(status=400, text="the request cannot be read\n")
         if fresh and not response.prepared:
             for name, value in session.cookies.items():
                 # By hand: one of the names would not pass `set_cookie`.

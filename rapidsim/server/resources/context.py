@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Final, TypeAlias, TypeVar
 
+from rapidsim.controller.cell.message_queues import MessageQueue
 from rapidsim.server.messages import Answer, Fields
 from rapidsim.server.resources.codes import BAD_PARAMETER, HELD_BY_ANOTHER, refused
 from rapidsim.simulation.live.controller import LiveController
@@ -22,6 +23,10 @@ class Context:
     live: LiveController
     masters: dict[str, int] = field(default_factory=dict)
     """The session that holds each domain."""
+    queues: dict[str, MessageQueue] = field(default_factory=dict)
+    """The message queues of clients, by their names as they are spelled."""
+    owners: dict[str, int] = field(default_factory=dict)
+    """The session that made each of them."""
 
     def require_mastership(self, domain: str, session: int) -> None:
         """Refuse what another session has the mastership of; in AUTO it is taken implicitly.
@@ -35,6 +40,9 @@ class Context:
     def release_all(self, session: int) -> None:
         """Give back what a session holds."""
         self.masters = {key: one for key, one in self.masters.items() if one != session}
+        for name in [name for name, owner in self.owners.items() if owner == session]:
+            self.live.cell.messages.disconnect(name)
+            del self.queues[name], self.owners[name]
 
 
 Resource: TypeAlias = Callable[..., Answer]
@@ -76,3 +84,15 @@ def number(form: Fields, name: str) -> float:
     if not abs(value) < float("inf"):
         raise refused(BAD_PARAMETER, f"`{name}` cannot be `{form[name]}`")
     return value
+
+
+def count(form: Fields, name: str, default: int) -> int:
+    """A number of things that a request may give.
+
+    Raises:
+        RefusedRequest: If it is none.
+    """
+    text = form.get(name, str(default))
+    if not (text.isascii() and text.isdecimal() and len(text) < 10):
+        raise refused(BAD_PARAMETER, f"`{name}` cannot be `{text}`")
+    return int(text)

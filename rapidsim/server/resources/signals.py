@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.server.messages import DONE, Answer, Item, Request
-from rapidsim.server.resources.context import Context, number
+from rapidsim.server.resources.context import Context, count, number
 
 
 def signals(context: Context, request: Request) -> Answer:
     """All signals, or so many from one on."""
     found = context.live.signals()
-    first = max(0, int(request.query.get("start", "0") or 0))
-    most = int(request.query.get("limit", str(len(found))) or len(found))
-    return Answer(tuple(signal_item(context, one) for one in found[first : first + max(0, most)]))
+    first, most = count(request.query, "start", 0), count(request.query, "limit", len(found))
+    return Answer(tuple(signal_item(context, one) for one in found[first : first + most]))
 
 
 def search(context: Context, request: Request) -> Answer:

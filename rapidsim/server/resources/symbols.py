@@ -42,7 +42,7 @@ def set_value(context: Context, request: Request, symbol: str) -> Answer:
     task, datum = _find(context, symbol.removesuffix(";value"))
     context.require_mastership("rapid", request.session)
     symbols.write(task, datum, given(request.form, "value"))
-    context.live.settle()
+    context.live.tell()
     return DONE
 
 

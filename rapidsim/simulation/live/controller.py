@@ -173,6 +173,7 @@ class LiveController:
             self.log.operational(code, self.now_s, f"{task.name} has been started.", task.name)
             task.start()
         self._show_states()
+        self.settle()
 
     def stop(self, how: StopMode = StopMode.STOP) -> None:
         """Stop the programs of the normal tasks; where none executes, nothing happens."""
@@ -330,6 +331,11 @@ class LiveController:
         if not (low <= value <= high and whole):
             raise Refused(Why.VALUE, f"{signal.name} cannot be {value:.10g}")
         self._change(signal.name, value)
+        self.settle()
+
+    def tell(self) -> None:
+        """Let programs look: somebody outside has changed what they may wait for."""
+        self.cell.tell(Moment(Instant(self.now_s)))
         self.settle()
 
     # What is told by tasks: implements `live_task.Chief`.

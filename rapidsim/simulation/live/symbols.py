@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rapidsim.analysis.program import DataSymbol, Scope, Storage
-from rapidsim.controller.journal.journal import Instant, Moment
 from rapidsim.interpreter.runtime.memory import module_data
 from rapidsim.language.errors import RapidError
 from rapidsim.language.initial import initial_value
@@ -91,7 +90,7 @@ def value_of(task: LiveTask, datum: Datum) -> object:
 
 
 def write(task: LiveTask, datum: Datum, text: str) -> None:
-    """Change the value to what a text means.
+    """Change the value to what a text means; `LiveController.tell` lets programs see it.
 
     Raises:
         Refused: If it means none, or the data are constant.
@@ -107,7 +106,6 @@ def write(task: LiveTask, datum: Datum, text: str) -> None:
         task.run.controller.concerns.symbols.write(datum.name, datum.type, where, value)
     except RapidError as error:
         raise Refused(Why.VALUE, error.message) from None
-    task.cell.tell(Moment(Instant(task.turns.now_s)))
 
 
 def _datum(symbol: DataSymbol) -> Datum:
