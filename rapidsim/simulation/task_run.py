@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -21,6 +22,7 @@ from rapidsim.controller.journal.stop_reasons import (
     WaitsForever,
     ZoneReached,
 )
+from rapidsim.controller.moves.assumed_arm import go_in_joints
 from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
@@ -116,14 +118,17 @@ def prepare(
         journal: Where it reports.
         options: Limits and the motion model.
     """
-    return begun(setup, unit_of(setup, stand_in, cell, options), cell, journal, options)
+    return begun(setup, unit_of(setup, stand_in, cell, journal, options), cell, journal, options)
 
 
-def unit_of(setup: TaskSetup, stand_in: Robot, cell: Cell, options: RunOptions) -> MechanicalUnit:
+def unit_of(
+    setup: TaskSetup, stand_in: Robot, cell: Cell, journal: Journal, options: RunOptions
+) -> MechanicalUnit:
     """The robot of a task, which stands where it starts; see `prepare`."""
     robot = setup.robot or stand_in
     start = _start_waypoint(robot, setup.start_joints_deg)
-    return MechanicalUnit(solo_queue(robot, options.model, start, cell.watchdog.look))
+    blame = partial(go_in_joints, journal) if options.assumes_arm else None
+    return MechanicalUnit(solo_queue(robot, options.model, start, cell.watchdog.look, blame))
 
 
 def begun(
@@ -144,6 +149,7 @@ def begun(
         setup.place.inverse(),
         options.model.payload_acceleration,
         options.nearest_configuration,
+        options.assumes_arm,
     )
     place = _entry_place(setup.program, setup.entry or options.entry)
     has_robot = setup.robot is not None

@@ -15,10 +15,12 @@ from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry,
 from rapidsim.motion.robot.catalogue import (
     CatalogueEntry,
     RobotError,
+    dynamics_of,
     find_entry,
     kinematics_of,
     robot_names,
 )
+from rapidsim.motion.robot.dynamics import Dynamics
 from rapidsim.motion.robot.external_axes import Axes, ExternalAxis
 
 __all__ = ["Joint", "Robot", "RobotError", "load_robot", "robot_names"]
@@ -36,7 +38,7 @@ class Joint:
     max_speed: float | None
     """[rad/s]; None where no source gives it."""
     max_acceleration: float | None = None
-    """[rad/s2]; None unless it was measured."""
+    """[rad/s2], as version 1 of the motion model has it; None unless it was measured."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -64,6 +66,8 @@ class Robot:
     notes: tuple[str, ...] = ()
     not_modelled: tuple[str, ...] = ()
     """What the arm has and a run leaves out."""
+    dynamics: Dynamics | None = None
+    """What its main axes can do; None where only axis speeds say something about that."""
     external: tuple[ExternalAxis, ...] = ()
     """Axes beside the arm, in the order of their letters; the station file names them."""
 
@@ -112,6 +116,10 @@ class Robot:
         return self.kinematics.inverse(base_from_flange)
 
 
+DESCRIPTIONS = (".urdf", ".xml", ".xacro")
+"""How the name of a file ends that describes an arm; any other name is one of the catalogue."""
+
+
 def load_robot(name_or_path: str | Path, scale: float | None = None) -> Robot:
     """Load a robot from the catalogue by name or alias, or from a URDF by path.
 
@@ -126,7 +134,7 @@ def load_robot(name_or_path: str | Path, scale: float | None = None) -> Robot:
         InputError: If what reads URDF files is not installed.
     """
     text = str(name_or_path)
-    if isinstance(name_or_path, Path) or text.lower().endswith((".urdf", ".xml", ".xacro")):
+    if isinstance(name_or_path, Path) or text.lower().endswith(DESCRIPTIONS):
         require("yourdfpy", "a robot from a URDF")
         # yourdfpy takes two seconds to import, which a robot of the catalogue need not pay.
         from rapidsim.motion.robot.urdf import robot_parts_from_urdf  # noqa: PLC0415
@@ -168,6 +176,7 @@ def _from_entry(entry: CatalogueEntry) -> Robot:
             )
         ),
         kinematics=kinematics_of(entry),
+        dynamics=dynamics_of(entry),
         notices=_notices(entry),
         urdf=entry.urdf,
         payload_kg=entry.payload_kg,

@@ -86,7 +86,7 @@ class LiveController:
                 self._turns,
                 journal,
                 self.options,
-                unit_of(setup, arms[0], self.cell, self.options),
+                unit_of(setup, arms[0], self.cell, journal, self.options),
                 shared,
                 self,
             )
