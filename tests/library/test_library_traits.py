@@ -137,6 +137,7 @@ ELSEWHERE = {
     "__init__.py": {"load"},
     "analysis/tolerated_syntax.py": {"DIM"},
     "cli/commands/follow.py": {"write"},
+    "cli/commands/serve.py": {"max"},
     "cli/tools/follow_steps.py": {"dim"},
     "comparison/program_changes.py": {"type"},
     "controller": {
@@ -152,6 +153,8 @@ ELSEWHERE = {
     "motion/timing/constraints.py": {"PathAccLim", "WorldAccLim"},
     "plots": {"round"},
     "report": {"dim", "distance"},
+    "server": {"type", "opmode", "stop", "set", "continue", "dim", "clear"},
+    "simulation": {"stop"},
     "station": {"type", "set", "close", "max", "min", "stop"},
     "syntax": {"EXP", "open", "close"},
 }
