@@ -12,6 +12,7 @@ from PIL import Image
 from rerun.chunk import RrdReader
 
 from rapidsim.plots import write
+from rapidsim.plots.look import LIGHT
 
 EXAMPLES = Path(__file__).parents[2] / "programs"
 KR10 = ("--robot", "kr10", "--tool", "0,0,160")
@@ -45,7 +46,7 @@ def test_a_posture_is_drawn_and_recorded(
 ) -> None:
     if "jacobian" not in arguments:
         # The darkness of pictures is that of their theme: one command draws all of its own in both.
-        monkeypatch.setattr(write, "THEMES", (write.LIGHT,))
+        monkeypatch.setattr(write, "THEMES", (LIGHT,))
     recording, plots = tmp_path / "arm.rrd", tmp_path / "plots"
     ended = rapidsim("kin", *arguments, "--record", recording, "--plots", plots)
     assert ended.code == 0, ended.err
