@@ -4,12 +4,15 @@ Laws that say nothing look at Hypothesis' hundred in `ci`, at forty in `fast`.
 """
 
 import os
+from collections.abc import Sequence
+from typing import TypeVar
 
 from hypothesis import settings
 
 PROFILE = os.environ.get("HYPOTHESIS_PROFILE", "fast")
 _TIMES = {"fast": 0.2, "ci": 1.0, "explore": 5.0}
 _LEAST = 5
+_T = TypeVar("_T")
 
 
 def cases(asked: int) -> int:
@@ -20,3 +23,10 @@ def cases(asked: int) -> int:
 def examples(asked: int = 100) -> settings:
     """The same for Hypothesis, on top of the profile."""
     return settings(max_examples=cases(asked))
+
+
+def in_turn(ways: Sequence[_T], turn: int, few: int) -> Sequence[_T]:
+    """Of the ways in which each of many is asked: all, in `fast` a few, others each turn."""
+    if PROFILE != "fast":
+        return ways
+    return [ways[(turn + number) % len(ways)] for number in range(few)]

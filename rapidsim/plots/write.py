@@ -40,6 +40,7 @@ PICTURES: Mapping[str, Callable[[SampledRun, Theme], Figure | None]] = MappingPr
     }
 )
 """By the name of the file; one that has nothing to show gives no figure."""
+THEMES = (LIGHT, DARK)
 
 
 def write_plots(simulation: Simulation, folder: str | Path) -> tuple[Path, ...]:
@@ -83,7 +84,7 @@ def write_pictures(
     except OSError as error:
         raise unwritten(folder, error.strerror or str(error)) from error
     written = []
-    for theme in (LIGHT, DARK):
+    for theme in THEMES:
         for name, picture in pictures.items():
             ending = "" if theme is LIGHT else f"-{theme.name}"
             path = folder / f"{name}{ending}.png"

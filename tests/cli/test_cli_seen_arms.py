@@ -11,6 +11,9 @@ from cli_helper import rapidsim
 from PIL import Image
 from rerun.chunk import RrdReader
 
+from rapidsim.plots import write
+from rapidsim.plots.look import LIGHT
+
 EXAMPLES = Path(__file__).parents[2] / "programs"
 KR10 = ("--robot", "kr10", "--tool", "0,0,160")
 
@@ -36,8 +39,14 @@ def entities(recording: Path) -> set[str]:
     ],
 )
 def test_a_posture_is_drawn_and_recorded(
-    arguments: tuple[str, ...], pictures: set[str], tmp_path: Path
+    arguments: tuple[str, ...],
+    pictures: set[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    if "jacobian" not in arguments:
+        # The darkness of pictures is that of their theme: one command draws all of its own in both.
+        monkeypatch.setattr(write, "THEMES", (LIGHT,))
     recording, plots = tmp_path / "arm.rrd", tmp_path / "plots"
     ended = rapidsim("kin", *arguments, "--record", recording, "--plots", plots)
     assert ended.code == 0, ended.err

@@ -1,9 +1,12 @@
 """Forty changes of one program: thirty are named as a programmer would, ten are none at all."""
 
+from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
 
+from rapidsim.comparison import compare as compare_module
 from rapidsim.comparison.changes import Comparison
 from rapidsim.comparison.compare import compare
 from rapidsim.comparison.told import as_text
@@ -154,19 +157,26 @@ def folder(place: Path, main: str, points: str) -> Asked:
     return Asked(paths=(str(place),), robot="irb1600")
 
 
-def compared(tmp_path: Path, main: str, points: str, *, run: bool) -> Comparison:
-    old = folder(tmp_path / "old", MAIN, POINTS)
+@pytest.fixture(scope="module")
+def old(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Asked]:
+    """The program before all changes, which is checked and run once."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(compare_module, "_side", cache(compare_module._side))
+        yield folder(tmp_path_factory.mktemp("before") / "old", MAIN, POINTS)
+
+
+def compared(old: Asked, tmp_path: Path, main: str, points: str, *, run: bool) -> Comparison:
     return compare(old, folder(tmp_path / "new", main, points), run=run)
 
 
 @pytest.mark.parametrize("name", CHANGES)
-def test_a_change_is_named(name: str, tmp_path: Path) -> None:
+def test_a_change_is_named(name: str, old: Asked, tmp_path: Path) -> None:
     before, after, told = CHANGES[name]
     assert before in MAIN + POINTS
     everywhere = -1 if name.startswith("a renamed") else 1
     main = MAIN.replace(before, after, everywhere)
     points = POINTS.replace(before, after, everywhere)
-    found = compared(tmp_path, main, points, run=False)
+    found = compared(old, tmp_path, main, points, run=False)
     assert not found.is_same
     text = as_text(found)
     assert told in text
@@ -174,7 +184,7 @@ def test_a_change_is_named(name: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", SAME)
-def test_what_changes_nothing_is_silent(name: str, tmp_path: Path) -> None:
+def test_what_changes_nothing_is_silent(name: str, old: Asked, tmp_path: Path) -> None:
     how = SAME[name]
     if how is None:
         head, _, rest = MAIN.partition("  PROC pick")
@@ -187,7 +197,7 @@ def test_what_changes_nothing_is_silent(name: str, tmp_path: Path) -> None:
     if name == "data moved":
         main = main.replace("  PROC main()", "  PERS num nParts:=0;\n\n  PROC main()")
     assert main != MAIN
-    found = compared(tmp_path, main, POINTS, run=True)
+    found = compared(old, tmp_path, main, POINTS, run=True)
     assert found.run is not None
     assert found.is_same, as_text(found)
     assert as_text(found) == "No difference.\n"

@@ -69,14 +69,19 @@ def asked_by(body: object, seen: set[object]) -> set[str]:
     return names.union(*(asked_by(one, seen) for one in called))
 
 
-@pytest.mark.parametrize("row", WRITTEN, ids=lambda row: row.name)
-def test_a_row_says_what_its_body_asks_for(row: LibraryRoutine) -> None:
+def says_otherwise(row: LibraryRoutine) -> Iterator[Does]:
+    """In what a row and its body differ."""
     asked = asked_by(row.function, set())
     for does, names in ASKED.items():
-        if (row.name, does) not in OTHERWISE:
-            assert (does in row.does) == bool(names & asked), does
-    if Does.INSTANT in row.does:
-        assert not asked & (ASKED[Does.MOVE] | ASKED[Does.WAIT])
+        if (does in row.does) != bool(names & asked) and (row.name, does) not in OTHERWISE:
+            yield does
+    if Does.INSTANT in row.does and asked & (ASKED[Does.MOVE] | ASKED[Does.WAIT]):
+        yield Does.INSTANT
+
+
+def test_rows_say_what_their_bodies_ask_for() -> None:
+    assert len(WRITTEN) > 350
+    assert not {row.name: does for row in WRITTEN if (does := list(says_otherwise(row)))}
 
 
 def test_reasons_for_differences_are_needed() -> None:

@@ -17,12 +17,14 @@ from laws import cases
 
 from rapidsim.plots import write
 from rapidsim.plots.path_picture import path_picture
+from rapidsim.reach import reach
 
 GENERATED = Path(__file__).parent / "generated"
 FAILED_ONCE = sorted(path for path in GENERATED.iterdir() if path.is_dir() or path.suffix == ".mod")
 SEED = 13
 FIRST = 45
 AT_ONCE = 9
+SECONDS = 5.0
 
 
 @pytest.mark.parametrize("path", FAILED_ONCE, ids=lambda path: path.stem)
@@ -57,6 +59,8 @@ def test_a_trace_ends_with_the_run(name: str, tmp_path: Path) -> None:
 def test_a_sample_of_programs(first: int, monkeypatch: pytest.MonkeyPatch) -> None:
     # All pictures would take as long as ten programs.
     monkeypatch.setattr(write, "PICTURES", {"path": path_picture})
+    # Of a program that tries again for ever a check would look at the first two minutes.
+    monkeypatch.setattr(reach, "LONGEST_RUN_S", SECONDS)
     tally = Tally()
     for number in range(first, first + AT_ONCE):
         try_program(SEED, number, tally)

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from changed_run import with_robot
+from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from PIL import Image
 
@@ -128,7 +129,7 @@ def test_pieces_join() -> None:
 def test_other_robots_have_pictures_of_their_own(
     simulation: Simulation, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(write, "PICTURES", {"path": path_picture})
+    monkeypatch.setattr(write, "PICTURES", {"path": lambda run, theme: Figure((1, 1))})
     other = replace(simulation.only, task="T_ROB2")
     both = replace(simulation, robots=(simulation.only, other))
     written = write_plots(both, tmp_path / "plots")

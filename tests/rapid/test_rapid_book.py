@@ -51,11 +51,9 @@ def test_what_a_program_promises_is_what_happens(program: Path) -> None:
     assert happened(texts, home if home.is_dir() else None) == promised(texts)
 
 
-@pytest.mark.parametrize("program", PROGRAMS, ids=name)
-def test_a_program_names_its_rule_and_where_the_rule_is_from(program: Path) -> None:
-    for source in sources(program):
-        head = source.text.splitlines()[:6]
-        assert any(TITLE.match(line) for line in head), head
+def test_every_program_names_its_rule_and_where_the_rule_is_from() -> None:
+    heads = {source.file: source.text.splitlines()[:6] for p in PROGRAMS for source in sources(p)}
+    assert not [file for file, head in heads.items() if not any(map(TITLE.match, head))]
 
 
 @pytest.mark.parametrize("program", sorted((BOOK / "broken").iterdir()), ids=name)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -27,8 +28,9 @@ PROGRAMS = sorted(
 MOVES = re.compile("|".join(k for k, row in ROUTINES.items() if Does.MOVE in row.does).encode())
 
 
+@cache
 def read(path: Path) -> Loaded | None:
-    """A module on its own; None where it is no text of RAPID."""
+    """A module on its own, read once; None where it is no text of RAPID."""
     try:
         return load(read_tasks([str(path)])[0].files)
     except InputError:

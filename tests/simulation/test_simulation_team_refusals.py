@@ -1,6 +1,7 @@
 """What a robot that moves together with others may be asked besides: no answer is a crash."""
 
 import pytest
+from laws import in_turn
 from simulation_tasks import JOINTS, Ran, ran
 
 DATA = """
@@ -90,11 +91,19 @@ def asked(operation: str, sides: str, zone: str) -> Ran:
     return ran({"T_ROB1": left, "T_ROB2": right}, max_time_s=30.0)
 
 
-@pytest.mark.parametrize("zone", ["z20", "fine"])
-@pytest.mark.parametrize("sides", ["left", "right", "both"])
-@pytest.mark.parametrize("operation", OPERATIONS.values(), ids=list(OPERATIONS))
+WAYS = (
+    *(("both", "z20"), ("left", "fine"), ("right", "z20")),
+    *(("both", "fine"), ("left", "z20"), ("right", "fine")),
+)
+"""Who asks, behind which zone; of two in a row one is at rest and one on the way."""
+
+
+@pytest.mark.parametrize(
+    ("operation", "sides", "zone"),
+    [(one, *way) for turn, one in enumerate(OPERATIONS) for way in in_turn(WAYS, turn, 2)],
+)
 def test_a_team_ends_in_a_known_way(operation: str, sides: str, zone: str) -> None:
-    it = asked(operation, sides, zone)
+    it = asked(OPERATIONS[operation], sides, zone)
     assert it.end in ("ended", "stopped", "error", "time_limit", "cycle_limit")
     if it.end == "error":
         assert any(one.severity.value == "error" for one in it.run.diagnostics)

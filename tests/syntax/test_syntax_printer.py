@@ -1,43 +1,43 @@
-"""What is printed parses to the tree that was printed."""
+"""What is printed parses to the tree that was printed, and printed again it is the same text."""
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 
 import pytest
 from syntax_trees import shape
 
 from rapidsim.diagnostics import Source
-from rapidsim.syntax.parser import parse
+from rapidsim.syntax.parser import Parsed, parse
 from rapidsim.syntax.printer import print_module
 
 ROOT = Path(__file__).parents[2]
+
+
+@cache
+def parsed(program: Path) -> Parsed:
+    return parse(Source(program.name, program.read_text(encoding="utf-8")))
+
+
 FOLDERS = ("programs", "tests/syntax/programs", "tests/rapid")
 # Programs with planted syntax errors have no whole tree to print.
 PROGRAMS = [
     path
     for folder in FOLDERS
     for path in sorted((ROOT / folder).rglob("*"))
-    if path.suffix in (".mod", ".sys")
-    and not parse(Source(path.name, path.read_text(encoding="utf-8"))).diagnostics
+    if path.suffix in (".mod", ".sys") and not parsed(path).diagnostics
 ]
 
 
 @pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.name)
-def test_printing_keeps_the_tree(program: Path) -> None:
-    modules = parse(Source(program.name, program.read_text(encoding="utf-8"))).file.modules
+def test_printing_keeps_the_tree_and_printing_again_the_text(program: Path) -> None:
+    modules = parsed(program).file.modules
     printed = "".join(print_module(module) for module in modules)
     again = parse(Source("printed", printed))
     assert not again.diagnostics, printed
     assert shape(again.file.modules) == shape(modules)
-
-
-@pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.name)
-def test_printing_what_was_printed_changes_nothing(program: Path) -> None:
-    modules = parse(Source(program.name, program.read_text(encoding="utf-8"))).file.modules
-    printed = "".join(print_module(module) for module in modules)
-    again = parse(Source("printed", printed)).file.modules
-    assert "".join(print_module(module) for module in again) == printed
+    assert "".join(print_module(module) for module in again.file.modules) == printed
 
 
 @pytest.mark.parametrize(
