@@ -46,6 +46,9 @@ class ClockService(Protocol):
     place: Place
     """The statement that runs, set before each call that reports."""
 
+    deeds: int
+    """How often the program has done more than look."""
+
     program_state: Callable[[], object]
     """All that decides what the program does next, to be compared; None where it is too much. The
     interpreter sets it."""
