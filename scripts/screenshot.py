@@ -57,9 +57,13 @@ def viewer(recording: Path) -> Iterator[ViewerClient]:
     Raises:
         TimeoutError: When the recording does not load.
     """
-    if shutil.which("rerun") is None:
-        raise FileNotFoundError("the `rerun` command is not on PATH")
-    with ViewerClient.spawn(headless=True, port=_free_port(), hide_welcome_screen=True) as client:
+    # The one that was installed with this Python, whatever PATH says.
+    found = shutil.which("rerun", path=str(Path(sys.executable).parent)) or shutil.which("rerun")
+    if found is None:
+        raise FileNotFoundError("there is no `rerun` beside this Python and none on PATH")
+    with ViewerClient.spawn(
+        headless=True, port=_free_port(), hide_welcome_screen=True, executable_path=found
+    ) as client:
         client.open(str(recording.resolve()))
         deadline = time.monotonic() + LOAD_TIMEOUT_S
         while client.get_state().loading:

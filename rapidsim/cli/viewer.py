@@ -5,12 +5,15 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 from rapidsim.files import InputError, unreadable
 
 _MAGIC = b"RRF"
 """What a recording begins with."""
+_SETTLED_AFTER_S = 1.0
+"""By then a viewer that finds no screen has ended."""
 
 
 def require_screen() -> None:
@@ -51,15 +54,28 @@ def show(path: Path) -> int:
     return subprocess.run(_command(path), check=False).returncode
 
 
-def leave_open(path: Path) -> None:
-    """Show a recording in a window that outlives this command."""
-    subprocess.Popen(
-        _command(path),
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-        start_new_session=True,
-    )
+def leave_open(path: Path) -> str | None:
+    """Show a recording in a window that outlives this command; returns why none opened."""
+    # A file and no pipe: the viewer goes on writing when nobody is left to read.
+    with tempfile.TemporaryFile() as errors:
+        viewer = subprocess.Popen(
+            _command(path),
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=errors,
+            start_new_session=True,
+        )
+        try:
+            # It ends at once where there is no window, and also where it hands the recording to
+            # one that is open.
+            code = viewer.wait(_SETTLED_AFTER_S)
+        except subprocess.TimeoutExpired:
+            return None
+        if code:
+            errors.seek(0)
+            lines = errors.read().decode(errors="replace").strip().splitlines()
+            return lines[-1].rpartition(": ")[2] if lines else f"exit code {code}"
+        return None
 
 
 def _command(path: Path) -> list[str]:

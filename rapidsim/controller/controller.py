@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from rapidsim.controller.cameras import TaskCameras
 from rapidsim.controller.cell.cell import Cell
+from rapidsim.controller.cell.message_queues import QueueSettings
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.cyclic_bools import TaskCyclicBools
 from rapidsim.controller.equipment import TaskEquipment
@@ -16,6 +17,7 @@ from rapidsim.controller.files import TaskFiles, TaskTexts
 from rapidsim.controller.interrupt_table import InterruptTable
 from rapidsim.controller.interrupts import TaskErrorNumbers, TaskInterrupts
 from rapidsim.controller.journal.journal import Journal
+from rapidsim.controller.messages import TaskMessages
 from rapidsim.controller.motion import TaskMotion
 from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.resolve import Resolver
@@ -55,6 +57,7 @@ def virtual_controller(
     place: Place,
     *,
     has_robot: bool = True,
+    queue: QueueSettings | None = None,
 ) -> VirtualController:
     """The controller of a task at time zero.
 
@@ -65,6 +68,7 @@ def virtual_controller(
         journal: Where the task reports.
         place: Where the program pointer stands.
         has_robot: Whether the task moves the robot.
+        queue: Its message queue; None where nobody describes it.
     """
     state, table = MotionState(), InterruptTable()
     marks, watched = PathMarks(unit), WorldZoneTable(unit, resolver.base_from_world.inverse())
@@ -78,6 +82,7 @@ def virtual_controller(
     )
     triggers = Triggers(clock, unit, cell, marks, interrupts)
     motion = TaskMotion(clock, unit, cell, resolver, state, triggers, team.put)
+    own_queue = cell.messages.open_for(journal.task, queue or QueueSettings())
     concerns = Controller(
         clock=clock,
         motion=motion,
@@ -98,5 +103,6 @@ def virtual_controller(
         equipment=TaskEquipment(clock, cell, resolver, has_robot),
         cyclic_bools=TaskCyclicBools(clock, cell),
         cameras=TaskCameras(clock, cell),
+        messages=TaskMessages(clock, cell, table, journal, own_queue),
     )
     return VirtualController(clock, motion, others, concerns)

@@ -14,6 +14,7 @@ from rapidsim.controller.journal.stop_reasons import TrapStorm
 from rapidsim.language.error_log import LoggedError
 from rapidsim.language.error_numbers import ERR_INOISSAFE, ERR_UNKINO, rapid_error
 from rapidsim.language.errors import RapidError
+from rapidsim.language.messages import Message, MessageKind
 from rapidsim.language.reference import Reference
 
 MIN_TIMER_PERIOD_S = 0.1
@@ -61,16 +62,19 @@ class _Connection:
     single: bool = False
     wanted: Callable[[LoggedError], bool] | None = None
     """Whether an entry of the event log raises the interrupt."""
+    message: MessageKind | None = None
+    """Messages of which kind raise it."""
 
     @property
     def ordered(self) -> bool:
         """Whether anything can raise the interrupt."""
-        orders = (self.next_s, self.signal, self.watched, self.wanted)
+        orders = (self.next_s, self.signal, self.watched, self.wanted, self.message)
         return any(order is not None for order in orders)
 
     def withdraw(self) -> None:
         """Forget the order."""
         self.next_s = self.period_s = self.signal = self.watched = self.wanted = None
+        self.message = None
         self.safe = False
 
 
@@ -149,6 +153,25 @@ class InterruptTable:
         for number, connection in self._connections.items():
             if connection.wanted is not None and connection.wanted(entry):
                 self._raise(number, connection, now_s, entry)
+
+    def order_message(self, number: float, kind: MessageKind) -> None:
+        """Raise an interrupt at each message of a kind.
+
+        Raises:
+            RapidError: If the interrupt is not connected or has an order already.
+        """
+        self._find_free(number).message = kind
+
+    def message_came(self, message: Message, now_s: float) -> bool:
+        """Make the interrupts due that wait for such a message; whether there are any."""
+        waiting = [
+            (number, one)
+            for number, one in self._connections.items()
+            if one.message is not None and one.message.fits(message.kind)
+        ]
+        for number, connection in waiting:
+            self._raise(number, connection, now_s)
+        return bool(waiting)
 
     @property
     def hears_errors(self) -> bool:

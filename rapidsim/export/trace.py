@@ -10,15 +10,19 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from itertools import repeat
 from pathlib import Path
 from types import MappingProxyType
+
+import numpy as np
 
 from rapidsim.export.joint_trajectory import SUFFIX as JOINT_TRAJECTORY
 from rapidsim.export.joint_trajectory import write_joint_trajectory
 from rapidsim.export.table import DEFAULT_DT, Block, block, blocks, columns, table_widths
 from rapidsim.extras import require
 from rapidsim.files import InputError
+from rapidsim.frames.euler import Convention, euler_from_rotation
 from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.output_files import whole_file
 from rapidsim.simulation.results.simulation import Simulation
@@ -49,9 +53,19 @@ def write_trace(simulation: Simulation, path: str | Path, dt: float = DEFAULT_DT
     return _write(Path(path), names, blocks(simulation, dt))
 
 
-def write_samples(samples: Samples, path: str | Path) -> Path:
-    """Write instants of a motion in the same form; see `write_trace`."""
-    return _write(Path(path), columns(samples.joints.shape[1]), iter([block(samples)]))
+def write_samples(samples: Samples, path: str | Path, convention: Convention) -> Path:
+    """Write instants of a motion in the same form, and the turn of the tool as Euler angles.
+
+    Their columns stand behind all others and carry the names of the convention, such as `rz_deg`.
+    See `write_trace`.
+    """
+    names = (
+        *columns(samples.joints.shape[1]),
+        *(f"{name}_deg" for name in convention.names),
+    )
+    angles = np.degrees(euler_from_rotation(samples.base_from_tcp.rotation, convention)) + 0.0
+    plain = block(samples)
+    return _write(Path(path), names, iter([replace(plain, numbers=(*plain.numbers, *angles.T))]))
 
 
 def _write(path: Path, names: tuple[str, ...], rows: Iterator[Block]) -> Path:

@@ -48,6 +48,11 @@ class BackwardNotExecuted(Violation, code="R108"):
     routine: str
 
 
+class MessageDiscarded(Violation, code="R120"):
+    queue: str
+    data_type: str
+
+
 class CutOff(Violation, code="R109"):
     what: str
 

@@ -25,6 +25,8 @@ class Asked:
     """The station file; None takes the one near the paths."""
     robot: Robot | str | None = None
     """An arm, its name in the catalogue, or a URDF file."""
+    scale: float | None = None
+    """What the lengths of a URDF file are multiplied by; None takes what the station says."""
     task: str | None = None
     """The only one of several tasks that is wanted."""
     cell: RunOptions | None = None

@@ -26,6 +26,8 @@ class RobotChoice:
     name: str
     reason: str | None
     """For the summary; None where the user named the robot."""
+    scale: float | None = None
+    """What the lengths of a URDF file are multiplied by; None leaves them."""
 
     @property
     def text(self) -> str:
@@ -57,12 +59,15 @@ def _backup(paths: Sequence[str]) -> Station:
     return backup_station(folders)
 
 
-def choose_robot(robot: Robot | str | None, station: Station) -> RobotChoice:
+def choose_robot(
+    robot: Robot | str | None, station: Station, scale: float | None = None
+) -> RobotChoice:
     """The named robot, else that of the station file or the backup, else the default."""
     if robot is not None:
-        return RobotChoice(robot if isinstance(robot, str) else robot.name, None)
+        return RobotChoice(robot if isinstance(robot, str) else robot.name, None, scale)
     if station.robot is not None:
-        return RobotChoice(station.robot, f"from {station.robot_source or station.file}")
+        scale = station.robots[0].scale if scale is None else scale
+        return RobotChoice(station.robot, f"from {station.robot_source or station.file}", scale)
     first = station.robots[0].unknown if station.robots else None
     unknown = f"the catalogue has no {first}; " if first else ""
-    return RobotChoice(DEFAULT_ROBOT, f"by default; {unknown}--robot names another")
+    return RobotChoice(DEFAULT_ROBOT, f"by default; {unknown}--robot names another", scale)

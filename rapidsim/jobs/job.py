@@ -25,8 +25,8 @@ from rapidsim.station.station import Station
 if TYPE_CHECKING:
     from rapidsim.motion.robot.robot import Robot
 
-OpenRobot = Callable[[str], "Robot"]
-"""Makes an arm of its name."""
+OpenRobot = Callable[[str, float | None], "Robot"]
+"""Makes an arm of its name and of the scale of a URDF file."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,11 +93,12 @@ class Job:
             InputError: If it is unknown; `RobotError` where `open_robot` says so.
         """
         given = self.asked.robot
+        if given is not None and not isinstance(given, str):
+            return given
+        arm = self.open_robot(self.robot.name, self.robot.scale)
         if given is None and self.station.robots:
-            return self.station.robots[0].bounded(self.open_robot(self.robot.name))
-        if given is None or isinstance(given, str):
-            return self.open_robot(self.robot.name)
-        return given
+            return self.station.robots[0].bounded(arm)
+        return arm
 
 
 def job(asked: Asked, *, open_robot: OpenRobot | None = None) -> Job:
@@ -105,7 +106,7 @@ def job(asked: Asked, *, open_robot: OpenRobot | None = None) -> Job:
 
     Args:
         asked: What a person asks for.
-        open_robot: Makes an arm of its name; None takes `rapidsim.load_robot`.
+        open_robot: Makes an arm of its name and scale; None takes `rapidsim.load_robot`.
 
     Raises:
         InputError: If something is missing, unreadable, no RAPID, or contradicts itself.
@@ -124,7 +125,7 @@ def job(asked: Asked, *, open_robot: OpenRobot | None = None) -> Job:
         asked,
         station,
         tasks,
-        choose_robot(asked.robot, station),
+        choose_robot(asked.robot, station, asked.scale),
         open_robot or _of_the_catalogue,
     )
 
@@ -145,7 +146,7 @@ def read_again(job: Job) -> Job:
     return replace(job, tasks=chosen_tasks(job.asked.paths, job.station, job.asked.task))
 
 
-def _of_the_catalogue(name: str) -> Robot:
+def _of_the_catalogue(name: str, scale: float | None) -> Robot:
     from rapidsim.motion.robot.robot import load_robot
 
-    return load_robot(name)
+    return load_robot(name, scale)

@@ -46,7 +46,7 @@ def choose_move_check(job: Job) -> CheckMoves | None:
         if robot is not None and robot.unknown and job.asked.robot is None:
             return f"arm unknown: the catalogue has no {robot.unknown}; --robot names another"
         if number and robot and robot.name:
-            arm = robot.bounded(job.open_robot(robot.name))
+            arm = robot.bounded(job.open_robot(robot.name, robot.scale))
         else:
             arm = opened()
         options = replace(

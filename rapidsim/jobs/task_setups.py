@@ -22,7 +22,7 @@ def task_setups(
     tasks: Sequence[LoadedTask],
     station: Station,
     first: Robot,
-    open_robot: Callable[[str], Robot],
+    open_robot: Callable[[str, float | None], Robot],
 ) -> tuple[TaskSetup, ...]:
     """What each task of a run is given.
 
@@ -35,7 +35,7 @@ def task_setups(
         tasks: Their programs.
         station: What the station file says.
         first: The arm of the first robot, without external axes.
-        open_robot: Makes an arm of its name.
+        open_robot: Makes an arm of its name and scale.
 
     Raises:
         InputError: If a start position has not one value an axis, or one past its limit.
@@ -54,19 +54,24 @@ def task_setups(
         said = known.get(task.name.lower())
         kind = TaskKind.NORMAL if said is None else said.kind
         number = None if said is None else said.robot_number
+        queue = None if said is None else said.queue
         if task in movers or (number is None and len(tasks) == 1):
             number = given
         if number is None:
-            setups.append(TaskSetup(task.name, task.program, kind=kind, written=task.written))
+            setups.append(
+                TaskSetup(task.name, task.program, kind=kind, written=task.written, queue=queue)
+            )
             continue
         given += 1
         robot = robots[number] if number < len(robots) else StationRobot()
         arm = with_axes if number == 0 else first
         if number and robot.name:
-            arm = robot.bounded(open_robot(robot.name))
+            arm = robot.bounded(open_robot(robot.name, robot.scale))
         start, place = robot.start_joints_deg, robot.world_from_base
         _require_axes(station, arm, start)
-        setups.append(TaskSetup(task.name, task.program, arm, start, place, kind, task.written))
+        setups.append(
+            TaskSetup(task.name, task.program, arm, start, place, kind, task.written, queue=queue)
+        )
     return tuple(setups)
 
 

@@ -11,7 +11,7 @@ part of the signature. Python's `max_time` is RAPID's `MaxTime`; `X | Y` takes e
 - `Deferred[Bool]` arrives as a function without parameters that evaluates the argument.
 - A keyword-only `ArgumentType` is not part of the signature either: it is given the type of the
   argument for the first parameter that takes `anytype` or several types, where num and dnum must be
-  told apart.
+  told apart; a second one that of the second such parameter.
 - `**options: Unpack[SomeTypedDict]` stands for one argument each, given by keyword: those that the
   row of the routine names, optional or not.
 - Signals arrive as references to a `Signal`, which names the signal; a signal that no module
@@ -29,6 +29,7 @@ from rapidsim.language import types
 from rapidsim.language.data import ClockState, Signal
 from rapidsim.language.error_log import LoggedError
 from rapidsim.language.files import OpenFile
+from rapidsim.language.messages import Message, Slot
 from rapidsim.language.modules import LoadSession
 from rapidsim.language.path_events import Trigger, ZoneShape
 from rapidsim.language.reference import Reference
@@ -130,6 +131,8 @@ Dir = Annotated[list[str] | None, _OPAQUE["dir"]]
 """An open folder: the names that ReadDir has not given yet."""
 DataPos = Annotated[DataName | None, _OPAQUE["datapos"]]
 LoadSessionVar = Annotated[LoadSession | None, _OPAQUE["loadsession"]]
+RmqMessage = Annotated[Message | None, _OPAQUE["rmqmessage"]]
+RmqSlot = Annotated[Slot | None, _OPAQUE["rmqslot"]]
 SocketDev = Annotated[SocketState | None, _OPAQUE["socketdev"]]
 TriggMode = Annotated[float, types.Alias("triggmode", types.NUM)]
 

@@ -8,7 +8,7 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Annotated, NamedTuple
 
 from rapidsim.language import types
@@ -304,6 +304,8 @@ class Signal:
     """The value of a signal variable: which signal it means; "" where none is connected."""
 
     name: str
+    is_configured: bool = field(default=False, compare=False)
+    """Whether the name itself is the signal's, so that AliasIO cannot give it another."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -41,5 +41,9 @@ class Stopped(BaseException):
         self.reason = reason
 
 
+class NotAllowed(Stopped):
+    """A controller stops here with an error that no ERROR clause is asked about."""
+
+
 class CycleEnded(Stopped):
     """ExitCycle: the cycle ends here and the next one begins with main."""

@@ -30,6 +30,7 @@ from rapidsim.library.loading import LOADING
 from rapidsim.library.mathematics import MATHEMATICS
 from rapidsim.library.matrices import MATRICES
 from rapidsim.library.mechanical_units import MECHANICAL_UNITS
+from rapidsim.library.messages import MESSAGES
 from rapidsim.library.motion import MOTION
 from rapidsim.library.motion_settings import MOTION_SETTINGS
 from rapidsim.library.operator import OPERATOR
@@ -86,6 +87,7 @@ CHAPTERS: Mapping[str, Mapping[str, LibraryRoutine]] = MappingProxyType(
         "Files and folders": FILE_SYSTEM,
         "Loading modules": LOADING,
         "Raw bytes": RAW_BYTES,
+        "Message queues": MESSAGES,
         "Sockets": SOCKETS,
         "Mathematics": MATHEMATICS,
         "Matrices": MATRICES,

@@ -6,6 +6,7 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import PurePath
 
 from rapidsim.language.annotations import ErrNum, ErrStr, HandlerType, Num, String, Switch, Var
 from rapidsim.language.controller import Controller, ErrorNumbers
@@ -104,9 +105,10 @@ def skip_warn() -> None:
 def error_texts(controller: Controller, given: Sequence[str]) -> list[str]:
     """The texts of an error; the task and the place in the program where they are asked for."""
     place = controller.clock.place
+    file_name = PurePath(place.span.file).name
     meant = {
         ERRSTR_TASK: controller.tasks.task_name,
-        ERRSTR_CONTEXT: f"{place.routine}, {place.span.file}:{place.span.line}",
+        ERRSTR_CONTEXT: f"{place.routine}, {file_name}:{place.span.line}",
     }
     return [meant.get(text, text) for text in given if text]
 

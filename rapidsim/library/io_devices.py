@@ -81,8 +81,7 @@ def get_signal_origin(
     signal_name.value = name
     if not name:
         return _named("SIGORIG_NONE")
-    written = controller.place.arguments.get("signal", "").lower()
-    return _named("SIGORIG_CFG" if name.lower() == written else "SIGORIG_ALIAS")
+    return _named("SIGORIG_CFG" if of.is_configured else "SIGORIG_ALIAS")
 
 
 IO_DEVICES = table(

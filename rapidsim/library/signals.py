@@ -30,6 +30,7 @@ from rapidsim.language.annotations import (
 from rapidsim.language.controller import Signals
 from rapidsim.language.data import Signal
 from rapidsim.language.error_numbers import (
+    ERR_ALIASIO_DEF,
     ERR_ALIASIO_TYPE,
     ERR_ARGVALERR,
     ERR_GO_LIM,
@@ -173,11 +174,16 @@ def alias_io(from_signal: Ref[SignalOrName], to_signal: Var[AnySignal]) -> None:
     name = source.name if isinstance(source, Signal) else source
     if not isinstance(name, str) or not isinstance(to_signal.value, Signal):
         raise rapid_error(ERR_ALIASIO_TYPE, "AliasIO connects signals only")
+    if to_signal.value.is_configured:
+        told = f"{to_signal.value.name} is itself a signal of the cell; AliasIO connects variables"
+        raise rapid_error(ERR_ALIASIO_DEF, told)
     to_signal.value = Signal(name)
 
 
 def alias_io_reset(signal: Var[AnySignal]) -> None:
     """Let a signal variable mean nothing again."""
+    if not isinstance(signal.value, Signal) or signal.value.is_configured:
+        raise rapid_error(ERR_NO_ALIASIO_DEF, "AliasIO has connected nothing there")
     signal.value = Signal("")
 
 

@@ -73,10 +73,8 @@ class Signature:
     concern: str = ""
     """What the Python function wants first: a concern of the controller by its name, `controller`
     for all of it; empty for nothing."""
-    type_of: Parameter | None = None
-    """The Python function wants the type of this parameter's argument, as keyword `type_keyword`.
-    """
-    type_keyword: str = ""
+    types_of: tuple[tuple[str, Parameter], ...] = ()
+    """The Python function wants the types of these parameters' arguments, by these keywords."""
     is_open: bool = False
     """Nobody knows its parameters: it is given none, whatever the call holds."""
 
@@ -170,11 +168,11 @@ def _read_signature(body: Callable[..., Any], order: str) -> Signature:
     concern = _concern(hints[python_parameters[0].name]) if python_parameters else ""
     read: dict[str, Parameter] = {}
     grouped: set[str] = set()
-    type_keyword = ""
+    keywords: list[str] = []
     for python in python_parameters[bool(concern) :]:
         hint = hints[python.name]
         if get_origin(hint) is Annotated and Marker.ARGUMENT_TYPE in get_args(hint)[1:]:
-            type_keyword = python.name
+            keywords.append(python.name)
             continue
         if python.kind is inspect.Parameter.VAR_KEYWORD:
             (group,) = get_args(hint)
@@ -192,8 +190,7 @@ def _read_signature(body: Callable[..., Any], order: str) -> Signature:
         parameters,
         None if result is NoneType else _read_type(result)[0],
         concern,
-        next((p for p in parameters if _is_open(p)), None) if type_keyword else None,
-        type_keyword,
+        tuple(zip(keywords, filter(_is_open, parameters), strict=False)),
     )
 
 

@@ -18,6 +18,8 @@ from rapidsim.simulation.results.sampling import SampledRun
 _AXES = ("x [mm]", "y [mm]", "z [mm]")
 _FLOOR = 0.14
 """Radius of the ground through the size of the picture."""
+_ZOOM = 0.93
+"""Of the view in space, so that its labels stay clear of the next one."""
 
 
 def arm_picture(run: SampledRun, theme: Theme) -> Figure:
@@ -74,7 +76,7 @@ def arm_at_both_ends(
             axes.set_aspect("equal", adjustable="datalim")
     space.set_zlabel(_AXES[2])
     draw_floor(space, _FLOOR * float(np.ptp(points, axis=0).max()), theme)
-    as_cube(space, points)
+    as_cube(space, points, zoom=_ZOOM)
     space.view_init(elev=22.0, azim=-55.0)
     for pane in (space.xaxis, space.yaxis, space.zaxis):
         pane.set_pane_color((0.0, 0.0, 0.0, 0.0))

@@ -14,7 +14,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.waypoints.attitudes import AttitudeRates, attitude_rates, unbroken
 from rapidsim.motion.waypoints.follow import Followed
 from rapidsim.plots.arm_picture import arm_at_both_ends
-from rapidsim.plots.look import Theme, mark_start, new_figure, time_axis
+from rapidsim.plots.look import Theme, mark_start, new_figure, time_axis, write_name
 from rapidsim.plots.stick_arm import MM, as_cube
 from rapidsim.plots.time_pictures import draw_joint
 from rapidsim.plots.write import write_pictures
@@ -138,7 +138,9 @@ def deviation_picture(followed: Followed, name: str, theme: Theme) -> Figure:
         f"rms {_length(followed.deviation_rms)}"
     )
     axes.set_ylabel("distance [mm]")
-    axes.set_ylim(0.0, 1.1 * max(float(off.max()), _LEAST_OFF_MM))
+    most = max(float(off.max()), _LEAST_OFF_MM)
+    # A little below 0, or a curve of zeros would hide in the frame.
+    axes.set_ylim(-0.05 * most, 1.1 * most)
     _mark_points([axes], followed, theme)
     time_axis(axes, followed.duration)
     return figure
@@ -207,15 +209,8 @@ def _mark_points(rows: list[Axes], followed: Followed, theme: Theme) -> None:
 def _number_points(axes: Axes, followed: Followed, places: Array, theme: Theme) -> None:
     if len(places) > _MOST_NAMES:
         return
-    for row, (x, y) in enumerate(places.tolist()):
-        axes.annotate(
-            str(followed.points.number(row)),
-            (x, y),
-            xytext=(4, 4),
-            textcoords="offset points",
-            fontsize=7.5,
-            color=theme.soft,
-        )
+    for row, place in enumerate(places):
+        write_name(axes, str(followed.points.number(row)), place, theme)
 
 
 def _length(metres: float) -> str:

@@ -13,6 +13,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
+from matplotlib.patheffects import withStroke
 
 from rapidsim.frames.transform import Array
 from rapidsim.language.moves import Interpolation
@@ -147,6 +148,20 @@ def time_axis(axes: Axes, end_s: float) -> None:
     """The time axis from 0 to the end [s] of the run."""
     axes.set_xlabel("time [s]")
     axes.set_xlim(0.0, max(end_s, _SHORTEST_S))
+
+
+def write_name(axes: Axes, name: str, place: Array, theme: Theme) -> None:
+    """A name beside a place (2,), in units of the axes; lines behind it leave it readable."""
+    axes.annotate(
+        name,
+        (place[0], place[1]),
+        xytext=(4, 4),
+        textcoords="offset points",
+        fontsize=7.5,
+        color=theme.soft,
+        annotation_clip=True,
+        path_effects=[withStroke(linewidth=2.0, foreground=theme.page)],
+    )
 
 
 def mark_start(axes: Axes, start: Array, theme: Theme) -> None:

@@ -14,7 +14,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.language.moves import Interpolation
 from rapidsim.library.motion import PLAIN_MOVES
 from rapidsim.plots.drawn import MM, end_mm, frame_of, pieces, places_mm, target_name, title_of
-from rapidsim.plots.look import Theme, mark_start, new_figure
+from rapidsim.plots.look import Theme, mark_start, new_figure, write_name
 from rapidsim.plots.stick_arm import as_cube
 from rapidsim.simulation.results.sampling import SampledRun
 
@@ -127,6 +127,7 @@ def _draw_near(
     _draw_work(axes, run, theme, shown)
     inside = [one for one in _targets(run) if _inside(one[1][None], box)[0]]
     _draw_names(axes, inside, box[:, shown], theme, shown)
+    _draw_failed(axes, run, theme, shown)
     middle, half = box[:, shown].mean(axis=0), 0.5 * float(np.ptp(box, axis=0).max())
     # One scale for all sides: a drawing seen edge on is a line, and looks like one.
     axes.set_xlim(middle[0] - half, middle[0] + half)
@@ -196,15 +197,7 @@ def _draw_names(
     places = np.array([place for _, place in targets])[:, shown]
     names = [name for name, _ in targets]
     for name, place in _apart(names, places, sweep):
-        axes.annotate(
-            name,
-            (place[0], place[1]),
-            xytext=(4, 4),
-            textcoords="offset points",
-            fontsize=7.5,
-            color=theme.soft,
-            annotation_clip=True,
-        )
+        write_name(axes, name, place, theme)
 
 
 def _draw_start(axes: Axes, run: SampledRun, theme: Theme, shown: tuple[int, ...]) -> None:

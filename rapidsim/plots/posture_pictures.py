@@ -25,6 +25,8 @@ _COLUMNS = 4
 _TRIAD = 0.11
 """Length of the axes of a frame through the size of the arm."""
 _FLOOR = 0.16
+_ZOOM = 0.93
+"""Of views in space, so that their labels stay clear of the next view."""
 _ARROW = 0.35
 _TWIST = ("vx", "vy", "vz", "wx", "wy", "wz")
 
@@ -65,14 +67,14 @@ def pose_picture(shown: Postures, theme: Theme) -> Figure:
 
 def matrix_picture(shown: Postures, theme: Theme) -> Figure:
     """The 4 x 4 matrix of the TCP: the rotation as a heat map, the translation in mm beside it."""
-    figure = new_figure(f"Matrix of the TCP: {shown.title}", width=6.6, height=5.2)
+    figure = new_figure("Matrix of the TCP", width=6.6, height=5.2)
     axes = figure.subplots()
     matrix = shown.world_from_tcp.matrix
     heat = matrix.copy()
     # Lengths have another unit: they are shown as shares of the longest.
     longest = max(float(np.abs(matrix[:3, 3]).max()), 1e-12)
     heat[:3, 3] /= longest
-    words = [[f"{value:.6f}" for value in row] for row in matrix.tolist()]
+    words = [[f"{round(value, 6) + 0.0:.6f}" for value in row] for row in matrix.tolist()]
     for row in range(3):
         words[row][3] = f"{MM * matrix[row, 3]:.3f}\nmm"
     words[3] = ["0", "0", "0", "1"]
@@ -81,7 +83,8 @@ def matrix_picture(shown: Postures, theme: Theme) -> Figure:
     axes.set_yticks(range(4), ["x", "y", "z", ""])
     determinant = float(np.linalg.det(matrix[:3, :3]))
     off = float(np.abs(matrix[:3, :3] @ matrix[:3, :3].T - np.eye(3)).max())
-    axes.set_title(f"determinant 1 within {abs(determinant - 1.0):.0e}, R R' = 1 within {off:.0e}")
+    within = max(abs(determinant - 1.0), off, np.finfo(np.float64).eps)
+    axes.set_title(f"{shown.title}\ndeterminant and R R' are 1 within {within:.0e}")
     return figure
 
 
@@ -164,7 +167,7 @@ def _dress(axes: Axes3D, shown: Postures, theme: Theme, points: Array) -> None:
     axes.set_ylabel(_AXES[1])
     axes.set_zlabel(_AXES[2])
     draw_floor(axes, _FLOOR * MM * shown.size, theme, shown.world_from_base)
-    as_cube(axes, points)
+    as_cube(axes, points, zoom=_ZOOM)
     axes.view_init(elev=22.0, azim=-55.0)
     for pane in (axes.xaxis, axes.yaxis, axes.zaxis):
         pane.set_pane_color((0.0, 0.0, 0.0, 0.0))

@@ -31,7 +31,7 @@ from rapidsim.findings.runs import (
 )
 from rapidsim.interpreter.runtime.call_stack import FatalError, Frame, rapid_stack
 from rapidsim.language.controller import ACCEPTED
-from rapidsim.language.errors import Stopped
+from rapidsim.language.errors import NotAllowed, Stopped
 from rapidsim.language.moves import Place
 from rapidsim.syntax import tree
 
@@ -58,6 +58,12 @@ def stopped_finding(stopped: Stopped, place: Place) -> Diagnostic:
     """Where the program stopped itself, with the call chain as related places."""
     routine, span, callers = _where(rapid_stack(stopped), place)
     return Diagnostic(ProgramStopped(stopped.reason), span, callers, routine=routine)
+
+
+def not_allowed_finding(stopped: NotAllowed, place: Place) -> Diagnostic:
+    """The instruction that a controller stops at, with the call chain as related places."""
+    routine, span, callers = _where(rapid_stack(stopped), place)
+    return Diagnostic(UncaughtError(stopped.reason), span, callers, routine=routine)
 
 
 def impossible_move_finding(stopped: MoveImpossible, place: Place) -> Diagnostic:

@@ -10,6 +10,7 @@ import numpy as np
 
 from rapidsim.analysis.program import Program
 from rapidsim.controller.cell.cell import Cell
+from rapidsim.controller.cell.message_queues import QueueSettings
 from rapidsim.controller.controller import VirtualController, virtual_controller
 from rapidsim.controller.journal.failed_moves import FailedMove, failed_on_the_way
 from rapidsim.controller.journal.journal import Journal
@@ -28,7 +29,7 @@ from rapidsim.diagnostics import Diagnostic
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.interpreter.linking.loader import Task, running
 from rapidsim.interpreter.runtime.call_stack import FatalError
-from rapidsim.language.errors import CycleEnded, Stopped
+from rapidsim.language.errors import CycleEnded, NotAllowed, Stopped
 from rapidsim.language.moves import Place
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.robot.external_axes import ExternalAxis
@@ -40,6 +41,7 @@ from rapidsim.simulation.run_findings import (
     fatal_finding,
     impossible_move_finding,
     motion_finding,
+    not_allowed_finding,
     stopped_finding,
     time_limit_finding,
     trap_storm_finding,
@@ -65,6 +67,8 @@ class TaskSetup:
     """Folded names of the persistents that the program may write; None where nobody has looked."""
     entry: str | None = None
     """The procedure it begins with; None takes that of the run's options."""
+    queue: QueueSettings | None = None
+    """Its message queue; None where nobody describes it."""
 
     @property
     def counts(self) -> bool:
@@ -122,7 +126,9 @@ def prepare(
     )
     place = _entry_place(setup.program, setup.entry or options.entry)
     unit, has_robot = MechanicalUnit(queue), setup.robot is not None
-    controller = virtual_controller(cell, unit, resolver, journal, place, has_robot=has_robot)
+    controller = virtual_controller(
+        cell, unit, resolver, journal, place, has_robot=has_robot, queue=setup.queue
+    )
     if not setup.counts:
         controller.clock.run_in_background()
     return TaskRun(setup, journal, queue, controller)
@@ -177,6 +183,9 @@ def run_to_end(
     except MoveImpossible as stop:
         controller.motion.abandon()
         end, findings = End.ERROR, (impossible_move_finding(stop, controller.clock.place),)
+    except NotAllowed as stop:
+        controller.motion.abandon()
+        end, findings = End.ERROR, (not_allowed_finding(stop, controller.clock.place),)
     except Stopped as stop:
         controller.motion.abandon()
         end, findings = End.STOPPED, (stopped_finding(stop, controller.clock.place),)

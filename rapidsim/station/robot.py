@@ -13,7 +13,7 @@ from rapidsim.station.toml_reader import Reader, Table
 if TYPE_CHECKING:
     from rapidsim.motion.robot.robot import Robot
 
-_KEYS = ("model", "urdf", "base", "start")
+_KEYS = ("model", "urdf", "scale", "base", "start")
 _KEYS_OF_SEVERAL = ("name", *_KEYS)
 
 
@@ -23,6 +23,8 @@ class StationRobot:
 
     name: str | None = None
     """A name of the catalogue or the path of a URDF file; None where the file names no robot."""
+    scale: float | None = None
+    """What the lengths of that URDF file are multiplied by, so that they are m."""
     start_joints_deg: tuple[float, ...] | None = None
     world_from_base: Transform = field(default_factory=Transform.identity)
     label: str | None = None
@@ -34,7 +36,9 @@ class StationRobot:
 
     def armed(self, other: StationRobot) -> StationRobot:
         """This robot with the arm of another and what is said of its axes."""
-        return replace(self, name=other.name, unknown=other.unknown, bounds=other.bounds)
+        return replace(
+            self, name=other.name, scale=other.scale, unknown=other.unknown, bounds=other.bounds
+        )
 
     def bounded(self, arm: Robot) -> Robot:
         """The arm with the bounds of its axes, where they were said of such an arm."""
@@ -72,5 +76,15 @@ def _read_robot(reader: Reader, path: str, robot: Table, keys: Sequence[str]) ->
     urdf = reader.text(robot, path, "urdf")
     if urdf is not None:
         name = str(reader.file.parent / urdf)
-    start = reader.numbers(robot, path, "start", None)
-    return StationRobot(name, start, base, reader.text(robot, path, "name"))
+    scale = reader.number(robot, path, "scale")
+    if scale is not None and urdf is None:
+        reader.wrong(f"{path}.scale", "only lengths of a `urdf` are scaled")
+    elif scale is not None and scale <= 0.0:
+        reader.wrong(f"{path}.scale", f"must be greater than 0, not {scale:g}")
+    return StationRobot(
+        name,
+        scale,
+        reader.numbers(robot, path, "start", None),
+        base,
+        reader.text(robot, path, "name"),
+    )

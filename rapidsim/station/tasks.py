@@ -10,6 +10,7 @@ modules = ["background.mod"]
 type = "semistatic"        # or "static"; "normal" unless it is said
 motion = false             # it moves nothing; so it is where no robot is left
 entry = "watch"            # the procedure it begins with; "main" unless it is said
+rmq = { type = "remote", mode = "synchronous", size = 400, messages = 5 }
 """
 
 from __future__ import annotations
@@ -18,12 +19,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from rapidsim.controller.cell.message_queues import QueueSettings
 from rapidsim.files import did_you_mean
+from rapidsim.station.message_queues import read_queue
 from rapidsim.station.task_kind import TaskKind
 from rapidsim.station.toml_reader import Reader, Table
 
 DEFAULT_TASK = "T_ROB1"
-_KEYS = ("name", "modules", "type", "motion", "robot", "entry")
+_KEYS = ("name", "modules", "type", "motion", "robot", "entry", "rmq")
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +47,8 @@ class StationTask:
     """The procedure it begins with; None where the file does not say."""
     unseen: tuple[str, ...] = ()
     """Modules that a backup's configuration loads into it and that are not in the backup."""
+    queue: QueueSettings | None = None
+    """Its message queue; None where nobody describes it."""
     is_system: bool = False
     """Whether it is the controller's own, such as that of its safety board: no run has it."""
 
@@ -80,7 +85,8 @@ def _read_task(reader: Reader, path: str, task: Table) -> StationTask:
         reader.wrong(f"{path}.robot", "a task with `motion = false` has no robot")
     files = tuple(reader.file.parent / one for one in modules)
     kind, entry = _kind(reader, path, task), reader.text(task, path, "entry")
-    return StationTask(name, files, kind, motion, robot, entry=entry)
+    queue = read_queue(reader, path, task)
+    return StationTask(name, files, kind, motion, robot, entry=entry, queue=queue)
 
 
 def _kind(reader: Reader, path: str, task: Table) -> TaskKind:

@@ -39,6 +39,29 @@ def test_the_letter_is_tracked_and_written(tmp_path: Path) -> None:
     assert follow("letter_d.csv", *arguments) == found
 
 
+TURNED = "x,y,z,e1,e2,e3\n900,0,700,0,90,0\n800,300,900,30,80,0\n"
+
+
+def test_euler_angles_come_out_as_they_go_in(tmp_path: Path) -> None:
+    points, trace = tmp_path / "turned.csv", tmp_path / "turned-trace.csv"
+    points.write_text(TURNED)
+    found = follow(str(points), "--convention", "zyz", "--trace", trace)
+    assert found["euler"] == {"convention": "zyz", "names": ["rz1", "ry", "rz2"]}
+    angles = [point["euler_deg"] for point in found["points"]]
+    assert angles == [pytest.approx([0, 90, 0]), pytest.approx([30, 80, 0])]
+    # The same attitude: half a turn back about z, a quarter forth about y.
+    half = 2**-0.5
+    assert found["points"][0]["quaternion"] == pytest.approx([half, 0, half, 0])
+    rows = list(csv.DictReader(trace.read_text(encoding="utf-8").splitlines()))
+    assert list(rows[0])[-4:] == ["tcp_speed_mm_s", "rz1_deg", "ry_deg", "rz2_deg"]
+    assert [float(rows[-1][name]) for name in ("rz1_deg", "ry_deg", "rz2_deg")] == pytest.approx(
+        [30, 80, 0], abs=1e-6
+    )
+    # On a wall the base looks along x of the world: what is shown is in the world.
+    walled = follow(str(points), "--base", "wall")
+    assert walled["points"][1]["euler_deg"] == pytest.approx([30, 80, 0])
+
+
 def test_the_line_of_five_misses_for_people() -> None:
     ended = rapidsim("follow", EXAMPLES / "rvm1_line.csv", "--robot", "rvm1")
     assert ended.code == 1

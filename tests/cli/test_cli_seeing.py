@@ -13,6 +13,8 @@ import pytest
 from cli_helper import rapidsim
 from rerun.chunk import RrdReader
 
+from rapidsim.cli import viewer
+from rapidsim.cli.tools.opened_viewer import open_viewer
 from rapidsim.plots import write
 from rapidsim.plots.path_picture import path_picture
 
@@ -73,6 +75,8 @@ def test_what_was_found_is_not_lost_over_a_file_that_cannot_be_written(folder: P
     done = subprocess.run(
         [sys.executable, "-c", script, "run", "Short.mod", "--no-record", "--report", "s.html"],
         cwd=folder,
+        # Python's own cache would be cut as well, and stay so.
+        env=os.environ | {"PYTHONDONTWRITEBYTECODE": "1"},
         capture_output=True,
         text=True,
         check=False,
@@ -96,6 +100,28 @@ def test_places_are_refused_before_the_run(folder: Path) -> None:
         assert ended.code == 2, arguments
         assert words in ended.err
     assert not list(folder.glob("*.rrd"))
+
+
+@pytest.mark.parametrize(
+    ("wrote", "said"),
+    [("log\nError: winit: No X server", "No X server"), ("", "exit code 3")],
+)
+def test_a_viewer_that_does_not_open_is_told(
+    wrote: str, said: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    dies = f"import sys; sys.stderr.write({wrote!r}); sys.exit(3)"
+    monkeypatch.setattr(viewer, "_command", lambda _: [sys.executable, "-c", dies])
+    monkeypatch.setattr(viewer, "_SETTLED_AFTER_S", 300.0)
+    open_viewer(Path("x.rrd"))
+    assert capsys.readouterr().err == f"note: the viewer did not open: {said}\n"
+
+
+def test_a_viewer_that_hands_over_to_an_open_one_is_not(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(viewer, "_command", lambda _: [sys.executable, "-c", ""])
+    monkeypatch.setattr(viewer, "_SETTLED_AFTER_S", 300.0)
+    assert viewer.leave_open(Path("x.rrd")) is None
 
 
 def test_the_viewer_is_given_recordings_only(folder: Path) -> None:

@@ -1,5 +1,7 @@
 """The station file: what it says is taken, what it cannot say is refused by key."""
 
+import json
+import re
 from math import radians
 from pathlib import Path
 
@@ -7,6 +9,7 @@ import pytest
 from cli_helper import rapidsim
 
 from rapidsim.files import InputError
+from rapidsim.shipped import shipped
 from rapidsim.station.read import read_station
 from rapidsim.station.station import find_station
 
@@ -54,10 +57,60 @@ def test_an_urdf_file_lies_beside_it(tmp_path: Path) -> None:
     assert station.robot == str(tmp_path / "my.urdf")
 
 
+TURNS = """MODULE turns
+  PROC main()
+    MoveAbsJ [[20,10,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v500, fine, tool0;
+  ENDPROC
+ENDMODULE
+"""
+
+
+@pytest.fixture
+def in_millimetres(tmp_path: Path) -> Path:
+    """A folder with a program and an IRB 120 whose description has its lengths in mm."""
+    text = shipped("robots/irb120-3-0.58/irb120-3-0.58.urdf").read_text()
+
+    def longer(found: re.Match[str]) -> str:
+        return f'<origin xyz="{" ".join(str(1000.0 * float(x)) for x in found[1].split())}"'
+
+    (tmp_path / "arm.urdf").write_text(re.sub(r'<origin xyz="([^"]*)"', longer, text))
+    (tmp_path / "turns.mod").write_text(TURNS)
+    return tmp_path
+
+
+def test_an_arm_in_millimetres_runs_and_is_checked_when_it_is_scaled(in_millimetres: Path) -> None:
+    def path_mm(*arguments: str) -> float:
+        ended = rapidsim(
+            *("run", "turns.mod", *arguments, "--no-record", "--format", "json"),
+            cwd=in_millimetres,
+        )
+        return float(json.loads(ended.out)["path_mm"])
+
+    plain = path_mm("--robot", "irb120")
+    assert path_mm("--robot", "arm.urdf", "--scale", "0.001") == pytest.approx(plain)
+    station_file(in_millimetres, '[robot]\nurdf = "arm.urdf"\nscale = 0.001\n')
+    assert path_mm() == pytest.approx(plain)
+    for command in (("check", "turns.mod"), ("frames", "turns.mod")):
+        assert rapidsim(*command, cwd=in_millimetres).code == 0
+    named = ("--robot", "arm.urdf", "--scale", "0.001")
+    joints = ("--joints", "20,10,0,0,30,0", "--format", "json")
+    plain_at, scaled_at = (
+        json.loads(rapidsim("kin", "fk", *arm, *joints, cwd=in_millimetres).out)["position_mm"]
+        for arm in (("--robot", "irb120"), named)
+    )
+    assert scaled_at == pytest.approx(plain_at)
+    ended = rapidsim("points", "--shell", "300,400", *named, "--count", "2", cwd=in_millimetres)
+    assert ended.code == 0
+    assert rapidsim("points", "--shell", "300,400", "--scale", "2", cwd=in_millimetres).code == 2
+
+
 @pytest.mark.parametrize(
     ("text", "part", "help"),
     [
         ("[robot", "is not TOML", None),
+        ("[robot]\nmodel = 'irb120'\nscale = 0.001", "robot.scale: only lengths of a `urdf`", None),
+        ("[robot]\nurdf = 'a.urdf'\nscale = 0", "robot.scale: must be greater than 0", None),
+        ("[robot]\nurdf = 'a.urdf'\nscale = inf", "robot.scale: a number is needed", None),
         ("[robto]", "robto: no such key", "did you mean `robot`?"),
         ("[motion]\nfilter-time = 1", "motion.filter-time: no such key", "`filter_time`"),
         ('[robot]\nmodel = "a"\nurdf = "b"', "not both", None),

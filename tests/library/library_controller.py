@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
 from datetime import datetime, timedelta
-from typing import Any
+from typing import Any, cast
 
 from memory_file import MemoryFile
 
@@ -36,6 +36,7 @@ from rapidsim.language.error_numbers import (
     rapid_error,
 )
 from rapidsim.language.files import FileMode
+from rapidsim.language.messages import Messages
 from rapidsim.language.modules import Modules
 from rapidsim.language.moves import Flank, MotionSettings, Move, Place, SearchStop
 from rapidsim.language.option_data import CameraTarget
@@ -104,6 +105,8 @@ class RecordingController:
         whole = Controller(
             *(self, self, self, self, self, self),
             *(self, self, self, self, self, self, self, self, self, self, self, self, self),
+            # Messages go between tasks, and here is one: the book of the language has them.
+            cast(Messages, self),
         )
         for name in ("symbols", "modules"):
             if hasattr(self, name):

@@ -29,7 +29,7 @@ NEEDS_MORE = {
     *("MToolTCPCalib", "UIListView", "ReadAnyBin", "ReadBin", "ReadNum", "TextTabGet"),
     *("ReadErrData", "WZDOSet", "WZLimSup", "ReadStr", "ReadCfgData", "WriteCfgData"),
     "GetNextMechUnit",
-    *("GetJointData", "CorrRead"),
+    *("GetJointData", "CorrRead", "IRMQMessage", "RMQGetMsgHeader"),
 }
 """They want a program, a connection, an open file or a list of things around them."""
 WHOLE = {"BitPos", "ShiftSteps", "TargetsInList", "ChPos"}

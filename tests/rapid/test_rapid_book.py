@@ -26,6 +26,7 @@ CHAPTERS = (
     "modules",
     "operator",
     "system",
+    "messages",
     "newer",
     "oddities",
     "broken",

@@ -1,5 +1,7 @@
 """A run that is cut off says where the program was."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -66,3 +68,17 @@ def test_what_the_arm_would_do_after_the_limit_is_not_counted(limit_s: float) ->
     assert np.array_equal(run.only.sample(before_s).joints, whole.sample(before_s).joints), (
         "the way up to the limit is that of a longer run"
     )
+
+
+def test_a_run_cut_off_by_the_computers_clock_is_drawn_to_its_end() -> None:
+    # Then nobody plans any more how the robot comes to rest: its trajectory goes on to the target.
+    source = Source("slow.mod", TEXT.format(body="MoveL Offs(p,0,400,0),v10,fine,tool0;"))
+    program = check((parse(source).file,)).program
+    assert program is not None
+    run = simulate(program, load_robot("irb1600"), options=RunOptions(max_time_s=30.0))
+    assert run.only.trajectory.duration > 29.0
+    cut = replace(run, time_s=1.0)
+    assert cut.motion_end_s < 7.0
+    margin = figures(cut).joint_margin
+    assert margin is not None
+    assert margin.time_s < 7.0

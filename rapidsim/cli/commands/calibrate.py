@@ -56,7 +56,8 @@ def calibrate(
     programs = [program or _program_beside(log) for log in logs]
     settings = choose_station(programs, station)
     say_remarks(settings)
-    arm = open_robot(choose_robot(robot, settings).name)
+    chosen = choose_robot(robot, settings)
+    arm = open_robot(chosen.name, chosen.scale)
     runs = []
     for log, path in zip(logs, programs, strict=True):
         read = read_joint_log(log, len(arm.joints))

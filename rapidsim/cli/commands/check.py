@@ -11,6 +11,7 @@ import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.asked import asked_job
+from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.terminal import current_terminal, say, terminal_options
 from rapidsim.cli.tools.check_output import FORMATS, SPOKEN_FORMATS, checked_text
 from rapidsim.cli.tools.fixes import cured, difference, harmless_fixes
@@ -33,6 +34,7 @@ _SEVERITIES = tuple(Severity)
 @click.command(no_args_is_help=False)
 @click.argument("paths", metavar="PATH...", nargs=-1, required=True)
 @click.option("--robot", metavar="NAME|FILE.urdf", help="The arm the program is for.")
+@scale_option
 @click.option("--station", metavar="FILE.toml", help="The station file, instead of a near one.")
 @click.option(
     "--output-format",
@@ -66,6 +68,7 @@ _SEVERITIES = tuple(Severity)
 def check(
     paths: tuple[str, ...],
     robot: str | None,
+    scale: float | None,
     station: str | None,
     output_format: str,
     select: str | None,
@@ -95,6 +98,7 @@ def check(
     asked = Asked(
         paths=paths,
         robot=robot,
+        scale=scale,
         station=station,
         select=_listed(select),
         extend_select=_listed(extend_select),

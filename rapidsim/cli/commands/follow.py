@@ -231,10 +231,10 @@ def follow(
     several = bool(asked)
     if avoid and not min_radius:
         raise InputError("--avoid needs to know the sphere", "name its radius with --min-radius")
-    arm = open_robot(robot, scale)
+    arm, given_as = open_robot(robot, scale), Convention(convention)
     if points_file is not None:
-        text, euler = _text(points_file), Convention(convention)
-        points = points_from_text(text, points_file, len(arm.joints), euler)
+        text = _text(points_file)
+        points = points_from_text(text, points_file, len(arm.joints), given_as)
     else:
         assert line is not None
         points = Points(line_points(line, count) / 1000.0, None)
@@ -249,7 +249,9 @@ def follow(
         avoid=avoid,
     )
     stands = world_from_base(base)
-    given = Given(arm, tool, stands, plan, via_speed, start, conf, dt[0], skip_unreachable)
+    given = Given(
+        arm, tool, stands, plan, via_speed, start, conf, dt[0], skip_unreachable, given_as
+    )
     task = prepared(given, points)
     if not (current_terminal().quiet or compare):
         for remark in unused(task, plan):
@@ -259,7 +261,7 @@ def follow(
     else:
         attempts = attempt_all(task, plan, tuple(Way) if compare else (plan.way,))
     title = "line" if points_file in (None, "-") else str(points_file)
-    files = written(attempts[0].result, title, recording, trace_file, pictures, stands)
+    files = written(attempts[0].result, title, recording, trace_file, pictures, task.asked)
     tried = started(attempts[0].result) if starts else ()
     if output_format == "json":
         if several and not starts:

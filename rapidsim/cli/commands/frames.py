@@ -8,6 +8,7 @@ import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.asked import asked_job
+from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
 from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.checked_program import load
@@ -23,6 +24,7 @@ from rapidsim.simulation.start_values import start_values
 @click.command()
 @click.argument("paths", metavar="PATH...", nargs=-1, required=True)
 @click.option("--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them.")
+@scale_option
 @click.option("--station", metavar="FILE.toml", help="The station file, instead of a near one.")
 @click.option("--task", metavar="NAME", help="Only this one of several tasks.")
 @table_or_json
@@ -30,6 +32,7 @@ from rapidsim.simulation.start_values import start_values
 def frames(
     paths: tuple[str, ...],
     robot: str | None,
+    scale: float | None,
     station: str | None,
     task: str | None,
     output_format: str,
@@ -40,7 +43,7 @@ def frames(
     them. Values are those before the program runs.
     """
     terminal = current_terminal()
-    job = asked_job(Asked(paths=paths, robot=robot, station=station, task=task))
+    job = asked_job(Asked(paths=paths, robot=robot, scale=scale, station=station, task=task))
     task_files = job.only_task
     files = task_files.files
     arm = job.arm()

@@ -17,6 +17,7 @@ from rapidsim.cli.options.poses import (
     convention_option,
     euler_option,
     posture_options,
+    scale_option,
 )
 from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
 from rapidsim.extras import require
@@ -41,6 +42,7 @@ def _common(command: Command) -> Command:
         base_option,
         convention_option,
         posture_options,
+        scale_option,
         click.option(
             "--tool",
             type=numbers(3, 7),
@@ -82,6 +84,7 @@ def fk(
     joints: tuple[float, ...],
     tables: bool,
     robot: str,
+    scale: float | None,
     tool: tuple[float, ...] | None,
     base: str,
     convention: str,
@@ -98,7 +101,7 @@ def fk(
     from rapidsim.report.tables.kin_json import forward_json
     from rapidsim.report.tables.kin_tables import forward_page
 
-    arm = open_robot(robot)
+    arm = open_robot(robot, scale)
     files = kin_steps.outputs(record, plots, view, f"{arm.name}-fk.rrd")
     angles = _joints(arm, joints)
     shown = Postures(
@@ -158,6 +161,7 @@ def ik(
     everything: bool,
     solver: str,
     robot: str,
+    scale: float | None,
     tool: tuple[float, ...] | None,
     base: str,
     convention: str,
@@ -179,7 +183,7 @@ def ik(
     from rapidsim.report.tables.kin_json import inverse_json
     from rapidsim.report.tables.kin_tables import inverse_page
 
-    arm = open_robot(robot)
+    arm = open_robot(robot, scale)
     files = kin_steps.outputs(record, plots, view, f"{arm.name}-ik.rrd")
     closed_form = told_apart(arm.kinematics)
     stands, flange_from_tcp = poses.world_from_base(base), poses.tool(tool)
@@ -229,6 +233,7 @@ def jacobian(
     joints: tuple[float, ...],
     twist: tuple[float, ...] | None,
     robot: str,
+    scale: float | None,
     tool: tuple[float, ...] | None,
     base: str,
     convention: str,
@@ -248,7 +253,7 @@ def jacobian(
     from rapidsim.report.tables.kin_tables import jacobian_page
 
     del convention
-    arm = open_robot(robot)
+    arm = open_robot(robot, scale)
     files = kin_steps.outputs(record, plots, view, f"{arm.name}-jacobian.rrd")
     angles, flange_from_tcp = _joints(arm, joints), poses.tool(tool)
     found = differential(arm.kinematics, angles, flange_from_tcp)

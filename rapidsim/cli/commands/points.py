@@ -9,7 +9,7 @@ import click
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options import poses
 from rapidsim.cli.options.numbers import numbers
-from rapidsim.cli.options.poses import base_option, line_option, line_points
+from rapidsim.cli.options.poses import base_option, line_option, line_points, scale_option
 from rapidsim.cli.terminal import current_terminal, say, terminal_options
 from rapidsim.files import InputError
 
@@ -39,6 +39,7 @@ if TYPE_CHECKING:
 @click.option(
     "--robot", metavar="NAME|FILE.urdf", help="Only points that this arm reaches in its limits."
 )
+@scale_option
 @click.option(
     "--attitude",
     type=click.Choice(["down", "random"]),
@@ -62,6 +63,7 @@ def points(
     count: int,
     seed: int,
     robot: str | None,
+    scale: float | None,
     attitude: str | None,
     tool: tuple[float, ...] | None,
     base: str,
@@ -85,6 +87,8 @@ def points(
         raise InputError("points are those of one of --shell, --postures and --line")
     if robot is None and (postures or tool or attitude or base != "floor"):
         raise InputError("--postures, --attitude, --tool and --base need --robot")
+    if scale is not None and robot is None:
+        raise InputError("--scale is of a URDF file", "name it with --robot")
     if attitude and not shell:
         raise InputError("--attitude is for points of a --shell")
     if line is not None:
@@ -102,7 +106,11 @@ def points(
     from rapidsim.cli.options.robot_choice import open_robot
     from rapidsim.frames.transform import Transform, matrix_from_quaternion
 
-    arm, stands, flange_from_tcp = open_robot(robot), poses.world_from_base(base), poses.tool(tool)
+    arm, stands, flange_from_tcp = (
+        open_robot(robot, scale),
+        poses.world_from_base(base),
+        poses.tool(tool),
+    )
     if postures:
         _, base_from_tcp = posture_points(arm, flange_from_tcp, count, seed)
     else:

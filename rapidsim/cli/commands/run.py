@@ -24,9 +24,9 @@ from rapidsim.cli.tools.assertions import (
     judge_budget,
     read_assertions,
 )
+from rapidsim.cli.tools.opened_viewer import open_viewer
 from rapidsim.cli.tools.run_output import FORMATS, RunDone, print_rejected, print_run, stage
 from rapidsim.cli.tools.watching import choose_watch, watched
-from rapidsim.cli.viewer import leave_open
 from rapidsim.extras import pip_install
 from rapidsim.files import InputError
 from rapidsim.jobs.asked import Asked
@@ -138,7 +138,7 @@ def run(
     print_run(done, job.robot, written, output_format, terminal)
     recording = outputs.recording
     if outputs.view and recording and any(one.path == recording for one in written):
-        leave_open(recording)
+        open_viewer(recording)
     if refused is not None:
         # What the run found is not lost over a file that could not be written.
         raise refused

@@ -12,6 +12,7 @@ import click
 from rapidsim.cli.options.answers import answers_from
 from rapidsim.cli.options.dates import Date
 from rapidsim.cli.options.numbers import POSITIVE
+from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.terminal import say
 from rapidsim.files import InputError
 from rapidsim.jobs.asked import Asked
@@ -27,6 +28,7 @@ _PROGRAM = (
     click.option(
         "--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them."
     ),
+    scale_option,
     click.option("--station", metavar="FILE.toml", help="The station file, instead of a near one."),
     click.option("--task", metavar="NAME", help="Only this one of several tasks."),
     click.option("--proc", metavar="NAME", default="main", help="The procedure to run."),
@@ -95,6 +97,7 @@ def program_options(command: Callable[..., int]) -> Callable[..., int]:
         *,
         paths: tuple[str, ...],
         robot: str | None,
+        scale: float | None,
         station: str | None,
         task: str | None,
         proc: str,
@@ -115,6 +118,7 @@ def program_options(command: Callable[..., int]) -> Callable[..., int]:
         asked = Asked(
             paths=paths,
             robot=robot,
+            scale=scale,
             station=station,
             task=task,
             io=io,
@@ -162,10 +166,10 @@ def say_remarks(station: Station) -> None:
         say(f"note: {remark}", err=True)
 
 
-def _open_robot(name: str) -> Robot:
+def _open_robot(name: str, scale: float | None) -> Robot:
     from rapidsim.cli.options.robot_choice import open_robot
 
-    return open_robot(name)
+    return open_robot(name, scale)
 
 
 def _network(hosts: Sequence[str]) -> Network:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rapidsim.cli.terminal import say
 from rapidsim.files import InputError
 from rapidsim.motion.robot.catalogue import RobotError
-from rapidsim.motion.robot.robot import Robot, load_robot
+from rapidsim.motion.robot.robot import DESCRIPTIONS, Robot, load_robot
 
 
 def open_robot(name: str, scale: float | None = None) -> Robot:
@@ -21,7 +21,9 @@ def open_robot(name: str, scale: float | None = None) -> Robot:
     try:
         robot = load_robot(name, scale=scale)
     except RobotError as error:
-        raise InputError(str(error), "`rapidsim robots` lists the catalogue") from error
+        is_file = name.lower().endswith(DESCRIPTIONS)
+        help = None if is_file else "`rapidsim robots` lists the catalogue"
+        raise InputError(str(error), help) from error
     for notice in robot.notices:
         say(f"note: {notice}", err=True)
     return robot

@@ -13,6 +13,7 @@ from rich.text import Text
 
 from rapidsim.cli.options.poses import tool
 from rapidsim.files import InputError
+from rapidsim.frames.euler import Convention
 from rapidsim.frames.transform import (
     Array,
     Transform,
@@ -59,6 +60,7 @@ class Given:
     conf: tuple[float, ...] | None
     dt: float
     skip_unreachable: bool
+    convention: Convention
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -119,7 +121,9 @@ def prepared(given: Given, points: Points) -> Task:
         pose = posed(some.positions[:1], some_attitudes[:1])[0] @ flange_from_tcp.inverse()
         first = _first(robot, pose, given.conf)
     return Task(
-        asked=Asked(robot, points, reached, attitudes, given.plan, given.world_from_base),
+        asked=Asked(
+            robot, points, reached, attitudes, given.plan, given.world_from_base, given.convention
+        ),
         points=some,
         attitudes=some_attitudes,
         flange_from_tcp=flange_from_tcp,
@@ -172,7 +176,7 @@ def written(
     recording: Path | None,
     trace: Path | None,
     plots: Path | None,
-    world_from_base: Transform,
+    asked: Asked,
 ) -> tuple[Written, ...]:
     """Write the files asked for, if there is a trajectory."""
     if isinstance(result, Refused):
@@ -181,12 +185,12 @@ def written(
     if recording:
         from rapidsim.recording.layout.waypoint_recording import record_followed
 
-        record_followed(result, Path(title).name, recording, world_from_base)
+        record_followed(result, Path(title).name, recording, asked.world_from_base)
         files.append(Written(recording, "recording"))
     if trace:
         from rapidsim.export.trace import write_samples
 
-        write_samples(result.samples, trace)
+        write_samples(result.samples, trace, asked.convention)
         files.append(Written(trace, "trace"))
     if plots:
         from rapidsim.plots.followed_pictures import write_followed_plots

@@ -10,7 +10,8 @@ import numpy as np
 
 from rapidsim.cli.options.outputs import new_plots, new_recording
 from rapidsim.cli.terminal import current_terminal, say
-from rapidsim.cli.viewer import leave_open, require_screen
+from rapidsim.cli.tools.opened_viewer import open_viewer
+from rapidsim.cli.viewer import require_screen
 from rapidsim.extras import require
 from rapidsim.motion.configurations.confdata import distinct
 from rapidsim.motion.configurations.pose_solutions import PoseSolutions
@@ -62,7 +63,7 @@ def write(shown: Postures, asked: Outputs, *, quiet: bool) -> tuple[Written, ...
         say("")
         current_terminal().show(files_text(files))
     if asked.view and asked.recording:
-        leave_open(asked.recording)
+        open_viewer(asked.recording)
     return tuple(files)
 
 

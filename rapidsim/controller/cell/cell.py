@@ -19,6 +19,7 @@ from rapidsim.controller.cell.conveyors import ConveyorState
 from rapidsim.controller.cell.description import CrossConnection, Status, Stimulus
 from rapidsim.controller.cell.home_folder import HomeFolder
 from rapidsim.controller.cell.inputs import CellInputs
+from rapidsim.controller.cell.message_queues import MessageQueues
 from rapidsim.controller.cell.operator import Operator
 from rapidsim.controller.cell.rendezvous import Meetings
 from rapidsim.controller.cell.signals import SignalTable
@@ -153,6 +154,7 @@ class Cell:
         """By folded name."""
         self.conveyors = {one.unit.lower(): ConveyorState(one) for one in inputs.io.conveyors}
         """By folded name of the unit."""
+        self.messages = MessageQueues()
         self.parameters = SystemParameters(inputs.configured)
         self.disabled_devices: set[str] = set()
         """Folded names of the I/O devices that the program has switched off."""

@@ -18,6 +18,7 @@ class EventKind(StrEnum):
     INTERRUPT = "interrupt"
     FILE = "file"
     SOCKET = "socket"
+    MESSAGE = "message"
     CORNER = "corner"
     LIMIT = "limit"
 

@@ -8,7 +8,13 @@ import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import ConfData
-from rapidsim.motion.configurations.confdata import Configuration, confdata_of, select, told_apart
+from rapidsim.motion.configurations.confdata import (
+    NO_CONFIGURATION,
+    Configuration,
+    confdata_of,
+    select,
+    told_apart,
+)
 from rapidsim.motion.configurations.reachability import limit_excess, turns_within_limits
 from rapidsim.motion.robot.robot import Robot
 
@@ -98,7 +104,12 @@ def by_distance(working: Sequence[Configuration], near: Array) -> list[Configura
 
 def rounded(conf: ConfData) -> Quarters:
     """The whole numbers of confdata."""
-    return round(conf.cf1), round(conf.cf4), round(conf.cf6), round(conf.cfx)
+    return _whole(conf.cf1), _whole(conf.cf4), _whole(conf.cf6), _whole(conf.cfx)
+
+
+def _whole(number: float) -> int:
+    """A whole number; one that no arm comes near, or none at all, is that of no configuration."""
+    return round(number) if abs(number) < NO_CONFIGURATION else NO_CONFIGURATION
 
 
 def conf_text(conf: Sequence[int]) -> str:

@@ -279,11 +279,9 @@ class Calls:
         self._refuse_two_alternatives(signature.parameters, given, nodes, at)
         values = [nodes[key] for parameter, key in there if not parameter.by_keyword]
         options = [(p.python, nodes[key]) for p, key in there if p.by_keyword]
-        if signature.type_keyword:
-            of = self._given_type(signature.type_of, given)
-            options.append(
-                (signature.type_keyword, at.name(self._names.module.numbered("_type", of)))
-            )
+        for keyword, parameter in signature.types_of:
+            of = self._given_type(parameter, given)
+            options.append((keyword, at.name(self._names.module.numbered("_type", of))))
         return values, options, calls
 
     def _library_argument(self, parameter: Parameter, given: Given, at: At) -> Code:
@@ -306,8 +304,8 @@ class Calls:
             return Code(at.call("_Box", [code.node]), code.owed, code.may_raise, code.calls)
         return Code(at.deferred(code.node)) if parameter.deferred else code
 
-    def _given_type(self, parameter: Parameter | None, given: dict[str, Given]) -> Type:
-        one = given.get(parameter.name.lower()) if parameter is not None else None
+    def _given_type(self, parameter: Parameter, given: dict[str, Given]) -> Type:
+        one = given.get(parameter.name.lower())
         if one is not None and one.value is not None:
             return self._expressions.type_of(one.value)
         return NUM

@@ -63,7 +63,9 @@ class ModuleNames:
     def signal(self, symbol: ConfiguredSymbol | UnknownSymbol) -> str:
         """The name of what no module declares, a signal as a rule, as a reference to it."""
         key = symbol.name.lower()
-        return self._bound(("signal", key), key, Fixed(Box(Signal(symbol.name))))
+        return self._bound(
+            ("signal", key), key, Fixed(Box(Signal(symbol.name, is_configured=True)))
+        )
 
     def constant_data(self, symbol: DataSymbol, value: object) -> str:
         """The name of a constant with its value."""

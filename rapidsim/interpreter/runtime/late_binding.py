@@ -186,9 +186,9 @@ class LateBinding:
                 options[parameter.python] = None if value is ABSENT else value
             else:
                 positional.append(value)
-        if signature.type_keyword and signature.type_of is not None:
-            one = given.get(signature.type_of.name.lower())
-            options[signature.type_keyword] = one[0].type if one else None
+        for keyword, parameter in signature.types_of:
+            one = given.get(parameter.name.lower())
+            options[keyword] = one[0].type if one else None
         if signature.takes_controller:
             self.controller.clock.place = place
         routine.body(*positional, **options)

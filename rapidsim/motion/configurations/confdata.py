@@ -35,6 +35,8 @@ BORDER = pi / 1800.0
 """So near [rad] to a quarter turn's border an axis stands on both of its sides."""
 UNDETERMINED_WRIST = 1e-7
 """Axis 5 up to which [rad] confdata may share out the sum of axes 4 and 6."""
+NO_CONFIGURATION = 1_000_000
+"""Quarter turns that no arm comes near; what is larger still, or no number, counts as this."""
 SAME = 1e-9
 """Joint vectors that differ by less [rad] are one, met by two branches."""
 
@@ -110,7 +112,9 @@ def select(
         Axes 1, 4 and 6 in the turn that comes nearest to confdata, the others in the turn that
         is nearest to their range.
     """
-    wanted = np.rint(np.asarray(confdata)).astype(np.int64)
+    asked = np.asarray(confdata, dtype=np.float64)
+    asked = np.where(np.abs(asked) < NO_CONFIGURATION, asked, NO_CONFIGURATION)
+    wanted = np.rint(asked).astype(np.int64)
     joints = np.zeros((len(wanted), robot.kinematics.joint_count))
     held = np.broadcast_to(np.asarray(near, dtype=np.float64), joints.shape).copy()
     # Where the pose leaves axis 1 undetermined, it can be in the quarter turn that is asked for.

@@ -112,6 +112,10 @@ class Robot:
         return self.kinematics.inverse(base_from_flange)
 
 
+DESCRIPTIONS = (".urdf", ".xml", ".xacro")
+"""How the name of a file ends that describes an arm; any other name is one of the catalogue."""
+
+
 def load_robot(name_or_path: str | Path, scale: float | None = None) -> Robot:
     """Load a robot from the catalogue by name or alias, or from a URDF by path.
 
@@ -126,7 +130,7 @@ def load_robot(name_or_path: str | Path, scale: float | None = None) -> Robot:
         InputError: If what reads URDF files is not installed.
     """
     text = str(name_or_path)
-    if isinstance(name_or_path, Path) or text.lower().endswith((".urdf", ".xml", ".xacro")):
+    if isinstance(name_or_path, Path) or text.lower().endswith(DESCRIPTIONS):
         require("yourdfpy", "a robot from a URDF")
         # yourdfpy takes two seconds to import, which a robot of the catalogue need not pay.
         from rapidsim.motion.robot.urdf import robot_parts_from_urdf  # noqa: PLC0415

@@ -242,10 +242,10 @@ class Evaluator:
             return values
         there = [p for p in signature.parameters if p.name.lower() in values]
         options = {p.python: values[p.name.lower()] for p in there if p.by_keyword}
-        if signature.type_of is not None:
-            of = given.get(signature.type_of.name.lower())
+        for keyword, parameter in signature.types_of:
+            of = given.get(parameter.name.lower())
             written = None if of is None or of.value is None else self.program.type_of.get(of.value)
-            options[signature.type_keyword] = written or types.NUM
+            options[keyword] = written or types.NUM
         return routine.body(*(values[p.name.lower()] for p in there if not p.by_keyword), **options)
 
 

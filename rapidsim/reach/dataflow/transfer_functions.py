@@ -70,11 +70,11 @@ def perform(
             options[parameter.python] = value
         else:
             required.append(value)
-    if signature.type_of is not None:
-        typed = given.get(signature.type_of.name.lower())
+    for keyword, open_parameter in signature.types_of:
+        typed = given.get(open_parameter.name.lower())
         if typed is None or typed.value is None:
             return "its type is not known"
-        options[signature.type_keyword] = evaluator.program.type_of.get(typed.value)
+        options[keyword] = evaluator.program.type_of.get(typed.value)
     try:
         routine.body(*required, **options)
     except NeedsRunError:

@@ -23,6 +23,7 @@ _EVENT_LEVELS = {
     EventKind.INTERRUPT: "TRACE",
     EventKind.FILE: "DEBUG",
     EventKind.SOCKET: "DEBUG",
+    EventKind.MESSAGE: "DEBUG",
     EventKind.CORNER: "WARN",
     EventKind.LIMIT: "WARN",
     EventKind.ERROR: "ERROR",

@@ -81,7 +81,7 @@ def figures(simulation: Simulation) -> Figures:
     moves = simulation.moves
     corners = Counter(move.corner for move in moves)
     found = [
-        _along_the_path(robot, offset)
+        _along_the_path(robot, offset, simulation.motion_end_s)
         for robot, offset in zip(simulation.robots, simulation.move_offsets, strict=True)
         if robot.moves
     ]
@@ -116,9 +116,11 @@ def _otherwise(simulation: Simulation) -> tuple[OtherTime, ...]:
     return tuple(times)
 
 
-def _along_the_path(run: RobotRun, offset: int) -> tuple[JointMargin, SingularityMargin]:
+def _along_the_path(
+    run: RobotRun, offset: int, end_s: float
+) -> tuple[JointMargin, SingularityMargin]:
     robot = run.robot
-    times = _sample_times(run)
+    times = _sample_times(run, min(run.trajectory.duration, end_s))
     samples = run.trajectory.at(times)
     indices = np.array([move.index for move in run.moves])
 
@@ -150,9 +152,9 @@ def _along_the_path(run: RobotRun, offset: int) -> tuple[JointMargin, Singularit
     return margin, singularity
 
 
-def _sample_times(run: RobotRun) -> Array:
+def _sample_times(run: RobotRun, end: float) -> Array:
     """Instants under way; the ends of moves are among them, standstill before the first is not."""
-    start, end = run.moves[0].start_s, run.trajectory.duration
+    start = run.moves[0].start_s
     count = min(_MOST_SAMPLES, int((end - start) / _SAMPLE_S) + 2)
     ends = np.array([move.end_s for move in run.moves])
     return np.unique(np.concatenate([np.linspace(start, end, count), ends.clip(start, end)]))

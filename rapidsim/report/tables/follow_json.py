@@ -56,9 +56,16 @@ def _asked(asked: Asked) -> dict[str, object]:
         "robot": asked.robot.name,
         "speed_mm_s": asked.plan.speed * 1000.0,
         "acceleration_mm_s2": asked.plan.acceleration * 1000.0,
+        "euler": {"convention": asked.convention.value, "names": list(asked.convention.names)},
         "points": [
-            _point(position, point)
-            for position, point in zip(asked.positions_mm.tolist(), asked.reached, strict=True)
+            _point(position, point, quaternion, euler)
+            for position, point, quaternion, euler in zip(
+                asked.positions_mm.tolist(),
+                asked.reached,
+                asked.quaternions.tolist(),
+                asked.euler_deg.tolist(),
+                strict=True,
+            )
         ],
     }
 
@@ -117,13 +124,17 @@ def _trajectory(followed: Followed) -> dict[str, object]:
     }
 
 
-def _point(position: Sequence[float], reached: PointReach) -> dict[str, object]:
+def _point(
+    position: list[float], reached: PointReach, quaternion: list[float], euler: list[float]
+) -> dict[str, object]:
     why = reached.why
     ranges = None
     if reached.pitches is not None:
         ranges = [degrees(pitch) for pitch in reached.pitches]
     return {
-        "position_mm": list(position),
+        "position_mm": position,
+        "quaternion": quaternion,
+        "euler_deg": euler,
         "reachable": reached.reachable,
         "why": reached.message,
         "shortfall_mm": 0.0 if why is None else why.shortfall * 1000.0,

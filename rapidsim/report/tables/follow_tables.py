@@ -6,15 +6,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import degrees
 
+import numpy as np
 from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from rapidsim.frames.transform import Array, Transform
+from rapidsim.frames.euler import Convention, euler_from_rotation
+from rapidsim.frames.transform import Array, Transform, quaternion_from_matrix
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.waypoints.follow import Followed
 from rapidsim.motion.waypoints.plan import Plan, Refused, Way
-from rapidsim.motion.waypoints.points import Points, linear_turn_rates, turn
+from rapidsim.motion.waypoints.points import Points, linear_turn_rates, posed, turn
 from rapidsim.motion.waypoints.reachability import PointReach
 from rapidsim.motion.waypoints.solver_starts import Started
 from rapidsim.report.uncut_table import WholeTable
@@ -36,11 +38,27 @@ class Asked:
     """Shape (k, 4) or (k, 1); chosen where they are free."""
     plan: Plan
     world_from_base: Transform
+    convention: Convention
+    """Of the Euler angles that are shown."""
 
     @property
     def positions_mm(self) -> Array:
         """Where the points are in the world (k, 3)."""
         return 1000.0 * self.world_from_base.apply(self.points.positions) + 0.0
+
+    @property
+    def quaternions(self) -> Array:
+        """How the tool is turned at them in the world (k, 4), also where a pitch was chosen."""
+        return quaternion_from_matrix(self._turned) + 0.0
+
+    @property
+    def euler_deg(self) -> Array:
+        """The same as Euler angles (k, 3)."""
+        return np.degrees(euler_from_rotation(self._turned, self.convention)) + 0.0
+
+    @property
+    def _turned(self) -> Array:
+        return (self.world_from_base @ posed(self.points.positions, self.attitudes)).rotation
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,16 +86,21 @@ def points_page(asked: Asked) -> RenderableType:
     parts: list[RenderableType] = [Text(asked.robot.title, "bold"), facts]
     if shown:
         free = any(point.pitch is not None for point in reached)
-        table = _table(
-            "point", "x [mm]", "y [mm]", "z [mm]", *(("pitch [deg]", "possible") if free else ())
-        )
+        turned = asked.euler_deg
+        named = tuple(f"{name} [deg]" for name in asked.convention.names)
+        attitude = ("pitch [deg]", "possible") if free else named
+        table = _table("point", "x [mm]", "y [mm]", "z [mm]", *attitude)
         table.add_column("", no_wrap=False)
         for number in shown:
             point = reached[number]
             table.add_row(
                 str(number + 1),
                 *(f"{value:.1f}" for value in positions[number].tolist()),
-                *(_pitch(point) if free else ()),
+                *(
+                    _pitch(point)
+                    if free
+                    else (f"{round(angle, 2) + 0.0:.2f}" for angle in turned[number].tolist())
+                ),
                 point.message or "reached",
                 style="" if point.reachable else "red",
             )

@@ -24,6 +24,9 @@ from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 from rapidsim.simulation.results.persistents import PersistentChange
 from rapidsim.station.task_kind import TaskKind
 
+_AT_REST_S = 5.0
+"""So long [s] after a limit every arm stands that was stopped there."""
+
 
 class End(StrEnum):
     """How a run ended."""
@@ -155,8 +158,13 @@ class Simulation:
 
     @property
     def motion_end_s(self) -> float:
-        """The end of the run or, where a robot is still coming to rest then, of its motion."""
-        return max(self.time_s, *(one.trajectory.duration for one in self.robots))
+        """The end of the run or, where a robot is still coming to rest then, of its motion.
+
+        A run that the computer's clock cut off has not planned how its robots come to rest: what
+        they would go on doing is no part of it.
+        """
+        end_s = max(self.time_s, *(one.trajectory.duration for one in self.robots))
+        return min(end_s, self.time_s + _AT_REST_S) if self.end is End.TIME_LIMIT else end_s
 
     # For one release: what a run of one robot could be asked itself.
 

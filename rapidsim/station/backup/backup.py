@@ -110,6 +110,7 @@ def _tasks_of(
                 robot_number=number,
                 entry=None if settings is None else settings.entry,
                 unseen=unseen,
+                queue=None if settings is None else settings.queue,
                 # The safety controller has its task, which a configuration does not name.
                 is_system=bool(configured) and settings is None,
             )

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from rapidsim.station.backup.cfg_file import SWITCHED_ON, Configuration
+from rapidsim.controller.cell.message_queues import QueueMode, QueueSettings, QueueType
+from rapidsim.station.backup.cfg_file import SWITCHED_ON, Configuration, Instance
 from rapidsim.station.task_kind import TaskKind
 
 
@@ -20,6 +21,7 @@ class TaskSettings:
     entry: str | None
     group: str | None
     """Its mechanical unit group."""
+    queue: QueueSettings
 
 
 def configured_tasks(configuration: Configuration) -> Mapping[str, TaskSettings]:
@@ -34,5 +36,19 @@ def configured_tasks(configuration: Configuration) -> Mapping[str, TaskSettings]
             task.get("motiontask", "").lower() == SWITCHED_ON,
             task.get("entry"),
             task.get("usemechanicalunitgroup"),
+            _queue_of(task),
         )
     return found
+
+
+def _queue_of(task: Instance) -> QueueSettings:
+    """The message queue of a task; the controller gives none where nothing is said."""
+    kind, mode = task.get("rmqtype", "").lower(), task.get("rmqmode", "").lower()
+    size, most = task.get("rmqmaxmsgsize", ""), task.get("rmqmaxnoofmsg", "")
+    usual = QueueSettings()
+    return QueueSettings(
+        QueueType(kind) if kind in [one.value for one in QueueType] else QueueType.NONE,
+        QueueMode.SYNCHRONOUS if mode == QueueMode.SYNCHRONOUS else QueueMode.INTERRUPT,
+        int(size) if size.isdecimal() else usual.max_bytes,
+        int(most) if most.isdecimal() else usual.max_messages,
+    )

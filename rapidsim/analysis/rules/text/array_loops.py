@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -181,10 +182,14 @@ def _number(expression: tree.Expression, facts: Facts) -> float | None:
             return _size(expression, facts)
         case tree.Binary(left=left, operator=operator, right=right):
             a, b = _number(left, facts), _number(right, facts)
-            return None if a is None or b is None else computed(operator, a, b)
+            return None if a is None or b is None else _finite(computed(operator, a, b))
         case _:
-            value = known_value(expression, facts, persistents=False)
-            return value if isinstance(value, float) else None
+            return _finite(known_value(expression, facts, persistents=False))
+
+
+def _finite(value: object) -> float | None:
+    """A number that counts rounds."""
+    return value if isinstance(value, float) and math.isfinite(value) else None
 
 
 def _size(call: tree.FunctionCall, facts: Facts) -> float | None:

@@ -1,0 +1,162 @@
+"""The RAPID message queues of a cell: one a task, and one for each client outside.
+
+`MessageQueues` is the door for whoever serves such clients: `connect` gives a client its queue,
+`find` the queue of a task, and `MessageQueue.put` delivers at an instant of virtual time.
+
+Source: Technical reference manual System parameters, "RMQ Type", "RMQ Mode", "RMQ Max Message
+Size", "RMQ Max No Of Messages". That a message is as long as its text is our reading.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from rapidsim.language.error_numbers import (
+    ERR_RMQ_FULL,
+    ERR_RMQ_INVALID,
+    ERR_RMQ_MSGSIZE,
+    rapid_error,
+)
+from rapidsim.language.messages import Message, MessageKind, Slot
+
+LEAST_BYTES, MOST_BYTES = 400, 3000
+MOST_MESSAGES = 10
+
+
+class QueueType(StrEnum):
+    """Whose messages a task takes."""
+
+    NONE = "none"
+    INTERNAL = "internal"
+    """Those of other tasks."""
+    REMOTE = "remote"
+    """Those of clients outside the controller, too."""
+
+
+class QueueMode(StrEnum):
+    """How a task takes messages."""
+
+    INTERRUPT = "interrupt"
+    SYNCHRONOUS = "synchronous"
+
+
+@dataclass(frozen=True, slots=True)
+class QueueSettings:
+    """The queue of a task as the system parameters describe it."""
+
+    type: QueueType = QueueType.REMOTE
+    mode: QueueMode | None = None
+    """None where nobody says: then it is that of the instructions that the program uses."""
+    max_bytes: int = LEAST_BYTES
+    max_messages: int = 5
+
+
+class Put(StrEnum):
+    """What became of a message."""
+
+    KEPT = "kept"
+    ANSWERS = "answers"
+    DISCARDED = "discarded"
+
+
+@dataclass(slots=True, eq=False)
+class _Awaited:
+    """What RMQSendWait waits for."""
+
+    sender: Slot
+    kind: MessageKind
+    answer: Message | None = None
+
+
+@dataclass(slots=True, eq=False)
+class MessageQueue:
+    """The messages for a task or a client; implements `language.messages.Slot`."""
+
+    name: str
+    settings: QueueSettings
+    messages: list[Message] = field(default_factory=list)
+    is_open: bool = True
+    raises_interrupt: Callable[[Message, float], bool] = lambda message, now_s: False
+    """Raises the interrupts that wait for a message; whether there are any."""
+    _awaited: _Awaited | None = None
+
+    def put(self, message: Message, now_s: float) -> Put:
+        """Deliver a message at a time [s] that every task has come up to.
+
+        Raises:
+            RapidError: ERR_RMQ_INVALID, ERR_RMQ_MSGSIZE or ERR_RMQ_FULL.
+        """
+        size, most = len(message.wire.encode("iso-8859-1", "replace")), self.settings.max_bytes
+        if not self.is_open:
+            raise rapid_error(ERR_RMQ_INVALID, f"{self.name} has disconnected")
+        if size > most:
+            raise rapid_error(
+                ERR_RMQ_MSGSIZE, f"the message has {size} bytes; {self.name} takes {most}"
+            )
+        awaited = self._awaited
+        if (
+            awaited is not None
+            and awaited.answer is None
+            and message.sender is awaited.sender
+            and awaited.kind.fits(message.kind)
+        ):
+            awaited.answer = message
+            return Put.ANSWERS
+        if len(self.messages) >= self.settings.max_messages:
+            raise rapid_error(
+                ERR_RMQ_FULL, f"{self.name} holds {len(self.messages)} messages and takes no more"
+            )
+        mode = self.settings.mode
+        raised = mode is not QueueMode.SYNCHRONOUS and self.raises_interrupt(message, now_s)
+        if mode is QueueMode.INTERRUPT and not raised:
+            return Put.DISCARDED
+        self.messages.append(message)
+        return Put.KEPT
+
+    def await_answer(self, sender: Slot, kind: MessageKind) -> None:
+        """Keep the next message of a kind from a sender for RMQSendWait."""
+        self._awaited = _Awaited(sender, kind)
+
+    @property
+    def answer(self) -> Message | None:
+        """What RMQSendWait waits for, once it is there."""
+        return None if self._awaited is None else self._awaited.answer
+
+    def forget_answer(self) -> None:
+        """Nobody waits for an answer any more."""
+        self._awaited = None
+
+
+@dataclass(slots=True)
+class MessageQueues:
+    """All queues of a cell, by their names as they are spelled."""
+
+    _queues: dict[str, MessageQueue] = field(default_factory=dict)
+
+    def open_for(self, task: str, settings: QueueSettings) -> MessageQueue:
+        """The queue of a task, which begins with it."""
+        queue = MessageQueue(f"RMQ_{task}", settings)
+        if settings.type is not QueueType.NONE:
+            self._queues[queue.name] = queue
+        return queue
+
+    def connect(self, client: str, max_messages: int = MOST_MESSAGES) -> MessageQueue:
+        """The queue of a client outside, whose messages wait until it fetches them."""
+        settings = QueueSettings(
+            mode=QueueMode.SYNCHRONOUS, max_bytes=MOST_BYTES, max_messages=max_messages
+        )
+        return self._queues.setdefault(client, MessageQueue(client, settings))
+
+    def disconnect(self, client: str) -> None:
+        """A client has gone; whoever sends to it is told."""
+        if queue := self._queues.pop(client, None):
+            queue.is_open = False
+
+    def find(self, name: str, *, from_outside: bool = False) -> MessageQueue | None:
+        """The queue of a name; a client finds those of tasks only where they are remote."""
+        queue = self._queues.get(name)
+        if queue is not None and from_outside and queue.settings.type is not QueueType.REMOTE:
+            return None
+        return queue

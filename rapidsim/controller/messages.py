@@ -1,0 +1,144 @@
+"""One task's message queue, and sending to others."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from rapidsim.controller.cell.cell import Cell
+from rapidsim.controller.cell.message_queues import MessageQueue, Put, QueueMode
+from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.interrupt_table import InterruptTable
+from rapidsim.controller.journal.events import MAX_TIME, EventKind
+from rapidsim.controller.journal.journal import Journal
+from rapidsim.controller.journal.stop_reasons import WaitsForever
+from rapidsim.findings.runs import MessageDiscarded
+from rapidsim.language.messages import Message, MessageKind, Slot
+
+_SHOWN = 60
+"""Characters of a message that an event shows."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TaskMessages:
+    """Implements `language.messages.Messages`."""
+
+    clock: TaskClock
+    cell: Cell
+    table: InterruptTable
+    journal: Journal
+    queue: MessageQueue
+
+    def __post_init__(self) -> None:
+        """Let messages raise the interrupts of the task."""
+        self.queue.raises_interrupt = self.table.message_came
+
+    @property
+    def is_synchronous(self) -> bool | None:
+        """Whether messages wait for RMQReadWait, not for interrupts; None where nobody says."""
+        mode = self.queue.settings.mode
+        return None if mode is None else mode is QueueMode.SYNCHRONOUS
+
+    def find_queue(self, name: str) -> Slot | None:
+        """The queue of a name, as it is spelled; None where nobody can send to one."""
+        self.clock.come_up()
+        return self.cell.messages.find(name)
+
+    def is_open(self, slot: Slot) -> bool:
+        """Whether a queue is still there: a client may have gone."""
+        self.clock.come_up()
+        assert isinstance(slot, MessageQueue)
+        return slot.is_open
+
+    def send_message(self, slot: Slot, message: Message) -> None:
+        """Put a message into a queue; it is there at once.
+
+        Raises:
+            RapidError: ERR_RMQ_INVALID, ERR_RMQ_MSGSIZE or ERR_RMQ_FULL.
+        """
+        now_s = self.clock.come_up()
+        assert isinstance(slot, MessageQueue)
+        became = slot.put(message, now_s)
+        shown = message.wire if len(message.wire) <= _SHOWN else f"{message.wire[:_SHOWN]}..."
+        self.clock.event(
+            EventKind.MESSAGE, f"sent {shown} to {slot.name}", sent=message.wire, to=slot.name
+        )
+        if became is Put.DISCARDED:
+            told = MessageDiscarded(slot.name, message.kind.spelled)
+            self.journal.finding(told, self.clock.place, once=told)
+        self.clock.tell()
+        # A message to the task itself may have raised an interrupt.
+        self.clock.pass_time(now_s)
+
+    def await_answer(
+        self, slot: Slot, message: Message, answer: MessageKind, *, max_time: float | None
+    ) -> Message | None:
+        """Put a message into a queue and wait for an answer from there; None if none came in time.
+
+        Raises:
+            RapidError: See `send_message`.
+            WaitsForever: If the wait has no end and nothing that is known to happen ends it.
+        """
+        deadline_s = self._deadline(max_time)
+        self.queue.await_answer(slot, answer)
+        try:
+            self.send_message(slot, message)
+            self._wait(
+                lambda: self.queue.answer is not None,
+                deadline_s,
+                f"an answer from {slot.name}",
+                f"`RMQSendWait` waits for an answer of type {answer.spelled} from {slot.name}, "
+                "and none comes",
+            )
+            return self.queue.answer
+        finally:
+            self.queue.forget_answer()
+
+    def await_message(self, *, max_time: float | None) -> Message | None:
+        """Take the next message, waiting for it; None if none came in time.
+
+        Raises:
+            WaitsForever: If the wait has no end and nothing that is known to happen ends it.
+        """
+        deadline_s = self._deadline(max_time)
+        self._wait(
+            lambda: bool(self.queue.messages),
+            deadline_s,
+            "a message",
+            "`RMQReadWait` waits for a message, and nobody sends one",
+        )
+        return self.next_message()
+
+    def next_message(self) -> Message | None:
+        """Take the next message; None if there is none."""
+        self.clock.come_up()
+        return self.queue.messages.pop(0) if self.queue.messages else None
+
+    def empty_queue(self) -> None:
+        """Throw all messages away."""
+        self.clock.come_up()
+        self.queue.messages.clear()
+
+    def order_message(self, interrupt: float, kind: MessageKind) -> None:
+        """Raise an interrupt at each message of a kind."""
+        self.clock.come_up()
+        self.table.order_message(interrupt, kind)
+
+    def _deadline(self, max_time: float | None) -> float:
+        self.clock.note_line()
+        now_s = self.clock.come_up()
+        return math.inf if max_time is None else now_s + max(0.0, max_time)
+
+    def _wait(
+        self, is_there: Callable[[], bool], deadline_s: float, awaited: str, in_vain: str
+    ) -> None:
+        """Let time pass until a message is there or a deadline [s] has come."""
+        with self.clock.waiting(awaited) as wait:
+            while not is_there():
+                if self.clock.observe() >= deadline_s:
+                    wait.ended_by = MAX_TIME
+                    return
+                if not self.clock.await_event(deadline_s):
+                    raise WaitsForever(in_vain)
+            wait.ended_by = awaited

@@ -1,0 +1,51 @@
+"""How a [[task]] describes its message queue: `rmq`."""
+
+from __future__ import annotations
+
+from rapidsim.controller.cell.message_queues import (
+    LEAST_BYTES,
+    MOST_BYTES,
+    MOST_MESSAGES,
+    QueueMode,
+    QueueSettings,
+    QueueType,
+)
+from rapidsim.station.toml_reader import Reader, Table
+
+_KEYS = ("type", "mode", "size", "messages")
+_AS_DELIVERED = QueueSettings()
+
+
+def read_queue(reader: Reader, path: str, task: Table) -> QueueSettings | None:
+    """The queue of a [[task]]; what is wrong is noted. None where it says nothing."""
+    if "rmq" not in task:
+        return None
+    path = f"{path}.rmq"
+    described = reader.table(task, "rmq", path)
+    reader.known(path, described, _KEYS)
+    kind = reader.text(described, path, "type") or _AS_DELIVERED.type.value
+    mode = reader.text(described, path, "mode")
+    if kind.lower() not in [one.value for one in QueueType]:
+        reader.wrong(f"{path}.type", f"`{kind}` is no type", "known: none, internal, remote")
+        kind = _AS_DELIVERED.type.value
+    if mode is not None and mode.lower() not in [one.value for one in QueueMode]:
+        reader.wrong(f"{path}.mode", f"`{mode}` is no mode", "known: interrupt, synchronous")
+        mode = None
+    return QueueSettings(
+        QueueType(kind.lower()),
+        None if mode is None else QueueMode(mode.lower()),
+        _whole(reader, described, path, "size", LEAST_BYTES, MOST_BYTES, _AS_DELIVERED.max_bytes),
+        _whole(reader, described, path, "messages", 1, MOST_MESSAGES, _AS_DELIVERED.max_messages),
+    )
+
+
+def _whole(
+    reader: Reader, table: Table, path: str, key: str, least: int, most: int, default: int
+) -> int:
+    number = reader.number(table, path, key)
+    if number is None:
+        return default
+    if not (least <= number <= most and number == int(number)):
+        reader.wrong(f"{path}.{key}", f"a whole number from {least} to {most} is needed")
+        return default
+    return int(number)
