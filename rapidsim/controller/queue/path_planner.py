@@ -147,7 +147,7 @@ class BlockPlanner:
         lag_s = self.trajectory.lag_s(end_s)
         pause_s = lag_s + stop.seconds if stop else 0.0
         # A window that a ramp has widened takes longer to run empty; the standstill stays as long.
-        dwell_s = self.model.fine_dwell + (lag_s - self.model.filter_time)
+        dwell_s = self.model.dwell_after(tentative.timing.braking_s) + (lag_s - self.model.window)
         self.ready_s = end_s + max(dwell_s, pause_s)
         self.block.is_closed = True
         self.block.plan = None
@@ -261,10 +261,10 @@ class BlockPlanner:
             )
             return path, timing
 
-        if self.repeats is None:
+        if self.repeats is None or lost is not None:
             path, timing = made()
         else:
-            start = (lost, begun, commit.distance_m, commit.speed_m_s, commit.spent_s)
+            start = (begun, commit.distance_m, commit.speed_m_s, commit.spent_s)
             path, timing = self.repeats.plan([one.segment for one in moves], start, made)
         from_m = float(path.segment_starts[begun]) + commit.distance_m
         return Plan(path, timing, first, from_m, commit.time_s, lost_corner)

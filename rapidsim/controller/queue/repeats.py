@@ -6,10 +6,11 @@ its moves and the time at which it begins are new.
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Hashable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 
-from rapidsim.frames.transform import Array, Transform
+from rapidsim.frames.transform import Transform
 from rapidsim.motion.geometry.segments import Segment, Waypoint
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.time_scaling import Timing
@@ -42,51 +43,37 @@ class Repeats:
             return make()
         key = (start, *map(_values, segments))
         known = self._plans.pop(key, None)
-        path, timing = make() if known is None else known
-        # Behind the others: what was asked for last is forgotten last.
-        self._plans[key] = path, timing
-        if len(self._plans) > _MOST_BLOCKS:
-            del self._plans[next(iter(self._plans))]
-        return (path if known is None else path.renumbered(tuple(segments))), timing
+        if known is not None:
+            # Behind the others: what was asked for last is forgotten last.
+            self._plans[key] = known
+            path, timing = known
+            return path.renumbered(tuple(segments)), timing
+        path, timing = make()
+        if all(map(operator.is_, path.segments, segments)):
+            # Else a move gave way to what can be made: that is found out, and told, each time.
+            self._plans[key] = path, timing
+            if len(self._plans) > _MOST_BLOCKS:
+                del self._plans[next(iter(self._plans))]
+        return path, timing
+
+
+_DECISIVE = tuple(one.name for one in fields(Segment) if one.name != "index")
+"""All that a plan may take from a segment: everything but its number."""
 
 
 def _values(segment: Segment) -> Hashable:
-    """All that a plan takes from a segment, to be compared: everything but its number."""
-    via = segment.via
-    return (
-        segment.geometry,
-        *_waypoint(segment.start),
-        *_waypoint(segment.end),
-        *_pose(segment.tcp_from_flange),
-        segment.branch,
-        segment.speed,
-        segment.zone,
-        None if via is None else _pose(via),
-        segment.duration,
-        segment.joint_corner,
-        segment.acceleration_share,
-        segment.ramp,
-        segment.stop_ramp,
-        segment.carrier,
-        segment.wrist_in_joints,
-        segment.circle_mode,
-        segment.tcp_acceleration,
-        segment.tcp_deceleration,
-        segment.world_acceleration,
-        segment.external_linear,
-        segment.external_speeds,
-    )
+    """All of a segment that decides a plan, to be compared."""
+    return tuple(_value(getattr(segment, name)) for name in _DECISIVE)
 
 
-def _waypoint(waypoint: Waypoint) -> tuple[bytes | None, ...]:
-    aim: Array | None = waypoint.aim
-    return (
-        waypoint.joints.tobytes(),
-        *_pose(waypoint.base_from_tcp),
-        waypoint.external.tobytes(),
-        None if aim is None else aim.tobytes(),
-    )
-
-
-def _pose(pose: Transform) -> tuple[bytes, bytes]:
-    return pose.rotation.tobytes(), pose.translation.tobytes()
+def _value(value: object) -> Hashable:
+    match value:
+        case Waypoint(joints=joints, base_from_tcp=pose, external=external, aim=aim):
+            aimed = None if aim is None else aim.tobytes()
+            return joints.tobytes(), _value(pose), external.tobytes(), aimed
+        case Transform(rotation=rotation, translation=translation):
+            return rotation.tobytes(), translation.tobytes()
+        case Hashable():
+            # A carrier is itself: those of one tool and one work object are one.
+            return value
+    raise TypeError(f"a {type(value).__name__} of a segment cannot be compared")
