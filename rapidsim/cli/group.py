@@ -31,6 +31,7 @@ _COMMANDS: Mapping[str, str] = MappingProxyType(
         "kin": "Forward and inverse kinematics and Jacobian of one pose.",
         "follow": "Follow points of a table in lines, splines or joint polynomials.",
         "points": "Print random points, for follow.",
+        "sweep": "Try a program with the robot in many places.",
     }
 )
 

@@ -103,7 +103,8 @@ class TaskClock:
         self.has_handler: Callable[[], bool] = lambda: False
         self._polling = Polling(lambda: self.program_state())
         self._time = PointerTime()
-        self._lines_noted = 0
+        self.deeds = 0
+        """How often the program has done more than look."""
         self._reported = place
         """The place of the last call that did more than look, as a round begins with it."""
         self._passed_s = 0.0
@@ -202,9 +203,9 @@ class TaskClock:
         if self.place is not self._reported:
             # Of its own, so that a call from this very statement shows, too.
             self.place = self._reported = replace(self.place)
-            self._lines_noted += 1
+            self.deeds += 1
         used, now_s = self._time.used, self._time.known_s
-        ticks = self._polling.look(used, (self._lines_noted, self._cell.happenings))
+        ticks = self._polling.look(used, (self.deeds, self._cell.happenings))
         if ticks is None:
             return
         due_s = self.next_due_s()
@@ -454,8 +455,12 @@ class TaskClock:
             look()
         if self._table.watches:
             self._look_at_persistents()
-        self._lines_noted += 1
+        self.deeds += 1
         self._journal.line(self.moment(), self.place)
+
+    def take_back_deed(self) -> None:
+        """The statement that runs, whose line was noted, has changed nothing."""
+        self.deeds -= 1
 
     def event(self, kind: EventKind, message: str, **details: object) -> None:
         """Note an event of the statement that runs."""

@@ -66,7 +66,9 @@ class TaskSignals:
             return
         heard = self.marks.is_pending or self.zones.is_watching or self.cell.hears(name)
         now_s = self.clock.observe() if heard else 0.0
-        self.cell.set_signal(self.clock.cause(), self.clock.moment(), name, value)
+        moment = self.clock.moment()
+        if not self.cell.set_signal(self.clock.cause(), moment, name, value):
+            self.clock.take_back_deed()
         if heard:
             self.clock.pass_time(now_s)
 

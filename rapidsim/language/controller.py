@@ -47,6 +47,9 @@ class ClockService(Protocol):
     place: Place
     """The statement that runs, set before each call that reports."""
 
+    deeds: int
+    """How often the program has done more than look."""
+
     program_state: Callable[[], Iterable[object]]
     """All that decides what the program does next, in parts to be compared; the last is None where
     it is too much. The interpreter sets it."""

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rapidsim.controller.moves.configuration_choice import nearest_without_switch
-from rapidsim.frames.transform import Array
+from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import RobTarget
 from rapidsim.language.moves import Interpolation
 from rapidsim.motion.configurations.confdata import (
@@ -80,21 +80,34 @@ def ends_of(posed: PosedMoves, robot: Robot) -> Ends:
     if not told_apart(robot.kinematics):
         looked_at[rows[MOST_SEARCHED:]] = False
         rows = rows[:MOST_SEARCHED]
-    near = turns_within_limits(robot, np.zeros(len(robot.joints)))
     for first in range(0, len(rows), _BATCH):
         at = rows[first : first + _BATCH]
-        pose = posed.base_from_flange[at]
-        branches = robot.inverse(pose)
-        turned = turns_within_limits(robot, branches.joints)
-        within = branches.exists & ~limit_excess(robot, turned).any(axis=-1)
-        reachable[at] = within.any(axis=-1)
-        selected = select(robot, pose, _confdata(posed.moves, at.tolist()), near)
-        wanted = _confdata(posed.moves, at.tolist())
-        kept = selected.exists & stands_as(robot.kinematics, selected.joints, wanted)
-        kept &= ~limit_excess(robot, selected.joints).any(axis=-1)
-        works[at] = kept
-        stored[at] = np.where(kept[:, None], selected.joints, 0.0)
+        confdata = confdata_columns([posed.moves[row] for row in at.tolist()])
+        solved = solved_ends(robot, posed.base_from_flange[at], confdata)
+        reachable[at], works[at], stored[at] = solved.reachable, solved.stored_works, solved.stored
     return Ends(looked_at, reachable, works, stored)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SolvedEnds:
+    """What the arm can do about poses (k,); see `Ends`."""
+
+    reachable: Mask
+    stored_works: Mask
+    stored: Array
+
+
+def solved_ends(robot: Robot, base_from_flange: Transform, confdata: Array) -> SolvedEnds:
+    """Solve poses (k,) whose targets store configurations (k, 4)."""
+    near = turns_within_limits(robot, np.zeros(len(robot.joints)))
+    branches = robot.inverse(base_from_flange)
+    turned = turns_within_limits(robot, branches.joints)
+    within: Mask = branches.exists & ~limit_excess(robot, turned).any(axis=-1)
+    selected = select(robot, base_from_flange, confdata, near)
+    kept = selected.exists & stands_as(robot.kinematics, selected.joints, confdata)
+    kept &= ~limit_excess(robot, selected.joints).any(axis=-1)
+    stored = np.where(kept[:, None], selected.joints, 0.0)
+    return SolvedEnds(np.asarray(within.any(axis=-1)), kept, stored)
 
 
 def stances_of(
@@ -167,8 +180,9 @@ def stored_confdata(known: KnownMove) -> tuple[int, int, int, int]:
     return cf1, cf4, cf6, cfx
 
 
-def _confdata(moves: Sequence[KnownMove], rows: list[int]) -> Array:
-    return np.array([stored_confdata(moves[row]) for row in rows], dtype=np.float64)
+def confdata_columns(moves: Sequence[KnownMove]) -> Array:
+    """What the targets of moves to poses store: cf1, cf4, cf6 and cfx, shape (k, 4)."""
+    return np.array([stored_confdata(known) for known in moves], dtype=np.float64)
 
 
 def _end_of_led(

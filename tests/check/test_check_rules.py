@@ -12,7 +12,7 @@ import json
 import re
 import string
 import tomllib
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from importlib import import_module
 from inspect import getsource
 from pathlib import Path
@@ -169,7 +169,7 @@ def test_a_folder_says_all_there_is_to_say(rule: Rule) -> None:
 def test_message_and_fields_agree(violation: type[Violation]) -> None:
     said = violation.rule.message + violation.rule.help
     named = {field for _, field, _, _ in string.Formatter().parse(said) if field}
-    own = {field.name for field in fields(violation)}  # type: ignore[arg-type]
+    own = set(violation.facts)
     asked = set(re.findall(r"self\.(\w+)", getsource(violation)))
     assert named <= own
     assert own <= named | asked

@@ -31,6 +31,7 @@ class RecordingController:
     raise_at_service: list[float] = field(default_factory=list)
     """Interrupt numbers to raise, one at each service."""
     left: int = TICKS
+    deeds: int = 0
     settings: MotionSettings = field(default_factory=MotionSettings)
     place: Place = field(default_factory=lambda: Place(Span(Source("", ""), 0, 0), ""))
     errno: float = 0.0

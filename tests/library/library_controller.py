@@ -63,6 +63,7 @@ class RecordingController:
 
     time_s: float = 0.0
     left: int = 0
+    deeds: int = 0
     errno: float = 0.0
     retries: int = 0
     handler: float = 0.0

@@ -52,6 +52,15 @@ LOOPS = {
         "TriggJ CRobT(\\Tool:=tool0),v100,there,fine,tool0;\n"
         "WHILE diPart=0 DO\nENDWHILE"
     ),
+    "outputs that are set as they are": (
+        "WHILE diPart=0 DO\nReset doBusy;\nSetDO doBusy,0;\nIF diOther=1 n:=5;\nENDWHILE"
+    ),
+    "outputs between settings": (
+        "WHILE n<300 DO\nReset doBusy;\nConfL\\Off;\nReset doBusy;\nIncr n;\nENDWHILE"
+    ),
+    "an output that changes each turn": (
+        "WHILE diPart=0 DO\nSetDO doBusy,1;\nWaitTime 0.01;\nReset doBusy;\nReset doBusy;\nENDWHILE"
+    ),
     "an error that is handled": "WHILE diPart=0 DO\nlast:=fails();\nENDWHILE",
 }
 PROGRAM = """MODULE polls

@@ -42,7 +42,11 @@ def outside(cell: Cell, *changes: tuple[float, str, float]) -> None:
 
     def setting(name: str, value: float) -> Callable[[Moment], None]:
         cause = cell.controller.clock.cause()
-        return lambda moment: cell.shared.set_signal(cause, moment, name, value)
+
+        def act(moment: Moment) -> None:
+            cell.shared.set_signal(cause, moment, name, value)
+
+        return act
 
     cell.shared.share(Posted(posts=[(at_s, setting(name, v)) for at_s, name, v in changes]))
 

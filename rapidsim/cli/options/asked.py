@@ -14,13 +14,13 @@ from rapidsim.cli.options.dates import Date
 from rapidsim.cli.options.numbers import POSITIVE
 from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.terminal import say
-from rapidsim.controller.cell.network import Network
 from rapidsim.files import InputError
 from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.job import Job, job
 from rapidsim.station.station import Station
 
 if TYPE_CHECKING:
+    from rapidsim.controller.cell.network import Network
     from rapidsim.motion.robot.robot import Robot
 
 _PROGRAM = (
@@ -126,7 +126,7 @@ def program_options(command: Callable[..., int]) -> Callable[..., int]:
             answers=answers_from(answers),
             answers_are_typed=answers is None,
             home=home,
-            network=Network(frozenset(network_hosts)) if allow_network else None,
+            network=_network(network_hosts) if allow_network else None,
             assume_missing=assume_missing,
             starts_at=start_time,
             max_time_s=max_time,
@@ -170,3 +170,10 @@ def _open_robot(name: str, scale: float | None) -> Robot:
     from rapidsim.cli.options.robot_choice import open_robot
 
     return open_robot(name, scale)
+
+
+def _network(hosts: Sequence[str]) -> Network:
+    """The network, for the few runs that may use it."""
+    from rapidsim.controller.cell.network import Network
+
+    return Network(frozenset(hosts))

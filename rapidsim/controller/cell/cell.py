@@ -200,10 +200,15 @@ class Cell:
             or any(folded in one.signals for one in self._coming)
         )
 
-    def set_signal(self, cause: Cause, moment: Moment, name: str, value: float) -> None:
-        """Change a signal at a moment, with all that hangs on it; the time is known if any does."""
+    def set_signal(self, cause: Cause, moment: Moment, name: str, value: float) -> bool:
+        """Change a signal at a moment, with all that hangs on it; the time is known if any does.
+
+        Returns:
+            Whether it had another value before: otherwise nothing happens.
+        """
         old = self.signals.read(name)
-        changed = self.signals.write(name, value)
+        if not self.signals.write(name, value):
+            return False
         cause.journal.event(
             moment,
             EventKind.SIGNAL,
@@ -212,8 +217,6 @@ class Cell:
             signal=name,
             value=value,
         )
-        if not changed:
-            return
         self._last_changes[name.lower()] = _Change(f"{name} = {value:g}", moment, cause)
         self.tell(moment)
         for listener in tuple(self.listeners):
@@ -222,6 +225,7 @@ class Cell:
         if name.lower() in self._sources:
             self._follow(name, cause, moment)
             self._stimulate(name, moment)
+        return True
 
     def task_ended(self, task: str, time_s: float, *, failed: bool) -> None:
         """Let the system outputs show that a task no longer executes, and whether it failed."""

@@ -6,10 +6,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rapidsim.controller.cell.description import CellIo
-from rapidsim.controller.cell.network import Network
 from rapidsim.language.equipment import Configured
+
+if TYPE_CHECKING:
+    from rapidsim.controller.cell.network import Network
 
 Answers = Callable[[str], str | None]
 """Answers an operator's question by its prompt; None where nobody answers."""

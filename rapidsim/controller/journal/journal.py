@@ -72,6 +72,8 @@ class Journal:
     _reported: set[object] = field(default_factory=set)
     _unsimulated: dict[tuple[str, str], int] = field(default_factory=dict)
     _first_met: dict[tuple[str, str], Place] = field(default_factory=dict)
+    remarks: int = 0
+    """How often something was found, failed or was not simulated."""
 
     def beside(self, task: str) -> Journal:
         """The journal of another task of the cell, whose events go into the same list.
@@ -131,12 +133,14 @@ class Journal:
             if self.has_found(once):
                 return
             self._reported.add(once)
+        self.remarks += 1
         span = place.span if place else None
         routine = place.routine if place else None
         self._diagnostics.append(Diagnostic(violation, span, routine=routine, assumed=assumed))
 
     def failed_move(self, failed: FailedMove) -> None:
         """Note a move that could not be made; a loop that tries it again notes it once."""
+        self.remarks += 1
         key = (failed.place.span, failed.violation)
         if key not in self._reported:
             self._reported.add(key)
@@ -148,6 +152,7 @@ class Journal:
 
     def unsimulated(self, name: str, treated_as: str, place: Place) -> None:
         """Count a routine that was not simulated, and note where it was first met."""
+        self.remarks += 1
         key = (name, treated_as)
         self._unsimulated[key] = self._unsimulated.get(key, 0) + 1
         self._first_met.setdefault(key, place)

@@ -47,6 +47,19 @@ class QueuedMove:
     ended_s: float | None = None
     """Command time of the end, as far as it is planned."""
 
+    def again(self) -> QueuedMove:
+        """The same move to be made once more: nothing has become of it yet."""
+        return QueuedMove(
+            self.move,
+            self.place,
+            self.segment,
+            self.conf,
+            Instant(),
+            CornerKind.STOP if self.segment.zone is None else CornerKind.FLY_BY,
+            self.base_from_tcp,
+            self.tcp_from_flange,
+        )
+
 
 def executed_move(
     index: int, task: str, queued: QueuedMove, start_s: float, end_s: float

@@ -43,6 +43,7 @@ from rapidsim.motion.configurations.short_lines import end_of_short_line
 from rapidsim.motion.geometry.segments import WRIST_PAIRS, Waypoint
 from rapidsim.motion.robot.robot import Robot
 
+_MOST_REPEATS = 1000
 _TARGET = "the target"
 """What functions that compute with a target call it."""
 
@@ -65,6 +66,8 @@ class Resolver:
         field(default_factory=dict)
     )
     """What was worked out before: programs use few tools and work objects."""
+    _repeats: dict[tuple[object, ...], QueuedMove] = field(default_factory=dict)
+    """Moves of which there was nothing to say: a cycle makes them again from the same place."""
 
     def resolve(
         self,
@@ -87,6 +90,23 @@ class Resolver:
         Raises:
             RapidError: When the end cannot be reached, or the set-up is not simulated.
         """
+        aim = None if start.aim is None else start.aim.tobytes()
+        stands = (start.joints.tobytes(), start.external.tobytes(), aim)
+        key = (id(place), move, settings, *stands)
+        known = self._repeats.get(key)
+        if known is not None and known.place is place:
+            return known.again()
+        remarks = self.journal.remarks
+        queued = self._resolved(move, place, start, settings, index)
+        if self.journal.remarks == remarks:
+            if len(self._repeats) == _MOST_REPEATS:
+                self._repeats.clear()
+            self._repeats[key] = queued.again()
+        return queued
+
+    def _resolved(
+        self, move: Move, place: Place, start: Waypoint, settings: MotionSettings, index: int
+    ) -> QueuedMove:
         to = move.to
         request = MoveRequest(move, settings, self._placement_of(move, place))
         asked, placed = AskedMove(request, place), request.placed

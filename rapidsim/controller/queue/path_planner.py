@@ -21,6 +21,7 @@ import numpy as np
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove, frames_of, nominal_s
 from rapidsim.controller.queue.block import Block, Commit, Plan
+from rapidsim.controller.queue.repeats import Repeats
 from rapidsim.motion.geometry.blends import Corner
 from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.interruption import Look, undisturbed
@@ -28,6 +29,7 @@ from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.axis_limits import Limits
 from rapidsim.motion.timing.planning import plan
+from rapidsim.motion.timing.time_scaling import Timing
 from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
@@ -61,6 +63,8 @@ class BlockPlanner:
     moved: Moved = untold
     look: Look = undisturbed
     """Called while it plans; raises to end that."""
+    repeats: Repeats | None = None
+    """Where plans that are made again are kept; None where nobody looks for them."""
     ready_s: float = 0.0
     """Earliest command time at which the next block may start."""
     moves: list[QueuedMove] = field(default_factory=list)
@@ -243,16 +247,26 @@ class BlockPlanner:
     def _plan_from(self, commit: Commit, *, lost_corner: int | None = None) -> Plan:
         first = self._first_open
         lost = None if lost_corner is None else lost_corner - first
-        path = self.build(self.block.moves[first:], lost)
-        from_m = float(path.segment_starts[commit.move - first]) + commit.distance_m
-        timing = plan(
-            path,
-            self.limits,
-            start=from_m,
-            start_speed=commit.speed_m_s,
-            spent_s=commit.spent_s,
-            look=self.look,
-        )
+        moves, begun = self.block.moves[first:], commit.move - first
+
+        def made() -> tuple[Path, Timing]:
+            path = self.build(moves, lost)
+            timing = plan(
+                path,
+                self.limits,
+                start=float(path.segment_starts[begun]) + commit.distance_m,
+                start_speed=commit.speed_m_s,
+                spent_s=commit.spent_s,
+                look=self.look,
+            )
+            return path, timing
+
+        if self.repeats is None or lost is not None:
+            path, timing = made()
+        else:
+            start = (begun, commit.distance_m, commit.speed_m_s, commit.spent_s)
+            path, timing = self.repeats.plan([one.segment for one in moves], start, made)
+        from_m = float(path.segment_starts[begun]) + commit.distance_m
         return Plan(path, timing, first, from_m, commit.time_s, lost_corner)
 
     @property

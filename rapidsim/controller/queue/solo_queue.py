@@ -13,6 +13,7 @@ from rapidsim.controller.moves.queued_move import MotionError, QueuedMove, execu
 from rapidsim.controller.queue import stopping
 from rapidsim.controller.queue.block import Block
 from rapidsim.controller.queue.path_planner import BlockPlanner
+from rapidsim.controller.queue.repeats import Repeats
 from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Waypoint
@@ -246,7 +247,8 @@ def solo_queue(
     model = model_of(robot, model)
     trajectory = Trajectory(start, model.window, model.smoothing)
     build = partial(_path, robot, model, look, give_way)
-    planner = BlockPlanner(trajectory, model, limits_of(robot, model), build, look=look)
+    limits, repeats = limits_of(robot, model), Repeats()
+    planner = BlockPlanner(trajectory, model, limits, build, look=look, repeats=repeats)
     return SoloQueue(robot, planner, start)
 
 

@@ -86,7 +86,7 @@ class TeamPlanner:
             self._build,
             self._pass_on,
             lead.look,
-            max(robot.planner.ready_s for robot in robots),
+            ready_s=max(robot.planner.ready_s for robot in robots),
         )
         self._offsets = tuple(robot.trajectory.length for robot in robots)
         """Where the joint path begins on that of each robot's whole run [m]."""

@@ -255,6 +255,8 @@ class Calls:
         if not signature.takes_controller:
             return [at.do(at.call(function, values, options))]
         place, asked = at.name(self._place(call, given)), at.name(f"_{signature.concern}")
+        if Does.OUTPUT in routine.does and Does.MOVE not in routine.does:
+            return [at.do(at.call("_set_at", [place, function, asked, *values], options))]
         if calls:
             # A call among the arguments reports places of its own; ours comes after.
             return [at.do(at.call("_call_at", [place, function, asked, *values], options))]

@@ -7,11 +7,18 @@ from functools import cached_property
 from typing import TypeAlias
 
 from rapidsim.diagnostics import Source, Span
-from rapidsim.syntax.tree.expressions import Expression, Name, Node, Placeholder
+from rapidsim.syntax.tree.expressions import (
+    Expression,
+    Name,
+    Node,
+    Placeholder,
+    keeping_node,
+    node,
+)
 from rapidsim.syntax.tree.statements import Body, Broken, Data
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Field(Node):
     """One component of a RECORD declaration."""
 
@@ -21,7 +28,7 @@ class Field(Node):
     """Lenient: components cannot be arrays."""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class RecordType(Node):
     """RECORD ... ENDRECORD."""
 
@@ -30,7 +37,7 @@ class RecordType(Node):
     components: tuple[Field | Placeholder, ...]
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class AliasType(Node):
     """`ALIAS type name;`"""
 
@@ -39,7 +46,7 @@ class AliasType(Node):
     name: Name
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Parameter(Node):
     """One parameter; `mode` is "IN", "INOUT", "VAR", "PERS" or "REF", `dimensions` its stars."""
 
@@ -49,14 +56,14 @@ class Parameter(Node):
     dimensions: int = 0
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class OptionalGroup(Node):
     r"""`\a | b`: optional parameters of which at most one is given."""
 
     alternatives: tuple[Parameter | Placeholder, ...]
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class ErrorHandler(Node):
     """The ERROR clause; `numbers` is the list of a long-jump handler."""
 
@@ -64,7 +71,7 @@ class ErrorHandler(Node):
     body: Body
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class RoutineNode(Node):
     """What PROC, FUNC and TRAP share."""
 
@@ -81,19 +88,19 @@ class RoutineNode(Node):
     """Lenient: `PROC name` without `()`."""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Proc(RoutineNode):
     """PROC."""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Func(RoutineNode):
     """FUNC with the type of its result."""
 
     type: Name
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Trap(RoutineNode):
     """TRAP."""
 
@@ -102,7 +109,7 @@ Routine: TypeAlias = Proc | Func | Trap
 Item: TypeAlias = RecordType | AliasType | Data | Proc | Func | Trap | Broken | Placeholder
 
 
-@dataclass(frozen=True, eq=False)
+@keeping_node
 class Module(Node):
     """One module with everything in it."""
 

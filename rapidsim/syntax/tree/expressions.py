@@ -3,18 +3,40 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import TypeAlias, TypeVar, dataclass_transform
+
+T = TypeVar("T")
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@dataclass_transform(eq_default=False, frozen_default=True)
+def node(cls: type[T]) -> type[T]:
+    """A kind of node: its fields, and nothing that compares.
+
+    Nobody writes on a node, and mypy holds everybody to that; to guard it at run time as well takes
+    longer than all else in making a node, and there are fifty kinds and as many nodes as words.
+    """
+    return dataclass(eq=False, repr=False, slots=True)(cls)
+
+
+@dataclass_transform(eq_default=False, frozen_default=True)
+def keeping_node(cls: type[T]) -> type[T]:
+    """The same for a kind that keeps what is worked out of it."""
+    return dataclass(eq=False, repr=False)(cls)
+
+
+@node
 class Node:
     """Anything with a place: character offsets in the source, `end` exclusive."""
 
     start: int
     end: int
 
+    def __repr__(self) -> str:
+        """Its kind and its place."""
+        return f"<{type(self).__name__} {self.start}:{self.end}>"
 
-@dataclass(frozen=True, eq=False, slots=True)
+
+@node
 class Name(Node):
     """An identifier where it is written; `key` is how it compares."""
 
@@ -26,7 +48,7 @@ class Name(Node):
         return self.text.lower()
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Number(Node):
     """A numeric literal; the text is kept: `9E+09`, `0x1F`, `.5`."""
 
@@ -34,28 +56,28 @@ class Number(Node):
     value: float
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class String(Node):
     """A string literal with its escapes resolved."""
 
     value: str
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Bool(Node):
     """TRUE or FALSE."""
 
     value: bool
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Reference(Node):
     """Data, by name alone."""
 
     name: Name
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Index(Node):
     """An element of an array: `a{i}`, `a{i,j}`."""
 
@@ -63,7 +85,7 @@ class Index(Node):
     indices: tuple[Expression, ...]
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Component(Node):
     """A component of a record: `p.trans`."""
 
@@ -74,7 +96,7 @@ class Component(Node):
 DataPath: TypeAlias = Reference | Index | Component
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class FunctionCall(Node):
     """A function call in an expression."""
 
@@ -82,7 +104,7 @@ class FunctionCall(Node):
     arguments: tuple[Argument, ...]
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class LateFunctionCall(Node):
     """Lenient: `%"name"%(...)` as an operand, which RAPID does not have."""
 
@@ -90,7 +112,7 @@ class LateFunctionCall(Node):
     arguments: tuple[Argument, ...]
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Aggregate(Node):
     """`[a, b, c]`: a record or an array, told by its context."""
 
@@ -100,14 +122,14 @@ class Aggregate(Node):
 LiteralValue: TypeAlias = "float | str | bool | tuple[LiteralValue, ...]"
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class LiteralAggregate(Node):
     """An aggregate of literals only, kept as one value without a node per number."""
 
     value: tuple[LiteralValue, ...]
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Unary(Node):
     """`-x`, `+x`, `NOT x`; the operator is folded to upper case."""
 
@@ -117,7 +139,7 @@ class Unary(Node):
     """Lenient: a sign or NOT where the strict grammar has none, as in `x * -2`."""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Binary(Node):
     """Two operands and an operator, folded to upper case: `+`, `<>`, `DIV`, `AND`."""
 
@@ -127,14 +149,14 @@ class Binary(Node):
     right: Expression
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Parenthesised(Node):
     """`(x)`, kept because `P (x);` means a call with one argument."""
 
     inner: Expression
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Placeholder(Node):
     """Unfinished code such as `<EXP>`; `kind` is the word inside."""
 
@@ -159,7 +181,7 @@ Expression: TypeAlias = (
 )
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Required(Node):
     """A required argument, positional or named (`Par := x`)."""
 
@@ -167,7 +189,7 @@ class Required(Node):
     name: Name | None = None
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Optional(Node):
     r"""An optional argument: `\Par := x`, or a switch `\Par`."""
 
@@ -175,7 +197,7 @@ class Optional(Node):
     value: Expression | None
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Conditional(Node):
     r"""`\Par?q`: pass \Par if the caller's own optional parameter q is present."""
 

@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TypeAlias
 
-from rapidsim.syntax.tree.expressions import Argument, DataPath, Expression, Name, Node, Placeholder
+from rapidsim.syntax.tree.expressions import (
+    Argument,
+    DataPath,
+    Expression,
+    Name,
+    Node,
+    Placeholder,
+    node,
+)
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Assignment(Node):
     """`target := value;`"""
 
@@ -19,7 +26,7 @@ class Assignment(Node):
     """Lenient: `=` was written for `:=`."""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Call(Node):
     """A procedure or instruction call."""
 
@@ -29,7 +36,7 @@ class Call(Node):
     """Lenient: `P(a, b);`"""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class LateCall(Node):
     """`%"name" + x% args;`"""
 
@@ -37,7 +44,7 @@ class LateCall(Node):
     arguments: tuple[Argument, ...]
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Branch(Node):
     """One condition of an IF with its statements."""
 
@@ -47,7 +54,7 @@ class Branch(Node):
     """Lenient: ELSEIF without THEN."""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class If(Node):
     """IF with its ELSEIF branches and ELSE."""
 
@@ -55,7 +62,7 @@ class If(Node):
     otherwise: Body | None
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class CompactIf(Node):
     """`IF c statement;`"""
 
@@ -63,7 +70,7 @@ class CompactIf(Node):
     statement: Statement
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class For(Node):
     """FOR with its own read-only counter."""
 
@@ -74,7 +81,7 @@ class For(Node):
     body: Body
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class While(Node):
     """WHILE."""
 
@@ -84,7 +91,7 @@ class While(Node):
     """Lenient: WHILE without DO."""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Case(Node):
     """One CASE of a TEST with its values."""
 
@@ -94,7 +101,7 @@ class Case(Node):
     """Lenient: `CASE 1 TO 5`, which RAPID does not have."""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Test(Node):
     """TEST with its cases and DEFAULT."""
 
@@ -103,50 +110,50 @@ class Test(Node):
     default: Body | None
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Label(Node):
     """`name:`"""
 
     name: Name
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Goto(Node):
     """`GOTO name;`"""
 
     name: Name
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Return(Node):
     """RETURN, with a value in a function."""
 
     value: Expression | None
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Raise(Node):
     """RAISE, with an error number outside handlers."""
 
     number: Expression | None
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Exit(Node):
     """EXIT."""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Retry(Node):
     """RETRY."""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class TryNext(Node):
     """TRYNEXT."""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Connect(Node):
     """`CONNECT interrupt WITH trap;`; the trap may be late bound."""
 
@@ -154,17 +161,17 @@ class Connect(Node):
     trap: Name | Expression
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Empty(Node):
     """A lone semicolon."""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Broken(Node):
     """A stretch of text the parser could not read; its diagnostic has been made."""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@node
 class Data(Node):
     """A data declaration. `scope` is "LOCAL", "TASK" or None; `storage` VAR, PERS or CONST."""
 

@@ -1,0 +1,111 @@
+"""`rapidsim sweep`: where could the robot stand?"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from rapidsim.cli.exit_codes import ExitCode
+from rapidsim.cli.options.asked import asked_job
+from rapidsim.cli.options.numbers import POSITIVE
+from rapidsim.cli.terminal import current_terminal, say, terminal_options
+from rapidsim.cli.tools.run_output import print_rejected
+from rapidsim.cli.tools.sweep_output import swept_text
+from rapidsim.extras import require
+from rapidsim.files import InputError
+from rapidsim.jobs.asked import Asked
+
+
+def _shard(text: str) -> tuple[int, int]:
+    first, _, of = text.partition("/")
+    if not (first.isdecimal() and of.isdecimal() and 1 <= int(first) <= int(of)):
+        raise click.BadParameter(f"{text!r} is not as in 1/4: part 1 of 4")
+    return int(first), int(of)
+
+
+@click.command(no_args_is_help=False)
+@click.argument("paths", metavar="JOB.toml|PATH...", nargs=-1, required=True)
+@click.option(
+    "--vary",
+    "varied",
+    metavar="KEY=FROM:TO:STEP",
+    multiple=True,
+    required=True,
+    help="base.x, base.y, base.z [mm], base.rz, base.ry, base.rx [deg]; more than one make a grid.",
+)
+@click.option("--robot", metavar="NAME|FILE.urdf", help="The arm, instead of the station's.")
+@click.option("--task", metavar="NAME", help="Only this one of several tasks.")
+@click.option("--no-run", is_flag=True, help="Only ask for reach; run nothing.")
+@click.option("--max-time", type=POSITIVE, default=3600.0, help="Virtual time of each run [s].")
+@click.option(
+    "-j",
+    "processes",
+    type=click.IntRange(1, 256),
+    default=1,
+    show_default=True,
+    help="Processes that run the variants.",
+)
+@click.option(
+    "--shard",
+    type=_shard,
+    default="1/1",
+    metavar="I/N",
+    help="Part I of N equal parts, on one of N machines.",
+)
+@click.option("--out", metavar="FILE", help="A table of all variants: .parquet or .csv.")
+@click.option("--plots", metavar="DIR", help="A picture of where it works, and how well.")
+@terminal_options
+def sweep(
+    paths: tuple[str, ...],
+    varied: tuple[str, ...],
+    robot: str | None,
+    task: str | None,
+    no_run: bool,
+    max_time: float,
+    processes: int,
+    shard: tuple[int, int],
+    out: str | None,
+    plots: str | None,
+) -> int:
+    """Try a program with the robot in many places.
+
+    JOB.toml is a station file; the program is what stands in its folder, or what is named beside
+    it. All places are looked at for reach at once; where every move is reached as it is stored,
+    the program is run. The exit code is 1 if there is no such place.
+    """
+    from rapidsim.export.variants import write_variants
+    from rapidsim.jobs.run_files import ProgramRejectedError, loaded
+    from rapidsim.jobs.sweep import axis_of
+    from rapidsim.jobs.sweep import sweep as swept
+
+    axes = [axis_of(text) for text in varied]
+    if plots is not None:
+        require("matplotlib", "--plots")
+    ready = loaded(asked_job(_asked(paths, robot, task, max_time)))
+    try:
+        result = swept(ready, axes, shard=shard, run=not no_run, processes=processes)
+    except ProgramRejectedError as rejected:
+        print_rejected(ready, rejected.diagnostics, "table", current_terminal())
+        return ExitCode.FINDINGS
+    written = [] if out is None else [write_variants(result, Path(out))]
+    if plots is not None:
+        from rapidsim.plots.sweep_picture import write_sweep_picture
+
+        written += write_sweep_picture(result, Path(plots))
+    say(swept_text(result, written))
+    return ExitCode.CLEAN if result.works.any() else ExitCode.FINDINGS
+
+
+def _asked(paths: tuple[str, ...], robot: str | None, task: str | None, max_time: float) -> Asked:
+    """What is asked: of the paths, one may be the station file."""
+    stations = [path for path in paths if path.lower().endswith(".toml")]
+    programs = tuple(path for path in paths if path not in stations)
+    if len(stations) > 1:
+        raise InputError(f"there are {len(stations)} station files", "name one")
+    station = stations[0] if stations else None
+    if station is not None and not Path(station).is_file():
+        raise InputError(f"{station}: there is no such file")
+    if station is not None and not programs:
+        programs = (str(Path(station).parent),)
+    return Asked(paths=programs, station=station, robot=robot, task=task, max_time_s=max_time)

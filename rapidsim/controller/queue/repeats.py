@@ -1,0 +1,79 @@
+"""Blocks that a robot travels again and again, planned once.
+
+A cycle that repeats to the last bit gives the same path with the same timing: only the numbers of
+its moves and the time at which it begins are new.
+"""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable, Hashable, Sequence
+from dataclasses import dataclass, field, fields
+
+from rapidsim.frames.transform import Transform
+from rapidsim.motion.geometry.segments import Segment, Waypoint
+from rapidsim.motion.path.path import Path
+from rapidsim.motion.timing.time_scaling import Timing
+
+_MOST_BLOCKS = 64
+_MOST_SEGMENTS = 200
+"""Of a longer block nothing is kept: it is not what a cycle repeats, and it takes memory."""
+
+
+@dataclass(slots=True, eq=False)
+class Repeats:
+    """The plans of the last blocks of one robot."""
+
+    _plans: dict[Hashable, tuple[Path, Timing]] = field(default_factory=dict)
+
+    def plan(
+        self,
+        segments: Sequence[Segment],
+        start: Hashable,
+        make: Callable[[], tuple[Path, Timing]],
+    ) -> tuple[Path, Timing]:
+        """The plan of a block, made only if it was not made before.
+
+        Args:
+            segments: All of the block.
+            start: All that beside them decides the plan.
+            make: Plans.
+        """
+        if len(segments) > _MOST_SEGMENTS:
+            return make()
+        key = (start, *map(_values, segments))
+        known = self._plans.pop(key, None)
+        if known is not None:
+            # Behind the others: what was asked for last is forgotten last.
+            self._plans[key] = known
+            path, timing = known
+            return path.renumbered(tuple(segments)), timing
+        path, timing = make()
+        if all(map(operator.is_, path.segments, segments)):
+            # Else a move gave way to what can be made: that is found out, and told, each time.
+            self._plans[key] = path, timing
+            if len(self._plans) > _MOST_BLOCKS:
+                del self._plans[next(iter(self._plans))]
+        return path, timing
+
+
+_DECISIVE = tuple(one.name for one in fields(Segment) if one.name != "index")
+"""All that a plan may take from a segment: everything but its number."""
+
+
+def _values(segment: Segment) -> Hashable:
+    """All of a segment that decides a plan, to be compared."""
+    return tuple(_value(getattr(segment, name)) for name in _DECISIVE)
+
+
+def _value(value: object) -> Hashable:
+    match value:
+        case Waypoint(joints=joints, base_from_tcp=pose, external=external, aim=aim):
+            aimed = None if aim is None else aim.tobytes()
+            return joints.tobytes(), _value(pose), external.tobytes(), aimed
+        case Transform(rotation=rotation, translation=translation):
+            return rotation.tobytes(), translation.tobytes()
+        case Hashable():
+            # A carrier is itself: those of one tool and one work object are one.
+            return value
+    raise TypeError(f"a {type(value).__name__} of a segment cannot be compared")

@@ -1,0 +1,229 @@
+"""`rapidsim sweep`: the same program with the robot in many places, one variant a place.
+
+First all variants are looked at together for reach; then those that reach everything are run, each
+on its own and, where asked, in several processes. Either way the rows are the same, in one order.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import starmap
+from multiprocessing import get_context
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+
+from rapidsim.files import InputError, did_you_mean
+from rapidsim.frames.euler import Convention, euler_from_rotation, rotation_from_euler
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.jobs.asked import Asked
+from rapidsim.jobs.job import Job, job
+from rapidsim.jobs.run_files import LoadedJob, ProgramRejectedError, executed, loaded, prepared
+from rapidsim.motion.geometry.curves import Index
+from rapidsim.reach.placements import reach_from
+from rapidsim.station.robot import StationRobot
+
+_MM_PER_M = 1000.0
+_POSITION = ("base.x", "base.y", "base.z")
+_ANGLES = ("base.rz", "base.ry", "base.rx")
+KEYS = (*_POSITION, *_ANGLES)
+"""What may be varied: where the robot's base stands in the world [mm], and its angles as those of
+OrientZYX [deg]."""
+MOST_VARIANTS = 10_000_000
+_ROUNDING = 1e-9
+"""Share of a step by which the last value may be past the end."""
+_AT_ONCE = 8
+"""Variants that a process is given at a time."""
+
+
+@dataclass(frozen=True, slots=True)
+class Axis:
+    """One thing that varies, and its values."""
+
+    key: str
+    values: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What became of the run of a variant."""
+
+    end: str
+    time_s: float
+    findings: int
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sweep:
+    """Variants (k,) and what was found of each."""
+
+    axes: tuple[Axis, ...]
+    number: Index
+    """Shape (k,): which of all variants, counted from 0; the last axis changes first."""
+    values: Array
+    """Shape (k, axes)."""
+    moves: int
+    """How many move instructions were looked at."""
+    unreachable: Index
+    other_configuration: Index
+    margin_deg: Array
+    """Shape (k,); see `PlacedReach`."""
+    runs: tuple[Outcome | None, ...]
+    """None for a variant that was not run."""
+
+    @property
+    def works(self) -> Array:
+        """Which variants (k,) reach every move as it is stored."""
+        works: Array = (self.unreachable == 0) & (self.other_configuration == 0)
+        return works
+
+
+def axis_of(text: str) -> Axis:
+    """Read `base.x=-200:200:50`: from, to and step; or one value.
+
+    Raises:
+        InputError: If it says anything else.
+    """
+    key, _, said = text.partition("=")
+    key = key.strip().lower()
+    if key not in KEYS:
+        raise InputError(
+            f"--vary {text}: `{key}` cannot be varied",
+            did_you_mean(key, KEYS) or f"there are {', '.join(KEYS)}",
+        )
+    try:
+        numbers = [float(part) for part in said.split(":")]
+    except ValueError:
+        numbers = []
+    if len(numbers) not in (1, 3) or not all(map(math.isfinite, numbers)):
+        raise InputError(f"--vary {text}: the values are FROM:TO:STEP, as in {key}=-200:200:50")
+    if len(numbers) == 1:
+        return Axis(key, (numbers[0],))
+    first, last, step = numbers
+    if step == 0.0 or (last - first) / step < 0.0:
+        raise InputError(f"--vary {text}: steps of {step:g} do not lead from {first:g} to {last:g}")
+    steps = (last - first) / step + _ROUNDING
+    if steps >= MOST_VARIANTS:
+        raise InputError(f"--vary {text}: over {MOST_VARIANTS} values", "take a larger step")
+    return Axis(key, tuple(first + number * step for number in range(int(steps) + 1)))
+
+
+def sweep(
+    ready: LoadedJob,
+    axes: Sequence[Axis],
+    *,
+    shard: tuple[int, int] = (1, 1),
+    run: bool = True,
+    processes: int = 1,
+) -> Sweep:
+    """Look at all variants of a job.
+
+    Args:
+        ready: A job of one task with one robot, whose station says where it stands.
+        axes: What varies.
+        shard: Only each n-th variant from the i-th on, counted from 1: `(i, n)`.
+        run: Whether variants that reach everything are run.
+        processes: How many processes run them.
+
+    Raises:
+        InputError: If there are too many variants, or one key varies twice.
+        ProgramRejectedError: If checking finds an error.
+    """
+    keys = [axis.key for axis in axes]
+    if len(set(keys)) < len(keys):
+        raise InputError("one key is varied twice", "give each --vary a key of its own")
+    count = math.prod(len(axis.values) for axis in axes)
+    if count > MOST_VARIANTS:
+        raise InputError(f"{count} variants are over {MOST_VARIANTS}", "take larger steps")
+    made = ready.job
+    if len(made.tasks) > 1:
+        raise InputError(f"there are {len(made.tasks)} tasks", "name one with --task")
+    if not ready.tasks:
+        raise ProgramRejectedError(ready.diagnostics)
+    number = np.arange(count)[shard[0] - 1 :: shard[1]]
+    columns = np.unravel_index(number, [len(axis.values) for axis in axes])
+    values = np.stack(
+        [np.array(axis.values)[at] for axis, at in zip(axes, columns, strict=True)], axis=-1
+    )
+    places = _placed(made, keys, values)
+    reach = reach_from(
+        ready.tasks[0].program, ready.robot, places, external=made.station.external_axes
+    )
+    works = (reach.unreachable == 0) & (reach.other_configuration == 0)
+    runs: list[Outcome | None] = [None] * len(number)
+    if run:
+        rows = np.flatnonzero(works).tolist()
+        for row, outcome in zip(rows, _outcomes(ready, places[rows], processes), strict=True):
+            runs[row] = outcome
+    return Sweep(
+        tuple(axes),
+        number,
+        values,
+        reach.moves,
+        reach.unreachable,
+        reach.other_configuration,
+        np.degrees(reach.margin),
+        tuple(runs),
+    )
+
+
+def _placed(made: Job, keys: Sequence[str], values: Array) -> Transform:
+    """Where the base stands (k,), from values (k, axes); what does not vary is the station's."""
+    stands = made.station.world_from_base or Transform.identity()
+    position = np.tile(stands.translation, (len(values), 1))
+    angles = np.tile(euler_from_rotation(stands.rotation, Convention.ZYX), (len(values), 1))
+    for column, key in zip(values.T, keys, strict=True):
+        if key in _POSITION:
+            position[:, _POSITION.index(key)] = column / _MM_PER_M
+        else:
+            angles[:, _ANGLES.index(key)] = np.radians(column)
+    if not any(key in _ANGLES for key in keys):
+        # As the station has it, to the last bit.
+        return Transform(np.tile(stands.rotation, (len(values), 1, 1)), position)
+    return Transform(rotation_from_euler(angles, Convention.ZYX), position)
+
+
+def _outcomes(ready: LoadedJob, places: Transform, processes: int) -> Iterator[Outcome]:
+    """Run the job with the robot in places (k,), in their order."""
+    each = list(zip(places.rotation, places.translation, strict=True))
+    if processes == 1 or len(each) < 2:
+        yield from starmap(partial(_outcome, ready), each)
+        return
+    # A fresh process has no threads or locks of this one, and is the same on every system.
+    with ProcessPoolExecutor(
+        processes, get_context("spawn"), initializer=_prepare, initargs=(ready.job.asked,)
+    ) as pool:
+        yield from pool.map(_outcome_here, each, chunksize=_AT_ONCE)
+
+
+_here: Callable[[Array, Array], Outcome] | None = None
+"""In a process of a sweep: runs its job."""
+
+
+def _prepare(asked: Asked) -> None:
+    """Load the job once in each process."""
+    global _here
+    _here = partial(_outcome, loaded(job(asked)))
+
+
+def _outcome_here(place: tuple[Array, Array]) -> Outcome:
+    assert _here is not None
+    return _here(*place)
+
+
+def _outcome(ready: LoadedJob, rotation: Array, translation: Array) -> Outcome:
+    made = ready.job
+    robot = made.station.robots[0] if made.station.robots else StationRobot()
+    placed = replace(robot, world_from_base=Transform(rotation, translation))
+    station = replace(made.station, robots=(placed, *made.station.robots[1:]))
+    with TemporaryDirectory(prefix="rapidsim-sweep-") as home:
+        # What one variant writes is no input of another.
+        asked = replace(made.asked, home=str(Path(home)))
+        varied = replace(ready, job=replace(made, station=station, asked=asked))
+        finished = executed(prepared(varied)).simulation
+    return Outcome(finished.end.value, finished.time_s, len(finished.diagnostics))

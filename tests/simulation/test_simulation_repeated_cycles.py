@@ -1,0 +1,106 @@
+"""Cycles that repeat are planned once, and nobody can tell from the run."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.controller.moves.resolve import Resolver
+from rapidsim.controller.queue.repeats import Repeats
+from rapidsim.jobs.run_files import simulate
+from rapidsim.motion.geometry.segments import Segment
+from rapidsim.motion.interruption import Look
+from rapidsim.motion.model import MotionModel
+from rapidsim.motion.path.curve_following import PathFault
+from rapidsim.motion.path.path import Path as MotionPath
+from rapidsim.motion.path.path import build_path
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.simulation.results.simulation import Simulation
+
+CYCLES = """MODULE cycles
+  CONST robtarget a:=[[800,-200,700],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget b:=[[750,200,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  VAR intnum beat;
+  VAR num beats;
+  PROC main()
+    ConfL\\Off;
+    ConfJ\\Off;
+    CONNECT beat WITH tick;
+    FOR n FROM 1 TO 6 DO
+      MoveJ a,v1000,z20,tool0;
+      MoveL b,v500,fine,tool0;
+      IF n=3 AccSet 50,100;
+      IF n=4 ITimer\\Single,0.3,beat;
+      MoveC Offs(b,20,0,30),Offs(b,0,-40,60),v200,z5,tool0;
+      MoveL b,v500\\T:=1.5,fine,tool0;
+      SetDO doGrip,n MOD 2;
+      WaitTime 0.1;
+    ENDFOR
+  ENDPROC
+  TRAP tick
+    Incr beats;
+    StopMove;
+    StartMove;
+  ENDTRAP
+ENDMODULE
+"""
+STATION = '[signals]\ndoGrip = { type = "do" }\n'
+
+
+def ran(folder: Path) -> Simulation:
+    (folder / "cycles.mod").write_text(CYCLES)
+    (folder / "rapidsim.toml").write_text(STATION)
+    return simulate([folder / "cycles.mod"], robot="irb1600")
+
+
+def test_a_run_that_keeps_plans_is_the_run_that_makes_each(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    kept = ran(tmp_path)
+    monkeypatch.setattr(Repeats, "plan", lambda self, segments, start, make: make())
+    monkeypatch.setattr(
+        Resolver,
+        "resolve",
+        lambda self, move, place, start, settings, index=0: self._resolved(
+            move, place, start, settings, index
+        ),
+    )
+    made = ran(tmp_path)
+    assert kept.end is made.end
+    assert [str(one) for one in kept.events] == [str(one) for one in made.events]
+    assert [one.message for one in kept.diagnostics] == [one.message for one in made.diagnostics]
+    assert [_times(move) for move in kept.moves] == [_times(move) for move in made.moves]
+    assert kept.only.path_m == made.only.path_m
+    at = np.linspace(0.0, kept.time_s, 500)
+    one, other = kept.only.trajectory.at(at), made.only.trajectory.at(at)
+    assert np.array_equal(one.joints, other.joints)
+    assert np.array_equal(one.move, other.move)
+
+
+def _times(move: ExecutedMove) -> tuple[object, ...]:
+    return move.index, move.start_s, move.end_s, move.corner, move.zone_m, move.length_m
+
+
+def test_only_what_is_new_is_planned(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    planned: list[Robot] = []
+
+    def counted(
+        robot: Robot, segments: Sequence[Segment], model: MotionModel, look: Look
+    ) -> MotionPath | PathFault:
+        planned.append(robot)
+        return build_path(robot, segments, model, look)
+
+    monkeypatch.setattr("rapidsim.controller.queue.solo_queue.build_path", counted)
+    cycles = CYCLES.replace("IF n=3 AccSet 50,100;", "").replace(
+        "IF n=4 ITimer\\Single,0.3,beat;", ""
+    )
+    (tmp_path / "rapidsim.toml").write_text(STATION)
+    (tmp_path / "cycles.mod").write_text(cycles.replace("TO 6", "TO 30"))
+    run = simulate([tmp_path / "cycles.mod"], robot="irb1600")
+    assert len(run.moves) == 120
+    # The first round begins elsewhere, and the arm needs a round to come back to the same bits.
+    assert len(planned) < 10
