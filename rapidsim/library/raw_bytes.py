@@ -174,7 +174,7 @@ def _order(network: bool) -> Literal["big", "little"]:
 
 def _size(int_type: float) -> int:
     if abs(int_type) not in (1.0, 2.0, 4.0, 8.0):
-        raise rapid_error(ERR_ARGVALERR, f"{int_type:.7g} is no integer type")
+        raise rapid_error(ERR_ARGVALERR, f"{int_type:.7g} is not an integer type")
     return int(abs(int_type))
 
 

@@ -174,7 +174,10 @@ def test_a_statement_ends_before_its_semicolon() -> None:
             "3:11 E116 a `\\` in a string must be doubled or followed by two hexadecimal digits",
         ),
         ("VAR num to;", "3:9 E121 `to` is a reserved word and cannot be a name"),
-        ("VAR num a(b):=1;", "3:9 E122 `a(b)` is no name: only letters, digits and `_` make one"),
+        (
+            "VAR num a(b):=1;",
+            "3:9 E122 `a(b)` is not a valid name: use letters, digits and `_` only",
+        ),
         ("x:=1; #", "3:7 E118 `#` has no meaning in RAPID"),
         ("x:=1E999;", "3:4 E108 the number is larger than a dnum; the limit is 1.8E308"),
         (f"{'a' * 33};", f"3:1 E108 the name `{'a' * 33}` has 33 characters; the limit is 32"),
