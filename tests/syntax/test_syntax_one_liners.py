@@ -164,9 +164,9 @@ def test_a_statement_ends_before_its_semicolon() -> None:
             "FOR i=1 TO 3 DO ENDFOR",
             "3:6 E117 the head of the FOR loop cannot be read: `=` where FROM is expected",
         ),
-        ("ENDIF", "3:1 E115 ENDIF stands here without IF"),
-        ("ELSE", "3:1 E115 ELSE stands here without IF"),
-        ("CASE 1:", "3:1 E115 CASE stands here without TEST"),
+        ("ENDIF", "3:1 E115 ENDIF without IF"),
+        ("ELSE", "3:1 E115 ELSE without IF"),
+        ("CASE 1:", "3:1 E115 CASE without TEST"),
         ("TEST a\nCASE 1\nENDTEST", "4:7 E113 `:` is missing in the TEST statement"),
         ('TPWrite "a;', '3:9 E109 the closing `"` of the string is missing'),
         (
