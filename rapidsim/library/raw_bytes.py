@@ -185,9 +185,9 @@ def _integer_bytes(value: float, int_type: float, network: bool) -> bytes:
             return int(value).to_bytes(size, _order(network), signed=int_type < 0.0)
     except OverflowError:
         pass
-    sign = "signed " if int_type < 0.0 else ""
+    sign = "a signed " if int_type < 0.0 else "an "
     raise rapid_error(
-        ERR_ARGVALERR, f"{value:.16g} is no {sign}integer of {size} byte{'s' * (size > 1)}"
+        ERR_ARGVALERR, f"{value:.16g} is not {sign}integer of {size} byte{'s' * (size > 1)}"
     )
 
 

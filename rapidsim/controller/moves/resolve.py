@@ -55,10 +55,12 @@ class Resolver:
     journal: Journal
     base_from_world: Transform
     """With all external axes at zero."""
-    payload_acceleration: float = 1.0
+    payload_acceleration: float | None = None
     """See `MotionModel`."""
     nearest_configuration: bool = False
     """Whether a stored configuration that cannot be had gives way to the nearest."""
+    assumes_arm: bool = False
+    """Whether nobody knows that the program is for this arm."""
     _placements: dict[tuple[ToolData, WobjData], targets.Placement | targets.NotSimulatedFrame] = (
         field(default_factory=dict)
     )
