@@ -98,7 +98,7 @@ def read_tasks(paths: Sequence[str], rooms: Sequence[Path] = ()) -> tuple[TaskFi
         rooms: Folders into which links may lead, besides those among the paths.
 
     Raises:
-        InputError: If something is missing, unreadable, or no RAPID.
+        InputError: If something is missing, unreadable, or not RAPID.
     """
     modules: list[str | Path] = []
     tasks: list[TaskFiles] = []
@@ -154,7 +154,7 @@ def task_folders(folder: Path) -> tuple[Path, ...]:
 
 
 def _is_task_by_name(folder: Path) -> bool:
-    """Whether a folder in RAPID is a task: it has modules, and is no folder of one task alone."""
+    """Whether a folder in RAPID is a task: it has modules, and is no task's own folder."""
     if not folder.is_dir() or folder.name.upper() in (*_IN_TASK, "TASK0"):
         return False
     return bool(_modules_below(folder))
@@ -212,7 +212,7 @@ def input_bytes(file: Path) -> bytes:
     except OSError as error:
         raise unreadable(file, error) from error
     except ValueError as error:
-        raise InputError(f"{str(file)!r} is no file name") from error
+        raise InputError(f"{str(file)!r} is not a file name") from error
 
 
 def standard_input() -> bytes:
@@ -307,7 +307,7 @@ def _read(modules: Iterable[str | Path]) -> TaskFiles:
         else:
             read[key] = _source_file(name, data)
     if encoded and not read:
-        raise InputError(f"{next(iter(encoded.values()))} is encoded, or no RAPID file at all")
+        raise InputError(f"{next(iter(encoded.values()))} is encoded, or not a RAPID file at all")
     unseen = tuple(f"{Path(name).name} (encoded)" for name in encoded.values())
     return TaskFiles(None, tuple(read.values()), unseen)
 
@@ -436,7 +436,7 @@ def _in_program_file(path: Path) -> list[Path]:
     for name in names:
         # The file is not trusted: it names neighbours, never places elsewhere.
         if "\\" in name or len(PurePosixPath(name).parts) != 1 or name == "..":
-            raise InputError(f"{path} lists `{name}`, which does not lie beside it")
+            raise InputError(f"{path} lists `{name}`, which is not in the same folder")
         if name.lower() not in beside:
             raise InputError(f"{path} lists {name}, which is missing", did_you_mean(name, beside))
         modules.append(beside[name.lower()])

@@ -79,7 +79,7 @@ def rapid(request: pytest.FixtureRequest, tmp_path: Path) -> Rapid:
 
 
 class RapidFailedError(Exception):
-    """A RAPID test that did not come to its end."""
+    """A RAPID test that did not finish."""
 
     def __init__(self, findings: tuple[Diagnostic, ...], end: str) -> None:
         """Carry what was found."""
@@ -94,7 +94,7 @@ class RapidFailedError(Exception):
         from rapidsim.report.palette import Palette
 
         text = full(merged(self.findings), Palette(), width=_WIDTH).rstrip()
-        return text or f"the procedure did not come to its end: {self.end}"
+        return text or f"the procedure did not finish: {self.end}"
 
 
 class RapidFile(pytest.File):

@@ -60,7 +60,7 @@ def run_of_page(page: str, **options: Any) -> Run:
 def zones() -> Figure:
     """The corner from above, and the speed on the way, a colour a zone."""
     run = run_of_page("zones.md")
-    figure = new_figure("One corner, four zones", width=11.0, height=4.6)
+    figure = new_figure("One corner, four zones", width=9.4, height=4.2)
     above, over_time = figure.subplots(1, 2, width_ratios=[1.0, 1.35])
     corners = [run.moves[k : k + 3] for k in range(0, len(run.moves), 3)]
     for (_, first, second), colour in zip(corners, SERIES, strict=True):
@@ -93,7 +93,7 @@ def pointer() -> Figure:
     """The way with the places where outputs are set, and both pointers over time."""
     run = run_of_page("program_pointer.md")
     one = run.simulation.only
-    figure = new_figure("Program pointer and motion pointer", width=11.0, height=4.6)
+    figure = new_figure("Program pointer and motion pointer", width=9.4, height=4.2)
     above, lanes = figure.subplots(1, 2, width_ratios=[1.0, 1.35])
     state = run.trajectory.at(np.arange(0.0, run.time_s, STEP_S))
     moving = np.asarray(state.time_s) >= run.moves[0].end_s
@@ -154,7 +154,7 @@ def _name(axes: Axes, name: str, place: Array, colour: str, *, left: bool = Fals
 def work_objects() -> Figure:
     """Both triangles from above."""
     run = run_of_page("work_objects.md")
-    figure = new_figure("Three targets in two work objects", width=9.0, height=4.0)
+    figure = new_figure("Three targets in two work objects", width=8.0, height=3.8)
     above = figure.subplots()
     for name, colour in (("wLeft", SERIES[1]), ("wRight", SERIES[2])):
         moves = [move for move in run.moves if move.wobj == name]

@@ -1,4 +1,4 @@
-r"""Comments that take findings back: `! rapidsim: ignore[K601] reason`, and those that do nothing.
+r"""Comments that suppress findings: `! rapidsim: ignore[K601] reason`, and those that do nothing.
 
 A comment behind a statement is for its line; one on a line of its own is for the next line that is
 no comment. `ignore-file[...]` is for the whole file, and without brackets all rules are meant.
@@ -33,7 +33,7 @@ class Suppression:
     """The line it is for; None for the whole file."""
 
     def covers(self, diagnostic: Diagnostic) -> bool:
-        """Whether it takes a finding back."""
+        """Whether it suppresses a finding."""
         span = diagnostic.span
         if span is None or span.source is not self.span.source:
             return False
@@ -44,7 +44,7 @@ class Suppression:
 
 
 def suppressions(files: Iterable[tree.File]) -> Iterator[Suppression]:
-    """The comments of some files that take findings back."""
+    """The comments of some files that suppress findings."""
     for file in files:
         for comment in file.comments:
             match = _COMMENT.match(comment.text)
@@ -64,7 +64,7 @@ def without_suppressed(
     *,
     is_looked_for: Callable[[str], bool] = lambda code: True,
 ) -> tuple[Diagnostic, ...]:
-    """The findings that no comment takes back, and one for each comment that took none back.
+    """The findings that no comment suppresses, and one for each comment that suppresses none.
 
     Args:
         diagnostics: What was found.

@@ -39,11 +39,11 @@ def load(
         robot: An arm, its name in the catalogue, or a URDF file; None takes that of the station or
             the default.
         station: The station file; None takes `rapidsim.toml` beside the program or above it.
-        task: The only one of several tasks that is wanted.
-        home: The folder HOME: stands for, where a run names none; None is `<program>.home` here.
+        task: Only this one of several tasks.
+        home: The folder for HOME:, where a run names none; None is `<program>.home`.
 
     Raises:
-        InputError: If something is missing, unreadable, or no RAPID.
+        InputError: If something is missing, unreadable, or not RAPID.
     """
     named = (paths,) if isinstance(paths, str | PathLike) else tuple(paths)
     asked = Asked(
@@ -120,11 +120,11 @@ class Cell:
             io: A file of signals and what happens to inputs; adds to the station.
             answers: What the operator answers: a file, the answers in order, or a function of the
                 question. Without, a question gets its default, and a finding says so.
-            home: The folder HOME: stands for; None is the one that `load` was given.
+            home: The folder for HOME:; None is the one that `load` was given.
             max_time_s: Virtual time at which the run ends.
-            max_wall_s: Time on our clock after which it is cut off.
-            cycles: How often the procedure runs.
-            starts_at: What the controller's clock shows at the start.
+            max_wall_s: Wall-clock time [s] after which it is cut off.
+            cycles: How many times the procedure runs.
+            starts_at: The controller's clock at the start.
 
         Returns:
             The run. A program that stops with an error is a result, not an exception.

@@ -64,7 +64,7 @@ class Run:
 
     @property
     def motion_s(self) -> float:
-        """Time in which a robot is on its way [s]."""
+        """Time in which a robot is moving [s]."""
         return self.simulation.motion_s
 
     @property
@@ -74,7 +74,7 @@ class Run:
 
     @property
     def path_mm(self) -> float:
-        """What the TCPs travel, corners cut."""
+        """What the TCPs travel, with corners cut."""
         return 1000.0 * self.simulation.path_m
 
     @cached_property
@@ -107,7 +107,7 @@ class Run:
 
     @cached_property
     def data(self) -> Mapping[str, Value]:
-        """The values that data have at the end, by name, case as you like.
+        """The values that data have at the end, by name in any case.
 
         Numbers are float, records named tuples, arrays lists. Where several modules or tasks
         declare a name with different values, `Module/name` or `Task/Module/name` says which.
@@ -116,7 +116,7 @@ class Run:
 
     @cached_property
     def signals(self) -> Named[SignalHistory]:
-        """Every signal that is declared or set, by name, case as you like."""
+        """Every signal that is declared or set, by name in any case."""
         return signals_by_name(self.simulation)
 
     @property

@@ -45,7 +45,7 @@ def require_recording(path: Path) -> None:
         raise unreadable(path, error) from error
     if begin != _MAGIC:
         raise InputError(
-            f"{path} is no recording", "`rapidsim run PROGRAM --record FILE.rrd` writes one"
+            f"{path} is not a recording", "`rapidsim run PROGRAM --record FILE.rrd` writes one"
         )
 
 

@@ -116,9 +116,9 @@ def _saved(file: Path) -> dict[str, Any]:
     try:
         report = json.loads(text)
     except ValueError as error:
-        raise InputError(f"{file} is no JSON: {error}") from None
+        raise InputError(f"{file} is not JSON: {error}") from None
     if not isinstance(report, dict) or not {"moves", "events", "time_s", "end"} <= report.keys():
-        raise InputError(f"{file} is no saved run", "`rapidsim run --format json` prints one")
+        raise InputError(f"{file} is not a saved run", "`rapidsim run --format json` prints one")
     return report
 
 

@@ -212,7 +212,7 @@ class TaskClock:
         until_s = min(math.inf if due_s is None else due_s, self._cell.turns.next_s(self))
         if math.isinf(until_s) and self._cell.turns.rest(self):
             raise PollsForever(
-                "the program goes round for ever here: it looks at nothing that ever changes"
+                "the program loops forever here: nothing that it looks at ever changes"
             )
         self._polling.again()
         round_s = ticks * self._time.tick_s

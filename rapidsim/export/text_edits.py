@@ -64,7 +64,7 @@ def edited_bytes(file: SourceFile, edits: Iterable[TextEdit], *, what: str) -> b
     body = file.text.encode(file.encoding, errors="replace")
     mark, was = data[: len(data) - len(body)], data[len(data) - len(body) :]
     if was != body:
-        raise InputError(f"{file.name} holds bytes that are no text; it was not written")
+        raise InputError(f"{file.name} holds bytes that are not text; it was not written")
     text = edited_text(file.text, edits)
     try:
         return mark + text.encode(file.encoding)

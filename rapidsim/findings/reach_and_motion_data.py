@@ -42,7 +42,7 @@ class ConfigurationNotReachable(Violation, code="K603"):
             return f"only {self.working[0]} reaches it with this tool and work object"
         listed = ", ".join(self.working[:_LISTED_CONFIGURATIONS])
         more = len(self.working) - _LISTED_CONFIGURATIONS
-        return f"it is reached, nearest first, by {listed}{f' and {more} more' if more > 0 else ''}"
+        return f"reached by, nearest first: {listed}{f' and {more} more' if more > 0 else ''}"
 
 
 class ConfigurationChangesOnLine(Violation, code="K606"):

@@ -23,7 +23,7 @@ def normalised(q: Quaternion) -> Quaternion:
     """The same rotation with unit length.
 
     Raises:
-        ZeroDivisionError: If `q` is zero, which is no rotation.
+        ZeroDivisionError: If `q` is zero, which is not a rotation.
     """
     length = norm(q)
     return (q[0] / length, q[1] / length, q[2] / length, q[3] / length)

@@ -41,7 +41,7 @@ def read_baseline(file: Path) -> Counter[Key]:
     """The findings of a baseline with how many there are of each.
 
     Raises:
-        InputError: If there is no such file, or it is no baseline.
+        InputError: If there is no such file, or it is not a baseline.
     """
     if not file.exists():
         raise InputError(f"the baseline {file} does not exist", "`--update-baseline` writes it")
@@ -59,7 +59,7 @@ def read_baseline(file: Path) -> Counter[Key]:
     except (ValueError, KeyError, TypeError, OverflowError, RecursionError) as error:
         reason = "it is nested too deeply" if isinstance(error, RecursionError) else error
         help = "remove it, and `rapidsim check --baseline` writes a new one"
-        raise InputError(f"{file} is no baseline of rapidsim: {reason}", help) from error
+        raise InputError(f"{file} is not a baseline of rapidsim: {reason}", help) from error
 
 
 def told_apart(

@@ -98,7 +98,7 @@ def check(
         run: Whether main is run at all.
 
     Raises:
-        InputError: If something is missing, unreadable, or no RAPID.
+        InputError: If something is missing, unreadable, or not RAPID.
         RobotError: If the catalogue has no such robot.
     """
     asked = job(replace(asked_in_python(paths, robot, options), trial_run=run))

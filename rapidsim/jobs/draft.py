@@ -69,7 +69,7 @@ def draft_for(paths: Sequence[str], robot: str | None) -> DraftFile:
         robot: The arm, where somebody names it.
 
     Raises:
-        InputError: If something is missing, unreadable, or no RAPID.
+        InputError: If something is missing, unreadable, or not RAPID.
     """
     configured = [path for path in paths if has_configuration(Path(path))]
     programs = [path for path in paths if path not in configured]
@@ -93,7 +93,7 @@ def _of_backup(folders: Sequence[Path], robot: str | None) -> DraftFile:
     remarks = (
         "Tasks, signals and wiring are those of the backup: SYS.cfg and EIO.cfg.",
         *((f"So are the arms, of MOC.cfg: {arms}.",) if arms and robot is None else ()),
-        "What stands here counts in place of it.",
+        "What is written here takes precedence.",
     )
     unknown = next((one.unknown for one in station.robots if one.unknown), None)
     robots: tuple[DraftRobot, ...] = ()

@@ -23,7 +23,7 @@ def require_entry(program: Program, name: str) -> None:
     if name.lower() in (one.lower() for one in startable):
         return
     if name.lower() in program.routines:
-        raise InputError(f"`{name}` is no procedure that runs without arguments")
+        raise InputError(f"`{name}` is not a procedure that runs without arguments")
     named = ", ".join(f"`{one}`" for one in startable[:_NAMED_PROCEDURES])
     named += ", ..." if len(startable) > _NAMED_PROCEDURES else ""
     raise InputError(

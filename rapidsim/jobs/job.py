@@ -109,7 +109,7 @@ def job(asked: Asked, *, open_robot: OpenRobot | None = None) -> Job:
         open_robot: Makes an arm of its name and scale; None takes `rapidsim.load_robot`.
 
     Raises:
-        InputError: If something is missing, unreadable, no RAPID, or contradicts itself.
+        InputError: If something is missing, unreadable, not RAPID, or contradicts itself.
     """
     station = choose_station(asked.paths, asked.station)
     if asked.cell is not None:

@@ -32,7 +32,7 @@ _OUT = (Mode.INOUT, Mode.VAR, Mode.PERS)
 
 
 class CallError(Exception):
-    """A routine that was called did not come to its end; the message says why."""
+    """A routine that was called did not finish; the message says why."""
 
     def __init__(self, message: str, diagnostics: tuple[Diagnostic, ...], run: Simulation) -> None:
         """Carry what happened."""
@@ -52,7 +52,7 @@ class Returned:
     """What a routine left."""
 
     result: Value | None
-    """None where it is no function."""
+    """None where it is not a function."""
     outputs: tuple[Value, ...]
     """Of the parameters by reference (INOUT, VAR, PERS), in their order."""
     is_function: bool
@@ -102,7 +102,7 @@ def call_routine(
     run = finished.simulation
     if run.end is not End.ENDED:
         errors = [one for one in run.diagnostics if one.severity is Severity.ERROR]
-        why = errors[-1].violation.message if errors else f"{name} did not come to its end"
+        why = errors[-1].violation.message if errors else f"{name} did not finish"
         raise CallError(why, run.diagnostics, run)
     left = finished.tasks[task.name]
     return Returned(

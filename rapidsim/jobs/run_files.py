@@ -71,7 +71,7 @@ def simulate(
         while it runs is a result.
 
     Raises:
-        InputError: If something is missing, unreadable, or no RAPID.
+        InputError: If something is missing, unreadable, or not RAPID.
         ProgramRejectedError: If checking finds an error.
         RobotError: If the catalogue has no such robot.
     """
@@ -184,5 +184,5 @@ def _home(home: str | None, paths: tuple[str, ...]) -> Path:
             )
         return _fresh(folder) if _UNATTENDED & os.environ.keys() else folder
     if not Path(home).is_dir():
-        raise InputError(f"--home: {home} is no folder")
+        raise InputError(f"--home: {home} is not a folder")
     return Path(home)

@@ -33,7 +33,7 @@ def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
     lists them.
 
     Raises:
-        InputError: If something is missing, unreadable, or no RAPID, or a task has no module.
+        InputError: If something is missing, unreadable, or not RAPID, or a task has no module.
     """
     # What the station file lists lies in its folder, or in one that the command line names.
     rooms = (*([station.file.parent] if station.file else ()), *_folders(paths))

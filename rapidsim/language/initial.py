@@ -40,4 +40,4 @@ def initial_value(of: Type) -> object:
             part: Type = ArrayOf(element, tuple(inner)) if inner else element
             return [initial_value(part) for _ in range(size)]
         case _:
-            raise ValueError(f"{of} is no type of data")
+            raise ValueError(f"{of} is not a type of data")

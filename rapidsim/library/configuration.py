@@ -98,7 +98,7 @@ def _found(controller: Equipment, path: str, list_no: Reference[float] | None) -
     """The instance that a path means; with a list number the next of several."""
     parts = [part for part in path.split("/") if part]
     if len(parts) not in (3, 4):
-        raise rapid_error(ERR_CFG_NOTFND, f"`{path}` is no path such as /EIO/EIO_SIGNAL/doGrip")
+        raise rapid_error(ERR_CFG_NOTFND, f"`{path}` is not a path such as /EIO/EIO_SIGNAL/doGrip")
     domain, of, *rest = parts
     key, wanted = ("name", rest[0]) if len(rest) == 1 else (rest[0].lower(), rest[1])
     instances = controller.instances(domain, of)

@@ -109,7 +109,7 @@ def write_bin(io_device: Var[IoDev], buffer: list[Num], n_char: Num) -> None:
         raise rapid_error(ERR_ARGVALERR, f"{count} bytes of an array with {len(buffer)} elements")
     for value in buffer[:count]:
         if not (0 <= value <= 255 and value == math.floor(value)):
-            raise rapid_error(ERR_ARGVALERR, f"{value:.7g} is no byte; bytes are 0..255")
+            raise rapid_error(ERR_ARGVALERR, f"{value:.7g} is not a byte; bytes are 0..255")
     opened_device(io_device).write(bytes(int(value) for value in buffer[:count]))
 
 
@@ -185,7 +185,7 @@ def read_num(
         return END_OF_NUMBERS
     value = parsed_number(text)
     if value is None:
-        raise rapid_error(ERR_RCVDATA, f'"{text}" is no number')
+        raise rapid_error(ERR_RCVDATA, f'"{text}" is not a number')
     return value
 
 

@@ -125,7 +125,7 @@ def i_signal_ai(
     The change counts from the value at the order, then from that at the last interrupt.
     """
     if condition not in _RANGES:
-        raise rapid_error(ERR_ARGVALERR, f"{condition:g} is no condition of type aiotrigg")
+        raise rapid_error(ERR_ARGVALERR, f"{condition:g} is not a condition of type aiotrigg")
     in_range = _RANGES[condition]
     last = controller.signals.read_signal(connected(signal))
 

@@ -65,7 +65,10 @@ def normalised(rotation: Orient) -> Quaternion:
         RapidError: ERR_ILLQUAT, if it is all zero, as in a target nobody taught.
     """
     if quaternion.norm(rotation) < 1e-6:
-        raise rapid_error(ERR_ILLQUAT, "the orientation [0,0,0,0] is none: nobody gave it a value")
+        raise rapid_error(
+            ERR_ILLQUAT,
+            "the orientation [0,0,0,0] is not a rotation: it was never assigned a value",
+        )
     return quaternion.normalised(rotation)
 
 

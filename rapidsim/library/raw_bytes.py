@@ -174,7 +174,7 @@ def _order(network: bool) -> Literal["big", "little"]:
 
 def _size(int_type: float) -> int:
     if abs(int_type) not in (1.0, 2.0, 4.0, 8.0):
-        raise rapid_error(ERR_ARGVALERR, f"{int_type:.7g} is no integer type")
+        raise rapid_error(ERR_ARGVALERR, f"{int_type:.7g} is not an integer type")
     return int(abs(int_type))
 
 
@@ -185,9 +185,9 @@ def _integer_bytes(value: float, int_type: float, network: bool) -> bytes:
             return int(value).to_bytes(size, _order(network), signed=int_type < 0.0)
     except OverflowError:
         pass
-    sign = "signed " if int_type < 0.0 else ""
+    sign = "a signed " if int_type < 0.0 else "an "
     raise rapid_error(
-        ERR_ARGVALERR, f"{value:.16g} is no {sign}integer of {size} byte{'s' * (size > 1)}"
+        ERR_ARGVALERR, f"{value:.16g} is not {sign}integer of {size} byte{'s' * (size > 1)}"
     )
 
 

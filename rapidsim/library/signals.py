@@ -113,7 +113,7 @@ def set_go(
     """Set a group of outputs to the bits of a number."""
     if not (0.0 <= value <= LARGEST_GROUP and value == math.floor(value)):
         raise rapid_error(
-            ERR_GO_LIM, f"{value:.10g} is no group value; they are 0..{LARGEST_GROUP:.0f}"
+            ERR_GO_LIM, f"{value:.10g} is not a group value; they are 0..{LARGEST_GROUP:.0f}"
         )
     _write(controller, signal, value, s_delay)
 

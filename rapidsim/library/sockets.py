@@ -297,7 +297,7 @@ def _count(value: float, most: int) -> int:
 
 def _byte(value: float) -> int:
     if not (0 <= value <= 255 and value == math.floor(value)):
-        raise rapid_error(ERR_ARGVALERR, f"{value:.7g} is no byte; bytes are 0..255")
+        raise rapid_error(ERR_ARGVALERR, f"{value:.7g} is not a byte; bytes are 0..255")
     return int(value)
 
 

@@ -189,7 +189,7 @@ def byte_to_str(
 ) -> String:
     """Write a byte: decimal, or as the switch says, with leading zeros."""
     if not (0 <= bit_data <= 255 and bit_data == math.floor(bit_data)):
-        raise rapid_error(ERR_ARGVALERR, f"{bit_data:.7g} is no byte; bytes are 0..255")
+        raise rapid_error(ERR_ARGVALERR, f"{bit_data:.7g} is not a byte; bytes are 0..255")
     value = int(bit_data)
     if char:
         return chr(value)

@@ -161,7 +161,7 @@ def _in_the_run(controller: Controller, instruction: str, tasks: list[Tasks]) ->
             instruction, f"without {', '.join(missing)}, which this run does not have"
         )
     if len({name.lower() for name in present}) != len(present):
-        raise rapid_error(ERR_ARGVALERR, f"{instruction}: a task stands twice in its list")
+        raise rapid_error(ERR_ARGVALERR, f"{instruction}: a task appears twice in its list")
     return present
 
 

@@ -71,7 +71,7 @@ def _value(name: str, value: float | str) -> float:
     if not isinstance(value, str):
         return value
     if not value.isdecimal():
-        raise rapid_error(ERR_ARGVALERR, f'{name}: setvalue "{value}" is no number in digits')
+        raise rapid_error(ERR_ARGVALERR, f'{name}: setvalue "{value}" is not a number in digits')
     return float(value)
 
 

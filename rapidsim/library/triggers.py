@@ -141,7 +141,7 @@ def trigg_check_io(
     ignored(controller, "TriggCheckIO", {r"\Next": next_})
     compare = _RELATIONS.get(relation)
     if compare is None:
-        raise rapid_error(ERR_ARGVALERR, f"{relation:g} is no relation of type opnum")
+        raise rapid_error(ERR_ARGVALERR, f"{relation:g} is not a relation of type opnum")
     name = connected(signal) if isinstance(signal.value, Signal) else ""
     action = CheckSignal(
         name, lambda now: compare(now, check_value), interrupt.value, stops=stop_move

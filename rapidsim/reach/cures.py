@@ -60,7 +60,7 @@ class Cures:
         shift = self._searched_shift([row])
         if shift is None:
             return None
-        return f"it is in reach {self._words(row, shift)}"
+        return f"it is in reach if moved {self._words(row, shift)}"
 
     def _searched_shift(self, rows: Sequence[int]) -> Array | None:
         self._searched += 1

@@ -196,7 +196,7 @@ class WayFinder:
         related: tuple[Related, ...] = ()
         if known.previous is not None and not isinstance(violation, ZoneTooLarge | ZeroLengthMove):
             start = target_span(self.program, self.posed.moves[known.previous])
-            related = (Related(start, "the way begins here"),)
+            related = (Related(start, "the path starts here"),)
         span = target_span(self.program, known)
         return Diagnostic(violation, span, related, routine=known.routine)
 

@@ -82,7 +82,7 @@ def posed(
             continue
         for target in (move.to, *(() if move.circle_point is None else (move.circle_point,))):
             if targets.is_no_orientation(target.rot):
-                left_out[row] = "its orientation is no unit quaternion"
+                left_out[row] = "its orientation is not a unit quaternion"
         if known.previous is None and led_by_wrist(known, robot):
             left_out[row] = "two wrist axes lead it from where the arm stands, which a run tells"
         if row not in left_out:

@@ -34,7 +34,7 @@ class CheckSettings:
     """Patterns such as `*Data.mod`, and the rules that are left out in files whose name or path
     fits."""
     fail_on: Severity | None = None
-    """The least severity that makes the exit code 1."""
+    """The lowest severity that sets exit code 1."""
     baseline: Path | None = None
     """A file of findings that are known."""
     cycle_budget_s: float | None = None
@@ -95,6 +95,6 @@ def _severity(reader: Reader, check: Table, path: str) -> Severity | None:
         return None
     names = [severity.value for severity in Severity]
     if text not in names:
-        reader.wrong(f"{path}.fail-on", f"`{text}` is no severity", f"known: {', '.join(names)}")
+        reader.wrong(f"{path}.fail-on", f"`{text}` is not a severity", f"known: {', '.join(names)}")
         return None
     return Severity(text)

@@ -32,5 +32,7 @@ def read_robotware_of(reader: Reader, controller: Table) -> RobotWare | None:
         return None
     version = read_robotware(text)
     if version is None:
-        reader.wrong("controller.robotware", f"`{text}` is no version", 'such as "6.15" or "7.13"')
+        reader.wrong(
+            "controller.robotware", f"`{text}` is not a version", 'such as "6.15" or "7.13"'
+        )
     return version

@@ -26,10 +26,10 @@ def read_queue(reader: Reader, path: str, task: Table) -> QueueSettings | None:
     kind = reader.text(described, path, "type") or _AS_DELIVERED.type.value
     mode = reader.text(described, path, "mode")
     if kind.lower() not in [one.value for one in QueueType]:
-        reader.wrong(f"{path}.type", f"`{kind}` is no type", "known: none, internal, remote")
+        reader.wrong(f"{path}.type", f"`{kind}` is not a type", "known: none, internal, remote")
         kind = _AS_DELIVERED.type.value
     if mode is not None and mode.lower() not in [one.value for one in QueueMode]:
-        reader.wrong(f"{path}.mode", f"`{mode}` is no mode", "known: interrupt, synchronous")
+        reader.wrong(f"{path}.mode", f"`{mode}` is not a mode", "known: interrupt, synchronous")
         mode = None
     return QueueSettings(
         QueueType(kind.lower()),

@@ -81,7 +81,7 @@ def _signal(reader: Reader, path: str, name: str, table: Table) -> SignalDeclara
     reader.known(path, table, _KEYS)
     text = reader.text(table, path, "type") or ""
     if text.lower() not in list(SignalKind):
-        reader.wrong(f"{path}.type", f"`{text}` is no type of signal; there are {_KINDS}")
+        reader.wrong(f"{path}.type", f"`{text}` is not a type of signal; there are {_KINDS}")
         return None
     kind = SignalKind(text.lower())
     lowest, highest = _limits(reader, path, kind, table)

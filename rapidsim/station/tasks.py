@@ -93,7 +93,7 @@ def _kind(reader: Reader, path: str, task: Table) -> TaskKind:
     text = (reader.text(task, path, "type") or TaskKind.NORMAL.value).lower()
     names = [kind.value for kind in TaskKind]
     if text not in names:
-        reader.wrong(f"{path}.type", f"`{text}` is no type", f"known: {', '.join(names)}")
+        reader.wrong(f"{path}.type", f"`{text}` is not a type", f"known: {', '.join(names)}")
         return TaskKind.NORMAL
     return TaskKind(text)
 

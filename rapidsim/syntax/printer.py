@@ -259,7 +259,7 @@ def _simple(statement: tree.Statement) -> str:
             with_trap = trap.text if isinstance(trap, tree.Name) else f"%{print_expression(trap)}%"
             return f"CONNECT {_target(interrupt)} WITH {with_trap}"
         case _:
-            raise AssertionError(f"{type(statement).__name__} is no statement of one line")
+            raise AssertionError(f"{type(statement).__name__} is not a statement of one line")
 
 
 def _target(target: tree.DataPath | tree.Placeholder) -> str:

@@ -121,7 +121,7 @@ def test_a_baseline_hides_what_was_there_wherever_it_moves(check: Check, folder:
     assert "Incr" in (folder / "known.json").read_text()
     (folder / "known.json").write_text("{}")
     check(*baseline)
-    assert (check.code, "is no baseline" in check.err) == (2, True)
+    assert (check.code, "is not a baseline" in check.err) == (2, True)
     check("--update-baseline")
     assert check.code == 2
 

@@ -56,8 +56,8 @@ def test_a_program_file_lists_its_neighbours_in_any_case(tmp_path: Path) -> None
     [
         ("<Program></Program>", "lists no module"),
         ("<Program><Module>a.mod</Program>", "is not a program file"),
-        ("<Program><Module>../a.mod</Module></Program>", "does not lie beside it"),
-        ("<Program><Module>/etc/passwd</Module></Program>", "does not lie beside it"),
+        ("<Program><Module>../a.mod</Module></Program>", "is not in the same folder"),
+        ("<Program><Module>/etc/passwd</Module></Program>", "is not in the same folder"),
         ("<Program><Module>b.mod</Module></Program>", "lists b.mod, which is missing"),
         (
             '<!DOCTYPE p [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;">]><Program>'

@@ -176,7 +176,7 @@ def test_points_by_lot_can_be_followed() -> None:
         (("nowhere.csv",), "nowhere.csv does not exist"),
         ((EXAMPLES / "kr10_row.csv", "--avoid"), "--avoid needs to know the sphere"),
         ((EXAMPLES / "kr10_row.csv", "--via-speed", "1,2"), "--via-speed has 2 numbers"),
-        ((EXAMPLES / "kr10_row.csv", "--conf", "0,0,0,9"), "cfx 9 is no branch"),
+        ((EXAMPLES / "kr10_row.csv", "--conf", "0,0,0,9"), "cfx 9 is not a branch"),
         ((EXAMPLES / "kr10_row.csv", "--start", "1"), "--start has 1 numbers"),
         ((EXAMPLES / "kr10_row.csv", "--record", "x.csv"), "x.csv must end in .rrd"),
         (

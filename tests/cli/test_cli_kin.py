@@ -79,7 +79,7 @@ def test_confdata_picks_one() -> None:
     [
         ("0,3,0,1", "on branch cfx 1 cf4 is 2, not 3, cf6 is -2, not 0"),
         ("0,0,0,2", "at its lower limit"),
-        ("0,0,0,9", "cfx 9 is no branch; this arm has 0 to 7"),
+        ("0,0,0,9", "cfx 9 is not a branch; this arm has 0 to 7"),
     ],
 )
 def test_a_configuration_that_does_not_work_says_why(conf: str, why: str) -> None:

@@ -108,4 +108,4 @@ def test_a_main_with_parameters_cannot_be_started(tmp_path: Path) -> None:
     folder(tmp_path, A="MODULE A\n  PROC main(num n)\n  ENDPROC\nENDMODULE\n")
     ended = rapidsim("run", tmp_path, "--no-record", cwd=tmp_path)
     assert ended.code == 2
-    assert "`main` is no procedure that runs without arguments" in ended.err
+    assert "`main` is not a procedure that runs without arguments" in ended.err

@@ -50,8 +50,8 @@ def test_somebody_at_a_terminal_is_asked_again(tmp_path: Path) -> None:
     text = shown.decode()
     assert os.waitstatus_to_exitcode(status) == 0
     assert typed == []
-    assert "`seven` is no number, such as 12 or -0.5. How many?: " in text
-    assert "`1e999` is no number, such as 12 or -0.5. How many?: " in text
+    assert "`seven` is not a number, such as 12 or -0.5. How many?: " in text
+    assert "`1e999` is not a number, such as 12 or -0.5. How many?: " in text
     assert "`perhaps` is none of the keys. Go on? 7.5 Yes / No: " in text
     assert "key 2" in text
     assert "R103" not in text
@@ -63,5 +63,5 @@ def test_a_file_is_read_once_and_the_default_is_told(tmp_path: Path) -> None:
     (tmp_path / "answers.txt").write_text("seven\nNo\n")
     ended = rapidsim(*RUN, "--answers", "answers.txt", cwd=tmp_path)
     assert ended.code == 0
-    assert "the answer `seven` to `How many?` is no number; 0 was taken" in ended.out
+    assert "the answer `seven` to `How many?` is not a number; 0 was taken" in ended.out
     assert "key 2" in ended.out

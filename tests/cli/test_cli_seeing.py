@@ -102,7 +102,7 @@ def test_what_was_found_is_not_lost_over_a_file_that_cannot_be_written(folder: P
 def test_places_are_refused_before_the_run(folder: Path) -> None:
     for arguments, words in (
         (("--report", "s.pdf"), "must end in .html"),
-        (("--report", "nowhere/s.html"), "nowhere is no folder"),
+        (("--report", "nowhere/s.html"), "nowhere is not a folder"),
         (("--plots", "Short.mod"), "is a file"),
         (("--view",), "no screen"),
         (("--view", "--no-record"), "exclude each other"),
@@ -139,7 +139,7 @@ def test_the_viewer_is_given_recordings_only(folder: Path) -> None:
     assert "no recording nix.rrd" in rapidsim("view", "nix.rrd", cwd=folder).err
     ended = rapidsim("view", "Short.mod", cwd=folder)
     assert ended.code == 2
-    assert "Short.mod is no recording" in ended.err
+    assert "Short.mod is not a recording" in ended.err
     rapidsim("run", "Short.mod", cwd=folder)
     if sys.platform == "linux":
         assert "no screen" in rapidsim("view", "Short.rrd", cwd=folder, environment=NO_SCREEN).err

@@ -128,7 +128,7 @@ def test_an_arm_in_millimetres_runs_and_is_checked_when_it_is_scaled(in_millimet
         ("[[task]]\n[[task]]", "there are two tasks T_ROB1", None),
         ("task = 3", "task: they are written as [[task]]", None),
         ("[signals]\ndi1 = 3", "signals.di1: a table is needed", None),
-        ('[signals]\ndi1 = { type = "dj" }', "`dj` is no type of signal", None),
+        ('[signals]\ndi1 = { type = "dj" }', "`dj` is not a type of signal", None),
         ('[signals]\ngo1 = { type = "go", width = 40 }', "go1.width: a whole number", None),
         ('[signals]\ndi1 = { type = "di", min = 1 }', "di1.min: a di has no such key", None),
         ('[signals]\ngo1 = { type = "go", width = 2, value = 4 }', "4 is outside", None),
@@ -136,7 +136,7 @@ def test_an_arm_in_millimetres_runs_and_is_checked_when_it_is_scaled(in_millimet
         ("[[stimulus]]\nset = { a = 1 }", "stimulus: say `at`, `every` or `when`", None),
         ('[[stimulus]]\nwhen = "a = b"\nset = { c = 1 }', "`a = b` is not a valid condition", None),
         ('[[cross]]\nset = "a"\nfrom = "b and a"', "`a` follows itself", None),
-        ('[check]\nfail-on = "never"', "`never` is no severity", None),
+        ('[check]\nfail-on = "never"', "`never` is not a severity", None),
     ],
 )
 def test_what_it_cannot_say_is_refused(

@@ -148,7 +148,7 @@ def test_tasks_take_the_robots_they_name_and_then_those_that_are_left(tmp_path: 
         ('[[task]]\nrobot = "x"', "there is no [[robot]] `x`"),
         ('[[task]]\nname = "A"\n[[task]]\nname = "B"\nmotion = true', "no robot is left"),
         ('[[robot]]\nname = "a"\n[[robot]]\nname = "A"', "two robots have one name"),
-        ('[[task]]\ntype = "dynamic"', "`dynamic` is no type"),
+        ('[[task]]\ntype = "dynamic"', "`dynamic` is not a type"),
         ('[[robot]]\nname = "a"\n[[task]]\nrobot = "a"\nmotion = false', "has no robot"),
     ],
 )

@@ -180,7 +180,7 @@ def test_a_baseline_of_the_settings_is_written_on_request_only(here: Path, call:
 
 def test_what_is_no_baseline_is_not_written_over(here: Path, call: Call) -> None:
     (here / "rapidsim.toml").write_text('[check]\nbaseline = "job.mod"\n')
-    refused(call("check", "job.mod", "--update-baseline"), "job.mod is no baseline")
+    refused(call("check", "job.mod", "--update-baseline"), "job.mod is not a baseline")
     assert (here / "job.mod").read_text() == PROGRAM
 
 

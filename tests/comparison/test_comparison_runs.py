@@ -64,7 +64,7 @@ def test_a_saved_run_is_compared_with_a_program(sides: Path) -> None:
     assert diff(sides, "old.json", "old", "--no-run").code == 2
     (sides / "wrong.json").write_text("[1]")
     refused = diff(sides, "wrong.json", "old")
-    assert (refused.code, "wrong.json is no saved run" in refused.err) == (2, True)
+    assert (refused.code, "wrong.json is not a saved run" in refused.err) == (2, True)
     assert diff(sides, "old", "nowhere").code == 2
 
 

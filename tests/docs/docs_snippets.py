@@ -6,6 +6,7 @@ A mark is a comment on the line before the fence, which no reader sees:
 |---|---|
 | `<!-- exits: 1 -->` | the last command of the block ends with this code, not with 0 |
 | `<!-- not run: REASON -->` | the block is not executed, and why: a viewer, a network, ... |
+| `<!-- edit FILE: OLD -> NEW -->` | not before a fence: what the text tells the reader to change |
 
 | fence | what becomes of it |
 |---|---|
@@ -30,9 +31,10 @@ PAGES = [
     *(page for page in sorted((ROOT / "docs").glob("*.md")) if page.name not in GENERATED),
 ]
 
+_EDIT = r"<!-- edit (?P<file>\S+): (?P<old>.+?) -> (?P<new>.+?) -->$"
 _FENCE = re.compile(
-    r"^(?:<!-- (?P<mark>[^\n]*?) -->\n)?"
-    r"```(?P<language>\w*)(?: title=\"(?P<title>[^\"\n]+)\")?\n(?P<text>.*?)^```$",
+    rf"^(?:{_EDIT}|(?:<!-- (?P<mark>[^\n]*?) -->\n)?"
+    r"```(?P<language>\w*)(?: title=\"(?P<title>[^\"\n]+)\")?\n(?P<text>.*?)^```$)",
     re.MULTILINE | re.DOTALL,
 )
 
@@ -49,10 +51,24 @@ class Snippet:
     """As it stands in the page, with its fence."""
 
 
-def snippets(page: Path) -> Iterator[Snippet]:
-    """What a page fences, from top to bottom."""
+@dataclass(frozen=True)
+class Edit:
+    """What a reader is told to change in a file."""
+
+    file: str
+    old: str
+    new: str
+    line: int
+
+
+def snippets(page: Path) -> Iterator[Snippet | Edit]:
+    """What a page fences, and has its reader do, from top to bottom."""
     shown = page.read_text(encoding="utf-8")
     for fence in _FENCE.finditer(shown):
+        line = shown.count("\n", 0, fence.start()) + 1
+        if fence["file"]:
+            yield Edit(fence["file"], fence["old"], fence["new"], line)
+            continue
         name, _, words = (fence["mark"] or "").partition(": ")
         assert name in ("", "exits", "not run"), f"{page.name}: unknown mark {name}"
         assert name == "" or words, f"{page.name}: {name} says nothing"
@@ -62,7 +78,7 @@ def snippets(page: Path) -> Iterator[Snippet]:
             title=fence["title"],
             exits=int(words) if name == "exits" else 0,
             not_run=words if name == "not run" else None,
-            line=shown.count("\n", 0, fence.start()) + 1,
+            line=line,
             whole=fence[0],
         )
 

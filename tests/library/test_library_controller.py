@@ -231,7 +231,7 @@ def test_reading_numbers(controller: RecordingController) -> None:
     assert controller.call("ReadNum", device) == 1.5
     assert controller.call("ReadNum", device, delim=",") == 20.0
     assert controller.call("ReadNum", device, delim=",") == single(0.1)
-    with pytest.raises(RapidError, match='"abc" is no number') as caught:
+    with pytest.raises(RapidError, match='"abc" is not a number') as caught:
         controller.call("ReadNum", device)
     assert caught.value.errno == errors.ERR_RCVDATA
     assert controller.call("ReadNum", device) == single(9.998e36)
@@ -249,7 +249,7 @@ def test_bytes(controller: RecordingController) -> None:
     assert controller.call("ReadStrBin", device, 2.0) == "ÿÅ"
     controller.call("ReadBin", device)
     assert controller.call("ReadBin", device) == -1.0
-    with pytest.raises(RapidError, match="300 is no byte"):
+    with pytest.raises(RapidError, match="300 is not a byte"):
         controller.call("WriteBin", device, [300.0], 1.0)
 
 

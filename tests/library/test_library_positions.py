@@ -218,7 +218,7 @@ def test_recorded_quaternions_turn_vectors_as_their_matrices_do() -> None:
 
 
 REFUSED = [
-    ("NOrient", (Orient(0.0, 0.0, 0.0, 0.0),), "ERR_ILLQUAT", "nobody gave it a value"),
+    ("NOrient", (Orient(0.0, 0.0, 0.0, 0.0),), "ERR_ILLQUAT", "never assigned a value"),
     ("EulerZYX", (Orient(1.0, 0.0, 0.0, 0.0),), "ERR_ARGVALERR", "needs one of"),
     (
         "DefFrame",

@@ -89,10 +89,10 @@ def test_files_hold_raw_bytes() -> None:
 
 
 REFUSED: list[tuple[object, float, dict[str, object], str]] = [
-    (256.0, 1.0, {"hex1": True}, "256 is no integer of 1 byte"),
-    (-1.0, 1.0, {"int_x": 2.0}, "-1 is no integer of 2 bytes"),
-    (0.5, 1.0, {"int_x": -2.0}, "0.5 is no signed integer of 2 bytes"),
-    (1.0, 1.0, {"int_x": 3.0}, "3 is no integer type"),
+    (256.0, 1.0, {"hex1": True}, "256 is not an integer of 1 byte"),
+    (-1.0, 1.0, {"int_x": 2.0}, "-1 is not an integer of 2 bytes"),
+    (0.5, 1.0, {"int_x": -2.0}, "0.5 is not a signed integer of 2 bytes"),
+    (1.0, 1.0, {"int_x": 3.0}, "3 is not an integer type"),
     (1.0, 0.0, {"hex1": True}, "there is no byte 0; bytes are 1..1024"),
     (1.0, 1024.0, {"int_x": 2.0}, "byte 1025 lies beyond the 1024"),
     (1.0, 1.0, {}, "a number is packed with"),

@@ -219,7 +219,7 @@ REFUSED = [
     ("StrToByte", ("300",), "ERR_ARGVALERR", "a byte holds at most 255"),
     ("StrToByte", ("1x",), "ERR_ARGVALERR", "no whole number to base 10"),
     ("DecToHex", ("-1",), "ERR_ARGVALERR", "no whole number"),
-    ("ByteToStr", (256.0,), "ERR_ARGVALERR", "256 is no byte"),
+    ("ByteToStr", (256.0,), "ERR_ARGVALERR", "256 is not a byte"),
     ("NumToStr", (1.0, 16.0), "ERR_ARGVALERR", "16 decimals"),
     ("StrDigCalc", ("1", 4.0, "0"), "ERR_CALC_DIVZERO", "1 divided by 0"),
     ("StrDigCalc", ("1", 2.0, "2"), "ERR_CALC_NEG", "the result -1 is negative"),

@@ -12,7 +12,7 @@ WRONG = {
     "x,y\n1,2\n": ("points.csv:1: column `z` is missing", "a point has x, y and z"),
     "x,y,z,pich\n1,2,3,4\n": ("points.csv:1: there is no column `pich`", "did you mean `pitch`?"),
     "x,y,z,q1,q2\n1,2,3,4,5\n": ("points.csv:1: column `q3` is missing", "scalar first"),
-    "x,y,z,x\n1,2,3,4\n": ("points.csv:1: column `x` stands twice", None),
+    "x,y,z,x\n1,2,3,4\n": ("points.csv:1: column `x` appears twice", None),
     "x,y,z,pitch,q1,q2,q3,q4\n1,2,3,4,1,0,0,0\n": ("both a quaternion and a pitch", None),
     "x,y,z\n1,2\n": ("points.csv:2: 2 fields, but the header names 3 columns", None),
     "x,y,z\n# a remark\n\n1,2,u\n": ("points.csv:4: column `z`: `u` is not a number", None),

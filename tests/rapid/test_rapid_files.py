@@ -138,7 +138,7 @@ def test_a_program_file_whose_module_is_missing_says_which(tmp_path: Path) -> No
     [
         (b"MODULE x\nENDMODULE\n", "is not a program file"),
         (b"<Program></Program>", "lists no module"),
-        (b"<Program><Module>../x.mod</Module></Program>", "does not lie beside it"),
+        (b"<Program><Module>../x.mod</Module></Program>", "is not in the same folder"),
         (b'<!DOCTYPE p [<!ENTITY m "x.mod">]><p><Module>&m;</Module></p>', "document type"),
     ],
     ids=["no XML", "empty", "elsewhere", "entity"],

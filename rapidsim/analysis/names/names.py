@@ -228,7 +228,7 @@ def _cure(symbol: Symbol, name: str, function: bool) -> str:
         case ConfiguredSymbol():
             return ""
         case DataSymbol() | ParameterSymbol():
-            return f"elements of arrays stand in braces, as in `{name}{{1}}`"
+            return f"array elements are written with braces, as in `{name}{{1}}`"
         case _:
             return ""
 

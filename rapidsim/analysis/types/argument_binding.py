@@ -65,7 +65,7 @@ def bind(
                 context.report(BadOption(problem, "leave one of them out"), argument)
                 continue
             if _is_misplaced(position, next_required, formals):
-                problem = f"`{formal.spelled}` of `{callee.name}` stands in the wrong place"
+                problem = f"`{formal.spelled}` of `{callee.name}` is in the wrong place"
                 context.report(BadArguments(problem, callee.order), argument, *callee.declared)
             if not formal.optional:
                 next_required = max(next_required, position + 1)

@@ -131,6 +131,6 @@ def _check_conditional(argument: tree.Conditional, context: Context) -> None:
         context.analysis.symbol_of[argument] = symbol
         return
     name = argument.present.text
-    problem = f"`{name}` is no optional parameter of the routine it stands in"
+    problem = f"`{name}` is not an optional parameter of this routine"
     cure = f"give the value itself, `\\{argument.name.text}:={name}`"
     context.report(BadOption(problem, cure), argument.present, *context.declaration(symbol))

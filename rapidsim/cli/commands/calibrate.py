@@ -18,7 +18,9 @@ from rapidsim.jobs.choices import choose_robot, choose_station
 
 @click.command()
 @click.argument("logs", nargs=-1, required=True, metavar="LOG...", type=Path)
-@click.option("--program", metavar="PATH", help="What ran, if it is not LOG's name with .mod.")
+@click.option(
+    "--program", metavar="PATH", help="The program that ran, if not LOG's name with .mod."
+)
 @click.option("--robot", metavar="NAME|FILE.urdf", help="The arm.")
 @click.option("--station", metavar="FILE.toml", help="Where the fit starts from.")
 @click.option(

@@ -35,16 +35,16 @@ _SEVERITIES = tuple(Severity)
 @click.argument("paths", metavar="PATH...", nargs=-1, required=True)
 @click.option("--robot", metavar="NAME|FILE.urdf", help="The arm the program is for.")
 @scale_option
-@click.option("--station", metavar="FILE.toml", help="The station file, instead of a near one.")
+@click.option("--station", metavar="FILE.toml", help="The station file, instead of the nearest.")
 @click.option(
     "--output-format",
     type=click.Choice(FORMATS),
     default="full",
     show_default=True,
-    help="Source frames, one line a finding, or what other tools read.",
+    help="Source excerpts, one line per finding, or a format for other tools.",
 )
 @click.option("--select", metavar="CODES", help="Only these rules: `K6,N201,syntax-error`.")
-@click.option("--extend-select", metavar="CODES", help="These rules besides, such as `S9`.")
+@click.option("--extend-select", metavar="CODES", help="These rules in addition, such as `S9`.")
 @click.option("--ignore", metavar="CODES", help="Not these rules.")
 @click.option("--fix", is_flag=True, help="Apply the fixes that change nothing in a run.")
 @click.option("--unsafe-fixes", is_flag=True, help="With --fix or --diff: all other fixes too.")
@@ -52,17 +52,17 @@ _SEVERITIES = tuple(Severity)
 @click.option(
     "--baseline",
     metavar="FILE",
-    help="Findings that are known; the file is made if there is none.",
+    help="Known findings, not reported again; created if missing.",
 )
-@click.option("--update-baseline", is_flag=True, help="Write what is found now to the baseline.")
-@click.option("--statistics", "counted", is_flag=True, help="How often each rule is broken.")
-@click.option("--no-reach", is_flag=True, help="Do not ask whether the robot can make the moves.")
+@click.option("--update-baseline", is_flag=True, help="Write the current findings to the baseline.")
+@click.option("--statistics", "counted", is_flag=True, help="Count findings by rule.")
+@click.option("--no-reach", is_flag=True, help="Do not check whether the robot can make the moves.")
 @click.option("--no-run", is_flag=True, help="Do not run main for moves that only a run can tell.")
-@click.option("--no-merge", is_flag=True, help="Show each of the findings that repeat.")
+@click.option("--no-merge", is_flag=True, help="Show repeated findings one by one.")
 @click.option(
     "--fail-on",
     type=click.Choice([severity.value for severity in Severity]),
-    help="The least severity that makes the exit code 1.  [default: warning]",
+    help="The lowest severity that sets exit code 1.  [default: warning]",
 )
 @terminal_options
 def check(
@@ -91,8 +91,8 @@ def check(
     backup, a station packed by RobotStudio (.rspag), or - for standard input. What is named
     together is checked together, as one task.
 
-    A comment `! rapidsim: ignore[K601] reason` behind a statement, or on the line before it, takes
-    findings back.
+    A comment `! rapidsim: ignore[K601] reason` after a statement, or on the line
+    before it, suppresses findings.
     """
     started = time.perf_counter()
     terminal = current_terminal()
@@ -179,7 +179,7 @@ def _mended(job: Job, result: CheckResult, *, unsafe: bool) -> _Mended:
 
 
 def _write_baseline(file: Path, found: CheckResult) -> None:
-    """Make all that was found known; what is no baseline is not written over."""
+    """Make all that was found known; what is not a baseline is not written over."""
     if file.exists():
         read_baseline(file)
     with whole_file(file) as temporary:

@@ -20,12 +20,12 @@ _FORMATS = ("text", "json", "markdown", "html")
 @click.argument("old", metavar="A")
 @click.argument("new", metavar="B")
 @click.option("--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them.")
-@click.option("--station", metavar="FILE.toml", help="The station file, instead of near ones.")
+@click.option("--station", metavar="FILE.toml", help="The station file, instead of the nearest.")
 @click.option("--task", metavar="NAME", help="Only this one of several tasks.")
 @click.option("--proc", metavar="NAME", default="main", help="The procedure to run.")
 @click.option("--io", metavar="FILE.toml", help="Signals and what happens to inputs, in both runs.")
-@click.option("--answers", metavar="FILE", help="Answers to the programs' questions, one a line.")
-@click.option("--no-run", is_flag=True, help="Compare the texts and what check finds, no times.")
+@click.option("--answers", metavar="FILE", help="Answers to the programs' questions, one per line.")
+@click.option("--no-run", is_flag=True, help="Compare texts and findings only; run nothing.")
 @click.option(
     "--max-time",
     metavar="SECONDS",

@@ -130,9 +130,7 @@ SHORTEST_DT, LONGEST_DT = 0.0001, 0.05
 @click.option(
     "--start", type=numbers(), metavar="A,B,...", help="Joints that it begins near to [deg]."
 )
-@click.option(
-    "--skip-unreachable", is_flag=True, help="Leave out points that are not reached, and go on."
-)
+@click.option("--skip-unreachable", is_flag=True, help="Skip points that cannot be reached.")
 @click.option(
     "--compare", is_flag=True, help="All four ways side by side: poses solved, deviation, time."
 )
@@ -151,7 +149,7 @@ SHORTEST_DT, LONGEST_DT = 0.0001, 0.05
 )
 @click.option("--trace", metavar="FILE.csv|.parquet|.json", help="Write joints and TCP over time.")
 @click.option("--record", metavar="FILE.rrd", help="Write a recording for the rerun viewer.")
-@click.option("--plots", metavar="DIR", help="Write pictures of way, joints, deviation, attitude.")
+@click.option("--plots", metavar="DIR", help="Write pictures of path, joints, deviation, attitude.")
 @table_or_json
 @terminal_options
 def follow(

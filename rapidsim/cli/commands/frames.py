@@ -25,7 +25,7 @@ from rapidsim.simulation.start_values import start_values
 @click.argument("paths", metavar="PATH...", nargs=-1, required=True)
 @click.option("--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them.")
 @scale_option
-@click.option("--station", metavar="FILE.toml", help="The station file, instead of a near one.")
+@click.option("--station", metavar="FILE.toml", help="The station file, instead of the nearest.")
 @click.option("--task", metavar="NAME", help="Only this one of several tasks.")
 @table_or_json
 @terminal_options

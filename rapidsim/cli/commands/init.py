@@ -40,7 +40,7 @@ def init(paths: tuple[str, ...], robot: str | None) -> int:
     if not current_terminal().quiet:
         say(f"Written: {shown} ({_counted(found.draft)})")
         if above := find_station([str(found.path.parent.parent)]):
-            say(f"{above} no longer counts for what lies beside {shown}.")
+            say(f"{above} no longer applies to what is beside {shown}.")
     return ExitCode.CLEAN
 
 

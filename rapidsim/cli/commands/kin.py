@@ -129,7 +129,7 @@ def fk(
     "--pitch",
     type=Number(),
     metavar="DEG",
-    help="Instead: the tool in the upright plane through axis 1, so far above level.",
+    help="Instead: the tool in the vertical plane through axis 1, this far above level.",
 )
 @click.option(
     "--roll", type=Number(), metavar="DEG", default=0.0, help="With --pitch: about the tool."
@@ -141,7 +141,10 @@ def fk(
     help="Only the solution in this configuration.",
 )
 @click.option(
-    "--all", "everything", is_flag=True, help="Every whole turn, and what is outside the limits."
+    "--all",
+    "everything",
+    is_flag=True,
+    help="Include whole turns and solutions outside the limits.",
 )
 @click.option(
     "--solver",
@@ -220,7 +223,7 @@ def ik(
     return ExitCode.CLEAN if found.why is None else ExitCode.FINDINGS
 
 
-@kin.command(short_help="Show how joints move the TCP, and how near singularities are.")
+@kin.command(short_help="Show how joints move the TCP, and how close singularities are.")
 @click.option("--joints", type=numbers(), required=True, metavar="A,B,...", help="Joints [deg].")
 @click.option(
     "--twist",

@@ -29,7 +29,9 @@ _PROGRAM = (
         "--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them."
     ),
     scale_option,
-    click.option("--station", metavar="FILE.toml", help="The station file, instead of a near one."),
+    click.option(
+        "--station", metavar="FILE.toml", help="The station file, instead of the nearest."
+    ),
     click.option("--task", metavar="NAME", help="Only this one of several tasks."),
     click.option("--proc", metavar="NAME", default="main", help="The procedure to run."),
 )
@@ -38,11 +40,9 @@ _INPUTS = (
         "--io", metavar="FILE.toml", help="Signals and what happens to inputs; adds to the station."
     ),
     click.option(
-        "--answers", metavar="FILE", help="Answers to the program's questions, one a line."
+        "--answers", metavar="FILE", help="Answers to the program's questions, one per line."
     ),
-    click.option(
-        "--home", metavar="DIR", help="The folder HOME: stands for; else <program>.home here."
-    ),
+    click.option("--home", metavar="DIR", help="The folder for HOME:; else <program>.home."),
     click.option(
         "--allow-network", is_flag=True, help="Sockets may use real ports of this computer."
     ),
@@ -51,7 +51,7 @@ _INPUTS = (
         "network_hosts",
         metavar="ADDRESS",
         multiple=True,
-        help="Another address that sockets may use.",
+        help="An address beyond this computer that sockets may use.",
     ),
     click.option(
         "--assume-missing",
@@ -62,7 +62,7 @@ _INPUTS = (
         "--start-time",
         metavar="DATE",
         type=Date(),
-        help="What the controller's clock shows at the start; else 2000-01-01.",
+        help="The controller's clock at the start; else 2000-01-01.",
     ),
     click.option(
         "--max-time",
@@ -76,7 +76,7 @@ _INPUTS = (
         "--max-wall",
         metavar="SECONDS",
         type=POSITIVE,
-        help="Time on the computer's clock after which the run is cut off; else none.",
+        help="Wall-clock time after which the run is cut off; else none.",
     ),
     click.option(
         "--cycles",
@@ -84,7 +84,7 @@ _INPUTS = (
         type=click.IntRange(min=1),
         default=1,
         show_default=True,
-        help="How often the procedure runs.",
+        help="How many times the procedure runs.",
     ),
 )
 

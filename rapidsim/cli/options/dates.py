@@ -22,7 +22,7 @@ class Date(click.DateTime):
         try:
             date = datetime.fromisoformat(str(value))
         except ValueError:
-            self.fail(f"`{value}` is no date as {_EXAMPLE}", param, ctx)
+            self.fail(f"`{value}` is not a date such as {_EXAMPLE}", param, ctx)
         if date.tzinfo is not None:
             self.fail(f"`{value}` has a time zone; write it as {_EXAMPLE}", param, ctx)
         return date

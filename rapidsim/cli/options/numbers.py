@@ -17,7 +17,7 @@ class Number(click.FloatRange):
     def convert(
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
     ) -> float:
-        """Read it, and refuse what is no number, infinite or outside."""
+        """Read it, and refuse what is not a number, infinite or outside."""
         number = _number(str(value), str(value))
         return float(super().convert(number, param, ctx))
 

@@ -38,18 +38,24 @@ class AskedFiles:
 
 
 _OPTIONS = (
-    click.option("--record", metavar="FILE.rrd", help="The recording; else <program>.rrd here."),
+    click.option(
+        "--record", metavar="FILE.rrd", help="Where to write the recording; else <program>.rrd."
+    ),
     click.option("--no-record", is_flag=True, help="Write no recording."),
     click.option(
         "--record-dt",
         metavar="SECONDS",
         type=POSITIVE,
-        help="Step of the recording; else 0.012, and more where it would get over 100 MB.",
+        help="Time step of the recording; else 0.012, or more if it would exceed 100 MB.",
     ),
     click.option("--view", is_flag=True, help="Open the recording when it is written."),
-    click.option("--report", metavar="FILE.html", help="A report to mail: one file, no network."),
-    click.option("--plots", metavar="DIR", help="Pictures of path, joints, speed and times."),
-    click.option("--trace", metavar="FILE", help="Joints and TCP: .csv .parquet .json .ros.json"),
+    click.option(
+        "--report", metavar="FILE.html", help="Write a report: one file that needs no network."
+    ),
+    click.option("--plots", metavar="DIR", help="Write pictures of path, joints, speed and times."),
+    click.option(
+        "--trace", metavar="FILE", help="Write joints and TCP: .csv .parquet .json .ros.json"
+    ),
     click.option(
         "--dt",
         metavar="SECONDS",
@@ -58,7 +64,7 @@ _OPTIONS = (
         show_default=True,
         help="Step of the trace.",
     ),
-    click.option("--events", metavar="FILE.jsonl", help="What happened, a JSON object a line."),
+    click.option("--events", metavar="FILE.jsonl", help="Write events, one JSON object per line."),
 )
 
 
@@ -253,7 +259,7 @@ def _require_writable(path: Path, folder: Path) -> None:
     if not folder.is_dir():
         near = [one.name for one in folder.parent.iterdir()] if folder.parent.is_dir() else []
         raise InputError(
-            f"{path} cannot be written: {folder} is no folder", did_you_mean(folder.name, near)
+            f"{path} cannot be written: {folder} is not a folder", did_you_mean(folder.name, near)
         )
     if not os.access(folder, os.W_OK | os.X_OK):
         raise InputError(f"{path} cannot be written: the folder {folder} may not be written to")

@@ -35,7 +35,7 @@ class Operator:
 
     answers: Answers | None
     can_be_asked_again: bool = False
-    """Whether somebody sits there who can mend an answer; lines of a file cannot."""
+    """Whether somebody sits there who can correct an answer; lines of a file cannot."""
 
     def number(self, prompt: str, *, ends: bool = False) -> Answer[float] | None:
         """The answer to a question for a number; None if nobody answers one that `ends`."""
@@ -47,7 +47,7 @@ class Operator:
                 return Answer(value)
             if not self.can_be_asked_again:
                 return Answer(DEFAULT_NUMBER, (AnswerNotANumber(prompt, text, default),))
-            text = self._ask(f"`{text}` is no number, such as 12 or -0.5. {prompt}")
+            text = self._ask(f"`{text}` is not a number, such as 12 or -0.5. {prompt}")
         if ends:
             return None
         return Answer(DEFAULT_NUMBER, (QuestionUnanswered(prompt, default),))

@@ -89,7 +89,7 @@ class Arrivals:
                 they do not count.
 
         Raises:
-            MoveRefusedError: When the end cannot be reached, or an arc is no sure circle.
+            MoveRefusedError: When the end cannot be reached, or an arc defines no circle.
             MoveImpossible: When it cannot be reached as stored, and the nearest is not taken.
         """
         if segment.wrist_pair is not None and circle_fault(segment) is None:

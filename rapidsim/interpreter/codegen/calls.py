@@ -92,7 +92,7 @@ class Calls:
                 return Code(node, calls=True)
             case _:
                 raise NotExecutableError(
-                    f"a call of `{call.name.text}`, which is no function,",
+                    f"a call of `{call.name.text}`, which is not a function,",
                     self._expressions.span(call),
                 )
 
@@ -113,7 +113,7 @@ class Calls:
                 return [at.do(at.call("_skip", [place, at.constant(name)]))]
             case _:
                 raise NotExecutableError(
-                    f"a call of `{call.name.text}`, which is no procedure,",
+                    f"a call of `{call.name.text}`, which is not a procedure,",
                     self._expressions.span(call),
                 )
 
@@ -191,7 +191,7 @@ class Calls:
             if symbol.name.lower() == option.key:
                 return symbol
         raise NotExecutableError(
-            f"a conditional argument of `{option.text}`, which is no option of this routine,",
+            f"a conditional argument of `{option.text}`, which is not an option of this routine,",
             self._expressions.span(option),
         )
 

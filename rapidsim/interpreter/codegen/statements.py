@@ -345,7 +345,7 @@ class Statements:
             function = at.name(self.expressions.names.module.routine(symbol))
             node = at.call("_connect", [number, function, at.constant(symbol.name)])
         elif isinstance(statement.trap, tree.Name):
-            self._refuse(f"CONNECT with `{statement.trap.text}`, which is no trap,", statement)
+            self._refuse(f"CONNECT with `{statement.trap.text}`, which is not a trap,", statement)
         else:
             name = self.expressions.value(statement.trap).node
             node = at.call("_connect_late", [number, name])

@@ -114,7 +114,7 @@ def _index(text: str, frame: FrameType) -> int:
     try:
         return int(number)
     except (TypeError, ValueError) as error:
-        raise NotShownError(f"`{text}` is no index") from error
+        raise NotShownError(f"`{text}` is not an index") from error
 
 
 def _element(array: Value, of: Type, index: int) -> tuple[Value, Type]:

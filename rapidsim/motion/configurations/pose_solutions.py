@@ -86,7 +86,7 @@ def solve_pose_as(
     cfx = int(wanted[0, 3])
     if not 0 <= cfx < robot.kinematics.branch_count:
         last = robot.kinematics.branch_count - 1
-        return PoseSolutions((), f"cfx {cfx} is no branch; this arm has 0 to {last}")
+        return PoseSolutions((), f"cfx {cfx} is not a branch; this arm has 0 to {last}")
     if not selected.exists[0]:
         why = why_unreachable(robot, base_from_flange)
         if why is None or why.joint is not None:

@@ -181,9 +181,9 @@ def _require_tree(file: Path, robot: yourdfpy.Robot) -> None:
 def _require_numbers(file: Path, joint: yourdfpy.Joint) -> None:
     axis, origin = np.asarray(joint.axis), joint.origin
     if axis.shape != (3,) or not np.isfinite(axis).all() or not 1e-9 < np.abs(axis).max() < 1e9:
-        raise RobotError(f"{file}: the axis of joint `{joint.name}` is no direction")
+        raise RobotError(f"{file}: the axis of joint `{joint.name}` is not a direction")
     if origin is not None and not (np.abs(origin) <= _FARTHEST_M).all():
-        raise RobotError(f"{file}: the origin of joint `{joint.name}` is no place on a robot")
+        raise RobotError(f"{file}: the origin of joint `{joint.name}` is not a place on a robot")
     limit = joint.limit
     stated = (limit.lower, limit.upper, limit.velocity) if limit else ()
     if not np.isfinite([one for one in stated if one is not None]).all():

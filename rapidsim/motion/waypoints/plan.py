@@ -143,7 +143,7 @@ def tcp_motion(points: Points, attitudes: Array, plan: Plan) -> TcpMotion | Refu
     if isinstance(kept, Refused):
         return kept
     if not kept:
-        return Refused("all points are the same: there is no way to go")
+        return Refused("all points are the same: there is no path to follow")
     laws = tuple(
         law(plan.profile, curve.length, plan.speed, plan.acceleration, plan.ease)
         for _, curve in kept
@@ -214,7 +214,7 @@ def even_joint_motion(joints: Array, ways: Array, plan: Plan) -> JointMotion | R
             begin += timing.end
         passed.append(begin)
     if not pieces:
-        return Refused("all points are the same: there is no way to go")
+        return Refused("all points are the same: there is no path to follow")
     return JointMotion(Piecewise(np.concatenate(breaks), np.concatenate(pieces)), np.array(passed))
 
 

@@ -112,7 +112,7 @@ def _names(header: str, line: int, delimiter: str, file: str, joint_count: int) 
             help = did_you_mean(name, known) or f"columns are {_KNOWN}a2, ... in deg/s2"
             raise InputError(f"{where}: there is no column `{name}`", help)
         if names.count(name) > 1:
-            raise InputError(f"{where}: column `{name}` stands twice")
+            raise InputError(f"{where}: column `{name}` appears twice")
     _need(where, names, _PLACE, "a point has x, y and z")
     if any(name in names for name in _QUATERNION):
         _need(where, names, _QUATERNION, "a quaternion has q1 to q4, the scalar first")

@@ -37,7 +37,7 @@ def replaced(evaluator: Evaluator, path: tree.DataPath, value: Known) -> Known:
     of = evaluator.program.type_of.get(path.record)
     target = None if of is None else resolved(of)
     if not isinstance(target, Record):
-        return Unknown("a component of what is no record")
+        return Unknown("a component of what is not a record")
     parts = list(whole)
     parts[component_index(target, path.name.key)] = value
     return replaced(evaluator, outer, tuple.__new__(type(whole), parts))

@@ -29,7 +29,7 @@ What `rapidsim check` finds, and what a run meets (family R). Made from the sour
 `python scripts/build_rules_page.py`; `rapidsim explain CODE` prints the same for one rule.
 
 A code never changes its meaning. Rules marked *on request* are looked for with `--select` or
-`--extend-select`. A comment `! rapidsim: ignore[CODE] reason` takes a finding back.
+`--extend-select`. A comment `! rapidsim: ignore[CODE] reason` suppresses a finding.
 """
 
 

@@ -78,7 +78,7 @@ class Figures:
     otherwise: tuple[OtherTime, ...]
     """Times of the run with other accelerations; none where nothing moved, or too much.
 
-    Nor where the program did not come to its end: that is no cycle time.
+    Nor where the program did not finish: that is no cycle time.
     """
 
 

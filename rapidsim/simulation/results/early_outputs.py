@@ -53,7 +53,7 @@ def early_output_findings(
     for times in by_statement.values():
         worst = max(times, key=lambda early: early.distance_mm)
         move = worst.move.place
-        more = f", at most, of {len(times)} times" if len(times) > 1 else ""
+        more = f" (the worst of {len(times)} times)" if len(times) > 1 else ""
         violation = OutputBeforeTarget(
             str(worst.event.details["signal"]),
             worst.distance_mm,

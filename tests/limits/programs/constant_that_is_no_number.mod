@@ -1,5 +1,5 @@
 MODULE constant_that_is_no_number
-  ! Infinite less infinite is no number, and neither is what DIV and MOD make of it.
+  ! Infinite less infinite is not a number, and neither is what DIV and MOD make of it.
   CONST num huge:=1E38*1E38*1E38*1E38*1E38*1E38*1E38*1E38*1E38;
   CONST num rest:=(huge-huge) MOD 2;
   CONST num half:=(huge-huge) DIV 2;

@@ -6,6 +6,6 @@ MODULE line_ends_in_another
   PROC main()
     MoveJ a,v500,fine,tool0;
     TPWrite "at a";                     ! -> at a
-    MoveL b,v500,fine,tool0;            ! stops: the way to `b` arrives in configuration [0,0,0,0], not in the stored [0,2,2,1]
+    MoveL b,v500,fine,tool0;            ! stops: the path to `b` arrives in configuration [0,0,0,0], not in the stored [0,2,2,1]
   ENDPROC
 ENDMODULE

@@ -8,6 +8,6 @@ MODULE singularity_off
     below:=CalcRobT([[0,10,0,0,-15,0],[9E9,9E9,9E9,9E9,9E9,9E9]],tool0);
     SingArea \Off;
     MoveL below,v200,fine,tool0;
-      ! stops: the way to `below` fails at 49 % (57.6 mm): axis 4 would have to jump by 180 deg: the path goes through a singularity
+      ! stops: the path to `below` fails at 49 % (57.6 mm): axis 4 would have to jump by 180 deg: the path goes through a singularity
   ENDPROC
 ENDMODULE

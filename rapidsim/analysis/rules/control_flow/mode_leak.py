@@ -1,4 +1,4 @@
-"""Rule F411: settings of the motion that a routine does not put back on every way out."""
+"""Rule F411: settings of the motion that a routine does not put back on every path out."""
 
 from __future__ import annotations
 
