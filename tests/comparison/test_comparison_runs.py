@@ -28,7 +28,7 @@ def test_times_and_outputs_are_told(sides: Path) -> None:
         "  signal in place: SetDO: doLamp -> doHorn (Main.mod:33)",
         "  pick: WaitTime 0.2 s: 0.400 s -> not run (-0.400 s)",
         "  pick: WaitTime 0.5 s: not run -> 1.000 s (+1.000 s)",
-        "  doHorn: set twice instead of never",
+        "  doHorn: set once instead of never",
         "  doLamp: set never instead of twice",
     ):
         assert line in ended.out.splitlines()
@@ -60,7 +60,7 @@ def test_a_saved_run_is_compared_with_a_program(sides: Path) -> None:
     (sides / "old.json").write_text(call("run", "old", *options, cwd=sides).out)
     same = diff(sides, "old.json", "old")
     assert (same.code, same.out) == (0, "No difference.\n")
-    assert "doHorn: set twice instead of never" in diff(sides, "old.json", "new").out
+    assert "doHorn: set once instead of never" in diff(sides, "old.json", "new").out
     assert diff(sides, "old.json", "old", "--no-run").code == 2
     (sides / "wrong.json").write_text("[1]")
     refused = diff(sides, "wrong.json", "old")
