@@ -12,7 +12,7 @@ time to something else, such as the wall, takes their place there.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, replace
 from datetime import datetime, timedelta
@@ -98,7 +98,8 @@ class TaskClock:
         self._unit = unit
         self._journal = journal
         self._table = table
-        self.program_state: Callable[[], object] = lambda: None
+        self.program_state: Callable[[], Iterable[object]] = lambda: (None,)
+        self.has_handler: Callable[[], bool] = lambda: False
         self._polling = Polling(lambda: self.program_state())
         self._time = PointerTime()
         self._lines_noted = 0

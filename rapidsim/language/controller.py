@@ -9,7 +9,7 @@ for the whole `Controller` where it needs several.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from datetime import datetime
@@ -47,9 +47,12 @@ class ClockService(Protocol):
     place: Place
     """The statement that runs, set before each call that reports."""
 
-    program_state: Callable[[], object]
-    """All that decides what the program does next, to be compared; None where it is too much. The
-    interpreter sets it."""
+    program_state: Callable[[], Iterable[object]]
+    """All that decides what the program does next, in parts to be compared; the last is None where
+    it is too much. The interpreter sets it."""
+
+    has_handler: Callable[[], bool]
+    """Whether a routine that runs has an ERROR clause. The interpreter sets it."""
 
     def service(self) -> None:
         """Do what is due (traps, other tasks, limits) and grant the next slice.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
 from datetime import datetime, timedelta
@@ -91,7 +91,8 @@ class RecordingController:
 
     def __post_init__(self) -> None:
         self.call_procedure: Callable[[str], None] = print
-        self.program_state: Callable[[], object] = lambda: None
+        self.program_state: Callable[[], Iterable[object]] = lambda: (None,)
+        self.has_handler: Callable[[], bool] = lambda: False
 
     def call(self, name: str, *arguments: Any, **options: Any) -> Any:
         """Call a routine, with this controller if it wants one."""

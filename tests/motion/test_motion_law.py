@@ -59,11 +59,11 @@ FOLDERS = by_folder(moving(sorted([*ROOT.glob("programs/**/*.mod"), *ROOT.glob("
 
 
 def trajectory_of(file: FilePath) -> Trajectory | None:
-    """What a program does in its first minute; None where it does not move."""
+    """What a program does in its first seconds; None where it does not move."""
     loaded = load([SourceFile(file.name, decode(file.read_bytes())[0], "utf-8")])
     if loaded.program is None or "main" not in loaded.program.routines:
         return None
-    options = RunOptions(max_time_s=60.0, answers=lambda prompt: None, nearest_configuration=True)
+    options = RunOptions(max_time_s=20.0, answers=lambda prompt: None, nearest_configuration=True)
     trajectory = simulate(loaded.program, ROBOT, options=options).only.trajectory
     return trajectory if trajectory.pieces else None
 
@@ -138,7 +138,9 @@ def test_random_programs_keep_curves_and_limits(
     command, seen = excess_of(command_of(trajectory), LIMITS), excess_of(trajectory, LIMITS)
     keeps = seen if keeper == "motion" else Excess(0.0, 0.0, 0.0)
     assert max(command.axis_speed, command.tcp_speed, seen.axis_speed, seen.tcp_speed) < 1.001
-    assert max(command.axis_acceleration, keeps.axis_acceleration) < 1.01
+    assert command.axis_acceleration < 1.01
+    # The torque of a mean is not quite the mean of torques, as above.
+    assert keeps.axis_acceleration < 1.03
     assert off_curve(trajectory) < 1e-6
 
 
