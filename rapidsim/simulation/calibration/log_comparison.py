@@ -55,11 +55,12 @@ class Progress:
         steps = np.diff(ours, axis=0)
         squares = np.maximum(np.einsum("ki,ki->k", steps, steps), 1e-18)
         places, distances = np.empty(len(log)), np.empty(len(log))
-        reached = 0
+        reached, within = 0, 0.0
         for row, wanted in enumerate(log):
             start, step = ours[reached:-1], steps[reached:]
             share = np.einsum("ki,ki->k", wanted - start, step) / squares[reached:]
             share = np.clip(share, 0.0, 1.0)
+            share[0] = max(share[0], within)
             apart = np.linalg.norm(start + share[:, None] * step - wanted, axis=1)
             # A way that comes by again is as near there: the first time counts.
             near = apart <= apart.min() + _AS_NEAR_RAD
@@ -68,7 +69,7 @@ class Progress:
             best = first + int(
                 np.argmin(apart[first : first + away[0]] if len(away) else apart[first:])
             )
-            reached += best
+            reached, within = reached + best, float(share[best])
             width = self.places[reached + 1] - self.places[reached]
             places[row] = self.places[reached] + share[best] * width
             distances[row] = apart[best]
