@@ -81,6 +81,16 @@ class RunChange:
     routines: tuple[TimeChange, ...] = ()
     lines: tuple[TimeChange, ...] = ()
     outputs: tuple[OutputChange, ...] = ()
+    motion_models: tuple[str, str] = ("", "")
+    """Versions of the motion model; "" where nothing names it."""
+
+    @property
+    def other_model(self) -> str:
+        """That times differ because the motion models do; "" where they do not."""
+        before, after = (model or "1" for model in self.motion_models)
+        if before == after:
+            return ""
+        return f"times of motion model {before} stand against those of {after}"
 
     @property
     def is_same(self) -> bool:

@@ -50,7 +50,14 @@ def run_changes(old: RanProgram, new: RanProgram) -> RunChange:
         tuple(_routine_changes(a, b)),
         tuple(sorted(_line_changes(a, b), key=lambda one: -abs(one.delta_s))),
         tuple(_output_changes(old, new)),
+        (_motion_model(old.report), _motion_model(new.report)),
     )
+
+
+def _motion_model(report: RunJson) -> str:
+    """Saved runs of version 0.1 name none."""
+    models = report.get("models")
+    return str(models.get("motion", "")) if isinstance(models, Mapping) else ""
 
 
 def _steps(report: RunJson) -> Iterator[_Step]:

@@ -43,6 +43,7 @@ def as_json(comparison: Comparison) -> dict[str, object]:
             "before_s": run.before_s,
             "after_s": run.after_s,
             "ends": list(run.ends),
+            "motion_models": list(run.motion_models),
             "routines": [asdict(change) for change in run.routines],
             "lines": [asdict(change) for change in run.lines],
             "outputs": [asdict(change) for change in run.outputs],
@@ -82,6 +83,8 @@ def _blocks(comparison: Comparison) -> Iterator[list[str]]:
     if run is not None and not run.is_same:
         delta_s = run.after_s - run.before_s
         lines = [f"  all: {run.before_s:.3f} s -> {run.after_s:.3f} s ({delta_s:+.3f} s)"]
+        if run.other_model:
+            lines.append(f"  {run.other_model}")
         if run.ends[0] != run.ends[1]:
             lines.append(f"  it ended otherwise: {run.ends[0]} -> {run.ends[1]}")
         lines += [f"  {time_line(one)}" for one in run.routines]

@@ -8,6 +8,8 @@ from rapidsim.diagnostics import Violation
 class CycleOverBudget(Violation, code="D701"):
     taken: str
     budget_s: float
+    model: str
+    """Version of the motion model that `taken` is of."""
 
 
 class AvoidableStop(Violation, code="D702"):

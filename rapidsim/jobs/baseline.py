@@ -9,14 +9,39 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Iterable
+from dataclasses import dataclass
 from pathlib import Path
 
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError, input_text
 
 _SCHEMA = 1
+_OF_TIME = "DR"
+"""Families of rules that a run or its time tell."""
+_FIRST_MODEL = "1"
+"""The motion model of those that name none."""
 Key = tuple[str, str, str]
 """Code, routine, statement."""
+
+
+@dataclass(frozen=True, slots=True)
+class Baseline:
+    """Findings that are known."""
+
+    known: Counter[Key]
+    """How many there are of each."""
+    motion_model: str
+    """The version that they were found with."""
+
+    def outdated(self, motion_model: str, found: Iterable[Diagnostic]) -> str:
+        """That it was made with another version, where that may count; "" otherwise."""
+        codes = {code for code, _, _ in self.known} | {one.violation.code for one in found}
+        if motion_model == self.motion_model or not any(code[0] in _OF_TIME for code in codes):
+            return ""
+        return (
+            f"The baseline was made with motion model {self.motion_model}; this is "
+            f"{motion_model}, with other times. `--update-baseline` makes it anew."
+        )
 
 
 def finding_key(diagnostic: Diagnostic) -> Key:
@@ -26,7 +51,7 @@ def finding_key(diagnostic: Diagnostic) -> Key:
     return diagnostic.violation.code, diagnostic.routine or "", text
 
 
-def baseline_text(diagnostics: Iterable[Diagnostic]) -> str:
+def baseline_text(diagnostics: Iterable[Diagnostic], motion_model: str) -> str:
     """A baseline of findings, as JSON that reads well in a comparison of versions."""
     counts = Counter(finding_key(diagnostic) for diagnostic in diagnostics)
     rows = [
@@ -34,11 +59,12 @@ def baseline_text(diagnostics: Iterable[Diagnostic]) -> str:
         for (code, routine, statement), count in sorted(counts.items())
     ]
     lines = ",\n".join(f"    {json.dumps(row, ensure_ascii=False)}" for row in rows)
-    return f'{{\n  "schema": {_SCHEMA},\n  "findings": [\n{lines}\n  ]\n}}\n'
+    made = f'  "schema": {_SCHEMA},\n  "motion_model": {json.dumps(motion_model)},\n'
+    return f'{{\n{made}  "findings": [\n{lines}\n  ]\n}}\n'
 
 
-def read_baseline(file: Path) -> Counter[Key]:
-    """The findings of a baseline with how many there are of each.
+def read_baseline(file: Path) -> Baseline:
+    """Read what `baseline_text` made.
 
     Raises:
         InputError: If there is no such file, or it is not a baseline.
@@ -50,12 +76,11 @@ def read_baseline(file: Path) -> Counter[Key]:
         if table["schema"] != _SCHEMA:
             raise InputError(f"{file} is a baseline of another version of rapidsim")
         rows = table["findings"]
-        return Counter(
-            {
-                (str(row["code"]), str(row["routine"]), str(row["statement"])): int(row["count"])
-                for row in rows
-            }
-        )
+        known = {
+            (str(row["code"]), str(row["routine"]), str(row["statement"])): int(row["count"])
+            for row in rows
+        }
+        return Baseline(Counter(known), str(table.get("motion_model", _FIRST_MODEL)))
     except (ValueError, KeyError, TypeError, OverflowError, RecursionError) as error:
         reason = "it is nested too deeply" if isinstance(error, RecursionError) else error
         help = "remove it, and `rapidsim check --baseline` writes a new one"

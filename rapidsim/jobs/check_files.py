@@ -103,7 +103,7 @@ def check(
     """
     asked = job(replace(asked_in_python(paths, robot, options), trial_run=run))
     result, baseline = check_job(asked), asked.station.check.baseline
-    return result if baseline is None else result.against(read_baseline(baseline))
+    return result if baseline is None else result.against(read_baseline(baseline).known)
 
 
 def check_job(job: Job) -> CheckResult:

@@ -23,7 +23,7 @@ INTERPOLATION_CYCLE_S = 0.004032
 _BRIEF_S = 4.0 * INTERPOLATION_CYCLE_S
 """Stops that brake for less than this cost less time."""
 _SHORTER_S = 0.060
-"""How much less a stop costs at next to no speed: 57 ms at v50 where it is 101 ms from v300 on.
+"""How much less a stop costs at next to no speed: 57 ms at v50 where it is 102 ms from v300 on.
 
 Seen in steps of 24 ms, which nobody can predict; this is their mean."""
 REAL_STOP_S = 0.018
@@ -117,7 +117,7 @@ class MotionModel:
         )
 
 
-_FILTER_S, _DWELL_S = 0.067, 0.101
+_FILTER_S, _DWELL_S = 0.067, 0.102
 """Of the arm that was measured, for arms of which nothing is known."""
 MODELS: Mapping[Version, MotionModel] = MappingProxyType(
     {

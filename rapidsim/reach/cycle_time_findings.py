@@ -22,14 +22,16 @@ _SHORTEST = 1e-5
 _NOTHING_BETWEEN = re.compile(r"(?:[;\s]|![^\r\n]*)*")
 
 
-def budget_findings(program: Program, told: RunMoves, budget_s: float) -> Iterator[Diagnostic]:
+def budget_findings(
+    program: Program, told: RunMoves, budget_s: float, model: str
+) -> Iterator[Diagnostic]:
     """D701: a cycle that takes longer than its budget, or whose length the run does not tell."""
     main = program.routines.get(ENTRY)
     if main is None or (told.time_s is not None and told.time_s <= budget_s):
         return
     taken = f"{told.time_s:.2f} s" if told.time_s is not None else told.duration_unknown
     span = main.module.span(main.node.name)
-    yield Diagnostic(CycleOverBudget(taken, budget_s), span, routine=main.name)
+    yield Diagnostic(CycleOverBudget(taken, budget_s, model), span, routine=main.name)
 
 
 def stop_findings(program: Program, posed: PosedMoves, ways: Ways) -> Iterator[Diagnostic]:

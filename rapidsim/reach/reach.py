@@ -88,7 +88,7 @@ def check_reach(
         *(() if told is None else told.diagnostics),
     ]
     if budget is not None and told is not None:
-        found += budget_findings(program, told, budget)
+        found += budget_findings(program, told, budget, options.model.version)
         found += stop_findings(program, placed, ways)
     goes_on = options.nearest_configuration
     found = [

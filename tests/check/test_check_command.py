@@ -126,6 +126,26 @@ def test_a_baseline_hides_what_was_there_wherever_it_moves(check: Check, folder:
     assert check.code == 2
 
 
+def test_a_baseline_of_another_motion_model_is_told_where_times_count(
+    check: Check, folder: Path
+) -> None:
+    told = ("--baseline", "known.json", "--output-format", "concise")
+    check(*told)
+    known = folder / "known.json"
+    made = json.loads(known.read_text())
+    assert made["motion_model"] == "2"
+    del made["motion_model"]  # as version 0.1 wrote it
+    known.write_text(json.dumps(made))
+    check(*told)
+    assert "motion model" not in check.out
+    made["findings"].append({"code": "D701", "routine": "main", "statement": "", "count": 1})
+    known.write_text(json.dumps(made))
+    check(*told)
+    assert "The baseline was made with motion model 1; this is 2" in check.out
+    check(*told, "--update-baseline")
+    assert "motion model" not in check.out
+
+
 def test_a_baseline_that_is_made_is_named(check: Check, folder: Path) -> None:
     told = ("--baseline", "known.json", "--output-format", "concise")
     check(*told)

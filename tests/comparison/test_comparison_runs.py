@@ -29,7 +29,7 @@ def test_times_and_outputs_are_told(sides: Path) -> None:
         "  pick: WaitTime 0.2 s: 0.400 s -> not run (-0.400 s)",
         "  pick: WaitTime 0.5 s: not run -> 1.000 s (+1.000 s)",
         "  doHorn: set once instead of never",
-        "  doLamp: set never instead of twice",
+        "  doLamp: set never instead of once",
     ):
         assert line in ended.out.splitlines()
     assert "(+0.600 s)" in ended.out
@@ -62,6 +62,12 @@ def test_a_saved_run_is_compared_with_a_program(sides: Path) -> None:
     assert (same.code, same.out) == (0, "No difference.\n")
     assert "doHorn: set once instead of never" in diff(sides, "old.json", "new").out
     assert diff(sides, "old.json", "old", "--no-run").code == 2
+    saved = json.loads((sides / "old.json").read_text())
+    saved["models"]["motion"] = "1"
+    saved["time_s"] += 1.0
+    (sides / "older.json").write_text(json.dumps(saved))
+    told = diff(sides, "older.json", "new").out
+    assert "times of motion model 1 stand against those of 2" in told
     (sides / "wrong.json").write_text("[1]")
     refused = diff(sides, "wrong.json", "old")
     assert (refused.code, "wrong.json is not a saved run" in refused.err) == (2, True)

@@ -98,6 +98,15 @@ def test_rows_in_which_the_arm_stands_at_a_stop_do_not_count(swings: LoggedRun) 
     assert np.abs(fit._misses(rows, ROBOT, TRUTH)).max() < 1e-6
 
 
+def test_a_way_out_and_back_is_taken_in_its_order() -> None:
+    """Every place but the farthest is passed twice; at the end the arm stands as at the start."""
+    there = "MoveAbsJ [[0,20,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v300, fine, tool0;"
+    back = there.replace("[[0,20,", "[[0,0,")
+    out_and_back = _logged(f"\n    {there}\n    {back}")
+    rows = fit._rows(out_and_back, ROBOT, TRUTH, 7)
+    assert np.abs(fit._misses(rows, ROBOT, TRUTH)).max() < 1e-6
+
+
 def test_without_torques_one_time_stands_for_all_accelerations(stops: LoggedRun) -> None:
     found = calibrate([stops], ROBOT, MODELS["1"])
     names = [one.name for one in found.parameters]

@@ -120,13 +120,16 @@ def check(
         say(difference(chosen.edits, job.tasks), nl=False)
         return ExitCode.FINDINGS if chosen.edits else ExitCode.CLEAN
     mended = _mended(job, result, unsafe=unsafe_fixes) if fix else _Mended(result)
-    result, made = mended.result, None
+    result, made, outdated = mended.result, None, ""
+    model = job.station.model.version
     if known_file is not None:
         # A setting alone writes nothing: the repository that holds it is not trusted.
         if update_baseline or (baseline is not None and not known_file.exists()):
             made = known_file
-            _write_baseline(made, result)
-        result = result.against(read_baseline(known_file))
+            _write_baseline(made, result, model)
+        against = read_baseline(known_file)
+        outdated = against.outdated(model, result.diagnostics)
+        result = result.against(against.known)
     findings = merged(result.diagnostics, merge=not no_merge)
     if counted:
         say(statistics(result.diagnostics, terminal.palette), palette=terminal.palette, nl=False)
@@ -140,6 +143,8 @@ def check(
             say(line)
         if made is not None:
             say(f"Written: {made} (baseline)")
+        if outdated:
+            say(outdated)
         if settings.cycle_budget_s is not None and (no_run or no_reach):
             say("The cycle budget was not checked, because main was not run.")
         for line in () if no_reach else coverage_lines(result.coverage, job.robot.text):
@@ -178,12 +183,12 @@ def _mended(job: Job, result: CheckResult, *, unsafe: bool) -> _Mended:
     return _Mended(result, cure.count, cure.left_out)
 
 
-def _write_baseline(file: Path, found: CheckResult) -> None:
+def _write_baseline(file: Path, found: CheckResult, motion_model: str) -> None:
     """Make all that was found known; what is not a baseline is not written over."""
     if file.exists():
         read_baseline(file)
     with whole_file(file) as temporary:
-        temporary.write_text(baseline_text(found.diagnostics), encoding="utf-8")
+        temporary.write_text(baseline_text(found.diagnostics, motion_model), encoding="utf-8")
 
 
 def _remarks(paths: Sequence[str], result: CheckResult, mended: _Mended) -> Iterator[str]:

@@ -22,6 +22,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import atan2
+from typing import NamedTuple
 
 import numpy as np
 
@@ -66,6 +67,18 @@ class Torques:
     """Whether all this was measured on the arm, or scaled from others."""
 
 
+class _Inertia(NamedTuple):
+    """What of the law above depends on how the arm stands, columns (k,)."""
+
+    n11: Array
+    n11_2: Array
+    n11_3: Array
+    n22: Array
+    n23: Array
+    n33: Array
+    h: Array
+
+
 @dataclass(frozen=True, slots=True)
 class Dynamics:
     """An ortho-parallel arm as its torques see it."""
@@ -85,15 +98,16 @@ class Dynamics:
         Returns:
             Slope (k, 3) [s2/m] and bend (k, 3) [s2/m2].
         """
-        return self._shares(stance, first, first * 0.0, load), self._shares(
-            stance, second, first, load
-        )
+        inertia = self._inertia(stance, load)
+        slope, bend = self._against(inertia, first), self._against(inertia, second)
+        return slope, bend + self._of_speeds(inertia, first)
 
     def shares(self, stance: Array, rates: Array, changes: Array, load: Array) -> Array:
         """Torques (k, 3), each in units of its limit, of joint rates and accelerations (k, 3)."""
-        return self._shares(stance, changes, rates, load)
+        inertia = self._inertia(stance, load)
+        return self._against(inertia, changes) + self._of_speeds(inertia, rates)
 
-    def _shares(self, stance: Array, change: Array, rate: Array, load: Array) -> Array:
+    def _inertia(self, stance: Array, load: Array) -> _Inertia:
         t, g = self.torques, self.geometry
         s2, c2, s23, c23 = stance.T
         # The angle of the forearm in the formulas is counted from straight up.
@@ -125,18 +139,28 @@ class Dynamics:
         n23 = t.e + 0.5 * t.d * cosine + k * (w2 + across)
         h = -0.5 * t.d * sine + k * across_3
         n33 = t.n33 + t.kappa * k * w2
+        return _Inertia(n11, n11_2, n11_3, n22, n23, n33, h)
 
-        q1, q2, q3 = self._of_formulas(rate)
-        e1, e2, e3 = self._of_formulas(change)
-        shares: Array = np.stack(
+    def _against(self, inertia: _Inertia, changes: Array) -> Array:
+        """Torques (k, 3) that joint accelerations (k, 3) take."""
+        n = inertia
+        e1, e2, e3 = self._of_formulas(changes)
+        coupled = n.n33 * e3 + self.torques.kappa * n.n23 * e2
+        return np.stack([n.n11 * e1, n.n22 * e2 + n.n23 * e3, coupled], axis=-1)
+
+    def _of_speeds(self, inertia: _Inertia, rates: Array) -> Array:
+        """Torques (k, 3) that products of joint rates (k, 3) take."""
+        n = inertia
+        q1, q2, q3 = self._of_formulas(rates)
+        square = 0.5 * q1 * q1
+        return np.stack(
             [
-                n11 * e1 + (n11_2 * q2 + n11_3 * q3) * q1,
-                n22 * e2 + n23 * e3 + h * (2.0 * q2 + q3) * q3 - 0.5 * n11_2 * q1 * q1,
-                n33 * e3 + t.kappa * (n23 * e2 - h * q2 * q2) - 0.5 * n11_3 * q1 * q1,
+                (n.n11_2 * q2 + n.n11_3 * q3) * q1,
+                n.h * (2.0 * q2 + q3) * q3 - n.n11_2 * square,
+                -self.torques.kappa * n.h * q2 * q2 - n.n11_3 * square,
             ],
             axis=-1,
         )
-        return shares
 
     def _of_formulas(self, rates: Array) -> tuple[Array, Array, Array]:
         """Rates of the angles of the formulas from those of joints 1 to 3 (k, 3)."""

@@ -18,6 +18,7 @@ from rapidsim.motion.trajectory.trajectory import Trajectory
 STEP_M = 0.5e-3
 """Places of our path are this far apart; between them joints run straight."""
 _SPEED_SPAN_S = 4e-3
+_AS_NEAR_RAD = 1e-3
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -54,14 +55,21 @@ class Progress:
         steps = np.diff(ours, axis=0)
         squares = np.maximum(np.einsum("ki,ki->k", steps, steps), 1e-18)
         places, distances = np.empty(len(log)), np.empty(len(log))
-        reached = 0
+        reached, within = 0, 0.0
         for row, wanted in enumerate(log):
             start, step = ours[reached:-1], steps[reached:]
             share = np.einsum("ki,ki->k", wanted - start, step) / squares[reached:]
             share = np.clip(share, 0.0, 1.0)
+            share[0] = max(share[0], within)
             apart = np.linalg.norm(start + share[:, None] * step - wanted, axis=1)
-            best = int(np.argmin(apart))
-            reached += best
+            # A way that comes by again is as near there: the first time counts.
+            near = apart <= apart.min() + _AS_NEAR_RAD
+            first = int(np.argmax(near))
+            away = np.flatnonzero(~near[first:])
+            best = first + int(
+                np.argmin(apart[first : first + away[0]] if len(away) else apart[first:])
+            )
+            reached, within = reached + best, float(share[best])
             width = self.places[reached + 1] - self.places[reached]
             places[row] = self.places[reached] + share[best] * width
             distances[row] = apart[best]
