@@ -5,6 +5,7 @@ programs of rules.
 import gc
 import os
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import pytest
 from command_line import PROCESS, SWITCH
@@ -17,6 +18,12 @@ from rapidsim.report.pages.rules import programs
 # Matrices are small, and the tests have a process a core: more threads only wait for each other.
 # NumPy reads it when it is loaded, which no import above does; processes that tests start get it.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+# Who wants no compiled modules beside the sources gets them elsewhere while the tests run: else
+# each process, those that run tests and those that tests start, compiles all that it imports.
+if os.environ.pop("PYTHONDONTWRITEBYTECODE", ""):
+    _compiled = TemporaryDirectory(prefix="rapidsim-tests-", ignore_cleanup_errors=True)
+    os.environ["PYTHONPYCACHEPREFIX"] = _compiled.name
 
 # No deadline and no verdict about slow examples: machines differ, and so do their loads.
 # Derandomised and without memory: a run must not fail for luck, nor for what stands in somebody's
