@@ -66,7 +66,8 @@ def check_reach(
     placed = posed(known, robot, base_from_world, options.external_axes)
     left_out = placed.left_out
     can_run = run and FRAME_WITHOUT_ORIENTATION not in left_out.values()
-    if can_run and (walked.unknown or left_out or budget is not None):
+    needs_run = bool(walked.unknown or left_out) or budget is not None
+    if can_run and (needs_run or options.geometry is not None):
         longest_s = max(LONGEST_RUN_S, 2.0 * (budget or 0.0))
         told = run_for_moves(program, robot, options, walked, len(known), longest_s)
         joints = {len(known) + at: one.joints for at, one in enumerate(told.executed)}

@@ -137,7 +137,7 @@ def run_for_moves(
 
 def _is_told(found: Diagnostic) -> bool:
     """Whether a finding of the run is one of the check, too: of moves, or why the program ends."""
-    return found.violation.code[0] in "KM" or found.severity is Severity.ERROR
+    return found.violation.code[0] in "CKM" or found.severity is Severity.ERROR
 
 
 def _as_sure(found: Diagnostic, options: RunOptions) -> Diagnostic:

@@ -143,6 +143,8 @@ def run(
         # What the run found is not lost over a file that could not be written.
         raise refused
     code = _EXIT_CODES[simulation.end]
+    if code is ExitCode.CLEAN and simulation.collisions and simulation.collisions.hits:
+        code = ExitCode.FINDINGS
     return ExitCode.FAILED if done.judgement.failed and code is ExitCode.CLEAN else code
 
 
