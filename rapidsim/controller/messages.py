@@ -67,6 +67,9 @@ class TaskMessages:
         if became is Put.DISCARDED:
             told = MessageDiscarded(slot.name, message.kind.spelled)
             self.journal.finding(told, self.clock.place, once=told)
+        if became is Put.LOST:
+            lost = f"what is sent to {slot.name} is lost: its task is not in this run"
+            self.journal.unsimulated("RMQSendMessage", lost, self.clock.place)
         self.clock.tell()
         # A message to the task itself may have raised an interrupt.
         self.clock.pass_time(now_s)

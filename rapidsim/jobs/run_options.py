@@ -19,6 +19,7 @@ def run_options(job: Job) -> RunOptions:
         answers=asked.answers,
         answers_are_typed=asked.answers_are_typed,
         network=asked.network,
+        cell_tasks=tuple(task.name for task in station.tasks),
         configured=station.configured,
         starts_at=asked.starts_at or station.starts_at or START_OF_TIME,
         max_time_s=asked.max_time_s,

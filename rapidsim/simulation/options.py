@@ -62,6 +62,8 @@ class RunOptions:
     """The procedure to run."""
     task: str = "T_ROB1"
     """Name of the task."""
+    cell_tasks: tuple[str, ...] = ()
+    """Names of all tasks of the cell, also of those that are not in the run."""
 
     @property
     def cell(self) -> CellInputs:
@@ -72,6 +74,7 @@ class RunOptions:
             io=self.io,
             home=self.home,
             network=self.network,
+            tasks=self.cell_tasks,
             configured=self.configured,
             starts_at=self.starts_at,
             max_time_s=self.max_time_s,

@@ -88,7 +88,8 @@ def endless_wait_finding(
     if isinstance(stopped, PollsForever):
         routine, span, callers = _where(rapid_stack(stopped), place)
         return Diagnostic(EndlessWait(stopped.reason, stopped.cure), span, callers, routine=routine)
-    if not others:
+    if not others or stopped.cure is not None:
+        # What it waits for lies outside the cell, whatever the other tasks do.
         violation = EndlessWait(stopped.reason, stopped.cure)
         return Diagnostic(violation, place.span, routine=place.routine)
     each = [

@@ -144,3 +144,16 @@ def test_a_group_of_units_says_which_robot_a_task_moves(tmp_path: Path) -> None:
     )
     (task,) = said(folder).tasks
     assert task.robot_number == 1
+
+
+@pytest.mark.parametrize("own", [True, False])
+def test_a_unit_of_another_group_is_not_the_first_robots(own: bool, tmp_path: Path) -> None:
+    folder = backup(tmp_path)
+    with_robot, apart = (' -MechanicalUnit_1 "TRACK_1"', "") if own else ("", ' "TRACK_1"')
+    other = f'      -Name "axes" -MechanicalUnit_1{apart}\n' if apart else ""
+    (folder / "SYSPAR/SYS.cfg").write_text(
+        f'MECHANICAL_UNIT_GROUP:\n      -Name "arm" -Robot "ROB_1"{with_robot}\n{other}'
+    )
+    station = said(folder)
+    assert [axis.unit for axis in station.external_axes] == (["TRACK_1"] if own else [])
+    assert set(station.units) == {"TRACK_1", "STN_1"}

@@ -99,3 +99,15 @@ def test_a_configuration_gives_no_queue_unless_it_says_so() -> None:
     )
     assert tasks["t_rob1"].queue == QueueSettings(QueueType.REMOTE, QueueMode.SYNCHRONOUS, 800, 7)
     assert tasks["t_back"].queue == QueueSettings(QueueType.NONE, QueueMode.INTERRUPT)
+
+
+def test_a_task_that_is_not_in_the_run_loses_what_it_is_sent() -> None:
+    queues = MessageQueues(frozenset({"RMQ_T_ROB2"}))
+    absent = queues.find("RMQ_T_ROB2")
+    assert absent is not None
+    assert absent.put(Message(MessageKind("num"), "5"), 0.0) is Put.LOST
+    assert queues.find("RMQ_T_ROB3") is None
+    queues.open_for("T_ROB2", QueueSettings(mode=QueueMode.SYNCHRONOUS))
+    there = queues.find("RMQ_T_ROB2")
+    assert there is not None
+    assert there.put(Message(MessageKind("num"), "5"), 0.0) is Put.KEPT

@@ -314,3 +314,22 @@ steps = []
     assert "socket 1.accept: a port is needed" in text
     assert "socket 1.repeat: a step must `expect` something" in text
     assert "socket 2: say `accept` for a server, or `connect` for a client" in text
+
+
+def test_tasks_that_wait_for_clients_do_not_wait_for_each_other() -> None:
+    def server(port: int) -> str:
+        return f"""
+VAR socketdev door;
+VAR socketdev client;
+PROC main()
+  SocketCreate door;
+  SocketBind door,"127.0.0.1",{port};
+  SocketListen door;
+  SocketAccept door,client\\Time:=WAIT_MAX;
+ENDPROC
+"""
+
+    it = ran_tasks({"T_ROB1": server(5000), "T_ROB2": server(5001)})
+    found = it.only("R106")
+    assert "waits for a client at port 500" in found.violation.message
+    assert "--allow-network" in (found.help or "")

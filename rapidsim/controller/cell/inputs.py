@@ -36,6 +36,8 @@ class CellInputs:
     """The folder HOME: stands for; None makes file instructions fail with a clear error."""
     network: Network | None
     """What sockets may use of the network; None lets them reach the station's scripts only."""
+    tasks: tuple[str, ...]
+    """Names of all tasks of the cell; a run may be of some of them."""
     configured: Configured
     """The system parameters."""
     starts_at: datetime

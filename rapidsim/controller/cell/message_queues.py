@@ -59,6 +59,7 @@ class Put(StrEnum):
     KEPT = "kept"
     ANSWERS = "answers"
     DISCARDED = "discarded"
+    LOST = "lost"
 
 
 @dataclass(slots=True, eq=False)
@@ -78,6 +79,8 @@ class MessageQueue:
     settings: QueueSettings
     messages: list[Message] = field(default_factory=list)
     is_open: bool = True
+    is_absent: bool = False
+    """Its task is not in the run: what comes is lost."""
     raises_interrupt: Callable[[Message, float], bool] = lambda message, now_s: False
     """Raises the interrupts that wait for a message; whether there are any."""
     _awaited: _Awaited | None = None
@@ -88,6 +91,8 @@ class MessageQueue:
         Raises:
             RapidError: ERR_RMQ_INVALID, ERR_RMQ_MSGSIZE or ERR_RMQ_FULL.
         """
+        if self.is_absent:
+            return Put.LOST
         size, most = len(message.wire.encode("iso-8859-1", "replace")), self.settings.max_bytes
         if not self.is_open:
             raise rapid_error(ERR_RMQ_INVALID, f"{self.name} has disconnected")
@@ -133,12 +138,15 @@ class MessageQueue:
 class MessageQueues:
     """All queues of a cell, by their names as they are spelled."""
 
+    absent: frozenset[str] = frozenset()
+    """Names of queues of tasks that the cell has and this run has not."""
     _queues: dict[str, MessageQueue] = field(default_factory=dict)
 
     def open_for(self, task: str, settings: QueueSettings) -> MessageQueue:
         """The queue of a task, which begins with it; the one it had before is gone."""
         self.disconnect(f"RMQ_{task}")
         queue = MessageQueue(f"RMQ_{task}", settings)
+        self.absent -= {queue.name}
         if settings.type is not QueueType.NONE:
             self._queues[queue.name] = queue
         return queue
@@ -158,6 +166,8 @@ class MessageQueues:
     def find(self, name: str, *, from_outside: bool = False) -> MessageQueue | None:
         """The queue of a name; a client finds those of tasks only where they are remote."""
         queue = self._queues.get(name)
+        if queue is None and name in self.absent and not from_outside:
+            return MessageQueue(name, QueueSettings(), is_absent=True)
         if queue is not None and from_outside and queue.settings.type is not QueueType.REMOTE:
             return None
         return queue

@@ -18,7 +18,7 @@ from rapidsim.station.backup.cfg_file import (
     read_configuration,
     text_in,
 )
-from rapidsim.station.backup.external_units import ExternalUnits, external_units
+from rapidsim.station.backup.external_units import UNIT_GROUP, ExternalUnits, external_units
 from rapidsim.station.backup.loaded_modules import is_loaded_into, missing_modules
 from rapidsim.station.backup.robots import backup_robots
 from rapidsim.station.backup.signals import backup_io
@@ -27,7 +27,6 @@ from rapidsim.station.station import Station
 from rapidsim.station.task_kind import TaskKind
 from rapidsim.station.tasks import StationTask
 
-_GROUP = "MECHANICAL_UNIT_GROUP"
 _DOMAINS = ("EIO", "MMC", "MOC", "PROC", "SIO", "SYS")
 _ROBOTWARE = re.compile(r"RobotWare(?: Version)?:?[\s_]*(\d+\.\d+)", re.IGNORECASE)
 
@@ -41,7 +40,8 @@ def backup_station(folders: Sequence[Path]) -> Station:
     root = folders[0].parent.parent
     motion = read_configuration(text_in(root, "SYSPAR", "MOC.cfg"))
     robots = backup_robots(motion)
-    units = external_units(motion)
+    system = read_configuration(text_in(root, "SYSPAR", "SYS.cfg"))
+    units = external_units(motion, system)
     io, remarks = backup_io(read_configuration(text_in(root, "SYSPAR", "EIO.cfg")))
     return Station(
         robots=robots,
@@ -73,7 +73,8 @@ def _not_simulated(units: ExternalUnits) -> Iterator[str]:
     for unit in units.others:
         yield (
             f"the unit {unit} of the backup is known by its name alone: MOC.cfg does not say what "
-            "its axes can do, or it is not active at the start; [[external_axis]] tables do"
+            "its axes can do, it is not active at the start, or it belongs to another task; "
+            "[[external_axis]] tables declare it for the first robot"
         )
 
 
@@ -87,7 +88,7 @@ def _tasks_of(
     configuration = read_configuration(text_in(root, "SYSPAR", "SYS.cfg"))
     configured = configured_tasks(configuration)
     loaded = configuration.get("CAB_TASK_MODULES", ())
-    groups = {one.get("name"): one.get("robot") for one in configuration.get(_GROUP, ())}
+    groups = {one.get("name"): one.get("robot") for one in configuration.get(UNIT_GROUP, ())}
     tasks: list[StationTask] = []
     robots = 0
     for folder in folders:

@@ -19,6 +19,7 @@ from rapidsim.motion.robot.external_axes import LETTERS, ExternalAxis
 from rapidsim.station.backup.cfg_file import SWITCHED_ON, Configuration, Instance
 from rapidsim.station.backup.robots import base_frame, bounds, number
 
+UNIT_GROUP = "MECHANICAL_UNIT_GROUP"
 _SINGLES = 6
 _FIRST_AXIS = 7
 _LINEAR = ("TRACK", "EXT_LIN", "FREE_LIN")
@@ -35,8 +36,9 @@ class ExternalUnits:
     """Names of the units of which the backup does not say enough."""
 
 
-def external_units(motion: Configuration) -> ExternalUnits:
-    """The units of a configuration."""
+def external_units(motion: Configuration, system: Configuration) -> ExternalUnits:
+    """The units that the first robot has, as MOC.cfg and the unit groups of SYS.cfg say it."""
+    elsewhere = _of_other_groups(system)
     named = {kind: _by_name(instances) for kind, instances in motion.items()}
     track = next((robot.get("base_frame_coordinated") for robot in motion.get("ROBOT", ())), None)
     active = {
@@ -51,11 +53,24 @@ def external_units(motion: Configuration) -> ExternalUnits:
         whole = [axis for axis in found if axis is not None]
         taken = {axis.letter for axis in (*axes, *whole)}
         fits = len(whole) == len(found) and len(taken) == len(axes) + len(whole)
-        if fits and unit in active:
+        if fits and unit in active and unit not in elsewhere:
             axes += whole
         else:
             others.append(unit)
     return ExternalUnits(tuple(sorted(axes, key=lambda axis: axis.letter)), tuple(others))
+
+
+def _of_other_groups(system: Configuration) -> frozenset[str]:
+    """Names of the units that groups have, and not that of the first robot."""
+    groups = [
+        frozenset(value for key, value in group.items() if key.startswith("mechanicalunit_"))
+        for group in system.get(UNIT_GROUP, ())
+    ]
+    robots = [bool(group.get("robot")) for group in system.get(UNIT_GROUP, ())]
+    if True not in robots:
+        return frozenset()
+    own = groups[robots.index(True)]
+    return frozenset().union(*groups) - own
 
 
 def _units(motion: Configuration) -> Mapping[str, Sequence[str]]:
