@@ -15,8 +15,7 @@ from rapidsim.controller.moves.motion_findings import hasty_move_findings
 from rapidsim.files import InputError
 from rapidsim.interpreter.linking.loader import Task, load
 from rapidsim.motion.compiled import decided_anew
-from rapidsim.motion.robot.robot import Robot, RobotError
-from rapidsim.motion.timing.axis_limits import limits_of
+from rapidsim.motion.robot.robot import Robot
 from rapidsim.simulation.multitasking import run_together
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.rehearsal import rehearsed, stopped_by_contact
@@ -32,7 +31,14 @@ from rapidsim.simulation.results.simulation import (
 )
 from rapidsim.simulation.results.smoothed_corners import corner_findings
 from rapidsim.simulation.run_findings import backward_findings, not_simulated_findings
-from rapidsim.simulation.task_run import Outcome, TaskRun, TaskSetup, prepare, run_to_end
+from rapidsim.simulation.task_run import (
+    Outcome,
+    TaskRun,
+    TaskSetup,
+    prepare,
+    require_limits,
+    run_to_end,
+)
 from rapidsim.syntax import tree
 from rapidsim.syntax.collection import seldom_collected
 
@@ -104,7 +110,7 @@ def _run(setups: Sequence[TaskSetup], options: RunOptions) -> FinishedRun:
     if not arms:
         raise InputError("no task moves a robot", "give one of them `motion = true`")
     for arm in arms:
-        _require_limits(arm, options)
+        require_limits(arm, options)
     journal = Journal(setups[0].name)
     journals = (journal, *(journal.beside(setup.name) for setup in setups[1:]))
     cell = Cell(options.cell, journal)
@@ -235,17 +241,6 @@ def _not_simulated(runs: Sequence[TaskRun]) -> tuple[Unsimulated, ...]:
             key = (one.name, one.treated_as)
             counts[key] = counts.get(key, 0) + one.count
     return tuple(Unsimulated(name, count, how) for (name, how), count in counts.items())
-
-
-def _require_limits(robot: Robot, options: RunOptions) -> None:
-    """Refuse an arm that cannot be timed before the program runs."""
-    try:
-        limits_of(robot, options.model)
-    except RobotError as error:
-        raise InputError(
-            str(error),
-            "give one value an axis in rapidsim.toml: [motion] axis_speed = [...] in deg/s",
-        ) from None
 
 
 def _motion_s(moves: Sequence[ExecutedMove], until_s: float) -> float:
