@@ -52,6 +52,7 @@ class Bodies:
             self._groups_of.append((start, len(groups)))
         self._parts = Parts(parts)
         self._part_groups = groups
+        self._group_ends: Index = np.array(groups, dtype=np.int64).reshape(-1, 2)
         spheres = [_sphere(self._parts, begin, end) for begin, end in groups]
         self._group_centre = np.array([centre for centre, _ in spheres]).reshape(-1, 3)
         self._group_bound = np.array([bound for _, bound in spheres])
@@ -167,15 +168,14 @@ class Bodies:
         if not len(rows):
             return
         item, group_a, group_b = table
-        pairs = [
-            np.meshgrid(
-                np.arange(*self._part_groups[a]), np.arange(*self._part_groups[b]), indexing="ij"
-            )
-            for a, b in zip(group_a[rows].tolist(), group_b[rows].tolist(), strict=True)
-        ]
-        part_a = np.concatenate([a.reshape(-1) for a, _ in pairs])
-        part_b = np.concatenate([b.reshape(-1) for _, b in pairs])
-        row = np.repeat(item[rows], [a.size for a, _ in pairs])
+        begin_a, end_a = self._group_ends[group_a[rows]].T
+        begin_b, end_b = self._group_ends[group_b[rows]].T
+        wide, count = end_b - begin_b, (end_a - begin_a) * (end_b - begin_b)
+        each = np.repeat(np.arange(len(rows)), count)
+        within = np.arange(len(each)) - np.repeat(np.cumsum(count) - count, count)
+        part_a = begin_a[each] + within // wide[each]
+        part_b = begin_b[each] + within % wide[each]
+        row = item[rows][each]
         spheres = (self._parts.centre, self._parts.bound)
         near = self._between_spheres(second_from_first, row, spheres, part_a, part_b)
         wanted = near < bound[row]

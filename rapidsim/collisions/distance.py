@@ -107,6 +107,8 @@ def distances(
         found[kept], points_of_first[kept], points_of_second[kept] = (
             length[better], pa[better], pb[better],
         )  # fmt: skip
+        stuck = rows[~better]
+        least[stuck] = np.maximum(least[stuck], found[stuck] - _CLOSE_M)
         over = length <= _OVERLAP_M
         found[rows[over]], least[rows[over]] = -np.inf, -np.inf
         go = better & ~over

@@ -99,6 +99,15 @@ def test_a_cylinder_stands_on_a_box_and_a_sphere_beside_it() -> None:
     assert depth(parts, 0, 1, deeper) == pytest.approx(0.02, abs=1e-9)
 
 
+def test_what_is_all_but_above_the_middle_of_a_sheet_is_measured_to_the_end() -> None:
+    """The shortest way is known to the last digit before the bound on it is."""
+    parts = Parts([shape.sphere(0.002).parts[0], shape.box(np.array([0.06, 0.06, 5e-4])).parts[0]])
+    above = Transform(np.eye(3)[None], np.array([[-3.7e-7, 3.8e-7, -9.715702e-4]]))
+    found = distances(parts, np.array([0]), np.array([1]), above)
+    assert found.found[0] == pytest.approx(9.715702e-4 - 2.5e-4 - 0.002, abs=1e-12)
+    assert found.least[0] == pytest.approx(found.found[0], abs=1e-9)
+
+
 def oracle(one: shape.Shape) -> fcl.BVHModel:
     model = fcl.BVHModel()
     model.beginModel(len(one.vertices), len(one.faces))
