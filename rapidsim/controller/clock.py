@@ -393,7 +393,10 @@ class TaskClock:
         """
         while self._unit.queue.is_halted:
             if not self.await_event(math.inf):
-                raise WaitsForever("the robot was stopped by StopMove, and nothing starts it again")
+                raise WaitsForever(
+                    "the robot was stopped by StopMove, and nothing starts it again",
+                    "StartMove lets it go on, in the program or in a trap",
+                )
 
     def drive_to_stop(self, corner: CornerKind = CornerKind.STOP) -> None:
         """End the block of moves and wait until the arm stands still at its end.

@@ -139,6 +139,7 @@ ELSEWHERE = {
     "cli/commands/follow.py": {"write"},
     "cli/commands/serve.py": {"max"},
     "cli/tools/follow_steps.py": {"dim"},
+    "collisions": {"type"},
     "comparison/program_changes.py": {"type"},
     "controller": {
         *("ClearPath", "RestoPath", "StorePath", "SyncMoveOn", "SyncMoveOff", "SyncMoveSuspend"),
@@ -152,6 +153,7 @@ ELSEWHERE = {
     "language": {"write", "stop"},
     "motion/timing/constraints.py": {"PathAccLim", "WorldAccLim"},
     "plots": {"round"},
+    "recording": {"clear"},
     "report": {"dim", "distance"},
     "server": {"type", "opmode", "stop", "set", "continue", "dim", "clear"},
     "simulation": {"stop"},
