@@ -190,8 +190,7 @@ class Engine:
         match message:
             case Request():
                 self.pace.asked()
-                if isinstance(self.pace, LockStep):
-                    self.live.advance(self.pace.horizon_s())
+                self._come_up()
                 return answered(self.context, message)
             case SessionEnded(session):
                 self.context.release_all(session)
@@ -200,6 +199,18 @@ class Engine:
             case Unsubscribe(group):
                 self.subscriptions.end(group)
         return DONE
+
+    def _come_up(self) -> None:
+        """Let the present be the time at which a request takes effect.
+
+        In lock-step everything happens that is due before it. Else nobody waits for a controller
+        that is behind its pace: the present is how far it has come.
+        """
+        horizon_s = self.pace.horizon_s()
+        if isinstance(self.pace, LockStep):
+            self.live.advance(horizon_s)
+        else:
+            self.live.step(horizon_s)
 
     def _logged(self, entry: LogEntry) -> None:
         self.subscriptions.logged(entry)

@@ -86,7 +86,7 @@ class LiveTurns:
             self.now_s = max(self.now_s, cell_s)
             self.cell.pass_next(cell_s, cell_s)
             return True
-        if entry is None or entry.wake_s > until_s:
+        if entry is None or math.isinf(entry.wake_s) or entry.wake_s > until_s:
             if until_s < math.inf:
                 self.now_s = max(self.now_s, until_s)
             return False

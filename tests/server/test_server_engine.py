@@ -1,0 +1,123 @@
+"""How the engine's time passes, and what takes effect when."""
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+from rapidsim.jobs.asked import Asked
+from rapidsim.server.engine import Engine, FullPace, LockStep, Pace
+from rapidsim.server.loading import ready
+from rapidsim.server.messages import Answer, Change, Note, Reply, Request, Subscribe, Told
+from rapidsim.simulation.live.controller import LiveController
+
+PROGRAM = """MODULE Paced
+    PERS num rounds := 0;
+    PERS num late := 0;
+    VAR clock c;
+    PROC main()
+        rounds := rounds + 1;
+        ClkStart c;
+        WaitDI diGo, 1;
+        late := ClkRead(c);
+        WaitTime 1;
+        IF rounds = 3 rounds := 1 / (rounds - 3);
+    ENDPROC
+ENDMODULE
+"""
+START = Request("POST", "/rw/rapid/execution", {"action": "start"}, {"cycle": "forever"})
+GO = Request("POST", "/rw/iosystem/signals/diGo", {"action": "set"}, {"lvalue": "1"})
+
+
+@dataclass
+class HandPace:
+    """A clock on the wall that the test holds."""
+
+    wall_s: float = 0.0
+    behind_s: float = 0.0
+
+    def begin(self) -> None:
+        pass
+
+    def horizon_s(self) -> float:
+        return self.wall_s
+
+    def wait_s(self, virtual_s: float) -> float | None:
+        return None if math.isinf(virtual_s) else max(0.0, virtual_s - self.wall_s)
+
+    def asked(self) -> None:
+        pass
+
+    def lag_s(self, now_s: float) -> float:
+        return self.wall_s - now_s
+
+
+def engine(folder: Path, pace: Pace) -> tuple[Engine, list[Told]]:
+    (folder / "paced.mod").write_text(PROGRAM)
+    made = ready(Asked(paths=(str(folder / "paced.mod"),), home=str(folder)))
+    told: list[Told] = []
+    return Engine(LiveController(made.setups, made.options), pace, told.append), told
+
+
+def value(engine: Engine, name: str) -> float:
+    reply = engine.reply(Request("GET", f"/rw/rapid/symbol/data/RAPID/T_ROB1/{name}"))
+    assert isinstance(reply, Answer)
+    return float(reply.items[0].fields["value"])
+
+
+def test_a_request_takes_effect_at_the_time_on_the_wall_though_nothing_happened_since(
+    tmp_path: Path,
+) -> None:
+    pace = HandPace()
+    served, _ = engine(tmp_path, pace)
+    assert not served.step()
+    assert served.wait_s() is None
+    pace.wall_s = 10.0
+    served.reply(START)
+    pace.wall_s = 12.5
+    served.reply(GO)
+    assert served.live.now_s == 12.5
+    assert value(served, "late") == 2.5
+    assert served.wait_s() == 1.0
+
+
+def test_who_computes_too_long_is_told_and_catches_up(tmp_path: Path) -> None:
+    pace = HandPace()
+    served, told = engine(tmp_path, pace)
+    served.reply(START)
+    served.reply(GO)
+    pace.wall_s = 1.5
+    assert served.step()
+    assert [one for one in told if isinstance(one, Note)] == []
+    pace.wall_s = 2.9
+    assert served.step()
+    (note,) = [one for one in told if isinstance(one, Note)]
+    assert note.text == "note: virtual time is 1.9 s behind its pace"
+    while served.step():
+        pass
+    assert served.live.now_s == 2.9
+
+
+def test_at_full_speed_everything_happens_that_can(tmp_path: Path) -> None:
+    served, told = engine(tmp_path, FullPace())
+    served.reply(START)
+    served.reply(GO)
+    while served.step():
+        pass
+    # The third round divides by zero.
+    assert value(served, "rounds") == 3.0
+    assert served.wait_s() is None
+    assert any(isinstance(one, Note) and one.text.startswith("error: ") for one in told)
+
+
+def test_in_lock_step_the_same_requests_give_the_same_replies(tmp_path: Path) -> None:
+    def run() -> list[Reply | Told]:
+        served, told = engine(tmp_path, LockStep(0.05))
+        served.reply(Subscribe(1, ("/rw/rapid/symbol/data/RAPID/T_ROB1/rounds;value",)))
+        state = Request("GET", "/rw/rapid/execution")
+        joints = Request("GET", "/rw/motionsystem/mechunits/ROB_1/jointtarget")
+        asked = [state, START, *[joints] * 5, GO, *[state, joints] * 40]
+        replies: list[Reply | Told] = [served.reply(one) for one in asked]
+        assert sum(isinstance(one, Change) for one in told) >= 3
+        return [*replies, *told]
+
+    assert run() == run()
