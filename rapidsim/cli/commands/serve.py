@@ -24,7 +24,7 @@ _MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
 @click.command()
 @click.argument("paths", metavar="PATH...", nargs=-1, required=True)
 @click.option("--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them.")
-@click.option("--station", metavar="FILE.toml", help="The station file, instead of a near one.")
+@click.option("--station", metavar="FILE.toml", help="The station file, instead of the nearest.")
 @click.option("--task", metavar="NAME", help="Only this one of several tasks.")
 @click.option(
     "--io", metavar="FILE.toml", help="Signals and what happens to inputs; adds to the station."
@@ -56,9 +56,7 @@ _MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
     type=POSITIVE,
     help="In lock-step, the virtual time before each request; else 0.05.",
 )
-@click.option(
-    "--home", metavar="DIR", help="The folder HOME: stands for; else <program>.home here."
-)
+@click.option("--home", metavar="DIR", help="The folder for HOME:; else <program>.home.")
 @click.option(
     "--opmode",
     type=click.Choice(list(_MODES)),
