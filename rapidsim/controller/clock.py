@@ -100,7 +100,6 @@ class TaskClock:
         self._journal = journal
         self._table = table
         self.program_state: Callable[[], Iterable[object]] = lambda: (None,)
-        self.has_handler: Callable[[], bool] = lambda: False
         self._polling = Polling(lambda: self.program_state())
         self._time = PointerTime()
         self.deeds = 0

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import partial
 
 import numpy as np
 
@@ -22,7 +21,6 @@ from rapidsim.controller.journal.stop_reasons import (
     WaitsForever,
     ZoneReached,
 )
-from rapidsim.controller.moves.assumed_arm import go_in_joints
 from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
@@ -127,8 +125,7 @@ def unit_of(
     """The robot of a task, which stands where it starts; see `prepare`."""
     robot = setup.robot or stand_in
     start = _start_waypoint(robot, setup.start_joints_deg)
-    blame = partial(go_in_joints, journal) if options.assumes_arm else None
-    return MechanicalUnit(solo_queue(robot, options.model, start, cell.watchdog.look, blame))
+    return MechanicalUnit(solo_queue(robot, options.model, start, cell.watchdog.look))
 
 
 def begun(
@@ -149,7 +146,6 @@ def begun(
         setup.place.inverse(),
         options.model.payload_acceleration,
         options.nearest_configuration,
-        options.assumes_arm,
     )
     place = _entry_place(setup.program, setup.entry or options.entry)
     has_robot = setup.robot is not None

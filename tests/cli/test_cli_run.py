@@ -57,10 +57,7 @@ def report(folder: Path, text: str, *arguments: str) -> dict[str, object]:
         ("MODULE a\n  PROC main()\n  ENDPROC\nENDMODULE\n", (), 0, "ended"),
         ("MODULE a\n  PROC main()\n    EXIT;\n  ENDPROC\nENDMODULE\n", (), 0, "stopped"),
         (DIVIDES, (), 1, "error"),
-        (FAR, ("--robot", "irb1600"), 1, "error"),
-        # Nobody has named the arm, so nobody knows whether the program is for it.
-        (FAR, (), 0, "ended"),
-        (FAR.replace("ENDPROC", "ERROR\n    RAISE;\n  ENDPROC"), (), 1, "error"),
+        (FAR, (), 1, "error"),
         ("MODULE a\n  PROC main()\n    x:=;\n  ENDPROC\nENDMODULE\n", (), 1, "error"),
         (LOOP, ("--max-time", "20"), 3, "time_limit"),
     ],
@@ -192,7 +189,7 @@ def test_the_command_that_opens_a_recording_can_be_copied(tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize(
-    ("text", "arguments"), [(FAR, ()), (FAR, ("--robot", "irb1600")), (BEHIND, ())]
+    ("text", "arguments"), [(FAR, ("--robot", "irb1600")), (BEHIND, ("--robot", "irb1600"))]
 )
 def test_a_run_points_at_the_target_as_a_check_does(
     text: str, arguments: tuple[str, ...], tmp_path: Path
@@ -205,16 +202,6 @@ def test_a_run_points_at_the_target_as_a_check_does(
     (told,) = (one for one in json.loads(checked.out)["diagnostics"] if one["code"] in codes)
     same = ("code", "severity", "line", "column", "end_line", "end_column")
     assert [found[key] for key in same] == [told[key] for key in same]
-
-
-def test_a_way_that_an_arm_nobody_named_cannot_follow_is_moved_in_joints(tmp_path: Path) -> None:
-    run = report(tmp_path, BEHIND)
-    assert run["end"] == "ended"
-    moves, told = run["moves"], run["unsimulated"]
-    assert isinstance(moves, list)
-    assert isinstance(told, list)
-    assert [move["instruction"] for move in moves] == ["MoveJ", "MoveL"]
-    assert [(one["name"], one["treated_as"][:15]) for one in told] == [("MoveL", "moved in joints")]
 
 
 def test_targets_that_functions_are_given_stand_in_the_work_object_of_their_move(

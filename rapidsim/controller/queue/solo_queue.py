@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 
@@ -229,11 +229,7 @@ class SoloQueue:
 
 
 def solo_queue(
-    robot: Robot,
-    model: MotionModel,
-    start: Waypoint,
-    look: Look = undisturbed,
-    give_way: Callable[[MotionError], bool] | None = None,
+    robot: Robot, model: MotionModel, start: Waypoint, look: Look = undisturbed
 ) -> SoloQueue:
     """The queue of a robot that stands somewhere at time zero.
 
@@ -242,11 +238,10 @@ def solo_queue(
         model: How its controller moves it.
         start: Where it stands.
         look: Called while it plans; raises to end that.
-        give_way: Changes a move that cannot be made; whether it has. None changes none.
     """
     model = model_of(robot, model)
     trajectory = Trajectory(start, model.window, model.smoothing)
-    build = partial(_path, robot, model, look, give_way)
+    build = partial(_path, robot, model, look)
     limits, repeats = limits_of(robot, model), Repeats()
     planner = BlockPlanner(trajectory, model, limits, build, look=look, repeats=repeats)
     return SoloQueue(robot, planner, start)
@@ -256,7 +251,6 @@ def _path(
     robot: Robot,
     model: MotionModel,
     look: Look,
-    give_way: Callable[[MotionError], bool] | None,
     moves: Sequence[QueuedMove],
     lost_corner: int | None,
 ) -> Path:
@@ -265,8 +259,5 @@ def _path(
         segments[lost_corner] = replace(segments[lost_corner], zone=None)
     path = build_path(robot, segments, model, look)
     if isinstance(path, PathFault):
-        error = MotionError(moves[path.segment], path)
-        if give_way is None or not give_way(error):
-            raise error
-        return _path(robot, model, look, give_way, moves, lost_corner)
+        raise MotionError(moves[path.segment], path)
     return path
