@@ -86,6 +86,18 @@ class ClockService(Protocol):
         ...
 
 
+class Execution(Protocol):
+    """Whether the program executes."""
+
+    def stop(self, reason: str) -> None:
+        """Stop all that executes; returns when somebody has started it again.
+
+        Raises:
+            Stopped: Where nobody would: the run ends.
+        """
+        ...
+
+
 class Motion(Protocol):
     """The path queue of the task's robot."""
 
@@ -359,6 +371,7 @@ class Controller:
     """One task's controller: who answers for each concern."""
 
     clock: ClockService
+    execution: Execution
     motion: Motion
     path_control: PathControl
     path_recorder: PathRecorder
@@ -387,6 +400,7 @@ class Controller:
 CONCERNS: Mapping[type, str] = MappingProxyType(
     {
         ClockService: "clock",
+        Execution: "execution",
         Motion: "motion",
         PathControl: "path_control",
         PathRecorder: "path_recorder",

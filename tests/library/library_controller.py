@@ -35,6 +35,7 @@ from rapidsim.language.error_numbers import (
     ERR_OUTSIDE_REACH,
     rapid_error,
 )
+from rapidsim.language.errors import Stopped
 from rapidsim.language.files import FileMode
 from rapidsim.language.messages import Messages
 from rapidsim.language.modules import Modules
@@ -104,7 +105,7 @@ class RecordingController:
     def whole(self) -> Controller:
         """All concerns in one; mypy holds it against the protocol of each."""
         whole = Controller(
-            *(self, self, self, self, self, self),
+            *(self, self, self, self, self, self, self),
             *(self, self, self, self, self, self, self, self, self, self, self, self, self),
             # Messages go between tasks, and here is one: the book of the language has them.
             cast(Messages, self),
@@ -136,6 +137,9 @@ class RecordingController:
     def move(self, move: Move, triggers: tuple[Trigger, ...] = ()) -> None:
         self.moves.append(move)
         self.triggers += triggers
+
+    def stop(self, reason: str) -> None:
+        raise Stopped(reason)
 
     def stop_move(self) -> None:
         self.log.append("stop")
