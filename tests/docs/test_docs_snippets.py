@@ -8,6 +8,7 @@ import os
 import re
 import shlex
 import shutil
+import sys
 import tomllib
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -160,7 +161,15 @@ def few_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(user, "write_pictures", write_few)
 
 
-@pytest.mark.usefixtures("few_pictures")
+@pytest.fixture
+def _no_workers_left() -> Iterator[None]:
+    """Workers of joblib live on, in the folder of the page that began them."""
+    yield
+    if "joblib" in sys.modules:
+        sys.modules["joblib"].externals.loky.get_reusable_executor().shutdown(wait=True)
+
+
+@pytest.mark.usefixtures("few_pictures", "_no_workers_left")
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_a_page_does_what_it_says(page: Path, tmp_path: Path) -> None:
     """`UPDATE_GOLDEN=1` writes what commands print into the page, but for what has `...`."""

@@ -284,3 +284,8 @@ def _tool_changes(segments: Sequence[Segment], tcp_from_flange: Transform) -> np
     asked = np.array([segment.joint_corner for segment in segments[:-1]], dtype=bool)
     changes: npt.NDArray[np.bool_] = other | asked
     return changes
+
+
+def describe_stop(limit: Limit) -> str:
+    """Why the arm stops where no corner was looked for."""
+    return describe(limit, 0.0, 0.0, 0.0, 0.0, stops=True)

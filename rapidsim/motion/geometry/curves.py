@@ -211,6 +211,13 @@ def curves_of(segments: Sequence[Segment], kinematics: Kinematics) -> Curves:
     )
 
 
+def unsupported(kinematics: Kinematics) -> str | None:
+    """Why lines and arcs cannot be simulated, or None."""
+    if kinematics.joint_count > 6:
+        return "lines and arcs of arms with more than six axes are not simulated"
+    return None
+
+
 def circle_fault(segment: Segment) -> str | None:
     """Say why the circle of an arc is uncertain, or None.
 

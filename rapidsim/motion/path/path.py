@@ -17,8 +17,15 @@ import numpy as np
 
 from rapidsim.frames.moving_frames import ExternalCourse
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.geometry.blends import Corner, Limit, corners_of, describe, without_skipped
-from rapidsim.motion.geometry.curves import Index, circle_fault, curves_of
+from rapidsim.motion.geometry.blends import (
+    Corner,
+    Limit,
+    corners_of,
+    describe,
+    describe_stop,
+    without_skipped,
+)
+from rapidsim.motion.geometry.curves import Index, circle_fault, curves_of, unsupported
 from rapidsim.motion.geometry.joint_mapping import Arms, arms_of
 from rapidsim.motion.geometry.parameterisation import Layout, layout_of
 from rapidsim.motion.geometry.segments import Geometry, Segment
@@ -451,7 +458,7 @@ def build_path(
     for i, segment in enumerate(segments):
         if segment.geometry is Geometry.JOINT:
             continue
-        reason = circle_fault(segment) or _unsupported(kinematics)
+        reason = circle_fault(segment) or unsupported(kinematics)
         if reason is not None:
             return PathFault(i, 0.0, 0.0, 0.0, reason, FaultKind.SET_UP)
     curves = curves_of(segments, kinematics)
@@ -480,18 +487,6 @@ def build_path(
 def _norms(velocity: Array, turning: Array) -> Array:
     """Lengths (k, 2) of two rows of vectors (k, 3)."""
     return np.stack([np.linalg.norm(velocity, axis=-1), np.linalg.norm(turning, axis=-1)], axis=-1)
-
-
-def describe_stop(limit: Limit) -> str:
-    """Why the arm stops where no corner was looked for."""
-    return describe(limit, 0.0, 0.0, 0.0, 0.0, stops=True)
-
-
-def _unsupported(kinematics: Kinematics) -> str | None:
-    """Why lines and arcs cannot be simulated, or None."""
-    if kinematics.joint_count > 6:
-        return "lines and arcs of arms with more than six axes are not simulated"
-    return None
 
 
 def _joint_space_fault(path: Path, axes: Axes) -> PathFault | None:
