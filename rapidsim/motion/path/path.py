@@ -36,7 +36,7 @@ from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.along_curves import Nodes
 from rapidsim.motion.path.curve_following import FaultKind, PathFault, follow, limit_fault
 from rapidsim.motion.path.line_derivatives import Lines, lines_of
-from rapidsim.motion.path.path_derivatives import PathPoints, PathRates
+from rapidsim.motion.path.path_derivatives import PathPoints, PathRates, norms
 from rapidsim.motion.path.segment_columns import Programmed, programmed_of, widths_of
 from rapidsim.motion.robot.external_axes import Axes
 from rapidsim.motion.robot.robot import Robot
@@ -290,11 +290,11 @@ class Path:
             joints[on_curve], first[on_curve], second[on_curve] = self.arms.rates(
                 motion, row[on_curve], course, near
             )
-            speeds[on_curve] = _norms(motion.velocity, motion.turning)
+            speeds[on_curve] = norms(motion.velocity, motion.turning)
         if len(in_joints):
             at, d1, d2 = self._in_joint_space(s[in_joints], piece[in_joints])
             joints[in_joints], first[in_joints], second[in_joints] = at, d1, d2
-            speeds[in_joints] = _norms(*self._tcp_twist(at, d1, row[in_joints]))
+            speeds[in_joints] = norms(*self._tcp_twist(at, d1, row[in_joints]))
             # Where two wrist axes lead, the speed is that of what follows the circle, not the TCP.
             led = self.arms.pair_rows[row] & (self.layout.joint_corner[piece] < 0)
             speeds[led, 0] = 1.0
@@ -482,11 +482,6 @@ def build_path(
     if fault is not None:
         return dataclasses.replace(fault, segment=int(active[fault.segment]))
     return path
-
-
-def _norms(velocity: Array, turning: Array) -> Array:
-    """Lengths (k, 2) of two rows of vectors (k, 3)."""
-    return np.stack([np.linalg.norm(velocity, axis=-1), np.linalg.norm(turning, axis=-1)], axis=-1)
 
 
 def _joint_space_fault(path: Path, axes: Axes) -> PathFault | None:

@@ -69,3 +69,8 @@ class PathRates:
     def columns(self) -> tuple[Array, Array, Array, Array, Array]:
         """The five in this order."""
         return self.first, self.second, self.tcp_rate, self.turn_rate, self.stance
+
+
+def norms(velocity: Array, turning: Array) -> Array:
+    """Lengths (k, 2) of two rows of vectors (k, 3)."""
+    return np.stack([np.linalg.norm(velocity, axis=-1), np.linalg.norm(turning, axis=-1)], axis=-1)
