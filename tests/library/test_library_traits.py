@@ -148,7 +148,7 @@ ELSEWHERE = {
     "comparison/program_changes.py": {"type"},
     "controller": {
         *("ClearPath", "RestoPath", "StorePath", "SyncMoveOn", "SyncMoveOff", "SyncMoveSuspend"),
-        *("SyncMoveResume", "stop", "load"),
+        *("SyncMoveResume", "stop", "load", "RMQSendMessage"),
     },
     "interpreter/codegen/special_forms.py": {
         *("argname", "dim", "ispers", "isvar", "present", "strlen", "type"),
