@@ -20,7 +20,7 @@ from rapidsim.jobs.load_tasks import LoadedTask, load_tasks
 from rapidsim.jobs.misspelt_signals import misspelt_in
 from rapidsim.jobs.pointed_targets import pointed_at_targets
 from rapidsim.jobs.run_options import run_options
-from rapidsim.jobs.task_files import program_name, seen_from_here
+from rapidsim.jobs.task_files import program_name, program_title, seen_from_here
 from rapidsim.jobs.task_setups import task_setups
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.simulation.options import RunOptions
@@ -105,6 +105,8 @@ class PreparedRun:
     options: RunOptions
     diagnostics: tuple[Diagnostic, ...]
     """What checking found."""
+    title: str
+    """What the run is called."""
 
 
 def run_job(job: Job) -> FinishedRun:
@@ -141,7 +143,7 @@ def prepared(loaded: LoadedJob) -> PreparedRun:
     bare = task_setups(loaded.tasks, job.station, loaded.robot, job.open_robot)
     setups = tuple(replace(setup, entry=job.entry(setup.name)) for setup in bare)
     options = replace(run_options(job), home=_home(job.asked.home, job.asked.paths))
-    return PreparedRun(setups, options, loaded.diagnostics)
+    return PreparedRun(setups, options, loaded.diagnostics, program_title(job.asked.paths))
 
 
 def executed(prepared: PreparedRun) -> FinishedRun:
@@ -159,7 +161,7 @@ def executed(prepared: PreparedRun) -> FinishedRun:
     written = (replace(one, path=str(seen_from_here(Path(one.path)))) for one in run.home_files)
     found = pointed_at_targets(run.diagnostics, [setup.program for setup in prepared.setups])
     diagnostics = (*prepared.diagnostics, *found)
-    run = replace(run, home_files=tuple(written), diagnostics=diagnostics)
+    run = replace(run, home_files=tuple(written), diagnostics=diagnostics, named=prepared.title)
     return replace(finished, simulation=run)
 
 

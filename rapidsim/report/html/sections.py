@@ -8,10 +8,10 @@ from pathlib import Path
 
 from rapidsim.controller.journal.events import Event, EventKind
 from rapidsim.controller.journal.failed_moves import FailedMove
-from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.report.findings.merging import Finding, merged
-from rapidsim.report.html.elements import bar, section, table, text, tile
+from rapidsim.report.html.elements import bar, prose, section, table, text, tile
 from rapidsim.report.run.figures import Figures
 from rapidsim.report.run.json_report import models, of_robots
 from rapidsim.simulation.results.curve_deviations import CurveDeviation, all_curve_deviations
@@ -32,26 +32,20 @@ _ENDS = {
 }
 
 
-def title(simulation: Simulation) -> str:
-    """The names of the program's files."""
-    names = [Path(name).name for name in simulation.program]
-    return names[0] if len(names) == 1 else f"{names[0]} and {len(names) - 1} more"
-
-
 def head(simulation: Simulation) -> str:
     """The name of the program, the robot, and how the run ended."""
     words, kind = _ENDS[simulation.end]
     robots = [one.robot.title for one in simulation.robots]
     return (
-        f"<h1>{text(title(simulation))}</h1>"
+        f"<h1>{text(simulation.title)}</h1>"
         f'<p class="robot">{text(" and ".join(robots))}</p>'
-        f'<p class="end {kind}">{text(words)} after {simulation.time_s:.3f} s</p>'
+        f'<p class="end {kind}">{text(words)} after {simulation.time_s:.3f}\N{NO-BREAK SPACE}s</p>'
     )
 
 
 def summary(simulation: Simulation, figures: Figures, findings: Sequence[Diagnostic]) -> str:
     """The figures that are asked for first."""
-    corners = ", ".join(f"{count} {kind.value}" for kind, count in figures.moves_by_corner)
+    corners = ", ".join(_corner(kind, count) for kind, count in figures.moves_by_corner)
     kinds = ", ".join(f"{count} {name}" for name, count in figures.moves_by_instruction)
     errors = sum(finding.severity is Severity.ERROR for finding in findings)
     warnings = sum(finding.severity is Severity.WARNING for finding in findings)
@@ -120,10 +114,10 @@ def _finding(finding: Finding, remark: str = "") -> str:
         line = f"<pre>{text(source[:_LONGEST_LINE])}</pre>"
     cf = f" (cf. {violation.cf})" if violation.cf else ""
     more = f" and {len(finding.repeats)} more like it" if finding.repeats else ""
-    cure = f'<p class="help">{text(violation.help)}</p>' if violation.help else ""
+    cure = f'<p class="help">{prose(violation.help)}</p>' if violation.help else ""
     title = f'<b class="code">{text(remark or kind)} {violation.code}</b>'
     return (
-        f'<div class="finding {kind}"><p>{title} {text(violation.message)}{text(cf)}</p>'
+        f'<div class="finding {kind}"><p>{title} {prose(violation.message)}{text(cf)}</p>'
         f'<p class="where">{text(where)}{more}</p>'
         f"{line}{cure}</div>\n"
     )
@@ -212,7 +206,7 @@ def events(simulation: Simulation) -> str:
             f"{event.time_s:.3f}",
             f'<span class="kind {event.kind.value}">{event.kind.value}</span>',
             text(_place(event, several)),
-            text(event.message),
+            prose(event.message),
         )
         for event in told[:_MOST_EVENTS]
     ]
@@ -272,6 +266,16 @@ def _otherwise(figures: Figures) -> str:
     """The time with other accelerations, which is the assumption that counts most."""
     times = [f"{one.time_s:.3f} s at {one.factor:g} times" for one in figures.otherwise]
     return f"{', '.join(times)} the acceleration" if times else ""
+
+
+def _corner(kind: CornerKind, count: int) -> str:
+    match kind:
+        case CornerKind.FLY_BY:
+            return f"{count} fly-by"
+        case CornerKind.STOP:
+            return _counted(count, "stop")
+        case CornerKind.STOP_CORNER_PATH_FAILURE:
+            return f"{_counted(count, 'stop')} as the next move came too late"
 
 
 def _counted(count: int, name: str) -> str:
