@@ -14,13 +14,17 @@ from rapidsim.report.findings.merging import Finding, merged
 from rapidsim.report.html.elements import bar, prose, section, table, text, tile
 from rapidsim.report.run.figures import Figures
 from rapidsim.report.run.json_report import models, of_robots
+from rapidsim.report.run.long_programs import lines_of
 from rapidsim.simulation.results.curve_deviations import CurveDeviation, all_curve_deviations
+from rapidsim.simulation.results.held_back import held_back
+from rapidsim.simulation.results.regions import Region, by_comment
 from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.simulation.results.time_shares import Share, Step, by_line, by_routine
 
 _MOST_FINDINGS = 200
 _OPEN_FINDINGS = 6
 _MOST_LINES = 300
+_MOST_STRETCHES = 50
 _MOST_EVENTS = 1500
 _LONGEST_LINE = 160
 _ENDS = {
@@ -139,7 +143,9 @@ def cycle_time(simulation: Simulation) -> str:
         else ""
     )
     body = (
-        "<h3>By routine</h3>"
+        _stretches(simulation)
+        + _regions(by_comment(steps))
+        + "<h3>By routine</h3>"
         + table(
             ("routine", ">moves and waits", ">path [mm]", ">time [s]", ""),
             [
@@ -168,6 +174,55 @@ def cycle_time(simulation: Simulation) -> str:
         body,
         "in moves and waits; a wait while the robot moves counts for both lines",
     )
+
+
+def _stretches(simulation: Simulation) -> str:
+    """Where the programmed speed is not reached, and which limit is nearest then."""
+    found = held_back(simulation)
+    if not found:
+        return ""
+    rows = [
+        (
+            text(lines_of(one)),
+            text(one.limit),
+            str(one.moves),
+            f"{one.programmed_mm_s:.0f}",
+            f"{one.reached_mm_s:.0f}",
+            f"{one.seconds:.3f}",
+            f"{one.lost_s:.3f}",
+            bar(one.lost_s / found[0].lost_s if found[0].lost_s else 0.0),
+        )
+        for one in found[:_MOST_STRETCHES]
+    ]
+    heads = ("lines", "held by", ">moves", ">programmed [mm/s]", ">mean [mm/s]", ">time [s]",
+             ">lost [s]", "")  # fmt: skip
+    left = len(found) - len(rows)
+    more = f'<p class="aside">and {left} stretches that cost less</p>' if left else ""
+    table_of_them = table(heads, rows, kind="times")
+    return (
+        "<h3>Where the programmed speed is not reached</h3>"
+        f'<div class="scrolled">{table_of_them}</div>{more}'
+    )
+
+
+def _regions(regions: Sequence[Region]) -> str:
+    """The time by the comments that head parts of the program."""
+    if len(regions) < 2:
+        return ""
+    rows = [
+        (
+            text(one.comment),
+            text(f"{Path(one.file).name}:{one.line}"),
+            str(one.steps),
+            f"{one.seconds:.3f}",
+            bar(one.seconds / regions[0].seconds if regions[0].seconds else 0.0),
+        )
+        for one in regions[:_MOST_LINES]
+    ]
+    table_of_them = table(
+        ("comment", "line", ">moves and waits", ">time [s]", ""), rows, kind="times"
+    )
+    return f'<h3>By comment</h3><div class="scrolled">{table_of_them}</div>'
 
 
 def _share_row(

@@ -21,6 +21,7 @@ from rapidsim.report.findings.source_frame import printable
 from rapidsim.report.kept_units import KeptUnits
 from rapidsim.report.run.figures import Figures, JointMargin, SingularityMargin
 from rapidsim.report.run.json_report import models, of_robots
+from rapidsim.report.run.long_programs import long_program_text
 from rapidsim.report.uncut_table import WholeTable
 from rapidsim.simulation.results.persistents import PersistentChange, parts_of
 from rapidsim.simulation.results.simulation import End, Simulation
@@ -89,7 +90,10 @@ def summary(
     parts: list[RenderableType] = [KeptUnits(_headline(simulation)), Rule(style="dim"), Text()]
     parts.append(_facts(simulation, figures, robot_reason, bars))
     slowest = sorted((*figures.slowest, *figures.slowest_waits), key=lambda one: -one.seconds)
-    if slowest:
+    of_many = long_program_text(simulation)
+    if of_many is not None:
+        parts += [Text(), of_many]
+    elif slowest:
         parts += [Text(), _slowest(slowest[:_SLOWEST], bars)]
     if simulation.moves:
         parts += [Text(), KeptUnits(_models(simulation, figures))]
