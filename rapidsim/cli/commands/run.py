@@ -25,6 +25,7 @@ from rapidsim.cli.tools.assertions import (
     read_assertions,
 )
 from rapidsim.cli.tools.opened_viewer import open_viewer
+from rapidsim.cli.tools.repeated import watch_option
 from rapidsim.cli.tools.run_output import FORMATS, RunDone, print_rejected, print_run, stage
 from rapidsim.cli.tools.watching import choose_watch, watched
 from rapidsim.extras import pip_install
@@ -50,6 +51,7 @@ _EXIT_CODES = {
 
 
 @click.command()
+@watch_option
 @program_options
 @output_options
 @input_options

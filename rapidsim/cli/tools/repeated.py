@@ -10,11 +10,12 @@ from pathlib import Path
 import click
 
 from rapidsim.cli.terminal import current_terminal, say
-from rapidsim.files import MODULE_SUFFIXES, PROGRAM_SUFFIX, InputError
+from rapidsim.files import MODULE_SUFFIXES, InputError
 from rapidsim.station.station import find_station
 
 _LOOKS_S = 0.4
-_READ = {*MODULE_SUFFIXES, PROGRAM_SUFFIX, ".toml", ".cfg"}
+_PROGRAM = ".pgf"
+_READ = {*MODULE_SUFFIXES, _PROGRAM, ".toml", ".cfg"}
 """What of a folder can change what a command says."""
 
 Stamps = Mapping[str, tuple[int, int]]
@@ -32,6 +33,8 @@ def watch_option(command: Callable[..., int]) -> Callable[..., int]:
         assert isinstance(paths, tuple)
         if "-" in paths:
             raise InputError("--watch: standard input does not change")
+        if options.get("write_pers"):
+            raise InputError("--watch and --write-pers exclude each other")
         beside = [options.get(name) for name in ("station", "io", "answers")]
         named = [str(file) for file in beside if file is not None]
         while True:
@@ -44,7 +47,8 @@ def watch_option(command: Callable[..., int]) -> Callable[..., int]:
                 if error.help:
                     say(f" help: {error.help}", err=True)
             if not current_terminal().quiet:
-                say(f"\nWatching {len(before)} files; Ctrl-C ends it.", err=True)
+                files = "1 file" if len(before) == 1 else f"{len(before)} files"
+                say(f"\nWatching {files}; Ctrl-C ends it.", err=True)
             while (now := _stamps(paths, named)) == before:
                 look_later()
             changed = sorted(
@@ -69,9 +73,9 @@ def _stamps(paths: Sequence[str], named: Sequence[str]) -> Stamps:
     files = [Path(name) for name in named] + ([station] if station else [])
     for path in map(Path, paths):
         if path.is_dir():
-            files += [one for one in path.rglob("*") if one.suffix.lower() in _READ]
-        elif path.suffix.lower() == PROGRAM_SUFFIX:
-            files += [one for one in path.parent.iterdir() if one.suffix.lower() in _READ]
+            files += [one for one in path.rglob("*") if _counts(one.relative_to(path))]
+        elif path.suffix.lower() == _PROGRAM:
+            files += [one for one in path.parent.iterdir() if _counts(Path(one.name))]
         else:
             files.append(path)
     found = {}
@@ -82,3 +86,9 @@ def _stamps(paths: Sequence[str], named: Sequence[str]) -> Stamps:
             continue
         found[str(file)] = (status.st_mtime_ns, status.st_size)
     return found
+
+
+def _counts(file: Path) -> bool:
+    """Whether a file of a folder is read; what programs wrote to their home folders is not."""
+    at_home = any(folder.suffix == ".home" for folder in file.parents)
+    return file.suffix.lower() in _READ and not at_home
