@@ -99,6 +99,7 @@ class TaskClock:
         self._journal = journal
         self._table = table
         self.program_state: Callable[[], object] = lambda: None
+        self.has_handler: Callable[[], bool] = lambda: False
         self._polling = Polling(lambda: self.program_state())
         self._time = PointerTime()
         self._lines_noted = 0

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
 from dataclasses import dataclass
 
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.motion_state import MotionState
-from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.solo_moves import Put
@@ -126,7 +124,7 @@ class TaskMotion:
         """Let the robot make the moves it has before the program stopped with an error."""
         queue = self.unit.queue
         if queue.is_open and not queue.is_halted:
-            with suppress(MotionError):
+            with self.unit.ending():
                 queue.close()
 
     def end_with_the_run(self) -> None:
@@ -136,7 +134,7 @@ class TaskMotion:
         """
         limit_s, queue = self.cell.max_time_s, self.unit.queue
         if not queue.is_halted and queue.trajectory.command_end > limit_s:
-            with suppress(MotionError):
+            with self.unit.ending():
                 queue.halt(limit_s)
 
     def _stand_now(self) -> tuple[Array, Array]:

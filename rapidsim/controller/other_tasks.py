@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, field
 
 from rapidsim.controller.cell.cell import Cell
@@ -18,7 +17,6 @@ from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.events import MAX_TIME
 from rapidsim.controller.journal.stop_reasons import WaitsForever
 from rapidsim.controller.motion_state import MotionState
-from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.frames.transform import Array
@@ -141,7 +139,7 @@ class TaskOthers:
             # Stopping would plan what is open, which may be what took too long.
             self.unit.queue.leave()
             return
-        with suppress(MotionError):
+        with self.unit.ending():
             if not self.unit.queue.is_halted:
                 self.unit.queue.halt(time_s)
 

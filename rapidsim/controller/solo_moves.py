@@ -13,7 +13,9 @@ from rapidsim.controller.interrupt_table import InterruptTable
 from rapidsim.controller.journal.events import THE_TIME
 from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.motion_state import MotionState
+from rapidsim.controller.moves.assumed_arm import leave_out
 from rapidsim.controller.moves.executed_move import CornerKind
+from rapidsim.controller.moves.move_request import MoveRefusedError
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
@@ -68,9 +70,17 @@ class SoloMoves:
         self.clock.note_line()
         self._count_concurrent(move)
         queue = self.unit.own
-        queued = self.resolver.resolve(
-            move, self.clock.place, queue.end, self.state.settings, index=len(queue.moves)
-        )
+        try:
+            queued = self.resolver.resolve(
+                move, self.clock.place, queue.end, self.state.settings, index=len(queue.moves)
+            )
+        except MoveRefusedError as refused:
+            # A search needs its move, and who handles the error wants to see it.
+            if not (wait and self.resolver.assumes_arm) or self.clock.has_handler():
+                raise
+            self.state.use(move, self.clock.place.arguments)
+            leave_out(self.journal, refused.violation, move, self.clock.place)
+            return
         if self.clock.thinks_long() or not queue.is_open:
             self.clock.observe()
         moment = self.clock.moment()

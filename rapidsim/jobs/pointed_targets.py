@@ -9,13 +9,21 @@ from rapidsim.analysis.program import Program
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Span
 from rapidsim.findings.reach_and_motion_data import (
+    ConfigurationChangesOnLine,
     ConfigurationNotReachable,
     JointOutOfRange,
+    PathConfiguration,
+    PathNotReachable,
+    PathThroughSingularity,
     UnreachableTarget,
 )
+from rapidsim.findings.wrist_circles import WristCircleFails
 from rapidsim.syntax import tree
 
-_ABOUT_TARGETS = (UnreachableTarget, JointOutOfRange, ConfigurationNotReachable)
+_ABOUT_TARGETS = (
+    *(UnreachableTarget, JointOutOfRange, ConfigurationNotReachable, ConfigurationChangesOnLine),
+    *(PathNotReachable, PathThroughSingularity, PathConfiguration, WristCircleFails),
+)
 _TARGETS = ("robtarget", "jointtarget")
 
 
@@ -38,16 +46,16 @@ def _pointed(found: Diagnostic, places: Mapping[tuple[str, int, int], Span]) -> 
 
 
 def _targets(program: Program) -> Iterator[tuple[tuple[str, int, int], Span]]:
-    """The place of each instruction that has one target with the place of that."""
+    """The place of each instruction that has targets with that of the last: where it goes."""
     for module in program.modules:
         for node in descendants(module):
             if not isinstance(node, tree.Call):
                 continue
             values = [one.value for one in node.arguments if isinstance(one, tree.Required)]
             targets = [one for one in values if _is_target(program, one)]
-            if len(targets) == 1:
+            if targets:
                 span = module.span(node)
-                yield (span.file, span.start, span.end), module.span(targets[0])
+                yield (span.file, span.start, span.end), module.span(targets[-1])
 
 
 def _is_target(program: Program, value: tree.Expression) -> bool:

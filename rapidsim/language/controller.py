@@ -51,6 +51,9 @@ class ClockService(Protocol):
     """All that decides what the program does next, to be compared; None where it is too much. The
     interpreter sets it."""
 
+    has_handler: Callable[[], bool]
+    """Whether a routine that runs has an ERROR clause. The interpreter sets it."""
+
     def service(self) -> None:
         """Do what is due (traps, other tasks, limits) and grant the next slice.
 

@@ -25,7 +25,7 @@ from rapidsim.language.target_violations import QuaternionNotUnit
 from rapidsim.motion.configurations.reach_cures import reason_with_lengths
 from rapidsim.motion.configurations.reachability import limit_excess, why_unreachable
 from rapidsim.motion.configurations.targets import is_no_orientation
-from rapidsim.motion.robot.external_axes import ExternalAxis
+from rapidsim.motion.robot.external_axes import ExternalAxis, amount_text
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.arm_configurations import Ends, Stances, is_free, is_monitored, stored_confdata
 from rapidsim.reach.cures import Cures
@@ -165,6 +165,6 @@ def _over(robot: Robot, joints: Array) -> str:
     excess = limit_excess(robot, joints)
     return ", ".join(
         f"axis {axis + 1} at {np.degrees(joints[axis]):.1f} deg, "
-        f"{np.degrees(abs(excess[axis])):.1f} deg past its limit"
+        f"{amount_text(float(np.degrees(abs(excess[axis]))))} deg past its limit"
         for axis in np.flatnonzero(excess)
     )

@@ -26,6 +26,9 @@ class RunOptions:
     nearest_configuration: bool = False
     """Whether a move to a target whose stored configuration cannot be had goes to the nearest one
     and the run on; else it ends there, as on a controller with ConfJ or ConfL on."""
+    assumes_arm: bool = False
+    """Whether nobody has named the arm: then a move that it cannot make is left out with a warning,
+    unless the program may handle the error."""
     start_joints_deg: tuple[float, ...] | None = None
     """Where the arm stands at the start; None takes all zero with axis 5 at 30 degrees."""
     world_from_base: Transform = field(default_factory=Transform.identity)

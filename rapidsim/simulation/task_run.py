@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -21,6 +22,7 @@ from rapidsim.controller.journal.stop_reasons import (
     WaitsForever,
     ZoneReached,
 )
+from rapidsim.controller.moves.assumed_arm import go_in_joints
 from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
@@ -116,13 +118,15 @@ def prepare(
     """
     robot = setup.robot or stand_in
     start = _start_waypoint(robot, setup.start_joints_deg)
-    queue = solo_queue(robot, options.model, start, cell.watchdog.look)
+    blame = partial(go_in_joints, journal) if options.assumes_arm else None
+    queue = solo_queue(robot, options.model, start, cell.watchdog.look, blame)
     resolver = Resolver(
         robot,
         journal,
         setup.place.inverse(),
         options.model.payload_acceleration,
         options.nearest_configuration,
+        options.assumes_arm,
     )
     place = _entry_place(setup.program, setup.entry or options.entry)
     unit, has_robot = MechanicalUnit(queue), setup.robot is not None

@@ -48,7 +48,7 @@ def test_the_page_about_tools_shows_what_is_printed(tmp_path: Path) -> None:
     (tmp_path / "deep.mod").write_text(DEEP)
     ended = rapidsim("run", "deep.mod", "--no-record", "-q", cwd=tmp_path)
     assert ended.code == 1
-    assert f"```\n{ended.out.rstrip()}\n```" in TOOLS.read_text("utf-8")
+    assert f"```text\n{ended.out.rstrip()}\n```" in TOOLS.read_text("utf-8")
 
 
 def test_a_call_out_of_a_clause_says_so(tmp_path: Path) -> None:

@@ -24,6 +24,14 @@ FAR = (
     "  PROC main()\n    MoveJ p,v100,fine,tool0;\n  ENDPROC\nENDMODULE\n"
 )
 
+BEHIND = (
+    "MODULE a\n"
+    "  CONST robtarget p:=[[700,0,700],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+    "  CONST robtarget q:=[[-700,0,700],[0,0,1,0],[-2,0,2,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+    "  PROC main()\n    MoveJ p,v500,fine,tool0;\n    MoveL q,v500,fine,tool0;\n"
+    "  ENDPROC\nENDMODULE\n"
+)
+
 LACKS = (
     "MODULE a\n  CONST robtarget p:=[[900,0,900],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
     "  PROC main()\n    MoveJ p,v100,fine,tGrip\\WObj:=wBox;\n  ENDPROC\nENDMODULE\n"
@@ -49,7 +57,10 @@ def report(folder: Path, text: str, *arguments: str) -> dict[str, object]:
         ("MODULE a\n  PROC main()\n  ENDPROC\nENDMODULE\n", (), 0, "ended"),
         ("MODULE a\n  PROC main()\n    EXIT;\n  ENDPROC\nENDMODULE\n", (), 0, "stopped"),
         (DIVIDES, (), 1, "error"),
-        (FAR, (), 1, "error"),
+        (FAR, ("--robot", "irb1600"), 1, "error"),
+        # Nobody has named the arm, so nobody knows whether the program is for it.
+        (FAR, (), 0, "ended"),
+        (FAR.replace("ENDPROC", "ERROR\n    RAISE;\n  ENDPROC"), (), 1, "error"),
         ("MODULE a\n  PROC main()\n    x:=;\n  ENDPROC\nENDMODULE\n", (), 1, "error"),
         (LOOP, ("--max-time", "20"), 3, "time_limit"),
     ],
@@ -180,14 +191,30 @@ def test_the_command_that_opens_a_recording_can_be_copied(tmp_path: Path) -> Non
     assert out.splitlines()[-1] == 'Open the recording with: rerun "pick & place.rrd"'
 
 
-def test_a_run_points_at_the_target_as_a_check_does(tmp_path: Path) -> None:
-    diagnostics = report(tmp_path, FAR)["diagnostics"]
+@pytest.mark.parametrize(
+    ("text", "arguments"), [(FAR, ()), (FAR, ("--robot", "irb1600")), (BEHIND, ())]
+)
+def test_a_run_points_at_the_target_as_a_check_does(
+    text: str, arguments: tuple[str, ...], tmp_path: Path
+) -> None:
+    codes = ("K601", "K604")
+    diagnostics = report(tmp_path, text, *arguments)["diagnostics"]
     assert isinstance(diagnostics, list)
-    (found,) = diagnostics
-    checked = rapidsim("check", "a.mod", "--output-format", "json", cwd=tmp_path)
-    (told,) = json.loads(checked.out)["diagnostics"]
-    places = ("code", "line", "column", "end_line", "end_column")
-    assert [found[key] for key in places] == [told[key] for key in places]
+    (found,) = (one for one in diagnostics if one["code"] in codes)
+    checked = rapidsim("check", "a.mod", "--output-format", "json", *arguments, cwd=tmp_path)
+    (told,) = (one for one in json.loads(checked.out)["diagnostics"] if one["code"] in codes)
+    same = ("code", "severity", "line", "column", "end_line", "end_column")
+    assert [found[key] for key in same] == [told[key] for key in same]
+
+
+def test_a_way_that_an_arm_nobody_named_cannot_follow_is_moved_in_joints(tmp_path: Path) -> None:
+    run = report(tmp_path, BEHIND)
+    assert run["end"] == "ended"
+    moves, told = run["moves"], run["unsimulated"]
+    assert isinstance(moves, list)
+    assert isinstance(told, list)
+    assert [move["instruction"] for move in moves] == ["MoveJ", "MoveL"]
+    assert [(one["name"], one["treated_as"][:15]) for one in told] == [("MoveL", "moved in joints")]
 
 
 def test_targets_that_functions_are_given_stand_in_the_work_object_of_their_move(

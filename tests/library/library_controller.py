@@ -92,6 +92,7 @@ class RecordingController:
     def __post_init__(self) -> None:
         self.call_procedure: Callable[[str], None] = print
         self.program_state: Callable[[], object] = lambda: None
+        self.has_handler: Callable[[], bool] = lambda: False
 
     def call(self, name: str, *arguments: Any, **options: Any) -> Any:
         """Call a routine, with this controller if it wants one."""

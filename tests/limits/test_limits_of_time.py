@@ -2,11 +2,14 @@
 
 import json
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from rapidsim.cli.boundary import run_commands
+from rapidsim.controller.motion import TaskMotion
+from rapidsim.controller.other_tasks import TaskOthers
 from rapidsim.files import SourceFile
 from rapidsim.jobs.checked_program import load
 from rapidsim.motion.robot.robot import load_robot
@@ -206,3 +209,38 @@ def test_the_run_of_a_check_is_cut_off_too(
     assert run_commands(["check", str(file)]) == 1
     assert time.process_time() - began_s < WALL_S + 3.0 * BEYOND_S
     assert "unreachable" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("last", "end"),
+    [
+        ("WHILE TRUE DO\n      n:=n+1;\n    ENDWHILE", End.TIME_LIMIT),
+        ("EXIT;", End.STOPPED),
+        ("n:=1/(n-n);", End.ERROR),
+    ],
+)
+def test_a_clock_that_runs_out_while_a_stopped_run_comes_to_rest(
+    last: str, end: End, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What ended the run is told, and the robot is left on its way."""
+    moves = "".join(f"    MoveL Offs(p1,-300,{y},-400),v20,z10,tool0;\n" for y in (0, 90))
+    loaded = load([SourceFile("job.mod", once(f"{TO_P1}{moves}    {last}", ""), "utf-8")])
+    assert loaded.program is not None, loaded.diagnostics
+    ends: list[str] = []
+    for service, name in ((TaskOthers, "stop_robot"), (TaskMotion, "abandon")):
+        monkeypatch.setattr(service, name, _out_of_time(getattr(service, name), ends))
+    options = RunOptions(home=tmp_path, max_time_s=2.0)
+    run = simulate(loaded.program, load_robot("irb1600"), options=options)
+    assert ends
+    assert run.end is end
+
+
+def _out_of_time(original: Callable[..., None], ends: list[str]) -> Callable[..., None]:
+    """Something done at the end of a run, when the computer's clock has just run out."""
+
+    def done(service: TaskMotion | TaskOthers, *rest: float) -> None:
+        ends.append(original.__name__)
+        service.cell.watchdog._is_over = True
+        original(service, *rest)
+
+    return done

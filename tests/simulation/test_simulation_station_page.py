@@ -1,4 +1,4 @@
-"""Every station file that the documentation shows can be read, and the gripper it shows works."""
+"""The gripper that the documentation shows works."""
 
 import re
 from pathlib import Path
@@ -6,38 +6,14 @@ from pathlib import Path
 import pytest
 from simulation_program import ran
 
-from rapidsim.station.read import read_io, read_station
+from rapidsim.station.read import read_io
 
 ROOT = Path(__file__).parents[2]
-PAGES = (
-    "README.md",
-    "docs/station.md",
-    "docs/tasks.md",
-    "docs/motion.md",
-    "docs/timing.md",
-    "docs/sockets.md",
-)
-BLOCKS = [
-    pytest.param(block, id=f"{page}-{number}")
-    for page in PAGES
-    for number, block in enumerate(
-        re.findall(r"^```toml\n(.*?)^```", (ROOT / page).read_text(encoding="utf-8"), re.M | re.S)
-    )
-]
-
-
-@pytest.mark.parametrize("block", BLOCKS)
-def test_a_station_file_that_is_shown_can_be_read(block: str, tmp_path: Path) -> None:
-    file = tmp_path / "rapidsim.toml"
-    file.write_text(block, encoding="utf-8")
-    read_station(file)
 
 
 def test_the_gripper_of_the_page_answers_and_is_five_lines(tmp_path: Path) -> None:
     page = (ROOT / "docs" / "station.md").read_text(encoding="utf-8")
-    (gripper,) = (
-        part for part in re.split(r"\n\n|```", page) if "diGripped" in part and "[[" in part
-    )
+    (gripper,) = (part for part in re.split(r"\n\n|```", page) if "a gripper: closed" in part)
     assert len(gripper.strip().splitlines()) <= 5
     file = tmp_path / "io.toml"
     file.write_text(gripper, encoding="utf-8")

@@ -59,6 +59,8 @@ class Resolver:
     """See `MotionModel`."""
     nearest_configuration: bool = False
     """Whether a stored configuration that cannot be had gives way to the nearest."""
+    assumes_arm: bool = False
+    """Whether nobody knows that the program is for this arm."""
     _placements: dict[tuple[ToolData, WobjData], targets.Placement | targets.NotSimulatedFrame] = (
         field(default_factory=dict)
     )

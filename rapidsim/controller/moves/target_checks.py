@@ -27,7 +27,6 @@ from rapidsim.language.data import (
 )
 from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH, ERR_ROBLIMIT
 from rapidsim.language.target_violations import QuaternionNotUnit
-from rapidsim.motion.configurations.reachability import limit_excess
 from rapidsim.motion.configurations.targets import (
     TOLERATED_NORM_ERROR,
     external_values,
@@ -123,11 +122,9 @@ def require_limits(
 
 def excess_text(robot: Robot, wide: Array) -> str:
     """What is past the limits of joints and external axes (n + e,); empty if nothing is."""
-    axes, n = robot.axes, robot.axes.joint_count
+    axes = robot.axes
     excess = np.maximum(wide - axes.upper, axes.lower - wide)
-    # With its tolerance for rounding.
-    excess[:n] = np.abs(limit_excess(robot, wide[:n]))
     return ", ".join(
         f"{axes.name(i)} at {axes.text(i, wide[i])}, {axes.text(i, excess[i])} past its limit"
-        for i in map(int, np.flatnonzero(excess > 0.0))
+        for i in map(int, np.flatnonzero(excess > axes.tolerances))
     )

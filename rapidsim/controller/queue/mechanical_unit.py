@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 
+from rapidsim.controller.journal.stop_reasons import WallLimitReached
+from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.controller.queue.motion_queue import MotionQueue
 from rapidsim.controller.queue.solo_queue import SoloQueue
 from rapidsim.controller.queue.team_planner import TeamPlanner
@@ -36,6 +40,20 @@ class MechanicalUnit:
     def team(self) -> TeamPlanner | None:
         """With which it moves together now."""
         return None if self.seat is None else self.seat.team
+
+    @contextmanager
+    def ending(self) -> Iterator[None]:
+        """What the robot still does at the end of a run.
+
+        It fails in silence, as what has ended the run is told; and if the computer's clock ends
+        it, the robot is left on its way.
+        """
+        try:
+            yield
+        except MotionError:
+            pass
+        except WallLimitReached:
+            self.queue.leave()
 
     def join(self, team: TeamPlanner, number: int) -> None:
         """Move together with others, as a robot of this number in the team."""

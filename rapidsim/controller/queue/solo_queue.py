@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 
@@ -228,7 +228,11 @@ class SoloQueue:
 
 
 def solo_queue(
-    robot: Robot, model: MotionModel, start: Waypoint, look: Look = undisturbed
+    robot: Robot,
+    model: MotionModel,
+    start: Waypoint,
+    look: Look = undisturbed,
+    give_way: Callable[[MotionError], bool] | None = None,
 ) -> SoloQueue:
     """The queue of a robot that stands somewhere at time zero.
 
@@ -237,9 +241,10 @@ def solo_queue(
         model: How its controller moves it.
         start: Where it stands.
         look: Called while it plans; raises to end that.
+        give_way: Changes a move that cannot be made; whether it has. None changes none.
     """
     trajectory = Trajectory(start, model.filter_time, model.smoothing)
-    build = partial(_path, robot, model, look)
+    build = partial(_path, robot, model, look, give_way)
     planner = BlockPlanner(trajectory, model, limits_of(robot, model), build, look=look)
     return SoloQueue(robot, planner, start)
 
@@ -248,6 +253,7 @@ def _path(
     robot: Robot,
     model: MotionModel,
     look: Look,
+    give_way: Callable[[MotionError], bool] | None,
     moves: Sequence[QueuedMove],
     lost_corner: int | None,
 ) -> Path:
@@ -256,5 +262,8 @@ def _path(
         segments[lost_corner] = replace(segments[lost_corner], zone=None)
     path = build_path(robot, segments, model, look)
     if isinstance(path, PathFault):
-        raise MotionError(moves[path.segment], path)
+        error = MotionError(moves[path.segment], path)
+        if give_way is None or not give_way(error):
+            raise error
+        return _path(robot, model, look, give_way, moves, lost_corner)
     return path

@@ -16,7 +16,7 @@ from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
 from rapidsim.interpreter.linking.linker import LinkedProgram
 from rapidsim.interpreter.linking.symbols import TaskSymbols
 from rapidsim.interpreter.linking.task_modules import TaskModules
-from rapidsim.interpreter.runtime.call_stack import FatalError, Frame, rapid_stack
+from rapidsim.interpreter.runtime.call_stack import FatalError, Frame, has_handler, rapid_stack
 from rapidsim.interpreter.runtime.error_recovery import Unrecoverable, as_rapid_error
 from rapidsim.interpreter.runtime.idle_state import idle_state
 from rapidsim.interpreter.runtime.memory import ChangedPersistent, module_data
@@ -146,6 +146,7 @@ def load(program: Program, controller: Controller, shared: SharedPersistents | N
     def beside() -> object:
         return controller.error_numbers.errno, controller.motion.settings
 
+    controller.clock.has_handler = has_handler
     controller.clock.program_state = lambda: idle_state(linked.memory.homes, beside)
     controller.interrupts.call_procedure = call_procedure
     controller.modules = TaskModules(linked)

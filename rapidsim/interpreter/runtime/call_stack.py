@@ -6,6 +6,7 @@ frames of our own functions between are left out.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import islice, zip_longest
@@ -107,6 +108,19 @@ def rapid_stack(exception: BaseException) -> tuple[Frame, ...]:
         if following is None or following.tb_frame is not entry.tb_frame
     ]
     return tuple(_frame(entry) for entry in last_of_frame)
+
+
+def has_handler() -> bool:
+    """Whether a routine that runs now has an ERROR clause."""
+    frame = sys._getframe()
+    while (caller := frame.f_back) is not None:
+        frame = caller
+        if is_generated(frame):
+            origin: Origin = frame.f_globals[GENERATED]
+            routine = origin.routines.get(frame.f_code.co_qualname.partition(".")[0])
+            if routine is not None and routine.node.error is not None:
+                return True
+    return False
 
 
 def _entries(traceback: TracebackType | None) -> Iterator[TracebackType]:

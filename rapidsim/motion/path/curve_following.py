@@ -118,7 +118,7 @@ def limit_fault(
     lower, upper = axes.lower, axes.upper
     over = np.maximum(lower - joints, joints - upper)
     bad = np.flatnonzero((over > _LIMIT_TOLERANCE).any(axis=-1))
-    if not len(bad):
+    if not len(bad) or not (over > axes.tolerances).any():
         return None
     first = int(bad[0])
     axis = int(over[first].argmax())

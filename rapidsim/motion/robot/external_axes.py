@@ -17,6 +17,8 @@ from rapidsim.frames.transform import Array, Transform
 
 Carried = Literal["robot", "wobj"]
 LETTERS = "abcdef"
+ROUNDED_AWAY = 0.05
+"""What a program writes may be past a limit by less [deg or mm]: the controller shows 0.0."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -76,6 +78,12 @@ class Axes:
         """Axes of the arm."""
         return len(self.lower) - len(self.external)
 
+    @property
+    def tolerances(self) -> Array:
+        """How little past its range each axis may be (n + e,) [rad or m]."""
+        external = [ROUNDED_AWAY / axis.scale for axis in self.external]
+        return np.array([math.radians(ROUNDED_AWAY)] * self.joint_count + external)
+
     def name(self, index: int) -> str:
         """Such as `axis 3` or `axis eax_a of TRACK`."""
         if index < self.joint_count:
@@ -86,9 +94,14 @@ class Axes:
     def text(self, index: int, value: float) -> str:
         """A value of an axis with its unit, such as `12.5 deg`."""
         if index < self.joint_count:
-            return f"{math.degrees(value):.1f} deg"
+            return f"{amount_text(math.degrees(value))} deg"
         axis = self.external[index - self.joint_count]
-        return f"{value * axis.scale:.1f} {axis.measure}"
+        return f"{amount_text(value * axis.scale)} {axis.measure}"
+
+
+def amount_text(value: float) -> str:
+    """Degrees or millimetres with a digit behind the point; with more where that would be 0."""
+    return f"{value:.1f}" if value == 0.0 or abs(value) >= ROUNDED_AWAY else f"{value:.1g}"
 
 
 def screws_of(

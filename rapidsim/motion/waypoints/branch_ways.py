@@ -19,6 +19,7 @@ from rapidsim.motion.configurations.reachability import (
     limit_excess,
     turns_within_limits,
 )
+from rapidsim.motion.robot.external_axes import amount_text
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.waypoints.branch_jumps import LARGEST_STEP
 
@@ -112,13 +113,9 @@ def _judged(
         side = "upper" if over > 0.0 else "lower"
         why = (
             f"joint {joint + 1} goes to {degrees(joints[row, joint]):.1f} deg, "
-            f"{_amount(degrees(abs(over)))} deg beyond its {side} limit of {degrees(limit):.0f} deg"
+            f"{amount_text(degrees(abs(over)))} deg beyond its {side} limit of "
+            f"{degrees(limit):.0f} deg"
         )
         first = int(np.argmax(np.abs(excess).max(axis=1) > 0.0))
         return BranchWay(conf, joints, why, first, (1, abs(over)))
     return BranchWay(conf, joints, None, 0, (0, 0.0))
-
-
-def _amount(value: float) -> str:
-    """One decimal, and for what that would call 0.0 the first digit that is not 0."""
-    return f"{value:.1f}" if value >= 0.05 else f"{value:.1g}"

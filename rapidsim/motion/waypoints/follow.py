@@ -15,6 +15,7 @@ from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.compiled import decided_anew
 from rapidsim.motion.configurations.reachability import limit_excess, why_unreachable
+from rapidsim.motion.robot.external_axes import amount_text
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.motion.waypoints.plan import (
@@ -233,7 +234,7 @@ def _of_joints(
         limit = "upper" if excess[row, joint] > 0.0 else "lower"
         return Refused(
             f"{when(points, segment, times, row)}: joint {joint + 1} would go "
-            f"{degrees(abs(excess[row, joint])):.1f} deg beyond its {limit} limit",
+            f"{amount_text(degrees(abs(excess[row, joint])))} deg beyond its {limit} limit",
             "give lower speeds at the points, or more time between them",
             int(segment[row]),
         )

@@ -83,4 +83,4 @@ def _parameter(parameter: Parameter) -> str:
 
 
 def _anchor(title: str) -> str:
-    return title.lower().replace(" ", "-")
+    return title.lower().replace(" ", "-").replace("/", "")
