@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from itertools import chain, count
 from os import PathLike, fspath
@@ -24,6 +24,7 @@ from rapidsim.jobs.task_files import program_name, program_title, seen_from_here
 from rapidsim.jobs.task_setups import task_setups
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.progress import Progress
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.simulate import FinishedRun, run_tasks
 from rapidsim.simulation.task_run import TaskSetup
@@ -146,15 +147,21 @@ def prepared(loaded: LoadedJob) -> PreparedRun:
     return PreparedRun(setups, options, loaded.diagnostics, program_title(job.asked.paths))
 
 
-def executed(prepared: PreparedRun) -> FinishedRun:
+def executed(
+    prepared: PreparedRun, watch: Callable[[Callable[[], Progress]], None] | None = None
+) -> FinishedRun:
     """Run what is prepared; the files it wrote are named as the user would name them here.
+
+    Args:
+        prepared: The run.
+        watch: Is given what tells how far the run is; see `run_tasks`.
 
     Raises:
         ProgramRejectedError: If a program cannot be turned into code that runs.
         InputError: If an arm cannot be timed, or no task moves one.
     """
     try:
-        finished = run_tasks(prepared.setups, prepared.options)
+        finished = run_tasks(prepared.setups, prepared.options, watch)
     except NotExecutableError as error:
         raise ProgramRejectedError((*prepared.diagnostics, error.diagnostic)) from None
     run = finished.simulation

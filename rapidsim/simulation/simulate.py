@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -19,6 +19,7 @@ from rapidsim.motion.robot.robot import Robot, RobotError
 from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.simulation.multitasking import run_together
 from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.progress import Progress, Watched
 from rapidsim.simulation.results.early_outputs import early_output_findings
 from rapidsim.simulation.results.persistents import changed_persistents, told_once
 from rapidsim.simulation.results.simulation import (
@@ -74,12 +75,17 @@ class FinishedRun:
 
 @seldom_collected()
 @decided_anew()
-def run_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> FinishedRun:
+def run_tasks(
+    setups: Sequence[TaskSetup],
+    options: RunOptions,
+    watch: Callable[[Callable[[], Progress]], None] | None = None,
+) -> FinishedRun:
     """Run the programs of several tasks on one clock.
 
     Args:
         setups: The tasks; those at one time run in this order.
         options: Inputs and limits; what they say of a robot or a task does not count here.
+        watch: Is given, before anything runs, what tells how far the run is.
 
     Raises:
         InputError: If how fast the axes of an arm turn is not known, or no task moves one.
@@ -96,6 +102,8 @@ def run_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> FinishedRun:
         prepare(setup, arms[0], cell, own, options)
         for setup, own in zip(setups, journals, strict=True)
     ]
+    if watch is not None:
+        watch(Watched(runs))
     try:
         if len(runs) == 1:
             only = runs[0]
