@@ -24,7 +24,7 @@ import numpy as np
 from rapidsim.files import SourceFile
 from rapidsim.frames.transform import Array
 from rapidsim.jobs.checked_program import load
-from rapidsim.motion.model import MotionModel
+from rapidsim.motion.model import MODELS, MotionModel
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.simulation.calibration.log_comparison import Progress
 from rapidsim.simulation.options import RunOptions
@@ -80,7 +80,8 @@ def main() -> None:
     traces = read_traces(file)
     for title, model in (
         ("axis acceleration = axis speed / 0.16 s", default_model()),
-        ("accelerations measured on this arm", measured_model()),
+        ("torques measured on this arm", measured_model()),
+        ("version 1", MODELS["1"]),
     ):
         print(f"\n{title}")
         print(
@@ -108,7 +109,7 @@ def default_model() -> MotionModel:
 
 
 def measured_model() -> MotionModel:
-    """With this arm's own accelerations, which the catalogue holds."""
+    """With this arm's own torques, which the catalogue holds."""
     return MotionModel()
 
 
@@ -122,10 +123,10 @@ def fidelities(traces: Sequence[Mapping[str, Any]], model: MotionModel) -> list[
     """
     compared = [_compare(trace, model) for trace in traces]
     offsets = {
-        kind: _offset_s([one for one in compared if one.turns_joints == kind])
-        for kind in {one.turns_joints for one in compared}
+        kind: _offset_s([one for one in compared if one.kind == kind])
+        for kind in {one.kind for one in compared}
     }
-    return [_fidelity(one, offsets[one.turns_joints]) for one in compared]
+    return [_fidelity(one, offsets[one.kind]) for one in compared]
 
 
 def _offset_s(compared: Sequence[_Compared]) -> float:
@@ -170,9 +171,9 @@ class _Compared:
     """Shape (k,) [s]: our time at that place, since the command started, less the log's."""
 
     @property
-    def turns_joints(self) -> bool:
-        """Whether the recorded moves are MoveAbsJ."""
-        return self.run.moves[-1].move.instruction == "MoveAbsJ"
+    def kind(self) -> str:
+        """The instruction of the recorded moves."""
+        return self.run.moves[-1].move.instruction
 
 
 def _compare(trace: Mapping[str, Any], model: MotionModel) -> _Compared:

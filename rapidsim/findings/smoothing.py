@@ -7,6 +7,7 @@ from rapidsim.diagnostics import Violation
 
 class CornerTooFast(Violation, code="R116"):
     load: float
-    axis: int
+    limit: str
+    """Such as `torque of axis 2`."""
     others: str
     """How many more such corners there are; empty for none."""

@@ -1,13 +1,27 @@
-"""The table [motion]: the parameters of the motion model."""
+"""The tables [motion] and [dynamics]: the parameters of the motion model."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TypeVar, get_args
 
-from rapidsim.motion.model import BlendShape, Keeper, MotionModel, OrientationZone, Smoothing
+from rapidsim.motion.model import (
+    MODELS,
+    BlendShape,
+    Controller,
+    Keeper,
+    MotionModel,
+    OrientationZone,
+    Smoothing,
+    Version,
+)
 from rapidsim.station.toml_reader import Reader, Table
 
 _KEYS = (
+    "model",
+    "controller",
     "acceleration_time",
     "acceleration",
     "payload_acceleration",
@@ -20,38 +34,77 @@ _KEYS = (
     "orientation_zone",
     "accelerations_kept_by",
     "configuration",
+    "zone_share",
 )
+_OF_DYNAMICS = ("torque", "wrist")
+_MAIN_AXES = 3
+_Word = TypeVar("_Word", bound=str)
 
 
-def read_motion(reader: Reader, motion: Table) -> MotionModel:
-    """Read the table; what is wrong is noted, what is missing stays as it is by default."""
+def read_motion(
+    reader: Reader, motion: Table, dynamics: Table
+) -> tuple[MotionModel, tuple[str, ...]]:
+    """Read both tables; what is wrong is noted, what is missing stays as it is by default.
+
+    Returns:
+        The model, and remarks on what no longer counts.
+    """
     reader.known("motion", motion, _KEYS)
-    default = MotionModel()
-    acceleration = reader.numbers(motion, "motion", "acceleration", None)
-    if acceleration and min(acceleration) <= 0.0:
-        reader.wrong("motion.acceleration", "accelerations are above 0")
-    axis_speed = reader.numbers(motion, "motion", "axis_speed", None)
-    if axis_speed and min(axis_speed) <= 0.0:
-        reader.wrong("motion.axis_speed", "axis speeds are above 0")
+    reader.known("dynamics", dynamics, _OF_DYNAMICS)
+
+    def word(key: str, known: object, default: _Word) -> _Word:
+        """One of the words of a `Literal`."""
+        words: tuple[_Word, ...] = get_args(known)
+        found = reader.text(motion, "motion", key)
+        if found is None:
+            return default
+        for one in words:
+            if found == one:
+                return one
+        reader.wrong(f"motion.{key}", f"`{found}` is {_neither(words)}")
+        return default
+
+    default = MODELS[word("model", Version, MotionModel().version)]
+    acceleration = _above_zero(reader, motion, "acceleration", "accelerations")
+    axis_speed = _above_zero(reader, motion, "axis_speed", "axis speeds")
     acceleration_time = reader.positive(motion, "motion", "acceleration_time")
     filter_time = reader.not_negative(motion, "motion", "filter_time")
     fine_dwell = reader.not_negative(motion, "motion", "fine_dwell")
     payload = reader.positive(motion, "motion", "payload_acceleration")
     parabola = reader.positive(motion, "motion", "parabola_acceleration")
-    return MotionModel(
+    zone = word("orientation_zone", OrientationZone, default.orientation_zone)
+    remarks: tuple[str, ...] = ()
+    if default.version != "1" and zone != default.orientation_zone:
+        zone = default.orientation_zone
+        remarks = (
+            'motion.orientation_zone counts with `model = "1"` only: the orientation turns within '
+            "its own zone, as was measured; the key will go with the next release",
+        )
+    zone_share = reader.positive(motion, "motion", "zone_share")
+    if zone_share is not None and zone_share > 1.0:
+        reader.wrong("motion.zone_share", "a share is at most 1")
+    torque = _factors(reader, dynamics)
+    wrist = reader.positive(dynamics, "dynamics", "wrist")
+    model = replace(
+        default,
+        controller=word("controller", Controller, default.controller),
         acceleration_time=acceleration_time or default.acceleration_time,
         own_accelerations=acceleration_time is None,
         acceleration=_radians(acceleration),
+        torque=torque or default.torque,
+        wrist=wrist or default.wrist,
         payload_acceleration=payload or default.payload_acceleration,
         max_speed=_radians(axis_speed),
         filter_time=default.filter_time if filter_time is None else filter_time,
-        smoothing=_smoothing(reader, motion, default.smoothing),
+        smoothing=word("smoothing", Smoothing, default.smoothing),
         fine_dwell=default.fine_dwell if fine_dwell is None else fine_dwell,
-        corner=_corner(reader, motion, default.corner),
+        corner=word("corner", BlendShape, default.corner),
         parabola_acceleration=parabola or default.parabola_acceleration,
-        orientation_zone=_orientation_zone(reader, motion, default.orientation_zone),
-        accelerations_kept_by=_keeper(reader, motion, default.accelerations_kept_by),
+        orientation_zone=zone,
+        zone_share=zone_share or default.zone_share,
+        accelerations_kept_by=word("accelerations_kept_by", Keeper, default.accelerations_kept_by),
     )
+    return model, remarks
 
 
 def reads_nearest_configuration(reader: Reader, motion: Table) -> bool:
@@ -66,44 +119,29 @@ def reads_nearest_configuration(reader: Reader, motion: Table) -> bool:
             return False
 
 
-def _smoothing(reader: Reader, motion: Table, default: Smoothing) -> Smoothing:
-    match reader.text(motion, "motion", "smoothing") or default:
-        case "path" | "axes" as known:
-            return known
-        case other:
-            reader.wrong("motion.smoothing", f"`{other}` is neither `path` nor `axes`")
-            return default
+def _neither(words: Sequence[str]) -> str:
+    if len(words) == 2:
+        return f"neither `{words[0]}` nor `{words[1]}`"
+    return f"none of {', '.join(f'`{one}`' for one in words)}"
 
 
-def _corner(reader: Reader, motion: Table, default: BlendShape) -> BlendShape:
-    match reader.text(motion, "motion", "corner") or default:
-        case "c2" | "parabola" as known:
-            return known
-        case other:
-            reader.wrong("motion.corner", f"`{other}` is neither `c2` nor `parabola`")
-            return default
+def _above_zero(reader: Reader, motion: Table, key: str, what: str) -> tuple[float, ...] | None:
+    numbers = reader.numbers(motion, "motion", key, None)
+    if numbers and min(numbers) <= 0.0:
+        reader.wrong(f"motion.{key}", f"{what} are above 0")
+    return numbers
 
 
-def _orientation_zone(reader: Reader, motion: Table, default: OrientationZone) -> OrientationZone:
-    match reader.text(motion, "motion", "orientation_zone") or default:
-        case "position" | "programmed" as known:
-            return known
-        case other:
-            reader.wrong(
-                "motion.orientation_zone", f"`{other}` is neither `position` nor `programmed`"
-            )
-            return default
-
-
-def _keeper(reader: Reader, motion: Table, default: Keeper) -> Keeper:
-    match reader.text(motion, "motion", "accelerations_kept_by") or default:
-        case "command" | "motion" as known:
-            return known
-        case other:
-            reader.wrong(
-                "motion.accelerations_kept_by", f"`{other}` is neither `command` nor `motion`"
-            )
-            return default
+def _factors(reader: Reader, dynamics: Table) -> tuple[float, float, float] | None:
+    """Factors on the torques of the main axes."""
+    numbers = reader.numbers(dynamics, "dynamics", "torque", _MAIN_AXES)
+    if numbers is None:
+        return None
+    if min(numbers) <= 0.0:
+        reader.wrong("dynamics.torque", "factors are above 0")
+        return None
+    first, second, third = numbers
+    return first, second, third
 
 
 def _radians(degrees: tuple[float, ...] | None) -> tuple[float, ...] | None:

@@ -25,7 +25,17 @@ from rapidsim.station.tasks import read_tasks
 from rapidsim.station.toml_reader import Reader, Table, read_toml
 
 _IO_KEYS = ("signals", "cross", "stimulus", "socket", "camera", "conveyor")
-_KEYS = ("controller", "robot", "external_axis", "motion", "task", *_IO_KEYS, "clock", "check")
+_KEYS = (
+    "controller",
+    "robot",
+    "external_axis",
+    "motion",
+    "dynamics",
+    "task",
+    *_IO_KEYS,
+    "clock",
+    "check",
+)
 
 
 def read_station(file: Path) -> Station:
@@ -39,7 +49,9 @@ def read_station(file: Path) -> Station:
     reader = Reader(file)
     reader.known("", table, _KEYS)
     robots = read_robots(reader, table)
-    model = read_motion(reader, reader.table(table, "motion"))
+    model, remarks = read_motion(
+        reader, reader.table(table, "motion"), reader.table(table, "dynamics")
+    )
     tasks = read_tasks(reader, table, [robot.label for robot in robots] or [None])
     station = Station(
         file=file,
@@ -53,6 +65,7 @@ def read_station(file: Path) -> Station:
         stubs=read_stubs(reader, reader.table(table, "controller")),
         starts_at=_starts_at(reader, reader.table(table, "clock")),
         check=read_check(reader, reader.table(table, "check")),
+        remarks=remarks,
     )
     reader.finish()
     return station

@@ -69,7 +69,7 @@ class Station:
             robotware=self.robotware or backup.robotware,
             external_axes=self.external_axes or backup.external_axes,
             other_units=backup.other_units,
-            remarks=backup.remarks,
+            remarks=self.remarks + backup.remarks,
         )
         if self.robot is not None or not backup.robots:
             return whole

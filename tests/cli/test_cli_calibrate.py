@@ -36,9 +36,13 @@ def test_a_log_and_its_program_give_lines_for_the_station_file(tmp_path: Path) -
     assert dwell_s == pytest.approx(0.15, abs=0.005)
     found = json.loads(rapidsim("calibrate", log, "--format", "json").out)
     assert [one["name"] for one in found["parameters"]] == [
-        "acceleration_time",
+        "torque of axis 1",
+        "torque of axis 2",
+        "torque of axis 3",
+        "wrist",
         "filter_time",
         "fine_dwell",
+        "zone_share",
     ]
     assert found["logs"][0]["rms_after_s"] < found["logs"][0]["rms_before_s"]
 

@@ -123,7 +123,7 @@ def test_an_arm_in_millimetres_runs_and_is_checked_when_it_is_scaled(in_millimet
         ("[motion]\nfine_dwell = true", "motion.fine_dwell: a number", None),
         ("[motion]\nfine_dwell = nan", "motion.fine_dwell: a number", None),
         ("[motion]\nacceleration = [0]", "above 0", None),
-        ('[motion]\ncorner = "round"', "`round` is neither `c2` nor `parabola`", None),
+        ('[motion]\ncorner = "round"', "`round` is none of `abb`, `c2`, `parabola`", None),
         ('[motion]\nsmoothing = "joints"', "`joints` is neither `path` nor `axes`", None),
         ("[[task]]\n[[task]]", "there are two tasks T_ROB1", None),
         ("task = 3", "task: they are written as [[task]]", None),

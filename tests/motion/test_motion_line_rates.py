@@ -27,7 +27,7 @@ from rapidsim.motion import compiled
 from rapidsim.motion.geometry import blend_shape
 from rapidsim.motion.geometry.segments import Geometry, Waypoint
 from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
-from rapidsim.motion.model import MotionModel
+from rapidsim.motion.model import MODELS, MotionModel
 from rapidsim.motion.path import curve_following, line_derivatives, line_formulas, line_loops
 from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.path.path import Path, build_path
@@ -42,7 +42,7 @@ from rapidsim.motion.timing.problem import problem_of
 from rapidsim.motion.timing.smoothed_speed_limits import held_speeds
 from rapidsim.motion.timing.time_optimal import fastest_drive
 
-PROGRAMMED_TURNS = MotionModel(orientation_zone="programmed")
+PROGRAMMED_TURNS = replace(MODELS["1"], orientation_zone="programmed")
 
 
 def in_general(path: Path, places: Places) -> PathRates:
@@ -71,6 +71,7 @@ def test_closed_forms_are_the_general_derivatives(program: Programmer, model: Mo
     assert places.rates.first == pytest.approx(general.first, rel=1e-9, abs=1e-9)
     assert places.rates.tcp_rate == pytest.approx(general.tcp_rate, abs=1e-9)
     assert places.rates.turn_rate == pytest.approx(general.turn_rate, abs=1e-9)
+    assert places.rates.stance == pytest.approx(general.stance, abs=1e-9)
     # The general way takes differences over a millionth of a turn.
     scale = np.abs(general.second).max()
     assert np.abs(places.rates.second - general.second).max() < 1e-6 * max(scale, 1.0)

@@ -12,14 +12,16 @@ from hypothesis import strategies as st
 from laws import examples
 from motion_programs import MODEL, ROBOT, TOOL, Programmer, path_of, path_or_fault, programs, zone
 
+from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Transform
 from rapidsim.motion.geometry.segments import Speed, Waypoint, Zone
-from rapidsim.motion.model import MotionModel
+from rapidsim.motion.model import MODELS, MotionModel
 from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.path.path import Path
 
 PARABOLA = MotionModel(corner="parabola")
-PROGRAMMED = MotionModel(orientation_zone="programmed")
+C2 = MODELS["1"]
+PROGRAMMED = replace(C2, orientation_zone="programmed")
 
 
 def right_angle(millimetres: float, angle: float = 90.0) -> Programmer:
@@ -72,7 +74,10 @@ def test_the_length_of_a_joint_move_is_the_way_of_its_tcp() -> None:
     assert path_of(program).length == pytest.approx(math.hypot(x, y), rel=1e-6)
 
 
-@pytest.mark.parametrize(("model", "millimetres"), [(MODEL, 2.6517), (PARABOLA, 3.5355)])
+@pytest.mark.parametrize(
+    ("model", "millimetres"),
+    [(MODEL, 20.0 * 31.0 / 144.0 * math.sqrt(0.5)), (C2, 2.6517), (PARABOLA, 3.5355)],
+)
 def test_z10_at_a_right_angle_passes_the_corner_at(model: MotionModel, millimetres: float) -> None:
     program = right_angle(10.0)
     path = path_of(program, model)
@@ -120,10 +125,32 @@ def test_a_large_reorientation_reduces_the_zone() -> None:
 
 def test_the_orientation_may_have_its_own_zone() -> None:
     program = Programmer().line((0.1, 0, 0), (0, 0, 0.1), zone(10)).line((0, 0.1, 0))
-    together = path_of(program).breakpoints
+    together = path_of(program, C2).breakpoints
     apart = path_of(program, PROGRAMMED).breakpoints
     assert together == pytest.approx([0, 0.09, 0.1, 0.11, 0.2])
     assert apart == pytest.approx([0, 0.085, 0.09, 0.1, 0.11, 0.115, 0.2])
+
+
+def test_by_default_neither_zone_changes_the_other() -> None:
+    """A zone of 15 mm for the orientation beside one of 10 mm, with a turn of 23 deg at z10."""
+    program = Programmer().line((0.1, 0, 0), (0, 0, 0.4), zone(10)).line((0, 0.024, 0))
+    corners = path_of(program).layout.corners
+    assert corners.radius == pytest.approx([0.010])
+    assert corners.orientation_radius == pytest.approx([0.012])
+    straight = Programmer().line((0.1, 0, 0), z=zone(10)).line((0, 0.1, 0))
+    # Where nothing turns there is nothing to look at.
+    assert path_of(straight).layout.corners.orientation_radius == pytest.approx([0.0])
+
+
+def test_the_orientation_at_the_programmed_point_is_that_of_a_parabola() -> None:
+    """Off by a quarter of its zone times the change of the turn per way."""
+    turn = 0.1
+    program = Programmer().line((0.1, 0, 0), (0, 0, turn), zone(10)).line((0.1, 0, 0))
+    path = path_of(program)
+    middle = path.evaluate(path.segment_starts[1:]).base_from_tcp.rotation[0]
+    wanted = program.segments[0].end.base_from_tcp.rotation
+    off = np.linalg.norm(vector_from_rotation(middle @ wanted.T))
+    assert off == pytest.approx(0.015 / 4.0 * turn / 0.1, rel=1e-6)
 
 
 def test_there_is_no_corner_between_travel_and_pure_turn() -> None:
@@ -137,8 +164,11 @@ def test_there_is_no_corner_between_travel_and_pure_turn() -> None:
 def test_pure_turns_have_a_corner_in_degrees() -> None:
     program = Programmer().line(turn=(0, 0, 0.3), z=zone(10)).line(turn=(0.3, 0, 0))
     path = path_of(program)
-    share = path.corners[0].radius / (path.length / 2)
+    share = path.layout.corners.radius[0] / (path.length / 2)
     assert share == pytest.approx(math.radians(1.5) / 0.3)
+    # The path parameter is no length there, so no radius is told.
+    assert path.corners[0].radius == 0.0
+    assert path.corners[0].reason == "within 1.5 deg of the end"
 
 
 def test_a_corner_between_a_joint_move_and_a_line_is_made_in_joints() -> None:

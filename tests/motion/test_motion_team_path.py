@@ -12,7 +12,7 @@ from motion_programs import MODEL, ROBOT, Programmer, path_of, programs, zone
 from rapidsim.frames.transform import Array
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.path.synchronised_path import TeamPath, team_path
-from rapidsim.motion.timing.axis_limits import Limits, limits_of
+from rapidsim.motion.timing.axis_limits import Limits, limits_of, limits_together
 from rapidsim.motion.timing.planning import plan
 from rapidsim.motion.timing.time_scaling import Timing
 
@@ -20,7 +20,7 @@ LIMITS = limits_of(ROBOT, MODEL)
 
 
 def limits(count: int) -> Limits:
-    return Limits(np.tile(LIMITS.max_speed, count), np.tile(LIMITS.max_acceleration, count))
+    return limits_together([LIMITS] * count)
 
 
 def lines(*lengths: float, millimetres: float = 20.0) -> Path:

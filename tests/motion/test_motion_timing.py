@@ -274,7 +274,7 @@ def test_lanes_give_what_one_row_gives(seed: int) -> None:
 
 
 def test_limits_come_from_the_robot_and_the_model() -> None:
-    limits = limits_of(ROBOT, MODEL)
+    limits = limits_of(ROBOT, replace(MODEL, own_accelerations=False))
     assert limits.max_acceleration == pytest.approx(limits.max_speed / 0.16)
     given_model = replace(MODEL, acceleration=(1.0, 2.0, 3.0, 4.0, 5.0, 6.0))
     assert limits_of(ROBOT, given_model).max_acceleration == pytest.approx([1, 2, 3, 4, 5, 6])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path as FilePath
 from types import ModuleType
@@ -11,8 +12,12 @@ import pytest
 from motion_programs import LIMITS, Programmer, path_of, zone
 
 from rapidsim.motion.geometry.segments import Speed
+from rapidsim.motion.model import MODELS
 from rapidsim.motion.timing.discretisation import cells_of
 from rapidsim.motion.timing.problem import problem_of
+
+UNSMOOTHED = replace(MODELS["1"], filter_time=0.0)
+"""Limits that know nothing of zones, as the other solver's."""
 
 
 @pytest.fixture(scope="module")
@@ -36,7 +41,7 @@ def test_another_solver_finds_the_same_time(seed: int, speed: float, planning: M
     for _ in range(4):
         offset, turn = random.uniform(-0.08, 0.08, 3), random.uniform(-0.1, 0.1, 3)
         program.line(offset.tolist(), turn.tolist(), zone(20))
-    path = path_of(program)
+    path = path_of(program, UNSMOOTHED)
     cells = cells_of(path, LIMITS, 0.0)
     theirs = planning.toppra_duration(path, LIMITS, cells)
     problem = problem_of(path, cells, LIMITS)

@@ -19,7 +19,8 @@ from rapidsim.motion.timing.planning import plan
 from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
-FILTER = MotionModel().filter_time
+MODEL = MotionModel(smoothing="path", filter_time=0.08)
+FILTER = MODEL.window
 
 
 def driven(segments: list[Segment], model: MotionModel, *, start: float = 0.0) -> Trajectory | None:
@@ -27,7 +28,7 @@ def driven(segments: list[Segment], model: MotionModel, *, start: float = 0.0) -
     path = path_or_fault(segments, model)
     if isinstance(path, PathFault):
         return None
-    trajectory = Trajectory(segments[0].start, model.filter_time, model.smoothing)
+    trajectory = Trajectory(segments[0].start, model.window, model.smoothing)
     trajectory.append(Piece(start, path, plan(path, LIMITS), 0.0, path.length))
     return trajectory
 
@@ -35,7 +36,7 @@ def driven(segments: list[Segment], model: MotionModel, *, start: float = 0.0) -
 def line(length: float, **ramps: float) -> Trajectory:
     """One straight move [m] at 0.5 m/s."""
     segments = Programmer().line((0.0, length, 0.0)).segments
-    trajectory = driven([replace(segments[0], **ramps)], MotionModel())  # type: ignore[arg-type]
+    trajectory = driven([replace(segments[0], **ramps)], MODEL)  # type: ignore[arg-type]
     assert trajectory is not None
     return trajectory
 
@@ -64,7 +65,7 @@ def ramped(draw: st.DrawFn) -> list[Segment]:
 @given(segments=ramped(), keeper=st.sampled_from(["command", "motion"]))
 def test_ramps_keep_the_path_and_the_limits(segments: list[Segment], keeper: Keeper) -> None:
     """It goes forward only, from rest to rest, on its curves; speeds are kept as without ramps."""
-    trajectory = driven(segments, MotionModel(accelerations_kept_by=keeper))
+    trajectory = driven(segments, replace(MODEL, accelerations_kept_by=keeper))
     if trajectory is None or trajectory.length == 0.0:
         return
     seen = excess_of(trajectory, LIMITS)
@@ -86,7 +87,7 @@ def test_ramps_keep_the_path_and_the_limits(segments: list[Segment], keeper: Kee
 def test_the_visible_place_is_the_mean_over_the_window(
     segments: list[Segment], share: float
 ) -> None:
-    trajectory = driven(segments, MotionModel())
+    trajectory = driven(segments, MODEL)
     if trajectory is None:
         return
     time = share * trajectory.duration
@@ -123,7 +124,7 @@ def test_a_window_never_reaches_over_a_stop_with_another_width() -> None:
         block = Programmer(joints=joints).line((0.0, 0.2 * (-1.0) ** number, 0.0))
         joints = block.joints
         (segment,) = block.segments
-        path = path_of([replace(segment, index=number, ramp=ramp)], MotionModel())
+        path = path_of([replace(segment, index=number, ramp=ramp)], MODEL)
         together = together or Trajectory(segment.start, FILTER)
         start = together.seen_s(together.command_end) + 0.025
         piece = Piece(start, path, plan(path, LIMITS), 0.0, path.length)
@@ -138,7 +139,7 @@ def test_a_window_never_reaches_over_a_stop_with_another_width() -> None:
 
 def test_what_is_taken_back_takes_its_ramps_along() -> None:
     segments = Programmer().line((0.0, 0.3, 0.0), z=zone(10)).line((0.0, 0.0, 0.3)).segments
-    path = path_of([segments[0], replace(segments[1], ramp=0.3)], MotionModel())
+    path = path_of([segments[0], replace(segments[1], ramp=0.3)], MODEL)
     timing = plan(path, LIMITS)
     trajectory = Trajectory(segments[0].start, FILTER)
     trajectory.append(Piece(0.0, path, timing, 0.0, path.length))

@@ -34,7 +34,8 @@ def test_a_beam_that_two_robots_carry_keeps_its_length() -> None:
     times = np.linspace(carried[0].start_s, carried[-1].end_s, 400)
     beam = tcp(right, times) - tcp(left, times)
     assert run.end == "ended"
-    assert np.abs(beam - [0.3, 0.0, 0.0]).max() < 1e-8
+    # Each axis of either robot is smoothed by itself: 17 um.
+    assert np.abs(beam - [0.3, 0.0, 0.0]).max() < 2e-5
     way = np.ptp(tcp(left, times), axis=0)
     assert way == pytest.approx([0.0, 0.25, 0.25], abs=0.01)
 

@@ -36,6 +36,7 @@ from rapidsim.language.moves import Interpolation, Move, Place
 from rapidsim.motion.configurations import targets
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.robot import Robot, load_robot
+from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 from rapidsim.simulation.results.simulation import End, RobotRun, Simulation, TaskEnd
 from rapidsim.station.task_kind import TaskKind
@@ -112,6 +113,13 @@ class EasyTrajectory(Trajectory):
     @property
     def duration(self) -> float:
         return self.end_s
+
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        return ()
+
+    def off_path(self, samples: Samples) -> Array:
+        return np.zeros(len(samples.times))
 
     def at(self, times: Array) -> Samples:
         rows = [self._row(float(time)) for time in times]

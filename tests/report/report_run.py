@@ -56,6 +56,9 @@ class StraightTrajectory:
 
     has_ramps = False
 
+    def off_path(self, samples: Samples) -> Array:
+        return np.zeros(len(samples.times))
+
     def at(self, times: Array) -> Samples:
         share = np.clip(times / self.duration, 0.0, 1.0)
         joints = HOME + share[:, None] * (PICK - HOME)

@@ -17,6 +17,7 @@ from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.report.run.json_report import models
 
 AXES = MotionModel(smoothing="axes")
+PATH = MotionModel(smoothing="path")
 TABLE = ExternalAxis(
     "TABLE",
     "a",
@@ -35,7 +36,7 @@ TRACK = ExternalAxis(
 
 def both(text: str, **options: object) -> tuple[Ran, Ran]:
     """The same program with smoothing along the path and with smoothing of each axis."""
-    return ran(text, **options), ran(text, model=AXES, **options)
+    return ran(text, model=PATH, **options), ran(text, model=AXES, **options)
 
 
 def target(name: str, x: float, y: float, z: float, axis: str = "9E9") -> str:
@@ -157,7 +158,7 @@ ENDPROC
 """
 
     programs = {"T_ROB1": moves(0, 900), "T_ROB2": moves(100, 800)}
-    path, axes = (simulation_tasks.ran(programs, model=model) for model in (MotionModel(), AXES))
+    path, axes = (simulation_tasks.ran(programs, model=model) for model in (PATH, AXES))
     assert axes.end == path.end == "ended"
     assert axes.run.time_s == path.run.time_s
     for one, other in zip(axes.run.robots, path.run.robots, strict=True):

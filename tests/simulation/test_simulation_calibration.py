@@ -11,8 +11,9 @@ import pytest
 
 from rapidsim.files import InputError, SourceFile
 from rapidsim.jobs.checked_program import load
-from rapidsim.motion.model import MotionModel
+from rapidsim.motion.model import MODELS, MotionModel
 from rapidsim.motion.robot.robot import load_robot
+from rapidsim.simulation.calibration import fit
 from rapidsim.simulation.calibration.fit import LoggedRun, calibrate
 from rapidsim.simulation.calibration.joint_log import JointLog, read_joint_log
 from rapidsim.simulation.options import RunOptions
@@ -20,12 +21,17 @@ from rapidsim.simulation.simulate import simulate
 
 ROBOT = load_robot("irb1600-6-1.2")
 START_DEG = (0.0, 0.0, 0.0, 0.0, 30.0, 0.0)
-TRUTH = MotionModel(acceleration_time=0.22, filter_time=0.056, fine_dwell=0.14)
+TRUTH = MotionModel(
+    torque=(0.8, 0.75, 0.8), wrist=0.8, filter_time=0.056, fine_dwell=0.14, zone_share=0.8
+)
 
 SHORT_STOPS = """
     FOR i FROM 1 TO 2 DO
       MoveL Offs(home, 0, 30*i, 0), v200, fine, tool0;
     ENDFOR"""
+SWINGS = """
+    MoveAbsJ [[25,-20,20,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], vmax, fine, tool0;
+    MoveAbsJ [[-25,20,-20,60,60,0],[9E9,9E9,9E9,9E9,9E9,9E9]], vmax, fine, tool0;"""
 FAST_CORNERS = """
     FOR i FROM 1 TO 1 DO
       MoveL Offs(home, 0, 60*i, 60), vmax, z5, tool0;
@@ -64,24 +70,53 @@ def stops() -> LoggedRun:
 
 
 @pytest.fixture(scope="module")
+def swings() -> LoggedRun:
+    return _logged(SWINGS)
+
+
+@pytest.fixture(scope="module")
 def corners() -> LoggedRun:
     return _logged(FAST_CORNERS)
 
 
-def test_the_model_that_made_the_logs_is_found(stops: LoggedRun, corners: LoggedRun) -> None:
-    found = calibrate([stops, corners], ROBOT, MotionModel())
-    for parameter in found.parameters:
-        assert parameter.seen
-        truth = getattr(TRUTH, parameter.name)
-        assert parameter.value_s == pytest.approx(truth, rel=0.08), parameter.name
+def test_the_model_that_made_the_logs_is_found(stops: LoggedRun, swings: LoggedRun) -> None:
+    found = calibrate([stops, swings], ROBOT, MotionModel())
+    truth = dict(zip((f"torque of axis {k}" for k in (1, 2, 3)), TRUTH.torque, strict=True))
+    seen = {one.name: one for one in found.parameters if one.seen}
+    assert seen.keys() == {"torque of axis 1", "torque of axis 2", "filter_time", "fine_dwell"}
+    for name, one in seen.items():
+        wanted = truth[name] if name in truth else getattr(TRUTH, name)
+        assert one.value == pytest.approx(wanted, abs=one.uncertainty), name
     assert all(log.rms_after_s < 3e-3 < log.rms_before_s for log in found.logs)
+    # What the other log alone says of this one.
+    assert all(log.rms_left_out_s is not None for log in found.logs)
+
+
+def test_rows_in_which_the_arm_stands_at_a_stop_do_not_count(swings: LoggedRun) -> None:
+    """The way turns there, so that the nearest place of a straight piece is not the stop."""
+    rows = fit._rows(swings, ROBOT, TRUTH, 7)
+    assert np.abs(fit._misses(rows, ROBOT, TRUTH)).max() < 1e-6
+
+
+def test_without_torques_one_time_stands_for_all_accelerations(stops: LoggedRun) -> None:
+    found = calibrate([stops], ROBOT, MODELS["1"])
+    names = [one.name for one in found.parameters]
+    assert names == ["acceleration_time", "filter_time", "fine_dwell"]
+    assert found.logs[0].rms_left_out_s is None
+
+
+def test_accelerations_that_the_station_gives_stay(stops: LoggedRun) -> None:
+    given = MotionModel(acceleration=(10.0,) * 6)
+    found = calibrate([stops], ROBOT, given)
+    assert found.model.acceleration == given.acceleration
+    assert [one.name for one in found.parameters] == ["filter_time", "fine_dwell", "zone_share"]
 
 
 def test_corners_alone_do_not_show_the_dwell(corners: LoggedRun) -> None:
     found = calibrate([corners], ROBOT, MotionModel())
-    dwell = found.parameters[2]
+    (dwell,) = (one for one in found.parameters if one.name == "fine_dwell")
     assert not dwell.seen
-    assert dwell.value_s == pytest.approx(MotionModel().fine_dwell, abs=0.01)
+    assert dwell.value == pytest.approx(dwell.known, abs=0.01)
 
 
 def test_a_log_of_another_path_is_refused(stops: LoggedRun) -> None:
@@ -100,10 +135,10 @@ def test_a_log_of_another_path_is_refused(stops: LoggedRun) -> None:
     [
         ([], "is empty"),
         (["time,j1,j2,j3,j4,j5", "0,0,0,0,0,0"], "no column is called j6"),
-        (["0,1,2,3,4,5,6"] * 3, "has 3 rows"),
+        ([f"{k},1,2,3,4,5,6" for k in range(3)], "has 3 rows"),
         (["0,1,2,3,4,5,6", "1,1,2,nan,4,5,6"], ":2: `nan` is not a finite number"),
         (["0,1,2,3,4,5,6", "1,1,2,3"], ":2: 4 columns, at least 7 are needed"),
-        (["0,1,2,3,4,5,6"] * 12, ":2: the time does not ascend"),
+        (["0,1,2,3,4,5,6", "0,1,2,3,4,5,7"] * 6, ":2: the time does not ascend"),
     ],
 )
 def test_a_log_that_cannot_be_read_says_where(
@@ -123,3 +158,25 @@ def test_columns_are_found_by_their_names(tmp_path: Path) -> None:
     log = read_joint_log(file, 6)
     assert log.times[1] == pytest.approx(0.004)
     assert log.joints[2] == pytest.approx(np.radians([2, 0, 0, 0, 0, 90]))
+
+
+def test_what_a_motion_program_client_writes_is_read(tmp_path: Path) -> None:
+    """Its header; a robot beside the first has columns of its own."""
+    file = tmp_path / "log.csv"
+    rows = "\n".join(f"{k * 0.004},{k},{k},0,0,0,0,90,{k}" for k in range(12))
+    file.write_text(f"timestamp, cmd_num, J1, J2, J3, J4, J5, J6, J1_2\n{rows}\n")
+    log = read_joint_log(file, 6)
+    assert log.times[1] == pytest.approx(0.004)
+    assert log.joints[2] == pytest.approx(np.radians([2, 0, 0, 0, 0, 90]))
+
+
+def test_what_an_egm_client_writes_is_read(tmp_path: Path) -> None:
+    """Milliseconds, radians, and rows that come again."""
+    file = tmp_path / "log.csv"
+    rows = "\n".join(f"{k},{k // 2 * 4},{k // 2},0,0,0,0,1.5" for k in range(24))
+    names = ",".join(f"joint_{axis}_rad" for axis in range(1, 7))
+    file.write_text(f"seqno,tm,{names}\n{rows}\n")
+    log = read_joint_log(file, 6)
+    assert len(log.times) == 12
+    assert log.times[1] == pytest.approx(0.004)
+    assert log.joints[2] == pytest.approx([2, 0, 0, 0, 0, 1.5])

@@ -6,6 +6,7 @@ keep it. The motion model is pinned, and times may differ by as much as planning
 """
 
 import os
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -19,7 +20,7 @@ from rapidsim.controller.motion import TaskMotion
 from rapidsim.files import read_tasks
 from rapidsim.jobs.checked_program import load
 from rapidsim.language.data import RobTarget
-from rapidsim.motion.model import MotionModel
+from rapidsim.motion.model import MODELS
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.simulate import simulate
@@ -29,7 +30,7 @@ CELLS = sorted((Path(__file__).parent / "cells").glob("*.mod"), key=lambda file:
 ANSWERS = ("Part", "4", "2", "Leave")
 PLANNING_S = 0.02
 """How much a better plan may change the times of these cells."""
-MODEL = MotionModel(acceleration=tuple(np.radians([950, 1000, 1060, 2000, 2500, 2800])))
+MODEL = replace(MODELS["1"], acceleration=tuple(np.radians([950, 1000, 1060, 2000, 2500, 2800])))
 CYCLES = {"endless": 3}
 
 

@@ -7,6 +7,7 @@ from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.files import SourceFile
 from rapidsim.jobs.checked_program import load
+from rapidsim.motion.model import MODELS
 
 FRAME = r"""MODULE cell
   CONST robtarget a:=[[800,-300,600],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
@@ -84,7 +85,8 @@ def test_outputs_are_set_where_the_records_say() -> None:
         % r"""
         MoveJ a,v500,fine,tool0;
         TriggLIOs b,v200\TriggData1:=plain\TriggData2:=digits,z10,tool0;
-        MoveL c,v200,fine,tool0;"""
+        MoveL c,v200,fine,tool0;""",
+        model=MODELS["1"],
     )
     signals = [event for event in done.run.events if event.kind is EventKind.SIGNAL]
     assert [event.message for event in signals] == ["goType = 4e+09", "doGlue = 1"]

@@ -17,6 +17,7 @@ from rapidsim.files import InputError
 from rapidsim.frames.rotation_vectors import rotation_from_vector
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.targets import world_from_base_at
+from rapidsim.motion.model import MODELS
 from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.report.run.figures import figures
@@ -76,6 +77,7 @@ def test_on_a_track_the_tcp_keeps_its_line_in_the_world() -> None:
     run = ran(
         program("MoveJ a,v500,fine,tool0;", "MoveL b,v500,fine,tool0;", data=data),
         external_axes=(TRACK,),
+        model=MODELS["1"],
     )
     assert run.findings == []
     found = samples(run, 1)
@@ -103,6 +105,7 @@ def test_a_positioner_takes_line_and_corner_along() -> None:
             data=data,
         ),
         external_axes=(TABLE,),
+        model=MODELS["1"],
     )
     assert run.findings == []
     first, second = samples(run, 1), samples(run, 2)

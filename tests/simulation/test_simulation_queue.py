@@ -71,7 +71,7 @@ def test_after_a_fly_by_move_the_program_goes_on_when_the_robot_starts_it() -> N
     second = cell.moves()[2]
     # The output follows the command, which the arm lags behind by the smoothing.
     lag_s = second.start_s - event.time_s
-    assert 0.0 < lag_s < cell.options.model.filter_time
+    assert 0.0 < lag_s < cell.options.model.window
 
 
 def test_a_long_wait_after_a_fly_by_turns_the_corner_into_a_stop() -> None:

@@ -5,9 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import simulation_tasks
-from simulation_program import ran
+from simulation_program import arm, ran
 
 from rapidsim.diagnostics import Severity
+from rapidsim.motion.model import MotionModel
+from rapidsim.motion.timing.axis_limits import model_of
 from rapidsim.report.run.json_report import models
 
 JOINTS = simulation_tasks.JOINTS
@@ -101,7 +103,8 @@ ENDPROC
     run = simulation_tasks.ran({"T_ROB1": moves(0, 100), "T_ROB2": moves(100, 30)})
     plain = simulation_tasks.ran({"T_ROB1": moves(0, 100), "T_ROB2": moves(100, 100)})
     assert run.end == "ended"
-    wide = 0.08 / 0.3 - 0.08
+    window = model_of(arm(), MotionModel()).window
+    wide = window / 0.3 - window
     for one, without in zip(run.run.robots, plain.run.robots, strict=True):
         assert one.trajectory.duration - without.trajectory.duration == pytest.approx(wide)
     left, right = (run.moves(task)[1:] for task in ("T_ROB1", "T_ROB2"))

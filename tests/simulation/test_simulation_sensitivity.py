@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 from simulation_program import ran
 
-from rapidsim.motion.model import MotionModel
+from rapidsim.motion.model import MODELS, MotionModel
 from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.simulation.results import acceleration_sensitivity
 from rapidsim.simulation.results.acceleration_sensitivity import extra_time_s
@@ -30,11 +30,21 @@ ENDMODULE
 
 @pytest.mark.parametrize("factor", [0.5, 1.0, 2.0])
 def test_another_run_with_other_accelerations_takes_that_long(factor: float) -> None:
-    run = ran(PROGRAM).run
-    other = ran(PROGRAM, model=replace(MotionModel(), acceleration_time=0.16 / factor)).run
+    run = ran(PROGRAM, model=MODELS["1"]).run
+    other = ran(PROGRAM, model=replace(MODELS["1"], acceleration_time=0.16 / factor)).run
     extra_s = extra_time_s(run.only.trajectory, limits_of(run.only.robot, run.model), factor)
     assert extra_s is not None
     assert run.time_s + extra_s == pytest.approx(other.time_s, abs=1e-3)
+
+
+@pytest.mark.parametrize("factor", [0.5, 2.0])
+def test_another_run_with_other_torques_takes_about_that_long(factor: float) -> None:
+    """About: where a block is cut to go on from, another run has another speed."""
+    run = ran(PROGRAM).run
+    other = ran(PROGRAM, model=MotionModel(torque=(factor,) * 3, wrist=factor)).run
+    extra_s = extra_time_s(run.only.trajectory, limits_of(run.only.robot, run.model), factor)
+    assert extra_s is not None
+    assert run.time_s + extra_s == pytest.approx(other.time_s, abs=5e-3)
 
 
 def test_a_long_run_is_not_timed_again(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -10,7 +10,7 @@ from simulation_program import ran
 
 from rapidsim.diagnostics import Severity
 from rapidsim.findings.smoothing import CornerTooFast
-from rapidsim.motion.model import MotionModel
+from rapidsim.motion.model import MODELS, MotionModel
 
 DATA = "CONST robtarget p:=[[700,0,700],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];"
 
@@ -28,7 +28,7 @@ def corner(zone: str, speed: str = "v500") -> str:
 
 
 def test_a_sharp_corner_is_told_with_what_it_takes() -> None:
-    run = ran(corner("z1"))
+    run = ran(corner("z1"), model=MODELS["1"])
     found = run.only("R116")
     violation = found.violation
     assert isinstance(violation, CornerTooFast)
@@ -39,22 +39,30 @@ def test_a_sharp_corner_is_told_with_what_it_takes() -> None:
     assert times[0] > 0.0
     joints = run.run.only.sample(times).joints
     taken = abs(joints[2:] - 2.0 * joints[1:-1] + joints[:-2]).max(axis=0) / 1e-6
-    limit = run.run.only.robot.joints[violation.axis - 1].max_speed
+    axis = int(violation.limit.removeprefix("acceleration of axis ")) - 1
+    limit = run.run.only.robot.joints[axis].max_speed
     assert limit is not None
-    assert violation.load == pytest.approx(taken[violation.axis - 1] * 0.16 / limit, rel=0.1)
+    assert violation.load == pytest.approx(taken[axis] * 0.16 / limit, rel=0.1)
 
 
 @pytest.mark.parametrize("program", [corner("z50"), corner("fine"), corner("z1", "v50")])
 def test_gentle_corners_are_not_told(program: str) -> None:
-    assert ran(program).findings == []
+    assert ran(program, model=MODELS["1"]).findings == []
+
+
+def test_torques_are_told_too() -> None:
+    violation = ran(corner("z1"), model=MotionModel(smoothing="path")).only("R116").violation
+    assert isinstance(violation, CornerTooFast)
+    assert violation.limit == "torque of axis 2"
+    assert violation.load == pytest.approx(3.9, abs=0.1)
 
 
 @pytest.mark.parametrize(
     "model",
     [
-        replace(MotionModel(), smoothing="axes"),
-        replace(MotionModel(), accelerations_kept_by="motion"),
-        replace(MotionModel(), filter_time=0.0),
+        MotionModel(),
+        replace(MODELS["1"], accelerations_kept_by="motion"),
+        replace(MODELS["1"], filter_time=0.0),
     ],
 )
 def test_what_keeps_the_accelerations_has_nothing_to_tell(model: MotionModel) -> None:

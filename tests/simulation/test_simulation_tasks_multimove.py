@@ -1,12 +1,17 @@
 """Two robots that move together between SyncMoveOn and SyncMoveOff."""
 
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 import pytest
-from simulation_tasks import JOINTS, Ran, ran
+import simulation_tasks
+from simulation_tasks import JOINTS, Ran
 
+from rapidsim.motion.model import MODELS
 from rapidsim.motion.timing.axis_limits import limits_of
+
+ran = partial(simulation_tasks.ran, model=MODELS["1"])
+"""With the arms exactly on their paths."""
 
 DATA = """
 PERS tasks both{2}:=[["T_ROB1"],["T_ROB2"]];

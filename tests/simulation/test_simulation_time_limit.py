@@ -64,7 +64,7 @@ def test_what_the_arm_would_do_after_the_limit_is_not_counted(limit_s: float) ->
     assert run.moves[-1].end_s < limit_s + 0.5
     assert figures(run).otherwise == ()
     whole = simulate(program, load_robot("irb1600"), options=RunOptions(max_time_s=6.0))
-    before_s = limit_s - run.model.filter_time - 0.05
+    before_s = limit_s - run.model.window - 0.05
     assert np.array_equal(run.only.sample(before_s).joints, whole.sample(before_s).joints), (
         "the way up to the limit is that of a longer run"
     )

@@ -3,6 +3,8 @@ r"""The argument \T: kept where the arm can, reported where it cannot."""
 import pytest
 from simulation_program import ran
 
+from rapidsim.motion.timing.axis_limits import model_of
+
 HEAD = (
     "MODULE cell\n PROC main()\n"
     "  MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tool0;\n"
@@ -25,7 +27,11 @@ def test_a_move_with_too_little_time_says_what_it_needs() -> None:
     assert it.findings == [("K612", 4)]
     found = it.only("K612")
     assert found.severity == "warning"
-    needed = it.run.moves[1].end_s - it.run.moves[1].start_s - it.run.model.filter_time
+    needed = (
+        it.run.moves[1].end_s
+        - it.run.moves[1].start_s
+        - model_of(it.run.only.robot, it.run.model).window
+    )
     assert found.violation.message == f"the move takes {needed:.3f} s; `\\T` gives it 0.2 s"
     assert it.end == "ended"
 

@@ -5,7 +5,7 @@ import pytest
 from simulation_program import Ran, ran
 
 from rapidsim.controller.journal.events import EventKind
-from rapidsim.motion.model import MotionModel
+from rapidsim.motion.model import MODELS, MotionModel
 from rapidsim.motion.timing.axis_limits import limits_of
 
 FRAME = """MODULE cell
@@ -23,7 +23,9 @@ FRAME = """MODULE cell
 
 
 def run(statements: str, more: str = "") -> Ran:
-    return ran(f"{FRAME}{statements}\nENDPROC\n{more}\nENDMODULE\n", max_time_s=60.0)
+    return ran(
+        f"{FRAME}{statements}\nENDPROC\n{more}\nENDMODULE\n", max_time_s=60.0, model=MODELS["1"]
+    )
 
 
 def place_of(done: Ran, message: str) -> np.ndarray:
@@ -206,7 +208,7 @@ def test_misuse_is_an_error_that_a_program_can_catch(statement: str, error: str)
 
 
 def test_braking_stays_on_the_line_and_within_the_axes_accelerations() -> None:
-    model = MotionModel(filter_time=0.0)
+    model = MotionModel(filter_time=0.0, own_accelerations=False)
     text = f"{FRAME}CONNECT here WITH halt;\nITimer\\Single,0.2,here;\nMoveL b,v1000,fine,tool0;\n"
     text += "ENDPROC\nTRAP halt\nStopMove;\nStartMove;\nENDTRAP\nENDMODULE\n"
     run = ran(text, model=model).run

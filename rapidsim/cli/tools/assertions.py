@@ -85,14 +85,15 @@ def judge_budget(
     if budget_s is None:
         return None
     end, time_s = run.simulation.end, run.simulation.time_s
+    model = run.simulation.model.version
     reason = _CUT.get(end)
     if entry.lower() != _MAIN:
         reason = f"it is about `main`, and `{entry}` was run"
     elif end is End.STOPPED and (cycles > 1 or time_s <= budget_s):
         reason = "the program stopped itself before the end of its cycle"
     if reason is not None:
-        return BudgetVerdict(budget_s, cycles, reason=reason)
-    return BudgetVerdict(budget_s, cycles, time_s / cycles)
+        return BudgetVerdict(budget_s, cycles, model, reason=reason)
+    return BudgetVerdict(budget_s, cycles, model, time_s / cycles)
 
 
 def _read(text: str, programs: Mapping[str, Program], io: CellIo, terminal: Terminal) -> Assertion:

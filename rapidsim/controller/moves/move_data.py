@@ -64,21 +64,27 @@ def speed_of(move: Move, settings: MotionSettings) -> Speed:
 
 
 def acceleration_share_of(
-    move: Move, settings: MotionSettings, rated_kg: float | None, with_rated: float
-) -> float:
-    """Share of the axis accelerations that AccSet and the load in the hand leave.
+    move: Move, settings: MotionSettings, rated_kg: float | None, with_rated: float | None
+) -> tuple[float, float]:
+    """Share of the axis accelerations that AccSet and the load in the hand leave, and that load.
 
     Args:
         move: Its tool weighs, too.
         settings: AccSet and GripLoad.
         rated_kg: Payload of the arm [kg]; None where no source gives it: then loads change nothing.
-        with_rated: The share that the rated payload leaves; above it no more is taken.
+        with_rated: The share that the rated payload leaves; above it no more is taken. None where
+            the load adds to the inertia of the arm.
+
+    Returns:
+        The share, and what is to be added to the inertia, in shares of the rated payload.
     """
     share = settings.acceleration_percent / 100.0
     if rated_kg is None:
-        return share
-    load = min(1.0, max(0.0, move.tool.tload.mass + settings.grip_load_kg) / rated_kg)
-    return share * (1.0 - (1.0 - with_rated) * load)
+        return share, 0.0
+    load = max(0.0, move.tool.tload.mass + settings.grip_load_kg) / rated_kg
+    if with_rated is None:
+        return share, load
+    return share * (1.0 - (1.0 - with_rated) * min(1.0, load)), 0.0
 
 
 def stop_ramp_of(settings: MotionSettings) -> float:

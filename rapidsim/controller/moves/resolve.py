@@ -55,7 +55,7 @@ class Resolver:
     journal: Journal
     base_from_world: Transform
     """With all external axes at zero."""
-    payload_acceleration: float = 1.0
+    payload_acceleration: float | None = None
     """See `MotionModel`."""
     nearest_configuration: bool = False
     """Whether a stored configuration that cannot be had gives way to the nearest."""

@@ -32,7 +32,7 @@ def segments(
     ends: Sequence[Waypoint],
     robot: Robot,
     *,
-    payload_acceleration: float,
+    payload_acceleration: float | None,
     first: int = 0,
 ) -> tuple[Segment, ...]:
     """Segments of moves.
@@ -67,7 +67,7 @@ def _segment(
     end: Waypoint,
     branch: int,
     robot: Robot,
-    payload_acceleration: float,
+    payload_acceleration: float | None,
 ) -> Segment:
     move, settings, placed = request.move, request.settings, request.placed
     mode = circle_mode_of(move, settings, placed.carrier, robot)
@@ -75,6 +75,7 @@ def _segment(
         begin = start_on_circle(begin, start.aim)
     in_joints = wrist_asked_in_joints(move, settings) and can_turn_wrist_in_joints(move, robot)
     via = move.circle_point
+    share, load = acceleration_share_of(move, settings, robot.payload_kg, payload_acceleration)
     return Segment(
         index=index,
         geometry=GEOMETRY[move.interpolation],
@@ -88,9 +89,7 @@ def _segment(
         duration=move.duration_s,
         # Only the move after it tells.
         joint_corner=False,
-        acceleration_share=acceleration_share_of(
-            move, settings, robot.payload_kg, payload_acceleration
-        ),
+        acceleration_share=share,
         ramp=settings.ramp_percent / 100.0,
         stop_ramp=stop_ramp_of(settings),
         carrier=placed.carrier,
@@ -101,4 +100,5 @@ def _segment(
         world_acceleration=unbounded(settings.world_acceleration_m_s2),
         external_linear=tuple(axis.linear for axis in robot.external),
         external_speeds=external_speeds_of(move, settings, robot.external),
+        load=load,
     )

@@ -143,7 +143,7 @@ class BlockPlanner:
         lag_s = self.trajectory.lag_s(end_s)
         pause_s = lag_s + stop.seconds if stop else 0.0
         # A window that a ramp has widened takes longer to run empty; the standstill stays as long.
-        dwell_s = self.model.fine_dwell + (lag_s - self.model.filter_time)
+        dwell_s = self.model.dwell_after(tentative.timing.braking_s) + (lag_s - self.model.window)
         self.ready_s = end_s + max(dwell_s, pause_s)
         self.block.is_closed = True
         self.block.plan = None

@@ -21,7 +21,7 @@ from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.path.path import Path, build_path
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.timing.axis_limits import limits_of
+from rapidsim.motion.timing.axis_limits import limits_of, model_of
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 
 REGAINED_M = 0.010
@@ -243,7 +243,8 @@ def solo_queue(
         look: Called while it plans; raises to end that.
         give_way: Changes a move that cannot be made; whether it has. None changes none.
     """
-    trajectory = Trajectory(start, model.filter_time, model.smoothing)
+    model = model_of(robot, model)
+    trajectory = Trajectory(start, model.window, model.smoothing)
     build = partial(_path, robot, model, look, give_way)
     planner = BlockPlanner(trajectory, model, limits_of(robot, model), build, look=look)
     return SoloQueue(robot, planner, start)

@@ -112,7 +112,7 @@ def regain(planner: BlockPlanner, stands: Waypoint, left_at: Waypoint, now_s: fl
     timing = plan(path, planner.limits, look=planner.look)
     start_s = max(now_s, planner.ready_s)
     planner.trajectory.append(Piece(start_s, path, timing, 0.0, path.length))
-    return start_s + timing.duration + planner.model.fine_dwell
+    return start_s + timing.duration + planner.model.dwell_after(timing.braking_s)
 
 
 def clear(planner: BlockPlanner) -> None:

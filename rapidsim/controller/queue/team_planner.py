@@ -9,8 +9,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
-import numpy as np
-
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove, frames_of
 from rapidsim.controller.queue import stopping
@@ -20,7 +18,7 @@ from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.path.path import Path, build_path
 from rapidsim.motion.path.synchronised_path import TeamPath, team_path
-from rapidsim.motion.timing.axis_limits import Limits
+from rapidsim.motion.timing.axis_limits import limits_together
 from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
@@ -49,7 +47,7 @@ class _TeamTrajectory(Trajectory):
     def __init__(self, robots: Sequence[SoloQueue]) -> None:
         own = robots[0]
         model = own.planner.model
-        super().__init__(own.end, model.filter_time, model.smoothing)
+        super().__init__(own.end, model.window, model.smoothing)
         self._robots = robots
 
     def append(self, piece: Piece) -> float:
@@ -78,17 +76,13 @@ class TeamPlanner:
             robots: Their own queues, in the order of the tasks.
         """
         lead = robots[0].planner
-        limits = [robot.planner.limits for robot in robots]
         self.tasks = tuple(tasks)
         self.robots = tuple(robots)
         self.offer: Offer | None = None
         self.planner = BlockPlanner(
             _TeamTrajectory(robots),
             lead.model,
-            Limits(
-                np.concatenate([one.max_speed for one in limits]),
-                np.concatenate([one.max_acceleration for one in limits]),
-            ),
+            limits_together([robot.planner.limits for robot in robots]),
             self._build,
             self._pass_on,
             lead.look,

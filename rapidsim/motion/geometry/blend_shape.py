@@ -6,11 +6,20 @@ Everything here runs on columns of NumPy arrays and, compiled, on single numbers
 
 from __future__ import annotations
 
+from types import MappingProxyType
+
 import numpy as np
 
 from rapidsim.frames.transform import Array
 
 Three = tuple[Array, Array, Array]
+
+
+C2, PARABOLA, MEASURED = 0, 1, 2
+"""Shapes by number, as compiled code knows them; names are those of `MotionModel.corner`."""
+CODES = MappingProxyType({"c2": C2, "parabola": PARABOLA, "abb": MEASURED})
+KNEE = 1.0 / 3.0
+"""Where phi'' of `abb` bends: a third of the corner from either end."""
 
 
 def smooth(t: Array) -> Three:
@@ -24,8 +33,22 @@ def parabola(t: Array) -> Three:
     return t * t, 2.0 * t, 0.0 * t + 2.0
 
 
+def measured(t: Array) -> Three:
+    """Phi of `abb` likewise: phi'' rises from 1 to 5/2, is level over the middle third, and falls.
+
+    Source: free fits to slow corners of a virtual controller, which it meets within 30 um.
+    """
+    m = np.maximum(t - KNEE, 0.0)
+    n = np.maximum(t - 2.0 * KNEE, 0.0)
+    return (
+        0.5 * t * t + 0.75 * (t * t * t - m * m * m - n * n * n),
+        t + 2.25 * (t * t - m * m - n * n),
+        1.0 + 4.5 * (t - m - n),
+    )
+
+
 def corner_sides(
-    parabolic: bool,
+    shape: int,
     past: Array,
     radius: Array,
     length: Array,
@@ -33,13 +56,15 @@ def corner_sides(
     """Places on the two curves that a corner path is blended from, with both derivatives.
 
     Args:
-        parabolic: Whether the shape is `parabola`, else it is `c2`.
+        shape: One of the numbers above.
         past: How far past the middle of the corner [m], negative before.
         radius: Of the corner [m].
         length: Of the curve before it [m].
     """
     t = np.minimum(np.maximum((past + radius) / (2.0 * radius), 0.0), 1.0)
-    if parabolic:
+    if shape == MEASURED:
+        back, ahead = measured(1.0 - t), measured(t)
+    elif shape == PARABOLA:
         back, ahead = parabola(1.0 - t), parabola(t)
     else:
         back, ahead = smooth(1.0 - t), smooth(t)
@@ -50,5 +75,5 @@ def corner_sides(
     )
 
 
-COMPILED = (smooth, parabola, corner_sides)
+COMPILED = (smooth, parabola, measured, corner_sides)
 """All functions, each after those that it calls."""

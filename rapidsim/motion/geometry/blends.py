@@ -48,7 +48,8 @@ class Corner:
     """What became of the end of a segment."""
 
     radius: float
-    """Radius [m] around the programmed point in which the corner path runs; 0 if there is none."""
+    """Radius [m] around the programmed point in which the corner path runs; 0 if there is none, or
+    if the TCP stands and only turns."""
     in_joints: bool
     """Whether the corner path is made in joint space."""
     stops: bool
@@ -64,7 +65,7 @@ class Corners:
     radius: Array
     """In units of the path parameter, for the position or for the joints."""
     orientation_radius: Array
-    """The same for the orientation, at least `radius`."""
+    """The same for the orientation and external axes; 0 where nothing of them moves."""
     in_joints: npt.NDArray[np.bool_]
     limit: npt.NDArray[np.int64]
     """Values of `Limit`."""
@@ -75,12 +76,13 @@ def corners_of(
 ) -> Corners:
     """Find the corner between each two consecutive curves.
 
-    A zone is reduced to half of either curve and, where orientation zones count as documented, by
-    the share of the reorientation that its angle allows (a zone of 9 deg on a turn of 25 deg leaves
-    36 % of the curve). Where only one of the two curves moves the TCP there is no corner path.
+    A zone is reduced to half of either curve, that of the orientation by itself. In version 1 with
+    `orientation_zone` as documented both are also reduced by the share of the reorientation that
+    its angle allows (a zone of 9 deg on a turn of 25 deg leaves 36 % of the curve). Where only one
+    of the two curves moves the TCP there is no corner path.
 
-    Source: zonedata and the motion principles of the RAPID reference. Recorded traces show neither
-    a zone of its own for the orientation nor the reduction; see `MotionModel.orientation_zone`.
+    Source: zonedata and the motion principles of the RAPID reference; that neither zone shrinks the
+    other, logs of large turns with small zones.
     """
     count = len(segments) - 1
     zones = [segment.zone for segment in segments[:count]]
@@ -88,7 +90,7 @@ def corners_of(
     position = np.array([zone.position if zone else 0.0 for zone in zones])
     programmed = model.orientation_zone == "programmed"
     orientation = position
-    if programmed:
+    if model.orientation_zone != "position":
         orientation = np.array([zone.orientation if zone else 0.0 for zone in zones])
 
     into, out = slice(0, count), slice(1, count + 1)
@@ -113,7 +115,12 @@ def corners_of(
     smallest = candidates.min(axis=0)
     limit = smallest.argmin(axis=0)
     radius = smallest.min(axis=0)
-    orientation_radius = np.maximum(radius, widest.min(axis=0))
+    orientation_radius = widest.min(axis=0)
+    if model.orientation_zone == "own":
+        moves = (curves.angle > 0.0) | (curves.external > 0.0).any(axis=1)
+        orientation_radius = np.where(moves[into] | moves[out], orientation_radius, 0.0)
+    else:
+        orientation_radius = np.maximum(radius, orientation_radius)
 
     shorter = np.minimum(curves.length[into], curves.length[out])
     none = stop | turn_only | (radius < np.minimum(_SMALLEST_RADIUS, _SMALLEST_SHARE * shorter))

@@ -15,7 +15,7 @@ import numpy as np
 from rapidsim.frames.moving_frames import ExternalCourse, Twists
 from rapidsim.frames.rotation_vectors import cross, rotate
 from rapidsim.frames.transform import Array
-from rapidsim.motion.geometry.blend_shape import corner_sides
+from rapidsim.motion.geometry.blend_shape import CODES, KNEE, MEASURED, PARABOLA, corner_sides
 from rapidsim.motion.geometry.blends import Corners
 from rapidsim.motion.geometry.curves import Curves, Index
 from rapidsim.motion.kinematics.arm import Mask
@@ -51,16 +51,35 @@ class Layout:
     orientation_corner: Index
     joint_corner: Index
 
+    @property
+    def shape(self) -> int:
+        """Of corners for the position and in joint space; see `blend_shape`."""
+        return CODES[self.corner_shape]
+
+    @property
+    def turn_shape(self) -> int:
+        """Of corners for orientation and external axes.
+
+        Where the position has the measured shape, logs show a parabola, within 0.1 mdeg.
+        """
+        return PARABOLA if self.shape == MEASURED else self.shape
+
+    @property
+    def in_corner(self) -> Index:
+        """The corner (p,) of any kind in which each piece lies, or -1."""
+        return np.maximum(
+            np.maximum(self.position_corner, self.orientation_corner), self.joint_corner
+        )
+
     def piece_at(self, s: Array) -> Index:
         """The piece (k,) that holds each place (k,); at a breakpoint the one that starts there."""
         piece = np.searchsorted(self.bounds, s, side="right") - 1
         return np.clip(piece, 0, len(self.row) - 1).astype(np.int64)
 
-    def sides(self, corner: Index, radius: Array, s: Array) -> Sides:
+    def sides(self, corner: Index, radius: Array, s: Array, shape: int) -> Sides:
         """Where places s (k,) within corners (k,) come from on the curves before and after."""
         past = s - self.places[corner + 1]
-        parabolic = self.corner_shape == "parabola"
-        return Sides(*corner_sides(parabolic, past, radius, self.curves.length[corner]))
+        return Sides(*corner_sides(shape, past, radius, self.curves.length[corner]))
 
     def motion(self, s: Array, piece: Index) -> Twists:
         """TCP motion at places (k,) of pieces (k,) that are made in Cartesian space.
@@ -89,7 +108,7 @@ class Layout:
         cut = np.flatnonzero(corner >= 0)
         if len(cut):
             at = corner[cut]
-            before, after = self.sides(at, self.corners.radius[at], s[cut])
+            before, after = self.sides(at, self.corners.radius[at], s[cut], self.shape)
             into = self.curves.velocity(at, before[0]) * before[1][:, None]
             velocity[cut] = into + self.curves.velocity(at + 1, after[0]) * after[1][:, None]
         return velocity
@@ -108,7 +127,8 @@ class Layout:
         cut = np.flatnonzero(corner >= 0)
         if len(cut):
             at = corner[cut]
-            before, after = self.sides(at, self.corners.orientation_radius[at], s[cut])
+            radius = self.corners.orientation_radius[at]
+            before, after = self.sides(at, radius, s[cut], self.turn_shape)
             into, out = rate[at], rate[at + 1]
             (x_in, x_in_1, x_in_2), (x_out, x_out_1, x_out_2) = (
                 [part[:, None] for part in side] for side in (before, after)
@@ -119,7 +139,7 @@ class Layout:
         return course
 
     def _cut_position(self, motion: Twists, cut: Index, corner: Index, s: Array) -> None:
-        before, after = self.sides(corner, self.corners.radius[corner], s)
+        before, after = self.sides(corner, self.corners.radius[corner], s, self.shape)
         into = self.curves.at(corner, before[0])
         out = self.curves.at(corner + 1, after[0])
         programmed = self.curves.start.translation[corner + 1]
@@ -133,7 +153,8 @@ class Layout:
         )
 
     def _cut_orientation(self, motion: Twists, cut: Index, corner: Index, s: Array) -> None:
-        before, after = self.sides(corner, self.corners.orientation_radius[corner], s)
+        radius = self.corners.orientation_radius[corner]
+        before, after = self.sides(corner, radius, s, self.turn_shape)
         into = self.curves.at(corner, before[0])
         out = self.curves.at(corner + 1, after[0])
         programmed = self.curves.start.rotation[corner + 1]
@@ -166,6 +187,9 @@ def layout_of(curves: Curves, corners: Corners, corner_shape: BlendShape) -> Lay
         middles - corners.orientation_radius,
         middles + corners.orientation_radius,
     ]
+    if corner_shape == "abb":
+        inner = (1.0 - 2.0 * KNEE) * corners.radius
+        edges += [middles - inner, middles + inner]
     bounds = np.unique(np.clip(np.concatenate(edges), 0.0, places[-1]))
     # Zones that meet leave slivers of rounding between them.
     keep = np.concatenate([[True], np.diff(bounds) > _SLIVER * max(1.0, places[-1])])

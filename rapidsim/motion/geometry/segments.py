@@ -92,7 +92,7 @@ class Zone:
     position: float
     """Radius [m] for the TCP."""
     orientation: float
-    """Radius [m] of TCP travel for the orientation; at least `position`."""
+    """Radius [m] of TCP travel for the orientation."""
     angle: float
     """Radius [rad] for reorientation without TCP travel."""
     linear_axes: float = math.inf
@@ -156,6 +156,8 @@ class Segment:
     """Whether each external axis is linear."""
     external_speeds: tuple[float, ...]
     """Speed of each external axis [m/s or rad/s]: what is programmed, or what it can."""
+    load: float = 0.0
+    """What hangs on the wrist and adds to the arm's inertia, in shares of the rated payload."""
 
     @property
     def wrist_pair(self) -> tuple[int, int] | None:

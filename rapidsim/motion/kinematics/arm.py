@@ -87,6 +87,10 @@ class Kinematics(Protocol):
         """Joints (n,) [rad] away from singularities to begin in; None where none stands out."""
         return None
 
+    def stance(self, joints: Array) -> Array:
+        """How arms (k, n) [rad] stand, shape (k, 4); see `PathRates`. Zeros where none is known."""
+        return np.zeros((len(joints), 4))
+
     @property
     def single(self) -> Single:
         """The same for one pose."""

@@ -30,8 +30,9 @@ def in_turn_of(joints: Array, exists: Mask, near: Array) -> Array:
         row = np.concatenate([near[None], joints[exists]])
         turned[exists] = np.unwrap(row, axis=0)[1:]
     else:
-        turns = np.round((near - joints) / TURN)
-        turned[exists] = (joints + TURN * turns)[exists]
+        # What the other rows hold may be anything.
+        found = joints[exists]
+        turned[exists] = found + TURN * np.round((near[exists] - found) / TURN)
     return turned
 
 

@@ -74,15 +74,16 @@ class Lines:
         kernel = compiled(line_loops, "rates_one_by_one", count)
         if kernel is not None:
             kernel(
-                *(self._lengths, self._signs, self._coupling, self._parabolic, self._course),
+                *(self._lengths, self._signs, self._coupling, self._shapes, self._course),
                 *(s, piece, *rates.columns, regular),
             )
             return rates, regular
         for begin in range(0, count, _CHUNK):
             part = slice(begin, begin + _CHUNK)
-            q1, q2, rates.tcp_rate[part], rates.turn_rate[part], regular[part] = (
+            q1, q2, rates.tcp_rate[part], rates.turn_rate[part], stance, regular[part] = (
                 line_formulas.rates_on_lines(self._lengths, *self._in_columns(s[part], piece[part]))
             )
+            rates.stance[part] = np.stack(stance, axis=-1)
             for rows, angles in ((rates.first, q1), (rates.second, q2)):
                 columns = line_formulas.rates_of_joints(self._signs, self._coupling, angles)
                 for i, column in enumerate(columns):
@@ -105,7 +106,7 @@ class Lines:
         kernel = compiled(line_loops, "joints_one_by_one", count)
         if kernel is not None:
             kernel(
-                *(self._lengths, self._signs, offsets, self._coupling, self._parabolic),
+                *(self._lengths, self._signs, offsets, self._coupling, self._shapes),
                 *(self._course, curves.start_joints, curves.joint_travel),
                 *(s, piece, joints, regular),
             )
@@ -138,8 +139,8 @@ class Lines:
         return float(self.arm.geometry.coupling)
 
     @property
-    def _parabolic(self) -> bool:
-        return self.layout.corner_shape == "parabola"
+    def _shapes(self) -> tuple[int, int]:
+        return self.layout.shape, self.layout.turn_shape
 
     @cached_property
     def _course(self) -> line_loops.CurveColumns:
@@ -187,7 +188,8 @@ class Lines:
             into[cut], out[cut] = corner[cut], corner[cut] + 1
             corners = layout.corners
             radius = (corners.orientation_radius if turning else corners.radius)[corner[cut]]
-            before, after = layout.sides(corner[cut], radius, s[cut])
+            shape = layout.turn_shape if turning else layout.shape
+            before, after = layout.sides(corner[cut], radius, s[cut], shape)
             sides[:, cut] = np.stack([*before, *after])
         return into, out, sides
 
@@ -222,8 +224,11 @@ def lines_of(layout: Layout, arms: Arms) -> Lines | None:
     for column, bit in zip(range(_ARM.start, _ARM.stop), (4, 2, 1), strict=True):
         table[:, column] = np.where(arms.branch & bit, -1.0, 1.0)
     corners = layout.corners
-    same = np.array_equal(layout.position_corner, layout.orientation_corner) and np.array_equal(
-        corners.radius, corners.orientation_radius
+    turns_in_corners = corners.orientation_radius.any()
+    same = not turns_in_corners or (
+        layout.shape == layout.turn_shape
+        and np.array_equal(layout.position_corner, layout.orientation_corner)
+        and np.array_equal(corners.radius, corners.orientation_radius)
     )
     return Lines(arm, layout, table, in_line, plain, same)
 

@@ -21,6 +21,7 @@ from rapidsim.motion.kinematics.unwrapping import TURN
 Pair = tuple[Array, Array]
 Vector = tuple[Array, Array, Array]
 Matrix = tuple[Array, Array, Array, Array, Array, Array, Array, Array, Array]
+Four = tuple[Array, Array, Array, Array]
 Six = tuple[Array, Array, Array, Array, Array, Array]
 Lengths = tuple[float, float, float, float, float, float]
 OfJoints = tuple[float, ...]
@@ -249,8 +250,10 @@ def rates_of_arm(
     rotation_6: Matrix,
     turning: Vector,
     turning_change: Vector,
-) -> tuple[Six, Six, Mask]:
-    """First and second derivatives of the angles of the formulas, and whether the arm is regular.
+) -> tuple[Six, Six, Four, Mask]:
+    """Both derivatives of the angles of the formulas, the arm's stance, and whether it is regular.
+
+    The stance is that of `PathRates`.
 
     The wrist centre gives axes 1 to 3, in the vertical plane of the arm that axis 1 turns; what is
     left of the turning gives axes 4 to 6.
@@ -312,7 +315,8 @@ def rates_of_arm(
     e4 = rest_change[2] + sin5 * d5 * d6 - cos5 * e6
 
     regular = regular & (np.abs(area) > SMALLEST_ARM) & (sine > SMALLEST_WRIST)
-    return (d1, d2, d23 - d2, d4, d5, d6), (e1, e2, e23 - e2, e4, e5, e6), regular
+    stance = lower_ahead / lengths[4], lower_up / lengths[4], forearm[1], forearm[0]
+    return (d1, d2, d23 - d2, d4, d5, d6), (e1, e2, e23 - e2, e4, e5, e6), stance, regular
 
 
 def rates_on_lines(
@@ -323,7 +327,7 @@ def rates_on_lines(
     sides: tuple[Vector, Vector],
     turn: tuple[Matrix, Vector, Matrix, Vector],
     turn_sides: tuple[Vector, Vector],
-) -> tuple[Six, Six, Array, Array, Mask]:
+) -> tuple[Six, Six, Array, Array, Four, Mask]:
     """All that timing asks of a place on a line or in a corner between two.
 
     Args:
@@ -336,8 +340,8 @@ def rates_on_lines(
         turn_sides: Places on both.
 
     Returns:
-        Both derivatives of the angles, TCP travel and turning per unit of the parameter, and
-        whether the arm is regular; where it is not, the derivatives are worth nothing.
+        Both derivatives of the angles, TCP travel and turning per unit of the parameter, how the
+        arm stands, and whether it is regular; where it is not, the derivatives are worth nothing.
     """
     rotation_6, turning, change = turning_on(
         turn[0], turn[1], turn[2], turn[3], turn_sides[0], turn_sides[1]
@@ -352,7 +356,7 @@ def rates_on_lines(
         turning,
         change,
     )
-    first, second, regular = rates_of_arm(
+    first, second, stance, regular = rates_of_arm(
         lengths,
         arm[0],
         arm[1],
@@ -366,7 +370,7 @@ def rates_on_lines(
     )
     tcp_rate = np.sqrt(tcp[0] * tcp[0] + tcp[1] * tcp[1] + tcp[2] * tcp[2])
     turn_rate = np.sqrt(turning[0] * turning[0] + turning[1] * turning[1] + turning[2] * turning[2])
-    return first, second, tcp_rate, turn_rate, regular
+    return first, second, tcp_rate, turn_rate, stance, regular
 
 
 def rates_of_joints(signs: OfJoints, coupling: float, rates: Six) -> Six:

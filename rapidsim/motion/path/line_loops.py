@@ -37,7 +37,7 @@ def rates_one_by_one(
     lengths: Lengths,
     signs: OfJoints,
     coupling: float,
-    parabolic: bool,
+    shapes: tuple[int, int],
     course: CurveColumns,
     s: Array,
     piece: Index,
@@ -45,6 +45,7 @@ def rates_one_by_one(
     second: Array,
     tcp_rate: Array,
     turn_rate: Array,
+    stance: Array,
     regular: Mask,
 ) -> None:
     """Fill in derivatives at places.
@@ -53,7 +54,7 @@ def rates_one_by_one(
         lengths: See `line_formulas.main_axes`.
         signs: Of the joints against the angles of the formulas.
         coupling: See `OpwGeometry`.
-        parabolic: See `corner_sides`.
+        shapes: Of corners for the position and for the turning; see `corner_sides`.
         course: See above.
         s: Places (k,) [m].
         piece: Their pieces (k,).
@@ -61,15 +62,16 @@ def rates_one_by_one(
         second: Filled with second derivatives (k, 6).
         tcp_rate: Filled with TCP travel (k,) per unit of s.
         turn_rate: Filled with turning (k,) per unit of s.
+        stance: Filled with how the arm stands (k, 4); see `PathRates`.
         regular: Filled with where (k,) they hold.
     """
     for k in range(len(s)):
-        arm, lever, line, sides, turn, turn_sides = place_on_lines(
-            course, parabolic, s[k], piece[k]
-        )
-        q1, q2, tcp_rate[k], turn_rate[k], regular[k] = rates_on_lines(
+        arm, lever, line, sides, turn, turn_sides = place_on_lines(course, shapes, s[k], piece[k])
+        q1, q2, tcp_rate[k], turn_rate[k], stands, regular[k] = rates_on_lines(
             lengths, arm, lever, line, sides, turn, turn_sides
         )
+        for i in range(4):
+            stance[k, i] = stands[i]
         q1, q2 = rates_of_joints(signs, coupling, q1), rates_of_joints(signs, coupling, q2)
         for i in range(6):
             first[k, i] = q1[i]
@@ -81,7 +83,7 @@ def joints_one_by_one(
     signs: OfJoints,
     offsets: OfJoints,
     coupling: float,
-    parabolic: bool,
+    shapes: tuple[int, int],
     course: CurveColumns,
     start_joints: Array,
     joint_travel: Array,
@@ -97,7 +99,7 @@ def joints_one_by_one(
         signs: Likewise.
         offsets: See `OpwGeometry`.
         coupling: Likewise.
-        parabolic: Likewise.
+        shapes: Likewise.
         course: Likewise.
         start_joints: Joints (m, 6) [rad] at the start of each curve.
         joint_travel: Those at its end less those.
@@ -107,9 +109,7 @@ def joints_one_by_one(
         regular: Filled with where (k,) they hold.
     """
     for k in range(len(s)):
-        arm, lever, line, sides, turn, turn_sides = place_on_lines(
-            course, parabolic, s[k], piece[k]
-        )
+        arm, lever, line, sides, turn, turn_sides = place_on_lines(course, shapes, s[k], piece[k])
         angles, holds = joints_on_lines(lengths, arm, lever, line, sides, turn, turn_sides)
         row = course[5][piece[k]]
         share = (s[k] - course[1][row]) / max(course[2][row], TINY_LENGTH)
@@ -130,7 +130,7 @@ def joints_one_by_one(
 
 def place_on_lines(
     course: CurveColumns,
-    parabolic: bool,
+    shapes: tuple[int, int],
     s: float,
     piece: int,
 ) -> tuple[
@@ -144,10 +144,14 @@ def place_on_lines(
     """What `rates_on_lines` asks of one place: arm, lever, line, sides, turn and its sides."""
     table, _, _, radii, turn_radii, rows, corners, turn_corners = course
     row, corner, turn_corner = rows[piece], corners[piece], turn_corners[piece]
-    a, b, before, after = sides_at(course, radii, parabolic, corner, row, s)
+    a, b, before, after = sides_at(course, radii, shapes[0], corner, row, s)
     c, d, turn_before, turn_after = a, b, before, after
-    if turn_corner != corner or (corner >= 0 and turn_radii[corner] != radii[corner]):
-        c, d, turn_before, turn_after = sides_at(course, turn_radii, parabolic, turn_corner, row, s)
+    if (
+        turn_corner != corner
+        or shapes[0] != shapes[1]
+        or (corner >= 0 and turn_radii[corner] != radii[corner])
+    ):
+        c, d, turn_before, turn_after = sides_at(course, turn_radii, shapes[1], turn_corner, row, s)
     return (
         three(table, row, 21),
         three(table, row, 18),
@@ -161,7 +165,7 @@ def place_on_lines(
 def sides_at(
     course: CurveColumns,
     radii: Array,
-    parabolic: bool,
+    shape: int,
     corner: int,
     row: int,
     s: float,
@@ -173,7 +177,7 @@ def sides_at(
     if corner < 0:
         return row, row, (s - course[1][row], 1.0, 0.0), (0.0, 0.0, 0.0)
     past = s - course[1][corner + 1]
-    before, after = corner_sides(parabolic, past, radii[corner], course[2][corner])
+    before, after = corner_sides(shape, past, radii[corner], course[2][corner])
     return corner, corner + 1, before, after
 
 

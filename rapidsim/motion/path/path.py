@@ -7,6 +7,7 @@ other [m] (see `curves`); the middle of a corner path has the s of the programme
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -131,11 +132,13 @@ class Path:
             corners.limit.tolist(),
             corners.in_joints.tolist(),
             (corners.in_joints & ~(straight[:-1] & straight[1:])).tolist(),
+            curves.turns_only[:-1].tolist(),
+            (curves.turned[:-1] * corners.radius / np.maximum(curves.length[:-1], 1e-12)).tolist(),
             np.isin(self.layout.places[1:-1], self.stops).tolist(),
             strict=True,
         )
         limits = tuple(Limit)
-        for i, radius, turned, limit, in_joints, bridges, stops in rows:
+        for i, radius, turned, limit, in_joints, bridges, turns_only, turn, stops in rows:
             zone = self.segments[i].zone
             if zone is not None:
                 reason = describe(
@@ -144,7 +147,10 @@ class Path:
                 if bridges and not stops:
                     # A change of tool, work object or kind of move.
                     reason = "; ".join(filter(None, (reason, "made in joint space")))
-                found[i] = Corner(radius, in_joints, stops, reason)
+                if turns_only and not stops:
+                    # There the path parameter is no length of anything.
+                    reason = f"within {math.degrees(turn):.3g} deg of the end"
+                found[i] = Corner(0.0 if turns_only else radius, in_joints, stops, reason)
         return tuple(found)
 
     @cached_property
@@ -155,7 +161,33 @@ class Path:
     @cached_property
     def windows(self) -> tuple[float, ...]:
         """Widths [s] of the smoothing, increasing: one, or some of those while it widens."""
-        return widths_of(self.segments, self.model.filter_time)
+        return widths_of(self.segments, self.model.window)
+
+    @cached_property
+    def zone_radius(self) -> Array:
+        """Radius (p,) [m] of the zone that each piece lies in; 0 outside of zones."""
+        layout = self.layout
+        radius = np.zeros(len(layout.row))
+        of_position = np.maximum(layout.position_corner, layout.joint_corner)
+        turning = layout.orientation_corner, layout.corners.orientation_radius
+        for corner, radii in (turning, (of_position, layout.corners.radius)):
+            within = np.flatnonzero(corner >= 0)
+            radius[within] = radii[corner[within]]
+        return radius
+
+    @cached_property
+    def zone_speed(self) -> Array:
+        """How fast (p,) [m/s] the command may be: a zone takes at least an interpolation cycle.
+
+        Infinite outside of zones. Source: logs of z1 at 1000 mm/s and above, also straight on.
+        """
+        layout = self.layout
+        corner = np.maximum(layout.position_corner, layout.joint_corner)
+        fastest = np.full(len(corner), np.inf)
+        if self.model.cycle > 0.0:
+            within = np.flatnonzero(corner >= 0)
+            fastest[within] = 2.0 * layout.corners.radius[corner[within]] / self.model.cycle
+        return fastest
 
     @cached_property
     def acceleration_share(self) -> Array:
@@ -163,9 +195,9 @@ class Path:
         programmed = self.programmed.acceleration_share
         share: Array = programmed[self.active[self.layout.row]]
         if self.model.corner == "parabola":
-            layout = self.layout
-            in_zone = np.maximum(layout.orientation_corner, layout.joint_corner) >= 0
-            share = np.where(in_zone, share * self.model.parabola_acceleration, share)
+            share = np.where(
+                self.layout.in_corner >= 0, share * self.model.parabola_acceleration, share
+            )
         if self.model.slows_for_bends and len(self.windows) > 1:
             share = share * _WHILE_WIDENING
         return share
@@ -230,26 +262,26 @@ class Path:
     def _rates_in_general(self, s: Array, piece: Index) -> PathRates:
         """The same for whatever arm and curve."""
         row = self.layout.row[piece]
-        first = np.empty((len(s), self.axis_count))
-        second = np.empty_like(first)
+        joints, first, second = np.empty((3, len(s), self.axis_count))
         on_curve, in_joints = self._spaces(piece)
         speeds = np.empty((len(s), 2))
         if len(on_curve):
             motion = self.layout.motion(s[on_curve], piece[on_curve])
             course = self.layout.course(s[on_curve], piece[on_curve])
             near = self._near(s[on_curve], course.value)
-            _, first[on_curve], second[on_curve] = self.arms.rates(
+            joints[on_curve], first[on_curve], second[on_curve] = self.arms.rates(
                 motion, row[on_curve], course, near
             )
             speeds[on_curve] = _norms(motion.velocity, motion.turning)
         if len(in_joints):
             at, d1, d2 = self._in_joint_space(s[in_joints], piece[in_joints])
-            first[in_joints], second[in_joints] = d1, d2
+            joints[in_joints], first[in_joints], second[in_joints] = at, d1, d2
             speeds[in_joints] = _norms(*self._tcp_twist(at, d1, row[in_joints]))
             # Where two wrist axes lead, the speed is that of what follows the circle, not the TCP.
             led = self.arms.pair_rows[row] & (self.layout.joint_corner[piece] < 0)
             speeds[led, 0] = 1.0
-        return PathRates(first, second, speeds[:, 0], speeds[:, 1])
+        stance = self.kinematics.stance(joints[:, : self.kinematics.joint_count])
+        return PathRates(first, second, speeds[:, 0], speeds[:, 1], stance)
 
     def tcp_derivatives(self, s: Array, piece: Index) -> tuple[Array, Array]:
         """Both derivatives (k, 3) of the TCP's position at places (k,) of pieces (k,)."""
@@ -326,7 +358,9 @@ class Path:
         corner = self.layout.joint_corner[piece]
         whole, cut = np.flatnonzero(corner < 0), np.flatnonzero(corner >= 0)
         at = corner[cut]
-        before, after = self.layout.sides(at, self.layout.corners.radius[at], s[cut])
+        before, after = self.layout.sides(
+            at, self.layout.corners.radius[at], s[cut], self.layout.shape
+        )
         # All at once, for few places cost as much as many.
         on_curves = self._on_curve(
             np.concatenate([row[whole], at, at + 1]),

@@ -39,11 +39,17 @@ class PathRates:
     turn_rate: Array
     """Shape (k,): reorientation [rad/m]."""
 
+    stance: Array
+    """Shape (k, 4 a): how lower arm and forearm of each of the a arms stand in its vertical plane,
+    which its inertia depends on: sine and cosine of the angle from straight up of the one, then of
+    the other; zeros for arms that are not ortho-parallel."""
+
     @staticmethod
     def not_filled(count: int, axes: int) -> PathRates:
         """Room for those at `count` places."""
         speeds = np.empty((2, count))
-        return PathRates(np.empty((count, axes)), np.empty((count, axes)), speeds[0], speeds[1])
+        joints = np.empty((2, count, axes))
+        return PathRates(joints[0], joints[1], speeds[0], speeds[1], np.empty((count, 4)))
 
     def put(self, index: Index, rates: PathRates) -> None:
         """Replace some of them."""
@@ -60,6 +66,6 @@ class PathRates:
         return PathRates(*(np.concatenate(pair) for pair in parts))
 
     @property
-    def columns(self) -> tuple[Array, Array, Array, Array]:
-        """The four in this order."""
-        return self.first, self.second, self.tcp_rate, self.turn_rate
+    def columns(self) -> tuple[Array, Array, Array, Array, Array]:
+        """The five in this order."""
+        return self.first, self.second, self.tcp_rate, self.turn_rate, self.stance

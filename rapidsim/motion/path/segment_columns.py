@@ -30,6 +30,8 @@ class Programmed:
     """Shape (m,): PathAccLim [m/s2], the smaller of speeding up and braking."""
     world_acceleration: Array
     """Shape (m,): WorldAccLim [m/s2]."""
+    load: Array
+    """Shape (m,): what hangs on the wrist, in shares of the rated payload."""
 
 
 def programmed_of(segments: Sequence[Segment]) -> Programmed:
@@ -42,13 +44,14 @@ def programmed_of(segments: Sequence[Segment]) -> Programmed:
                 segment.acceleration_share,
                 min(segment.tcp_acceleration, segment.tcp_deceleration),
                 segment.world_acceleration,
+                segment.load,
             )
             for segment in segments
         ]
     )
-    tcp, reorientation, share, along, world = np.ascontiguousarray(columns.T)
+    tcp, reorientation, share, along, world, load = np.ascontiguousarray(columns.T)
     external = np.array([segment.external_speeds for segment in segments], dtype=np.float64)
-    return Programmed(tcp, reorientation, external, share, along, world)
+    return Programmed(tcp, reorientation, external, share, along, world, load)
 
 
 def widths_of(segments: Sequence[Segment], filter_time: float) -> tuple[float, ...]:

@@ -63,6 +63,12 @@ class MemberPath:
         rate: Array = self.slope[piece] + (s - self.bounds[piece]) * self.bend[piece]
         return rate
 
+    @property
+    def fastest_rate(self) -> Array:
+        """The largest way (p,) [m/m] on each common piece."""
+        after: Array = self.slope + np.diff(self.bounds) * self.bend
+        return np.maximum(self.slope, after)
+
     def rates(self, s: Array, piece: Index) -> PathRates:
         """Derivatives with respect to the common parameter."""
         own = self.path.rates(self.place(s, piece), self.piece[piece])
@@ -72,6 +78,7 @@ class MemberPath:
             own.second * rate**2 + own.first * bend,
             own.tcp_rate * rate[:, 0],
             own.turn_rate * rate[:, 0],
+            own.stance,
         )
 
 
@@ -191,6 +198,28 @@ class TeamPath(SharedPath):
         return places
 
     @cached_property
+    def zone_radius(self) -> Array:
+        """Radius (p,) [m] of the narrowest zone that a robot is in; 0 where none is in one."""
+        radii = np.array(
+            [
+                course.path.zone_radius[course.piece] / np.maximum(course.fastest_rate, 1e-12)
+                for course in self.courses
+            ]
+        )
+        narrowest: Array = np.where(radii > 0.0, radii, np.inf).min(axis=0)
+        return np.where(np.isfinite(narrowest), narrowest, 0.0)
+
+    @cached_property
+    def zone_speed(self) -> Array:
+        """How fast (p,) [m/s] the command may be: as fast as that of every robot."""
+        speeds = [
+            course.path.zone_speed[course.piece] / np.maximum(course.fastest_rate, 1e-12)
+            for course in self.courses
+        ]
+        fastest: Array = np.min(speeds, axis=0)
+        return fastest
+
+    @cached_property
     def lengths(self) -> Array:
         """Common length of each segment (segments,) [m]."""
         return np.diff(np.append(self.starts, self.length))
@@ -222,6 +251,7 @@ class TeamPath(SharedPath):
             np.concatenate([rates.second for rates in found], axis=1),
             np.max(tcp, axis=0) * np.array([one.tcp for one in common])[segment],
             np.max(turn, axis=0) * np.array([one.reorientation for one in common])[segment],
+            np.concatenate([rates.stance for rates in found], axis=1),
         )
 
 
@@ -282,6 +312,7 @@ def _common_segment(segments: Sequence[Segment], slopes: Array) -> Segment:
         zone=None if stops else Zone(max(zones, default=0.0), max(zones, default=0.0), 0.0),
         duration=max(durations, default=None),
         acceleration_share=min(one.acceleration_share for one in segments),
+        load=max(one.load for one in segments),
         tcp_acceleration=np.inf,
         tcp_deceleration=np.inf,
         world_acceleration=np.inf,
@@ -385,8 +416,7 @@ def _refined(course: MemberPath, bounds: Array) -> MemberPath:
 
 def _corner(course: MemberPath) -> Index:
     """The corner in which each common piece lies for one robot; -1 where it lies in none."""
-    layout = course.path.layout
-    corner: Index = np.maximum(layout.orientation_corner, layout.joint_corner)[course.piece]
+    corner: Index = course.path.layout.in_corner[course.piece]
     return corner
 
 

@@ -26,6 +26,7 @@ from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
 from rapidsim.motion.kinematics.closed_form.opw_geometry import JOINT_COUNT, OpwGeometry
 from rapidsim.motion.kinematics.closed_form.palletizer import Palletizer, PalletizerGeometry
 from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry, searched_arm
+from rapidsim.motion.robot.dynamics import Dynamics, Torques, prior
 from rapidsim.motion.robot.structures import Geometry, geometry_from_table
 from rapidsim.shipped import shipped
 
@@ -52,7 +53,9 @@ class CatalogueEntry:
     max_speeds: tuple[float | None, ...]
     """[rad/s]; None where no source gives it."""
     max_accelerations: tuple[float | None, ...]
-    """[rad/s2]; None unless they were measured."""
+    """[rad/s2], as version 1 of the motion model has them; None unless they were measured."""
+    torques: Torques | None
+    """None unless they were measured."""
     payload_kg: float | None
     reach_m: float | None
     sources: tuple[str, ...]
@@ -137,6 +140,21 @@ def kinematics_of(entry: CatalogueEntry) -> Kinematics:
             return searched_arm(geometry, entry.limits)
 
 
+def dynamics_of(entry: CatalogueEntry) -> Dynamics | None:
+    """What the main axes of an arm can do: measured, else scaled from ABB arms that were.
+
+    None where neither is known: arms of other makers and kinds, and those without axis speeds.
+    """
+    if not isinstance(entry.geometry, OpwGeometry):
+        return None
+    if entry.torques is not None:
+        return Dynamics(entry.torques, entry.geometry)
+    speeds = tuple(speed for speed in entry.max_speeds if speed is not None)
+    if entry.maker != "ABB" or entry.reach_m is None or len(speeds) != JOINT_COUNT:
+        return None
+    return Dynamics(prior(entry.geometry, speeds, entry.reach_m), entry.geometry)
+
+
 def arm_from_geometry(geometry: OpwGeometry) -> OrthoParallel:
     """The arm with link frames that are parallel to the base where all joints are 0.
 
@@ -171,6 +189,7 @@ def _entry(table: Mapping[str, Any], folder: Path) -> CatalogueEntry:
         ),
         max_speeds=_radians(joints, "max_speed_deg_s"),
         max_accelerations=_radians(joints, "max_acceleration_deg_s2"),
+        torques=_torques(table["dynamics"]) if "dynamics" in table else None,
         payload_kg=table.get("payload_kg"),
         reach_m=table.get("reach_m"),
         sources=tuple(table["sources"]),
@@ -178,6 +197,20 @@ def _entry(table: Mapping[str, Any], folder: Path) -> CatalogueEntry:
         notes=tuple(table["notes"]),
         not_modelled=tuple(table.get("not_modelled", ())),
         folder=folder,
+    )
+
+
+def _torques(table: Mapping[str, Any]) -> Torques:
+    """The table [dynamics]: what was measured of an arm."""
+    w4, w5, w6 = (radians(one) for one in table["wrist_deg_s2"])
+    return Torques(
+        **{name: table[name] for name in ("i1", "rod", "point", "x", "z", "c", "d", "e", "kappa")},
+        delta=radians(table["delta_deg"]),
+        n33=table["n33"],
+        wrist=(w4, w5, w6),
+        filter_time=table["filter_time_s"],
+        fine_dwell=table["fine_dwell_s"],
+        measured=True,
     )
 
 

@@ -15,10 +15,12 @@ from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry,
 from rapidsim.motion.robot.catalogue import (
     CatalogueEntry,
     RobotError,
+    dynamics_of,
     find_entry,
     kinematics_of,
     robot_names,
 )
+from rapidsim.motion.robot.dynamics import Dynamics
 from rapidsim.motion.robot.external_axes import Axes, ExternalAxis
 
 __all__ = ["Joint", "Robot", "RobotError", "load_robot", "robot_names"]
@@ -36,7 +38,7 @@ class Joint:
     max_speed: float | None
     """[rad/s]; None where no source gives it."""
     max_acceleration: float | None = None
-    """[rad/s2]; None unless it was measured."""
+    """[rad/s2], as version 1 of the motion model has it; None unless it was measured."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -64,6 +66,8 @@ class Robot:
     notes: tuple[str, ...] = ()
     not_modelled: tuple[str, ...] = ()
     """What the arm has and a run leaves out."""
+    dynamics: Dynamics | None = None
+    """What its main axes can do; None where only axis speeds say something about that."""
     external: tuple[ExternalAxis, ...] = ()
     """Axes beside the arm, in the order of their letters; the station file names them."""
 
@@ -172,6 +176,7 @@ def _from_entry(entry: CatalogueEntry) -> Robot:
             )
         ),
         kinematics=kinematics_of(entry),
+        dynamics=dynamics_of(entry),
         notices=_notices(entry),
         urdf=entry.urdf,
         payload_kg=entry.payload_kg,

@@ -2,13 +2,47 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.model import MotionModel
+from rapidsim.motion.path.path_derivatives import PathRates
+from rapidsim.motion.robot.dynamics import Dynamics
 from rapidsim.motion.robot.robot import Robot, RobotError
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ArmTorques:
+    """The torques of one of the arms that move."""
+
+    dynamics: Dynamics
+    torque: Array
+    """Shape (3,): factors on what is known of the arm."""
+    first_axis: int = 0
+    """Where its axes begin among all."""
+    number: int = 0
+    """Which of the arms it is."""
+
+    @property
+    def axes(self) -> slice:
+        """Its main axes among all."""
+        return slice(self.first_axis, self.first_axis + len(self.torque))
+
+    def rows(self, rates: PathRates, load: Array) -> tuple[Array, Array]:
+        """Slope and bend (k, 3) at places (k,) with loads (k,); see `AccelerationRows`."""
+        stance = rates.stance[:, 4 * self.number : 4 * self.number + 4]
+        first, second = rates.first[:, self.axes], rates.second[:, self.axes]
+        slope, bend = self.dynamics.rows(stance, first, second, load)
+        return slope / self.torque, bend / self.torque
+
+    def shares(self, stance: Array, rates: Array, changes: Array, load: Array) -> Array:
+        """Shares (k, 3) of the torques that rates and accelerations (k, n) of all axes take."""
+        of_main = rates[:, self.axes], changes[:, self.axes]
+        shares: Array = self.dynamics.shares(stance, *of_main, load) / self.torque
+        return shares
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -18,7 +52,18 @@ class Limits:
     max_speed: Array
     """Shape (n + e,) [rad/s, m/s]."""
     max_acceleration: Array
-    """Shape (n + e,) [rad/s2, m/s2]."""
+    """Shape (n + e,) [rad/s2, m/s2]. Where torques limit an axis, about the least they allow: what
+    is looked at closely enough for that is so for more."""
+    arms: tuple[ArmTorques, ...] = ()
+    """What limits main axes in place of an acceleration."""
+
+    def scaled(self, factor: float) -> Limits:
+        """With a factor on accelerations and torques."""
+        return replace(
+            self,
+            max_acceleration=self.max_acceleration * factor,
+            arms=tuple(replace(arm, torque=factor * arm.torque) for arm in self.arms),
+        )
 
 
 def limits_of(robot: Robot, model: MotionModel) -> Limits:
@@ -37,7 +82,7 @@ def limits_of(robot: Robot, model: MotionModel) -> Limits:
                 "accelerations"
             )
         acceleration = np.array(model.acceleration, dtype=np.float64)
-    elif model.own_accelerations:
+    elif model.own_accelerations and model.version == "1":
         own = (joint.max_acceleration for joint in robot.joints)
         acceleration = np.array(
             [
@@ -45,10 +90,46 @@ def limits_of(robot: Robot, model: MotionModel) -> Limits:
                 for scaled, known in zip(acceleration, own, strict=True)
             ]
         )
+    arms = torques_of(robot, model)
+    for arm in arms:
+        acceleration = np.append(
+            arm.torque * arm.dynamics.least_accelerations,
+            model.wrist * np.array(arm.dynamics.torques.wrist),
+        )
     return Limits(
         np.append(max_speed, [axis.max_speed for axis in robot.external]),
         np.append(acceleration, [axis.max_acceleration for axis in robot.external]),
+        arms,
     )
+
+
+def torques_of(robot: Robot, model: MotionModel) -> tuple[ArmTorques, ...]:
+    """The torques of an arm under a motion model; none where accelerations limit its axes."""
+    known = model.version != "1" and model.own_accelerations and model.acceleration is None
+    if robot.dynamics is None or not known:
+        return ()
+    return (ArmTorques(robot.dynamics, np.array(model.torque)),)
+
+
+def limits_together(limits: Sequence[Limits]) -> Limits:
+    """The limits of several robots that move as one."""
+    arms, axis = [], 0
+    for number, one in enumerate(limits):
+        arms += [replace(arm, first_axis=axis, number=number) for arm in one.arms]
+        axis += len(one.max_speed)
+    return Limits(
+        np.concatenate([one.max_speed for one in limits]),
+        np.concatenate([one.max_acceleration for one in limits]),
+        tuple(arms),
+    )
+
+
+def model_of(robot: Robot, model: MotionModel) -> MotionModel:
+    """A motion model with the times that are known of an arm where it asks for no others."""
+    if robot.dynamics is None:
+        return model
+    torques = robot.dynamics.torques
+    return model.of_arm(torques.filter_time, torques.fine_dwell)
 
 
 def _max_speed(robot: Robot, model: MotionModel) -> Array:

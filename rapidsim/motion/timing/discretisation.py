@@ -113,8 +113,7 @@ def _halved(path: Path, cells: Cells, index: Index) -> Cells:
 def _first_cells(path: Path, start: float) -> tuple[Array, Array, Index]:
     layout = path.layout
     width = np.diff(layout.bounds)
-    in_corner = np.maximum(layout.orientation_corner, layout.joint_corner) >= 0
-    least = np.where(in_corner & _tcp_is_limited(path), _TCP_CELLS, 1)
+    least = np.where((layout.in_corner >= 0) & _tcp_is_limited(path), _TCP_CELLS, 1)
     least = np.where(_is_mixed(layout), np.maximum(least, _MIXED_CELLS), least)
     longest = np.maximum(_LONGEST_CELL, path.length * 1e-4)
     count = np.maximum(least, np.ceil(width / longest)).astype(np.int64)

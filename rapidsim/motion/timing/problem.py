@@ -48,8 +48,8 @@ def problem_of(path: Path, cells: Cells, limits: Limits, paces: Paces = NO_PACES
         paces: Largest path speeds [m/s] of segments with a programmed time, by position; they
             replace the programmed speeds there.
     """
-    accelerations = acceleration_rows(path, cells.places, limits)
     speeds = speed_rows(path, cells.places, limits, paces)
+    accelerations = acceleration_rows(path, cells.places, limits)
     slowness = _slowness(path, speeds, accelerations)
     return Problem(path, limits, cells, speeds, accelerations, slowness)
 

@@ -101,6 +101,9 @@ def drive(problem: Problem, division: Division, start_speed: float) -> Drive:
         window = problem.path.window
         places, needed = stages.places.ravel(), np.repeat(division.needed, 3)
         speeds = held_speeds(places, speeds.ravel(), needed, window).reshape(-1, 3)
+    in_zones = problem.path.zone_speed
+    if np.isfinite(in_zones).any():
+        speeds = np.minimum(speeds, in_zones[problem.cells.piece[stages.cell]][:, None])
     own, speeds = stages.beyond(division.driven), speeds[division.driven :]
     x, fastest_start = solve(own, _caps(problem, own, speeds), start_speed)
     return Drive(own, x, fastest_start, speeds[:, 1] ** 2)

@@ -50,6 +50,12 @@ class Timing:
         """[s]"""
         return float(self.times[-1])
 
+    @property
+    def braking_s(self) -> float:
+        """How long [s] before its end the motion has only become slower."""
+        rises = np.flatnonzero(np.diff(self.speed) >= 0.0)
+        return self.duration - float(self.times[rises[-1] + 1] if len(rises) else 0.0)
+
     @overload
     def s_at(self, t: float) -> float: ...
 

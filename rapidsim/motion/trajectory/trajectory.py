@@ -169,6 +169,22 @@ class Trajectory:
         arm, external = np.split(joints, [len(self._start.joints)], axis=1)
         return Samples(times, move, arm, pose, tcp_speed, external)
 
+    def off_path(self, samples: Samples) -> Array:
+        """How far (k,) [m] the TCP of samples is from where smoothing along the path has it.
+
+        That is 0 in between if the motion is smoothed so; else it is at least the distance from the
+        path that is commanded.
+        """
+        off = np.zeros(len(samples.times))
+        if self._smoothing == "path" or not self._command.last:
+            return off
+        number, way, _ = self._visible(samples.times)
+        for each, at in groups(np.maximum(number, 1)):
+            piece = self._command.piece(each)
+            on_path = piece.path.evaluate(piece.from_s + way[at]).base_from_tcp.translation
+            off[at] = np.linalg.norm(samples.base_from_tcp.translation[at] - on_path, axis=1)
+        return off
+
     def _standing(self, times: Array) -> Samples:
         """The arm at its start."""
         count = len(times)

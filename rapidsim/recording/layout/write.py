@@ -16,6 +16,7 @@ import numpy as np
 import rerun as rr
 
 from rapidsim.frames.transform import Transform
+from rapidsim.motion.timing.axis_limits import model_of
 from rapidsim.recording.layout.blueprint import blueprint
 from rapidsim.recording.layout.camera import cell_size
 from rapidsim.recording.panels.log import log_messages
@@ -119,6 +120,7 @@ def _log_base(stream: rr.RecordingStream, run: RecordedRobot) -> tuple[str, ...]
 
 def _properties(simulation: Simulation, dt: float) -> rr.AnyValues:
     model = simulation.model
+    resolved = [model_of(one.robot, model) for one in simulation.robots]
     return rr.AnyValues(
         program=list(simulation.program),
         robot=" and ".join(one.robot.title for one in simulation.robots),
@@ -129,10 +131,12 @@ def _properties(simulation: Simulation, dt: float) -> rr.AnyValues:
         path_mm=simulation.path_m * 1000.0,
         moves=len(simulation.moves),
         sample_interval_s=dt,
+        motion_model=model.version,
+        controller=model.controller,
         acceleration_time_s=model.acceleration_time,
-        filter_time_s=model.filter_time,
+        filter_time_s=max(one.window for one in resolved),
         smoothing=model.smoothing,
-        fine_dwell_s=model.fine_dwell,
+        fine_dwell_s=max(one.dwell for one in resolved),
         corner=model.corner,
     )
 

@@ -67,8 +67,8 @@ def targets_of(run: RecordedRobot) -> tuple[Target, ...]:
         if known is None:
             found[key] = target
         else:
-            on_line, warned = known.on_line or target.on_line, known.warned or target.warned
-            found[key] = replace(known, on_line=on_line, warned=warned, visits=known.visits + 1)
+            on_line, bad = known.on_line or target.on_line, known.warned or target.warned
+            found[key] = replace(known, on_line=on_line, warned=bad, visits=known.visits + 1)
     return tuple(found.values())
 
 

@@ -286,7 +286,10 @@ def _place(event: Event, several: bool) -> str:
 def assumptions(simulation: Simulation) -> str:
     """The models behind the numbers, what was not simulated, and the sources of the robots."""
     named = {
-        "acceleration": "Axis acceleration",
+        "motion": "Motion model",
+        "controller": "Controller",
+        "acceleration": "Acceleration",
+        "payload": "Payload",
         "axis_speed": "Axis speed",
         "corner": "Shape of corners",
         "program_pointer": "Program pointer",
@@ -319,8 +322,7 @@ def assumptions(simulation: Simulation) -> str:
 
 def _otherwise(figures: Figures) -> str:
     """The time with other accelerations, which is the assumption that counts most."""
-    times = [f"{one.time_s:.3f} s at {one.factor:g} times" for one in figures.otherwise]
-    return f"{', '.join(times)} the acceleration" if times else ""
+    return ", ".join(f"{one.time_s:.3f} s with {one.words}" for one in figures.otherwise)
 
 
 def _corner(kind: CornerKind, count: int) -> str:

@@ -9,41 +9,76 @@ from rich.text import Text
 from rapidsim.simulation.calibration.fit import Calibration, Fitted
 
 _MEANINGS = {
+    "torque": "factor on what the axis is known to have",
+    "wrist": "factor on the accelerations of axes 4 to 6",
     "acceleration_time": "axis speed / axis acceleration",
     "filter_time": "smoothing of the command",
     "fine_dwell": "at a stop point between moves",
+    "zone_share": "share of torques and accelerations that is used in a zone",
 }
 
 
 def as_text(calibration: Calibration) -> RenderableType:
     """Tables of parameters and logs, and what to write into the station file."""
     fitted = Table(box=None, pad_edge=False)
-    for title in ("parameter", "s", "+-", ""):
-        fitted.add_column(title, justify="right" if title in ("s", "+-") else "left")
+    for title in ("parameter", "before", "now", "+-", ""):
+        fitted.add_column(title, justify="right" if title in ("before", "now", "+-") else "left")
     for one in calibration.parameters:
-        fitted.add_row(one.name, f"{one.value_s:.3f}", f"{one.uncertainty_s:.3f}", _remark(one))
+        unit = " s" if one.in_seconds else ""
+        values = (one.known, one.value, one.uncertainty)
+        fitted.add_row(one.name, *(f"{value:.3f}{unit}" for value in values), _remark(one))
     met = Table(box=None, pad_edge=False)
-    for title in ("log", "rows", "time", "rms before", "after", "end before", "after"):
+    titles = ("log", "rows", "time", "rms before", "after", "left out")
+    for title in (*titles, "end before", "after", "left out"):
         met.add_column(title, justify="left" if title == "log" else "right")
     for log in calibration.logs:
         met.add_row(
             log.name,
             str(log.rows),
             f"{log.duration_s:.3f} s",
-            f"{1e3 * log.rms_before_s:.1f} ms",
-            f"{1e3 * log.rms_after_s:.1f} ms",
-            f"{100.0 * log.end_before_s / log.duration_s:+.2f} %",
-            f"{100.0 * log.end_after_s / log.duration_s:+.2f} %",
+            *(_ms(one) for one in (log.rms_before_s, log.rms_after_s, log.rms_left_out_s)),
+            *(
+                _share(one, log.duration_s)
+                for one in (log.end_before_s, log.end_after_s, log.end_left_out_s)
+            ),
         )
-    lines = "\n".join(
-        f"{one.name} = {one.value_s:.3f}" for one in calibration.parameters if one.seen
-    )
+    lines = _lines(calibration)
     advice = (
-        Text(f"For rapidsim.toml:\n\n[motion]\n{lines}")
+        Text(f"For rapidsim.toml:\n\n{lines}")
         if lines
-        else Text("The logs say nothing about any of the three.")
+        else Text("The logs say nothing about any of them.")
     )
-    return Group(fitted, Text(), met, Text(), advice)
+    explained = Text("left out: as the other logs alone predict it", "dim")
+    return Group(fitted, Text(), met, explained, Text(), advice)
+
+
+def _lines(calibration: Calibration) -> str:
+    """What to write into the station file: the parameters that the logs show."""
+    tables: dict[str, dict[str, list[float]]] = {}
+    for one in calibration.parameters:
+        tables.setdefault(one.table, {}).setdefault(one.key, []).append(
+            one.value if one.seen else one.known
+        )
+    seen = {(one.table, one.key) for one in calibration.parameters if one.seen}
+    written = []
+    for table, keys in tables.items():
+        rows = [f"{key} = {_value(values)}" for key, values in keys.items() if (table, key) in seen]
+        if rows:
+            written.append("\n".join((f"[{table}]", *rows)))
+    return "\n\n".join(written)
+
+
+def _value(values: list[float]) -> str:
+    texts = [f"{value:.3f}" for value in values]
+    return texts[0] if len(texts) == 1 else f"[{', '.join(texts)}]"
+
+
+def _ms(seconds: float | None) -> str:
+    return "" if seconds is None else f"{1e3 * seconds:.1f} ms"
+
+
+def _share(seconds: float | None, whole_s: float) -> str:
+    return "" if seconds is None else f"{100.0 * seconds / whole_s:+.2f} %"
 
 
 def as_json(calibration: Calibration) -> dict[str, object]:
@@ -53,9 +88,18 @@ def as_json(calibration: Calibration) -> dict[str, object]:
         "parameters": [
             {
                 "name": one.name,
-                "value_s": one.value_s,
-                "uncertainty_s": one.uncertainty_s,
+                "table": one.table,
+                "key": one.key,
+                "value": one.value,
+                "uncertainty": one.uncertainty,
+                "known": one.known,
                 "seen": one.seen,
+                "contradicts": one.contradicts,
+                **(
+                    {"value_s": one.value, "uncertainty_s": one.uncertainty}
+                    if one.in_seconds
+                    else {}
+                ),
             }
             for one in calibration.parameters
         ],
@@ -68,6 +112,8 @@ def as_json(calibration: Calibration) -> dict[str, object]:
                 "rms_after_s": log.rms_after_s,
                 "end_before_s": log.end_before_s,
                 "end_after_s": log.end_after_s,
+                "rms_left_out_s": log.rms_left_out_s,
+                "end_left_out_s": log.end_left_out_s,
             }
             for log in calibration.logs
         ],
@@ -75,6 +121,9 @@ def as_json(calibration: Calibration) -> dict[str, object]:
 
 
 def _remark(one: Fitted) -> str:
-    if one.seen:
-        return _MEANINGS[one.name]
-    return f"{_MEANINGS[one.name]}; these logs do not show it, kept near its default"
+    meaning = _MEANINGS[one.key]
+    if not one.seen:
+        return f"{meaning}; these logs do not show it, kept near what is known"
+    if one.contradicts:
+        return f"{meaning}; another value was measured on an arm of this type: look at the logs"
+    return meaning

@@ -12,6 +12,7 @@ import numpy as np
 
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.frames.transform import Array
+from rapidsim.motion.robot.dynamics import PRIOR_FACTOR
 from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.simulation.results.acceleration_sensitivity import extra_time_s
 from rapidsim.simulation.results.simulation import End, RobotRun, Simulation
@@ -20,7 +21,10 @@ from rapidsim.simulation.results.time_shares import Share, by_line
 _SAMPLE_S = 0.012
 _MOST_SAMPLES = 20_000
 _SLOWEST = 5
-_OTHER_ACCELERATIONS = (0.5, 2.0)
+_ON_PATH_MM = 1e-3
+_MEASURED_FACTOR = 1.05
+"""Accelerations of an arm that was measured are right within this factor."""
+_GUESSED_FACTOR = 2.0
 _CUT_SHORT = (End.ERROR, End.TIME_LIMIT)
 
 
@@ -47,6 +51,15 @@ class SingularityMargin:
 
 
 @dataclass(frozen=True, slots=True)
+class OffPath:
+    """The farthest that smoothing takes the TCP from the path that is commanded."""
+
+    mm: float
+    time_s: float
+    move: ExecutedMove
+
+
+@dataclass(frozen=True, slots=True)
 class Figures:
     """What the summary of a run shows beside its events."""
 
@@ -60,6 +73,8 @@ class Figures:
     joint_margin: JointMargin | None
     """None where nothing moved."""
     singularity: SingularityMargin | None
+    off_path: OffPath | None
+    """None where the arm stays on its path."""
     otherwise: tuple[OtherTime, ...]
     """Times of the run with other accelerations; none where nothing moved, or too much.
 
@@ -74,6 +89,13 @@ class OtherTime:
     factor: float
     """On all accelerations."""
     time_s: float
+    of_torques: bool
+
+    @property
+    def words(self) -> str:
+        """Such as `67 % of the torques`."""
+        limits = "torques" if self.of_torques else "accelerations"
+        return f"{100.0 * self.factor:.0f} % of the {limits}"
 
 
 def figures(simulation: Simulation) -> Figures:
@@ -85,7 +107,8 @@ def figures(simulation: Simulation) -> Figures:
         for robot, offset in zip(simulation.robots, simulation.move_offsets, strict=True)
         if robot.moves
     ]
-    margins, singularities = [margin for margin, _ in found], [place for _, place in found]
+    margins, singularities = [margin for margin, _, _ in found], [place for _, place, _ in found]
+    off_path = [off for _, _, off in found if off is not None]
     return Figures(
         moves_by_instruction=tuple(Counter(m.move.instruction for m in moves).items()),
         moves_by_corner=tuple((kind, corners[kind]) for kind in CornerKind if kind in corners),
@@ -93,6 +116,7 @@ def figures(simulation: Simulation) -> Figures:
         slowest_waits=by_line(simulation.waits)[:_SLOWEST],
         joint_margin=min(margins, key=lambda one: one.degrees, default=None),
         singularity=min(singularities, key=lambda one: one.smallest_singular_value, default=None),
+        off_path=max(off_path, key=lambda one: one.mm, default=None),
         # What one robot would save, another may wait away.
         otherwise=_otherwise(simulation) if moves and _has_cycle_time(simulation) else (),
     )
@@ -104,21 +128,24 @@ def _has_cycle_time(simulation: Simulation) -> bool:
 
 
 def _otherwise(simulation: Simulation) -> tuple[OtherTime, ...]:
-    """The times at half and double acceleration, which is the assumption that counts most."""
+    """The times with less and more acceleration, which is the assumption that counts most."""
     only = simulation.only
     limits = limits_of(only.robot, simulation.model)
+    either_way = _GUESSED_FACTOR
+    for arm in limits.arms:
+        either_way = _MEASURED_FACTOR if arm.dynamics.torques.measured else PRIOR_FACTOR
     times = []
-    for factor in _OTHER_ACCELERATIONS:
+    for factor in (1.0 / either_way, either_way):
         extra_s = extra_time_s(only.trajectory, limits, factor)
         if extra_s is None:
             return ()
-        times.append(OtherTime(factor, simulation.time_s + extra_s))
+        times.append(OtherTime(factor, simulation.time_s + extra_s, bool(limits.arms)))
     return tuple(times)
 
 
 def _along_the_path(
     run: RobotRun, offset: int, end_s: float
-) -> tuple[JointMargin, SingularityMargin]:
+) -> tuple[JointMargin, SingularityMargin, OffPath | None]:
     robot = run.robot
     times = _sample_times(run, min(run.trajectory.duration, end_s))
     samples = run.trajectory.at(times)
@@ -149,7 +176,10 @@ def _along_the_path(
         time_s=float(times[row]),
         move=move_at(row),
     )
-    return margin, singularity
+    off_m = run.trajectory.off_path(samples)
+    row = int(np.argmax(off_m))
+    off_path = OffPath(round(1000.0 * float(off_m[row]), 3), float(times[row]), move_at(row))
+    return margin, singularity, off_path if off_path.mm > _ON_PATH_MM else None
 
 
 def _sample_times(run: RobotRun, end: float) -> Array:

@@ -8,10 +8,12 @@ from collections.abc import Callable, Mapping, Sequence
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.motion.model import MotionModel
+from rapidsim.motion.robot.dynamics import PRIOR_FACTOR
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.timing.axis_limits import model_of, torques_of
 from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.text import diagnostic_json
-from rapidsim.report.run.figures import Figures, JointMargin, SingularityMargin
+from rapidsim.report.run.figures import Figures, JointMargin, OffPath, SingularityMargin
 from rapidsim.report.run.long_programs import regions_json, stretches_json
 from rapidsim.report.run.records import json_of, move_records, number, wait_records
 from rapidsim.report.run.verdicts import NOTHING_ASKED, Judgement
@@ -22,6 +24,8 @@ from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.simulation.results.time_shares import Share
 
 SCHEMA = 2
+_LIGHT_LOAD = 0.01
+"""Share of the rated payload that is not worth a word."""
 PROGRAM_POINTER = (
     "runs ahead of the robot; goes on after a fly-by move when the robot starts that move"
 )
@@ -55,6 +59,7 @@ def run_json(
         "slowest": [_share(share, "to") for share in figures.slowest],
         "min_joint_margin": _margin(figures.joint_margin),
         "min_singularity": _singularity(figures.singularity),
+        "max_off_path": _off_path(figures.off_path),
         "waits": [json_of(wait) for wait in wait_records(simulation)],
         "slowest_waits": [_share(share, "for") for share in figures.slowest_waits],
         "stretches": stretches_json(held_back(simulation)),
@@ -108,6 +113,7 @@ def rejected_json(
         "slowest": [],
         "min_joint_margin": None,
         "min_singularity": None,
+        "max_off_path": None,
         "diagnostics": [diagnostic_json(finding) for finding in merged(findings)],
         "waits": [],
         "slowest_waits": [],
@@ -125,21 +131,25 @@ def rejected_json(
 def models(simulation: Simulation) -> dict[str, object]:
     """The models behind the numbers and their parameters, and what they leave out of the arm."""
     model = simulation.model
+    resolved = [model_of(one.robot, model) for one in simulation.robots]
     given_speeds = {}
     if model.max_speed is not None:
         given_speeds = {
             "axis_speed": f"axis speeds {_degrees(model.max_speed)} deg/s, as the station file says"
         }
     return {
+        "motion": model.version,
+        "controller": model.controller,
         "acceleration": "; ".join(
             of_robots(simulation, lambda robot: [_acceleration(model, robot)])
         ),
+        **_load(simulation),
         **given_speeds,
         "corner": model.corner,
         "program_pointer": PROGRAM_POINTER,
-        "filter_time_s": model.filter_time,
+        "filter_time_s": max(one.window for one in resolved),
         "smoothing": model.smoothing,
-        "fine_dwell_s": model.fine_dwell,
+        "fine_dwell_s": max(one.dwell for one in resolved),
         **_ramps(simulation),
         "robot_not_modelled": of_robots(simulation, lambda robot: robot.not_modelled),
     }
@@ -160,12 +170,37 @@ def of_robots(simulation: Simulation, texts: Callable[[Robot], Sequence[str]]) -
 
 def _acceleration(model: MotionModel, robot: Robot) -> str:
     """What the accelerations of an arm were taken to be."""
+    if torques_of(robot, model):
+        assert robot.dynamics is not None
+        known = (
+            "as measured on this arm"
+            if robot.dynamics.torques.measured
+            else f"scaled from measured arms, right within a factor of {PRIOR_FACTOR:g}"
+        )
+        factors = (*model.torque, model.wrist)
+        fitted = ""
+        if factors != (1.0,) * len(factors):
+            numbers = ", ".join(f"{factor:g}" for factor in factors)
+            fitted = f", times {numbers} as the station file says"
+        return f"torques of axes 1 to 3 and accelerations of the wrist {known}{fitted}"
     measured = [a for joint in robot.joints if (a := joint.max_acceleration) is not None]
     if model.acceleration is not None:
         return f"axis accelerations {_degrees(model.acceleration)} deg/s2"
-    if model.own_accelerations and any(measured):
+    if model.version == "1" and model.own_accelerations and any(measured):
         return f"axis accelerations {_degrees(measured)} deg/s2, measured on this arm"
     return f"axis acceleration = axis speed / {model.acceleration_time:g} s"
+
+
+def _load(simulation: Simulation) -> dict[str, object]:
+    """What loads were taken to do; nothing where none adds to the inertia of an arm."""
+    for one in simulation.robots:
+        if torques_of(one.robot, simulation.model) and any(
+            segment.load > _LIGHT_LOAD
+            for piece in one.trajectory.pieces
+            for segment in piece.path.segments
+        ):
+            return {"payload": "the load counts as a point mass at the wrist, which is assumed"}
+    return {}
 
 
 def _ramps(simulation: Simulation) -> dict[str, object]:
@@ -229,6 +264,17 @@ def _singularity(singularity: SingularityMargin | None) -> dict[str, object] | N
         "time_s": number(singularity.time_s),
         "move": singularity.move.index,
         **_place(singularity.move),
+    }
+
+
+def _off_path(off: OffPath | None) -> dict[str, object] | None:
+    if off is None:
+        return None
+    return {
+        "distance_mm": number(off.mm),
+        "time_s": number(off.time_s),
+        "move": off.move.index,
+        **_place(off.move),
     }
 
 

@@ -19,7 +19,7 @@ from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.report.findings.source_frame import printable
 from rapidsim.report.kept_units import KeptUnits
-from rapidsim.report.run.figures import Figures, JointMargin, SingularityMargin
+from rapidsim.report.run.figures import Figures, JointMargin, OffPath, SingularityMargin
 from rapidsim.report.run.json_report import models, of_robots
 from rapidsim.report.run.long_programs import long_program_text
 from rapidsim.report.uncut_table import WholeTable
@@ -38,7 +38,6 @@ _LOW_MARGIN_DEG = 5.0
 _NEAR_SINGULAR = 0.05
 _BARE = "._-/\\:"
 """Characters beside letters and digits that need no quotes in a path on a command line."""
-_FACTORS = {0.5: "half", 2.0: "twice"}
 
 _ENDS = {
     End.ENDED: ("ended as programmed", "green"),
@@ -130,6 +129,8 @@ def _facts(
         facts.add_row("corners", _corners(figures))
     if figures.joint_margin:
         facts.add_row("joint limits", _margin(figures.joint_margin, several=several))
+    if figures.off_path:
+        facts.add_row("off the path", _off_path(figures.off_path, several=several))
     if figures.singularity:
         facts.add_row("singularity", _singularity(figures.singularity, several=several))
     for name, value in _happenings(simulation):
@@ -180,6 +181,11 @@ def _margin(margin: JointMargin, *, several: bool) -> Text:
     near = f"came within {margin.degrees:.1f}° of its limit{_at(margin.move)}"
     text = f"joint {margin.joint}{whose} {near}"
     return Text(text, "yellow" if margin.degrees < _LOW_MARGIN_DEG else "")
+
+
+def _off_path(off: OffPath, *, several: bool) -> str:
+    whose = f" of {off.move.task}" if several else ""
+    return f"smoothing takes the TCP{whose} at most {off.mm:.3g} mm off its path{_at(off.move)}"
 
 
 def _singularity(singularity: SingularityMargin, *, several: bool) -> Text:
@@ -271,19 +277,20 @@ def _slowest(lines: Sequence[Share], bars: Bars) -> Table:
 
 
 def _models(simulation: Simulation, figures: Figures) -> Text:
-    others = " and ".join(
-        f"{other.time_s:.3f} s with {_FACTORS[other.factor]} the acceleration"
-        for other in figures.otherwise
-    )
+    others = " and ".join(f"{other.time_s:.3f} s with {other.words}" for other in figures.otherwise)
     behind = models(simulation)
     speeds = f"{behind['axis_speed']}; " if "axis_speed" in behind else ""
     smoothed = "each axis" if behind["smoothing"] == "axes" else "command"
     ramps = f"; {behind['ramp']}" if "ramp" in behind else ""
+    load = f"; {behind['payload']}" if "payload" in behind else ""
+    real = ", real arm" if behind["controller"] == "real" else ""
     not_modelled = of_robots(simulation, lambda robot: robot.not_modelled)
     left_out = "".join(f" Not modelled: {what}." for what in not_modelled)
     return Text(
-        f"Models behind it: {speeds}{behind['acceleration']}; corners {behind['corner']}; "
-        f"{smoothed} smoothed over {behind['filter_time_s']} s{ramps}; {behind['fine_dwell_s']} s "
+        f"Models behind it: motion model {behind['motion']}{real}; {speeds}"
+        f"{behind['acceleration']}{load}; corners {behind['corner']}; "
+        f"{smoothed} smoothed over {behind['filter_time_s']:.4g} s{ramps}; "
+        f"{behind['fine_dwell_s']:.4g} s "
         "at a fine point; "
         f"the program pointer {behind['program_pointer']}.{left_out}"
         f"{f' The run takes {others}.' if others else ''}",

@@ -48,6 +48,8 @@ class BudgetVerdict:
 
     budget_s: float
     cycles: int
+    model: str
+    """Version of the motion model: times of another are not comparable."""
     cycle_s: float | None = None
     """Mean of the cycles; None where the run does not tell it."""
     reason: str | None = None
@@ -71,7 +73,7 @@ class BudgetVerdict:
             return f"cycle budget kept: {took}; {budget}"
         # A cycle may be over by less than the digits of its time show.
         over = f"{self.cycle_s - self.budget_s:.3g} s over it"
-        return f"cycle budget failed: {took}; {budget}: {over}"
+        return f"cycle budget failed: {took} with motion model {self.model}; {budget}: {over}"
 
     def as_json(self) -> dict[str, object]:
         """The values of the JSON report."""
@@ -79,6 +81,7 @@ class BudgetVerdict:
             "budget_s": self.budget_s,
             "cycle_s": self.cycle_s,
             "cycles": self.cycles,
+            "motion_model": self.model,
             "holds": self.holds,
             "reason": self.reason,
         }

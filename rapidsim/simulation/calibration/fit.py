@@ -1,11 +1,16 @@
-"""Fit the motion model's three times to logs of moves that a real controller made.
+"""Fit the motion model to logs of moves that a real controller made.
+
+What is fitted are factors on the torques of axes 1 to 3 and on the accelerations of the wrist (or,
+where no torques are known, one time for all axes), the smoothing, the dwell at stop points, and the
+share of the limits that is used in zones. All at once: what each log shows of each is weighed.
 
 Each log goes with the program that ran while it was taken. The path does not depend on the model,
 so every row of a log belongs to one place of our path; what the fit makes small is the difference
 of the times at these places. One offset a log is free: nobody knows how long after the start of the
 command a log begins.
 
-Where logs say little about a parameter it stays near its default, and the result says so.
+Where logs say little about a parameter it stays near what is known, the nearer the better that is:
+what was measured on an arm gives way to strong evidence only, and the result says so.
 """
 
 from __future__ import annotations
@@ -13,6 +18,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -21,6 +27,7 @@ from rapidsim.files import InputError
 from rapidsim.frames.transform import Array
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.timing.axis_limits import model_of, torques_of
 from rapidsim.simulation.calibration.joint_log import JointLog
 from rapidsim.simulation.calibration.log_comparison import Progress
 from rapidsim.simulation.options import RunOptions
@@ -35,10 +42,18 @@ _FARTHEST_RAD = math.radians(1.0)
 _NOISE_S = 3e-3
 """What logs and planning leave unexplained; a parameter is moved only for more than that."""
 _ROUNDS = 12
-_STEP = 0.06
-_SMALL = 1e-3
+_STEP = 0.04
+_SMALL = 0.1
+"""A round that changes less than this share of the noise is the last."""
 _SEEN = 0.5
 _LEAST_S = 4e-3
+_LEAST_FACTOR = 0.2
+_MEASURED_SPREAD = 0.04
+"""Of factors on the torques of an arm that was measured."""
+_PRIOR_SPREAD = 0.3
+"""Of factors on what is scaled from other arms."""
+_CONTRADICTS = 2.0
+"""So many spreads from what was measured."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,12 +69,20 @@ class Fitted:
     """One parameter of the motion model."""
 
     name: str
-    """Its key in the station file."""
-    value_s: float
-    uncertainty_s: float
-    """Standard deviation [s]."""
+    """Such as `torque of axis 2`, or its key in the station file."""
+    table: str
+    """The table of the station file that it stands in."""
+    key: str
+    value: float
+    uncertainty: float
+    """Standard deviation."""
+    known: float
+    """What it was before."""
     seen: bool
-    """Whether the logs say more about it than the default does."""
+    """Whether the logs say more about it than was known."""
+    contradicts: bool
+    """Whether they say something else than what was measured on this arm."""
+    in_seconds: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,6 +98,9 @@ class LogFit:
     end_before_s: float
     """Our duration less the log's, with the model as it was."""
     end_after_s: float
+    rms_left_out_s: float | None
+    """With what all other logs say; None where there is no other."""
+    end_left_out_s: float | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,15 +115,15 @@ class Calibration:
 @dataclass(frozen=True, slots=True)
 class _Parameter:
     name: str
-    spread_s: float
-    """How far from the default the value may well be."""
-
-
-_PARAMETERS = (
-    _Parameter("acceleration_time", 0.08),
-    _Parameter("filter_time", 0.03),
-    _Parameter("fine_dwell", 0.05),
-)
+    table: str
+    key: str
+    known: float
+    spread: float
+    """How far from that the value may well be."""
+    least: float
+    put: Callable[[MotionModel, float], MotionModel]
+    measured: bool = False
+    in_seconds: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -110,7 +136,7 @@ class _Rows:
 
 
 def calibrate(runs: Sequence[LoggedRun], robot: Robot, model: MotionModel) -> Calibration:
-    """Fit acceleration time, filter time and dwell at stop points.
+    """Fit accelerations, smoothing, dwell at stop points and corners.
 
     Args:
         runs: Logs with their programs.
@@ -120,27 +146,55 @@ def calibrate(runs: Sequence[LoggedRun], robot: Robot, model: MotionModel) -> Ca
     Raises:
         InputError: If a program does not run to its end, or a log does not follow its path.
     """
-    rows = [_rows(run, robot, model) for run in runs]
-    default = np.array([getattr(model, parameter.name) for parameter in _PARAMETERS])
-    spread = np.array([parameter.spread_s for parameter in _PARAMETERS])
+    parameters = _parameters(robot, model)
+    rows = [_rows(run, robot, model, len(parameters)) for run in runs]
+    known = np.array([parameter.known for parameter in parameters])
+    spread = np.array([parameter.spread for parameter in parameters])
+    least = np.array([parameter.least for parameter in parameters])
+
+    def with_values(values: Array) -> MotionModel:
+        trial = model
+        for parameter, value in zip(parameters, values.tolist(), strict=True):
+            trial = parameter.put(trial, value)
+        return trial
 
     def misses(values: Array) -> list[Array]:
-        trial = _with(model, values)
+        trial = with_values(values)
         return [_misses(one, robot, trial) for one in rows]
 
     def residuals(values: Array) -> Array:
         weighted = [miss / math.sqrt(len(miss)) for miss in misses(values)]
-        return np.concatenate([*weighted, _NOISE_S * (values - default) / spread])
+        return np.concatenate([*weighted, _NOISE_S * (values - known) / spread])
 
-    values, slopes = _least_squares(residuals, default)
-    curvature = slopes.T @ slopes
-    sigma = _NOISE_S * np.sqrt(np.diag(np.linalg.inv(curvature)))
-    before, after = misses(default), misses(values)
+    values, slopes = _least_squares(residuals, known, least)
+    sigma = _NOISE_S * np.sqrt(np.diag(np.linalg.inv(slopes.T @ slopes)))
+    before, after = misses(known), misses(values)
+    left_out: list[Array | None] = [None] * len(rows)
+    if len(rows) > 1:
+        now = residuals(values)
+        ends = np.cumsum([len(one.times) for one in rows])
+        for number, (one, end) in enumerate(zip(rows, ends.tolist(), strict=True)):
+            # Near the fit one step does: what it would be without the rows of this log.
+            kept = np.ones(len(now), dtype=bool)
+            kept[end - len(one.times) : end] = False
+            step = -np.linalg.lstsq(slopes[kept], now[kept], rcond=None)[0]
+            left_out[number] = _misses(one, robot, with_values(np.maximum(values + step, least)))
     return Calibration(
-        model=_with(model, values),
+        model=with_values(values),
         parameters=tuple(
-            Fitted(parameter.name, float(value), float(s), bool(s < _SEEN * parameter.spread_s))
-            for parameter, value, s in zip(_PARAMETERS, values, sigma, strict=True)
+            Fitted(
+                name=parameter.name,
+                table=parameter.table,
+                key=parameter.key,
+                value=value,
+                uncertainty=s,
+                known=parameter.known,
+                seen=s < _SEEN * parameter.spread,
+                contradicts=parameter.measured
+                and abs(value - parameter.known) > _CONTRADICTS * parameter.spread,
+                in_seconds=parameter.in_seconds,
+            )
+            for parameter, value, s in zip(parameters, values.tolist(), sigma.tolist(), strict=True)
         ),
         logs=tuple(
             LogFit(
@@ -151,25 +205,91 @@ def calibrate(runs: Sequence[LoggedRun], robot: Robot, model: MotionModel) -> Ca
                 duration_s=float(one.times[-1] - one.times[0]),
                 end_before_s=float(old[-1] - old[0]),
                 end_after_s=float(new[-1] - new[0]),
+                rms_left_out_s=None if out is None else _rms(out),
+                end_left_out_s=None if out is None else float(out[-1] - out[0]),
             )
-            for one, old, new in zip(rows, before, after, strict=True)
+            for one, old, new, out in zip(rows, before, after, left_out, strict=True)
         ),
     )
 
 
-def _with(model: MotionModel, values: Array) -> MotionModel:
-    acceleration_time, filter_time, fine_dwell = (float(value) for value in values)
-    return replace(
-        model,
-        acceleration_time=acceleration_time,
-        own_accelerations=False,
-        acceleration=None,
-        filter_time=filter_time,
-        fine_dwell=fine_dwell,
+def _parameters(robot: Robot, model: MotionModel) -> tuple[_Parameter, ...]:
+    """What is fitted on an arm; accelerations that the station file gives stay."""
+    found: list[_Parameter] = []
+    arms = torques_of(robot, model)
+    for arm in arms:
+        measured = arm.dynamics.torques.measured
+        spread = _MEASURED_SPREAD if measured else _PRIOR_SPREAD
+        found += [
+            _Parameter(
+                f"torque of axis {axis + 1}",
+                "dynamics",
+                "torque",
+                model.torque[axis],
+                spread,
+                _LEAST_FACTOR,
+                partial(_with_torque, axis),
+                measured,
+            )
+            for axis in range(len(model.torque))
+        ]
+        found.append(
+            _Parameter(
+                "wrist", "dynamics", "wrist", model.wrist, 2.0 * spread, _LEAST_FACTOR, _with_wrist
+            )
+        )
+    if not arms and model.acceleration is None:
+        found.append(
+            _time("acceleration_time", model.acceleration_time, 0.08, _with_acceleration_time)
+        )
+    own = model_of(robot, model)
+    found += [
+        _time("filter_time", own.window, 0.03, _with_filter_time),
+        _time("fine_dwell", own.fine_dwell or 0.0, 0.05, _with_fine_dwell),
+    ]
+    if model.version != "1":
+        found.append(
+            _Parameter(
+                "zone_share", "motion", "zone_share", model.zone_share, 0.15, 0.1, _with_zone_share
+            )
+        )
+    return tuple(found)
+
+
+def _time(
+    key: str, known: float, spread: float, put: Callable[[MotionModel, float], MotionModel]
+) -> _Parameter:
+    return _Parameter(key, "motion", key, known, spread, _LEAST_S, put, in_seconds=True)
+
+
+def _with_torque(axis: int, model: MotionModel, value: float) -> MotionModel:
+    first, second, third = (
+        value if number == axis else old for number, old in enumerate(model.torque)
     )
+    return replace(model, torque=(first, second, third))
 
 
-def _rows(run: LoggedRun, robot: Robot, model: MotionModel) -> _Rows:
+def _with_wrist(model: MotionModel, value: float) -> MotionModel:
+    return replace(model, wrist=value)
+
+
+def _with_acceleration_time(model: MotionModel, value: float) -> MotionModel:
+    return replace(model, acceleration_time=value, own_accelerations=False)
+
+
+def _with_filter_time(model: MotionModel, value: float) -> MotionModel:
+    return replace(model, filter_time=value)
+
+
+def _with_fine_dwell(model: MotionModel, value: float) -> MotionModel:
+    return replace(model, fine_dwell=value)
+
+
+def _with_zone_share(model: MotionModel, value: float) -> MotionModel:
+    return replace(model, zone_share=min(value, 1.0))
+
+
+def _rows(run: LoggedRun, robot: Robot, model: MotionModel, parameters: int) -> _Rows:
     progress = Progress.of(_simulated(run, robot, model).trajectory, 0.0)
     every = max(1, len(run.log.times) // _MOST_ROWS)
     times, joints = run.log.times[::every], run.log.joints[::every]
@@ -183,7 +303,7 @@ def _rows(run: LoggedRun, robot: Robot, model: MotionModel) -> _Rows:
             "the tools and work objects of the program",
         )
     moving = progress.speed_at(places) > _STILL_M_S
-    if np.count_nonzero(moving) < len(_PARAMETERS) + 1:
+    if np.count_nonzero(moving) < parameters + 1:
         raise InputError(f"{run.log.name}: the arm hardly moves")
     return _Rows(run, times[moving], places[moving])
 
@@ -209,33 +329,36 @@ def _simulated(run: LoggedRun, robot: Robot, model: MotionModel) -> RobotRun:
     return simulation.only
 
 
-def _least_squares(residuals: Residuals, start: Array) -> tuple[Array, Array]:
+def _least_squares(residuals: Residuals, start: Array, least: Array) -> tuple[Array, Array]:
     """Values (p,) that make residuals least, and the slopes (r, p) there: damped Gauss-Newton."""
     values, now = start, residuals(start)
+    slopes = _slopes(residuals, values, now)
     for _ in range(_ROUNDS):
-        slopes = _slopes(residuals, values)
         step = -np.linalg.lstsq(slopes, now, rcond=None)[0]
         for _ in range(4):
-            trial = np.maximum(values + step, _LEAST_S)
+            trial = np.maximum(values + step, least)
             then = residuals(trial)
             if then @ then < now @ now:
                 break
             step = 0.5 * step
         else:
             break
-        moved = np.abs(trial - values).max()
+        # In units of what the residuals would not show.
+        moved = np.linalg.norm(slopes @ (trial - values)) / _NOISE_S
         values, now = trial, then
         if moved < _SMALL:
             break
-    return values, _slopes(residuals, values)
+        slopes = _slopes(residuals, values, now)
+    return values, slopes
 
 
-def _slopes(residuals: Residuals, values: Array) -> Array:
+def _slopes(residuals: Residuals, values: Array, now: Array) -> Array:
+    """How residuals, which are `now` at values (p,), grow with each of them: shape (r, p)."""
     columns = []
     for k, value in enumerate(values):
         step = np.zeros(len(values))
-        step[k] = _STEP * value
-        columns.append((residuals(values + step) - residuals(values - step)) / (2.0 * step[k]))
+        step[k] = _STEP * max(value, _STEP)
+        columns.append((residuals(values + step) - now) / step[k])
     return np.stack(columns, axis=1)
 
 

@@ -13,7 +13,10 @@ import numpy as np
 from rapidsim.files import InputError, input_text
 from rapidsim.frames.transform import Array
 
-_TIME = re.compile(r"(time|t|timestamp)(_?(s|sec|ms))?", re.IGNORECASE)
+_TIME = re.compile(r"(time|t|timestamp|tm)(_?(s|sec|ms))?", re.IGNORECASE)
+_JOINT = re.compile(r"(?:rob1_|r1_)?(?:j|joint|q|axis|rax)_?(\d)(?:_?(deg|rad))?", re.IGNORECASE)
+_MILLISECONDS = ("ms", "tm")
+"""Endings of names of times in ms; EGM calls its own `tm`."""
 _SEPARATORS = re.compile(r"[;,\t]")
 _FEWEST_ROWS = 10
 
@@ -32,9 +35,12 @@ class JointLog:
 def read_joint_log(file: Path, axes: int) -> JointLog:
     """Read a CSV file of times and joint angles.
 
-    With a header, the columns named `time` (or `time_s`, `time_ms`, `t`) and `j1` to `jn` are taken
-    wherever they stand; without one, the first columns are the time in seconds and the angles.
-    Angles are in degrees. Comma, semicolon and tab separate.
+    With a header, the columns named `time` (or `time_s`, `time_ms`, `t`, `timestamp`, and `tm` for
+    the milliseconds of EGM) and `j1` to `jn` (or `joint_1`, `q1`, `axis1`, `rax_1`) are taken
+    wherever they stand, as abb-motion-program-exec and EGM clients write them; without one, the
+    first columns are the time in seconds and the angles. Angles are in degrees, or in radians where
+    names end with `_rad`. Comma, semicolon and tab separate. Of rows with one time and one pose,
+    which EGM sends again where nothing is new, the first counts.
 
     Args:
         file: The file.
@@ -50,32 +56,47 @@ def read_joint_log(file: Path, axes: int) -> JointLog:
         raise InputError(f"{file} is empty")
     first = _cells(lines[0][1])
     titled = any(_number(cell) is None for cell in first)
-    columns, unit_s = _columns(file, first, axes) if titled else (list(range(axes + 1)), 1.0)
-    rows = [_row(file, number, line, columns) for number, line in lines[titled:]]
+    columns, unit_s, in_radians = (
+        _columns(file, first, axes) if titled else (list(range(axes + 1)), 1.0, False)
+    )
+    rows: list[list[float]] = []
+    numbers: list[int] = []
+    for number, line in lines[titled:]:
+        row = _row(file, number, line, columns)
+        if not rows or row != rows[-1]:
+            rows.append(row)
+            numbers.append(number)
     if len(rows) < _FEWEST_ROWS:
         raise InputError(f"{file} has {len(rows)} rows; at least {_FEWEST_ROWS} are needed")
     table = np.array(rows)
     back = np.flatnonzero(np.diff(table[:, 0]) <= 0.0)
     if len(back):
-        number = lines[titled:][int(back[0]) + 1][0]
+        number = numbers[int(back[0]) + 1]
         raise InputError(f"{file}:{number}: the time does not ascend")
-    return JointLog(file.name, table[:, 0] * unit_s, np.radians(table[:, 1:]))
+    joints = table[:, 1:] if in_radians else np.radians(table[:, 1:])
+    return JointLog(file.name, table[:, 0] * unit_s, joints)
 
 
-def _columns(file: Path, titles: Sequence[str], axes: int) -> tuple[list[int], float]:
-    """Where time and joints stand, and the unit of time [s]."""
-    names = [title.lower() for title in titles]
+def _columns(file: Path, titles: Sequence[str], axes: int) -> tuple[list[int], float, bool]:
+    """Where time and joints stand, the unit of time [s], and whether angles are in radians."""
+    names = [title.lower().lstrip("# ") for title in titles]
     times = [i for i, name in enumerate(names) if _TIME.fullmatch(name)]
-    wanted = [f"j{axis}" for axis in range(1, axes + 1)]
-    missing = [name for name in wanted if name not in names]
+    joints: dict[int, int] = {}
+    radians = []
+    for i, name in enumerate(names):
+        if found := _JOINT.fullmatch(name):
+            joints.setdefault(int(found[1]), i)
+            radians.append(found[2] == "rad")
+    wanted = range(1, axes + 1)
+    missing = [f"j{axis}" for axis in wanted if axis not in joints]
     if not times or missing:
         lacks = "time" if not times else ", ".join(missing)
         raise InputError(
             f"{file}:1: no column is called {lacks}",
-            f"the header must name time and {wanted[0]} to {wanted[-1]}, angles in degrees",
+            f"the header must name time and j1 to j{axes}, angles in degrees",
         )
-    unit_s = 1e-3 if names[times[0]].endswith("ms") else 1.0
-    return [times[0], *(names.index(name) for name in wanted)], unit_s
+    unit_s = 1e-3 if names[times[0]].endswith(_MILLISECONDS) else 1.0
+    return [times[0], *(joints[axis] for axis in wanted)], unit_s, all(radians)
 
 
 def _row(file: Path, number: int, line: str, columns: Sequence[int]) -> list[float]:

@@ -36,7 +36,10 @@ class Progress:
         """What a trajectory does after an instant [s]."""
         first = float(trajectory.place_at(np.array([start_s]))[0])
         count = max(2, round((trajectory.length - first) / STEP_M))
-        places: Array = np.linspace(first, trajectory.length, count)
+        even = np.linspace(first, trajectory.length, count)
+        # The way may turn sharply at a stop, where many rows of a log lie.
+        stops = _stops(trajectory)
+        places: Array = np.union1d(even, stops[stops > first])
         joints = trajectory.at(trajectory.time_at_place(places)).joints
         return cls(trajectory, start_s, places, joints)
 
@@ -79,3 +82,14 @@ class Progress:
         before, after = (self.place_at(times + s * _SPEED_SPAN_S / 2) for s in (-1.0, 1.0))
         speed: Array = (after - before) / _SPEED_SPAN_S
         return speed
+
+
+def _stops(trajectory: Trajectory) -> Array:
+    """Places (k,) [m] of the run where the command comes to rest."""
+    found, start = [np.zeros(1)], 0.0
+    for piece in trajectory.pieces:
+        on_path = np.append(piece.path.stops, piece.to_s)
+        on_path = on_path[(on_path > piece.from_s) & (on_path <= piece.to_s)]
+        found.append(start + on_path - piece.from_s)
+        start += piece.to_s - piece.from_s
+    return np.concatenate(found)

@@ -7,8 +7,6 @@ and dwells stay as they were.
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rapidsim.motion.timing.axis_limits import Limits
 from rapidsim.motion.timing.planning import plan
 from rapidsim.motion.trajectory.trajectory import Trajectory
@@ -28,7 +26,7 @@ def extra_time_s(trajectory: Trajectory, limits: Limits, factor: float) -> float
     """
     if sum(len(piece.path.segments) for piece in trajectory.pieces) > MOST_SEGMENTS:
         return None
-    scaled = replace(limits, max_acceleration=limits.max_acceleration * factor)
+    scaled = limits.scaled(factor)
     extra_s, speed, ends_s = 0.0, 0.0, 0.0
     for piece in trajectory.pieces:
         goes_on = piece.start_time - ends_s < _TOGETHER_S

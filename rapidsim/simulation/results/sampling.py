@@ -64,9 +64,27 @@ class SampledRun:
 
     @property
     def acceleration_shares(self) -> Array:
-        """The acceleration of each joint (k, n) [%] of what it can."""
+        """The acceleration of each joint (k, n) [%] of what it can; of main axes the torque."""
         limits = self.limits.max_acceleration[: self.joint_acceleration.shape[1]]
-        return 100.0 * (self.joint_acceleration / limits)
+        shares = self.joint_acceleration / limits
+        for arm in self.limits.arms:
+            shares[:, arm.axes] = arm.shares(
+                self.one.robot.kinematics.stance(self.samples.joints),
+                self.joint_speed,
+                self.joint_acceleration,
+                self._loads,
+            )
+        return 100.0 * shares
+
+    @property
+    def _loads(self) -> Array:
+        """What hangs on the wrist (k,), in shares of the rated payload."""
+        of_move = {
+            segment.index: segment.load
+            for piece in self.one.trajectory.pieces
+            for segment in piece.path.segments
+        }
+        return np.array([of_move.get(move, 0.0) for move in self.samples.move.tolist()])
 
 
 def sampled(

@@ -16,6 +16,8 @@ from rapidsim.diagnostics import Diagnostic
 from rapidsim.findings.smoothing import CornerTooFast
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.timing.axis_limits import Limits
+from rapidsim.motion.timing.constraints import axis_rows
+from rapidsim.motion.timing.discretisation import Places
 from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
@@ -25,11 +27,11 @@ _WORTH_SAYING = 3.0
 
 @dataclass(frozen=True, slots=True)
 class _Corner:
-    """How much of the acceleration of an axis the middle of a corner takes."""
+    """How much of what an axis can the middle of a corner takes."""
 
     move: ExecutedMove
     load: float
-    axis: int
+    limit: str
 
 
 def corner_findings(
@@ -43,7 +45,7 @@ def corner_findings(
         limits: Of its axes.
         model: What was assumed of the controller.
     """
-    if not model.filter_time or model.smoothing == "axes" or model.slows_for_bends:
+    if not model.window or model.smoothing == "axes" or model.slows_for_bends:
         return ()
     corners = {move.index: move for move in moves if move.corner is CornerKind.FLY_BY}
     found = [
@@ -56,7 +58,7 @@ def corner_findings(
     worst = max(found, key=lambda corner: corner.load)
     more = len(found) - 1
     others = f", and {more} more {'corner' if more == 1 else 'corners'} likewise" if more else ""
-    violation = CornerTooFast(worst.load, worst.axis, others)
+    violation = CornerTooFast(worst.load, worst.limit, others)
     place = worst.move.place
     return (Diagnostic(violation, place.span, routine=place.routine),)
 
@@ -81,8 +83,9 @@ def _too_fast(
     if not len(faster):
         return
     at = path.layout.piece_at(s[faster])
-    allowed = limits.max_acceleration * path.acceleration_share[at][:, None]
-    loads = np.abs(path.rates(s[faster], at).second) * seen[faster, None] ** 2 / allowed
+    rows = axis_rows(path, Places(s[faster], at, path.rates(s[faster], at)), limits)
+    loads = np.abs(rows.bend) * seen[faster, None] ** 2
     for number, load in zip(faster.tolist(), loads, strict=True):
         if load.max() > _WORTH_SAYING:
-            yield _Corner(passed[number][1], float(load.max()), int(load.argmax()) + 1)
+            limiter = rows.limiters[int(load.argmax())]
+            yield _Corner(passed[number][1], float(load.max()), str(limiter))

@@ -8,6 +8,8 @@ MODULE acc_set
     ConfL \Off;
     ConfJ \Off;
     MoveJ p,v500,fine,tool0;
+    ! Once before, for the robot goes on sooner where it has not moved.
+    full:=took();
     full:=took();
     AccSet 20,20;
     gentle:=took();

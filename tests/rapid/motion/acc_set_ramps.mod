@@ -3,6 +3,8 @@
 MODULE acc_set_ramps
   CONST robtarget p:=[[850,-350,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
   CONST num wide:=0.0015;
+  ! Width of the smoothing of this arm, in seconds.
+  CONST num smoothing:=0.05116;
   VAR clock watch;
   VAR num full;
 
@@ -12,26 +14,26 @@ MODULE acc_set_ramps
     MoveJ p,v500,fine,tool0;
     ! One straight move of 1.2 s at even speed.
     full:=one_line();
-    AccSet 100,50;                                                  ! 0.16 s: 0.08 s more
-    TPWrite "half: "\Bool:=is(one_line()-full,0.08);                ! -> half: TRUE
-    AccSet 100,10;                                                  ! 0.80 s: 0.72 s more
-    TPWrite "a tenth: "\Bool:=is(one_line()-full,0.72);             ! -> a tenth: TRUE
+    AccSet 100,50;                                                  ! twice as long
+    TPWrite "half: "\Bool:=is(one_line()-full,smoothing);                ! -> half: TRUE
+    AccSet 100,10;                                                  ! ten times
+    TPWrite "a tenth: "\Bool:=is(one_line()-full,9*smoothing);             ! -> a tenth: TRUE
     AccSet 100,3;                                                   ! no lower than 10
-    TPWrite "less: "\Bool:=is(one_line()-full,0.72);                ! -> less: TRUE
-    AccSet 100,100\FinePointRamp:=50;                               ! 0.16 s at the end: 0.08 s more
-    TPWrite "at the end: "\Bool:=is(one_line()-full,0.08);          ! -> at the end: TRUE
-    AccSet 100,50\FinePointRamp:=50;                                ! 25 % together, 0.32 s at the end: 0.24 s more
-    TPWrite "both: "\Bool:=is(one_line()-full,0.24);                ! -> both: TRUE
+    TPWrite "less: "\Bool:=is(one_line()-full,9*smoothing);                ! -> less: TRUE
+    AccSet 100,100\FinePointRamp:=50;                               ! twice at the end
+    TPWrite "at the end: "\Bool:=is(one_line()-full,smoothing);          ! -> at the end: TRUE
+    AccSet 100,50\FinePointRamp:=50;                                ! 25 % together, four times at the end
+    TPWrite "both: "\Bool:=is(one_line()-full,3*smoothing);                ! -> both: TRUE
     AccSet 100,100;                                                 ! without FinePointRamp there is none
     TPWrite "as before: "\Bool:=is(one_line()-full,0);              ! -> as before: TRUE
-    ! The robot stands still in between as long as ever, so each of three moves takes 0.08 s more.
+    ! The robot stands still in between as long as ever, so each of three moves takes as much more.
     full:=three_lines();
     AccSet 100,50;
-    TPWrite "three: "\Bool:=is(three_lines()-full,3*0.08);          ! -> three: TRUE
+    TPWrite "three: "\Bool:=is(three_lines()-full,3*smoothing);          ! -> three: TRUE
     ! On the way a lower ramp acts within a second of its move, a higher one from the next stop on.
     full:=round_a_corner(100,100);
-    TPWrite "lower: "\Bool:=is(round_a_corner(100,50)-full,0.08);   ! -> lower: TRUE
-    TPWrite "higher: "\Bool:=is(round_a_corner(50,100)-full,0.08);  ! -> higher: TRUE
+    TPWrite "lower: "\Bool:=is(round_a_corner(100,50)-full,smoothing);   ! -> lower: TRUE
+    TPWrite "higher: "\Bool:=is(round_a_corner(50,100)-full,smoothing);  ! -> higher: TRUE
     TPWrite "after it: "\Bool:=is(round_a_corner(100,100)-full,0);  ! -> after it: TRUE
   ENDPROC
 

@@ -31,7 +31,7 @@ MODULE rectangle_zones
     VAR num took;
     ClkReset watch;
     ClkStart watch;
-    MoveL Offs(corner,250,0,0),v500,zone,tool0;     ! note: R116
+    MoveL Offs(corner,250,0,0),v500,zone,tool0;
     MoveL Offs(corner,250,300,0),v500,zone,tool0;
     MoveL Offs(corner,0,300,0),v500,zone,tool0;
     MoveL corner,v500,fine,tool0;

@@ -11,6 +11,8 @@ MODULE stop_times
     ConfJ \Off;
     ConfL \Off;
     MoveJ p,v500,fine,tool0;
+    ! Once before, for the robot goes on sooner where it has not moved.
+    plain:=took(inpos50);
     plain:=took(inpos50);
     paused:=took(pause);
     ! The predefined times let the program go on; only the robot's next move waits.

@@ -114,6 +114,13 @@ class OrthoParallel(Kinematics):
         joints[..., 2] -= self.geometry.coupling * joints[..., 1]
         return principal(joints)
 
+    def stance(self, joints: Array) -> Array:
+        """How lower arm and forearm stand, shape (k, 4), with joints (k, 6); see `PathRates`."""
+        theta = self.theta_from_joints(joints)
+        lower, fore = theta[:, 1], theta[:, 1] + theta[:, 2]
+        columns = np.sin(lower), np.cos(lower), np.sin(fore), np.cos(fore)
+        return np.stack(columns, axis=-1)
+
     def forward(self, joints: Array) -> Transform:
         """base_from_flange of joint vectors (..., 6) [rad]; the flange is ABB's tool0."""
         if joints.ndim == 1:
