@@ -24,7 +24,7 @@ _MM = 1000.0
 _TRIED = 0.5
 """[rad]"""
 _EXACT = 1e-6
-_DIRECTIONS = 48
+_DIRECTIONS = 40
 """Corners of a body that are kept: the furthest in so many directions."""
 _SMALLEST = 0.035
 """Share of the arm's size; smaller bodies, such as screws, are left out."""

@@ -8,7 +8,6 @@ from html import escape
 
 from rapidsim.report.findings.source_frame import printable
 
-_CLASS = {True: ' class="number"', False: ""}
 _CODE = re.compile(r"`([^`\n]*)`")
 
 
@@ -45,7 +44,9 @@ def table(heads: Sequence[str], rows: Iterable[Sequence[str]], *, kind: str) -> 
     body = "".join(
         "<tr>"
         + "".join(
-            f'<td{_CLASS[number]} data-name="{text(name.lstrip(">"))}">{cell}</td>'
+            f'<td class="number" data-name="{text(name[1:])}">{cell}</td>'
+            if number
+            else f"<td>{cell}</td>"
             for cell, name, number in zip(row, heads, numeric, strict=True)
         )
         + "</tr>\n"

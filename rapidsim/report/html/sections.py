@@ -24,7 +24,7 @@ from rapidsim.simulation.results.time_shares import Share, Step, by_line, by_rou
 _MOST_FINDINGS = 200
 _OPEN_FINDINGS = 6
 _MOST_LINES = 300
-_MOST_STRETCHES = 50
+_MOST_STRETCHES = 30
 _MOST_EVENTS = 1500
 _LONGEST_LINE = 160
 _ENDS = {

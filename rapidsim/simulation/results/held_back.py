@@ -2,13 +2,14 @@
 
 For programs of thousands of moves, of which no single line says where the time goes: a stretch goes
 on over lines as long as the speed is not reached. What holds it is read from the motion itself: the
-limit that is used most, for most of the stretch. Waiting at stop points is no part of it.
+limit that is used most, for most of the stretch. Longer waits at stop points part stretches.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -25,6 +26,8 @@ _REACHED = 0.95
 _AT_LIMIT = 0.95
 """Share of an axis' or the reorientation's speed from which on it is what holds."""
 _MOST = 200
+_SHORT_STOP_S = 0.3
+"""Stops up to so long part no stretch: stitches between fine points are one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +58,8 @@ class Stretch:
 
 def held_back(simulation: Simulation) -> tuple[Stretch, ...]:
     """The stretches of all robots below their programmed speed, what costs most time first."""
+    if not np.isfinite(simulation.motion_end_s):
+        return ()
     found = [
         stretch
         for number, one in enumerate(simulation.robots)
@@ -77,16 +82,16 @@ def _of_robot(simulation: Simulation, one: RobotRun, offset: int) -> Iterator[St
     moving = np.abs(run.joint_speed).max(axis=1) > 0.0
     below = moving & (share < _REACHED)
     limits, names = _limits(run, turning)
-    widths = np.gradient(times)
-    for begin, end in _runs(below):
-        rows = slice(begin, end)
-        seconds = float(widths[rows].sum())
+    # Standing still is left out of the samples.
+    widths = np.minimum(np.gradient(times), step_s)
+    for begin, end in _stretches(below, times, limits // run.joint_speed.shape[1], step_s):
+        rows = np.arange(begin, end)[below[begin:end]]
         held = np.bincount(limits[rows], widths[rows], minlength=len(names))
         first, last = one.moves[int(move[begin])], one.moves[int(move[end - 1])]
         yield Stretch(
             task=one.task,
             start_s=float(times[begin]),
-            end_s=float(times[begin]) + seconds,
+            end_s=float(times[end - 1]),
             lost_s=float((widths[rows] * (1.0 - np.clip(share[rows], 0.0, 1.0))).sum()),
             first=first,
             last=last,
@@ -95,6 +100,26 @@ def _of_robot(simulation: Simulation, one: RobotRun, offset: int) -> Iterator[St
             reached_mm_s=1000.0 * float(np.average(samples.tcp_speed[rows], weights=widths[rows])),
             limit=names[int(held.argmax())],
         )
+
+
+def _stretches(below: Array, times: Array, kinds: Array, step_s: float) -> list[tuple[int, int]]:
+    """Begin and end of what is below the speed: over short stops, if a limit of one kind holds."""
+    cuts = np.append(np.diff(times) > 2.0 * step_s, True)
+    found: list[tuple[int, int]] = []
+    for begin, end in _runs(below):
+        inner = [begin, *(np.flatnonzero(cuts[begin : end - 1]) + begin + 1).tolist(), end]
+        for left, right in pairwise(inner):
+            before = found[-1] if found else (0, -1)
+            is_short = left == before[1] and times[left] - times[left - 1] <= _SHORT_STOP_S
+            if is_short and _mode(kinds[slice(*before)]) == _mode(kinds[left:right]):
+                found[-1] = (before[0], right)
+            else:
+                found.append((left, right))
+    return found
+
+
+def _mode(kinds: Array) -> int:
+    return int(np.bincount(kinds).argmax())
 
 
 def _limits(run: SampledRun, turning: Array) -> tuple[Array, tuple[str, ...]]:
