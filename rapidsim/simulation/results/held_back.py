@@ -7,7 +7,7 @@ limit that is used most, for most of the stretch. Longer waits at stop points pa
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -84,10 +84,17 @@ def _of_robot(simulation: Simulation, one: RobotRun, offset: int) -> Iterator[St
     limits, names = _limits(run, turning)
     # Standing still is left out of the samples.
     widths = np.minimum(np.gradient(times), step_s)
-    for begin, end in _stretches(below, times, limits // run.joint_speed.shape[1], step_s):
+    kinds = limits // run.joint_speed.shape[1]
+    pieces = [
+        (begin, end, (_mode(kinds[begin:end]), float(programmed[begin])))
+        for begin, end in _pieces(below, move)
+    ]
+    for begin, end in _joined(pieces, moving, times):
         rows = np.arange(begin, end)[below[begin:end]]
         held = np.bincount(limits[rows], widths[rows], minlength=len(names))
         first, last = one.moves[int(move[begin])], one.moves[int(move[end - 1])]
+        if end == begin + 1:
+            continue
         yield Stretch(
             task=one.task,
             start_s=float(times[begin]),
@@ -102,19 +109,27 @@ def _of_robot(simulation: Simulation, one: RobotRun, offset: int) -> Iterator[St
         )
 
 
-def _stretches(below: Array, times: Array, kinds: Array, step_s: float) -> list[tuple[int, int]]:
-    """Begin and end of what is below the speed: over short stops, if a limit of one kind holds."""
-    cuts = np.append(np.diff(times) > 2.0 * step_s, True)
-    found: list[tuple[int, int]] = []
+def _pieces(below: Array, move: Array) -> Iterator[tuple[int, int]]:
+    """Begin and end of what is below the speed, of each move by itself."""
     for begin, end in _runs(below):
-        inner = [begin, *(np.flatnonzero(cuts[begin : end - 1]) + begin + 1).tolist(), end]
-        for left, right in pairwise(inner):
-            before = found[-1] if found else (0, -1)
-            is_short = left == before[1] and times[left] - times[left - 1] <= _SHORT_STOP_S
-            if is_short and _mode(kinds[slice(*before)]) == _mode(kinds[left:right]):
-                found[-1] = (before[0], right)
-            else:
-                found.append((left, right))
+        inner = np.flatnonzero(np.diff(move[begin:end])) + begin + 1
+        yield from pairwise([begin, *inner.tolist(), end])
+
+
+def _joined(
+    pieces: Sequence[tuple[int, int, object]], moving: Array, times: Array
+) -> list[tuple[int, int]]:
+    """Pieces that follow each other but for short stops, of one kind of limit and one speed."""
+    found: list[tuple[int, int]] = []
+    held: object = None
+    for begin, end, kind in pieces:
+        last = found[-1][1] if found else 0
+        follows = not moving[last:begin].any() and times[begin] - times[last - 1] <= _SHORT_STOP_S
+        if found and kind == held and follows:
+            found[-1] = (found[-1][0], end)
+        else:
+            found.append((begin, end))
+        held = kind
     return found
 
 
