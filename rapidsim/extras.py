@@ -17,6 +17,7 @@ EXTRAS: Mapping[str, str] = MappingProxyType(
         "pyarrow": "parquet",
         "matplotlib": "plots",
         "numba": "fast",
+        "aiohttp": "serve",
     }
 )
 """The extra that brings a package."""

@@ -1,8 +1,8 @@
 """Find and read RAPID source files: what the user named becomes text, or an `InputError` says why.
 
 Files come from controllers and from careless tools, so reading never fails on their bytes. What a
-path may be: a module, a `.pgf` program file, a folder, a controller backup, or `-`. A link that
-leads out of a folder is refused: a repository that is checked is not trusted.
+path may be: a module, a `.pgf` program file, a folder, a controller backup, a `.rspag`, or `-`.
+A link that leads out of a folder is refused: a repository that is checked is not trusted.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from pathlib import Path, PurePosixPath
 from typing import BinaryIO
 from xml.parsers import expat
 
+from rapidsim import pack_and_go
 from rapidsim.backinfo import ListedTask, listed_tasks
 
 MODULE_SUFFIXES = (".mod", ".modx", ".sys", ".sysx", ".prg")
@@ -105,7 +106,7 @@ def read_tasks(paths: Sequence[str], rooms: Sequence[Path] = ()) -> tuple[TaskFi
         if path == "-":
             modules.append(path)
             continue
-        found = Path(path)
+        found = opened(path)
         folders = task_folders(found) if found.is_dir() else ()
         if folders:
             for folder in folders:
@@ -162,11 +163,28 @@ def _is_task_by_name(folder: Path) -> bool:
 def backup_folders(paths: Iterable[str]) -> tuple[Path, ...]:
     """The task folders of the first controller backup among some paths; none without one."""
     for path in paths:
-        folder = Path(path)
+        folder = opened(path)
         folders = task_folders(folder) if path != "-" and folder.is_dir() else ()
         if folders:
             return folders
     return ()
+
+
+def opened(path: str) -> Path:
+    """What a path stands for: itself, or the backup that a packed station (`.rspag`) holds.
+
+    Raises:
+        InputError: If such a station cannot be read, or has not one controller.
+    """
+    file = Path(path)
+    if file.suffix.lower() != pack_and_go.SUFFIX or file.is_dir():
+        return file
+    try:
+        return pack_and_go.unpacked_backup(input_bytes(file), file.stem)
+    except pack_and_go.PackedStationError as error:
+        raise InputError(f"{file} {error}") from None
+    except OSError as error:
+        raise InputError(f"{file} cannot be unpacked: {error.strerror}") from None
 
 
 def neighbours(path: str) -> tuple[str, ...]:

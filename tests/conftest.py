@@ -2,6 +2,8 @@
 programs of rules.
 """
 
+import gc
+import os
 from pathlib import Path
 
 import pytest
@@ -11,6 +13,10 @@ from laws import PROFILE
 
 from rapidsim.diagnostics import all_rules
 from rapidsim.report.pages.rules import programs
+
+# Matrices are small, and the tests have a process a core: more threads only wait for each other.
+# NumPy reads it when it is loaded, which no import above does; processes that tests start get it.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 # No deadline and no verdict about slow examples: machines differ, and so do their loads.
 # Derandomised and without memory: a run must not fail for luck, nor for what stands in somebody's
@@ -22,7 +28,7 @@ settings.register_profile(
     deadline=None,
     suppress_health_check=[HealthCheck.too_slow],
 )
-settings.register_profile("fast", settings.get_profile("ci"))
+settings.register_profile("fast", settings.get_profile("ci"), max_examples=40)
 settings.register_profile("explore", deadline=None, max_examples=500)
 settings.load_profile(PROFILE)
 
@@ -36,6 +42,11 @@ def _process(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) ->
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """The tools take long and one core: they start first, and the tests run beside them."""
     items.sort(key=lambda item: item.path.name != "test_tidy.py")
+
+
+def pytest_collection_finish() -> None:
+    """What all tests have imported stays to the end: no collection of garbage looks at it again."""
+    gc.freeze()
 
 
 @pytest.fixture(scope="session")

@@ -19,6 +19,7 @@ from rapidsim.syntax.collection import uncollected
 _COMMANDS: Mapping[str, str] = MappingProxyType(
     {
         "run": "Run a program and say what happened.",
+        "serve": "Serve a controller to clients of Robot Web Services.",
         "view": "Open a recording.",
         "check": "Find the mistakes in a program without running it.",
         "diff": "Tell what changed between two programs or runs.",

@@ -12,7 +12,7 @@ time to something else, such as the wall, takes their place there.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, replace
 from datetime import datetime, timedelta
@@ -32,6 +32,7 @@ from rapidsim.controller.pointer_time import BACKGROUND_TICK_S, PointerTime
 from rapidsim.controller.polling import Polling
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.path_planner import LOOK_AHEAD_SLACK_S
+from rapidsim.language.error_log import LoggedError
 from rapidsim.language.moves import Place
 
 T = TypeVar("T")
@@ -98,7 +99,7 @@ class TaskClock:
         self._unit = unit
         self._journal = journal
         self._table = table
-        self.program_state: Callable[[], object] = lambda: None
+        self.program_state: Callable[[], Iterable[object]] = lambda: (None,)
         self.has_handler: Callable[[], bool] = lambda: False
         self._polling = Polling(lambda: self.program_state())
         self._time = PointerTime()
@@ -392,7 +393,10 @@ class TaskClock:
         """
         while self._unit.queue.is_halted:
             if not self.await_event(math.inf):
-                raise WaitsForever("the robot was stopped by StopMove, and nothing starts it again")
+                raise WaitsForever(
+                    "the robot was stopped by StopMove, and nothing starts it again",
+                    "StartMove lets it go on, in the program or in a trap",
+                )
 
     def drive_to_stop(self, corner: CornerKind = CornerKind.STOP) -> None:
         """End the block of moves and wait until the arm stands still at its end.
@@ -433,6 +437,11 @@ class TaskClock:
     def _look_aside(self, now_s: float) -> None:
         """Notice which persistents another task has changed, without serving the interrupts."""
         self.aside(now_s, lambda: self._table.look(now_s))
+
+    def log(self, entry: LoggedError) -> None:
+        """Tell whoever keeps the event log of an entry."""
+        if self._cell.logbook is not None:
+            self._cell.logbook(self._journal.task, entry, self.observe())
 
     def cause(self) -> Cause:
         """The statement that runs, for what it changes."""

@@ -13,6 +13,7 @@ from rapidsim.controller.cell.message_queues import QueueSettings
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.cyclic_bools import TaskCyclicBools
 from rapidsim.controller.equipment import TaskEquipment
+from rapidsim.controller.execution import TaskExecution
 from rapidsim.controller.files import TaskFiles, TaskTexts
 from rapidsim.controller.interrupt_table import InterruptTable
 from rapidsim.controller.interrupts import TaskErrorNumbers, TaskInterrupts
@@ -44,6 +45,7 @@ class VirtualController:
     """What a run asks of the controller of one task; the program of the task asks `concerns`."""
 
     clock: TaskClock
+    execution: TaskExecution
     motion: TaskMotion
     others: TaskOthers
     concerns: Controller
@@ -74,7 +76,8 @@ def virtual_controller(
     marks, watched = PathMarks(unit), WorldZoneTable(unit, resolver.base_from_world.inverse())
     clock = TaskClock(cell, unit, journal, table, place)
     interrupts = TaskInterrupts(clock, table)
-    clock.happenings = (cell, marks, watched, interrupts)
+    execution = TaskExecution(clock, unit, cell, table)
+    clock.happenings = (execution, cell, marks, watched, interrupts)
     solo = SoloMoves(clock, unit, cell, resolver, table, marks, watched, journal, state)
     others = TaskOthers(clock, unit, cell, resolver, state, journal.task, has_robot)
     team = TaskTeam(
@@ -85,6 +88,7 @@ def virtual_controller(
     own_queue = cell.messages.open_for(journal.task, queue or QueueSettings())
     concerns = Controller(
         clock=clock,
+        execution=execution,
         motion=motion,
         path_control=TaskPathControl(clock, unit, marks),
         path_recorder=TaskPathRecorder(clock, unit, resolver, state, team.put),
@@ -105,4 +109,4 @@ def virtual_controller(
         cameras=TaskCameras(clock, cell),
         messages=TaskMessages(clock, cell, table, journal, own_queue),
     )
-    return VirtualController(clock, motion, others, concerns)
+    return VirtualController(clock, execution, motion, others, concerns)

@@ -7,6 +7,7 @@ Source: Technical reference manual RAPID Overview, "Interrupts".
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
@@ -264,6 +265,31 @@ class InterruptTable:
                 self._count(due)
                 return due
         return None
+
+    def waiting(self) -> tuple[Due, ...]:
+        """The interrupts that wait for their traps."""
+        return tuple(self._queue)
+
+    def stood(self, waited: tuple[Due, ...], since_s: float, until_s: float) -> None:
+        """The program has stood for a while: what came then is lost, but for what is safe.
+
+        Args:
+            waited: What waited when it stopped.
+            since_s: When that was [s].
+            until_s: When it went on [s].
+        """
+        safe = {number for number, one in self._connections.items() if one.safe}
+        kept = {id(one) for one in waited}
+        self._queue = [one for one in self._queue if id(one) in kept or one.number in safe]
+        for connection in self._connections.values():
+            next_s, period_s = connection.next_s, connection.period_s
+            if next_s is None or next_s > until_s:
+                continue
+            if period_s is not None:
+                missed = math.floor((until_s - next_s) / period_s) + 1
+                connection.next_s = next_s + missed * period_s
+            elif next_s > since_s:
+                connection.withdraw()
 
     def _take(self, time_s: float) -> Due:
         """The interrupt that is due at a time: one that was raised before a timer."""

@@ -83,6 +83,7 @@ class TaskInterrupts:
 
     def log_error(self, entry: LoggedError) -> None:
         """Put an entry into the event log."""
+        self.clock.log(entry)
         if self.table.hears_errors:
             now_s = self.clock.observe()
             self.table.error_logged(entry, now_s)

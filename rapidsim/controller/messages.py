@@ -140,5 +140,7 @@ class TaskMessages:
                     wait.ended_by = MAX_TIME
                     return
                 if not self.clock.await_event(deadline_s):
-                    raise WaitsForever(in_vain)
+                    raise WaitsForever(
+                        in_vain, r"\TimeOut ends the wait; other tasks send messages"
+                    )
             wait.ended_by = awaited

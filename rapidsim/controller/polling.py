@@ -7,8 +7,9 @@ something happens that it may notice.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from itertools import zip_longest
 
 FIRST_LOOK = 200
 """Ticks that a program may take without a wait before anybody looks whether it polls."""
@@ -22,11 +23,12 @@ SELDOM = 100_000
 class Polling:
     """Looks for rounds of one task's program."""
 
-    state: Callable[[], object]
-    """All that decides what the program does next, to be compared; None where it is too much."""
+    state: Callable[[], Iterable[object]]
+    """All that decides what the program does next, in parts to be compared; it ends with None where
+    it is too much."""
     _since: int = 0
     """Ticks at which the round that is watched began."""
-    _seen: tuple[object, object] | None = None
+    _seen: tuple[object, tuple[object, ...]] | None = None
     """What the program had done by then, and its state; None while nothing is watched."""
     _pause: int = FIRST_LOOK
     _next: int = FIRST_LOOK
@@ -50,7 +52,7 @@ class Polling:
             return None
         begun, state = self._seen
         if done == begun:
-            if state == self.state():
+            if all(a == b for a, b in zip_longest(state, self.state())):
                 return used - self._since
             if used - self._since < LONGEST_ROUND:
                 return None
@@ -67,8 +69,8 @@ class Polling:
         if done != self._done:
             self._pause = FIRST_LOOK
         self._done = done
-        state = self.state()
-        if state is None:
+        state = tuple(self.state())
+        if state[-1:] == (None,):
             self._next = used + SELDOM
         else:
             self._since, self._seen = used, (done, state)

@@ -17,6 +17,10 @@ from rapidsim.findings.sockets import NobodyAnswers, NobodyConnects
 from rapidsim.language.error_numbers import ERR_SOCK_CLOSED, rapid_error
 from rapidsim.language.sockets import Connection, Listener
 
+_CURE = (
+    "a [[socket]] of rapidsim.toml plays the other end, `--allow-network` lets a real one in, "
+    r"\Time ends the wait"
+)
 _SHOWN = 40
 """Characters of what is sent and received that an event shows."""
 
@@ -182,7 +186,7 @@ class TaskSockets:
                     wait.ended_by = MAX_TIME
                     return False
                 if not self.clock.await_event(deadline_s):
-                    raise WaitsForever(in_vain)
+                    raise WaitsForever(in_vain, _CURE)
             wait.ended_by = "the peer of the socket"
         return True
 

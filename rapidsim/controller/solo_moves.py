@@ -102,6 +102,7 @@ class SoloMoves:
         self.clock.follow(queued.started)
         if (
             self.table.armed
+            or self.cell.outsiders_act
             or self.zones.is_watching
             or self.marks.may_interrupt
             or queue.open_moves > MAX_OPEN_MOVES

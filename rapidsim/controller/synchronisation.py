@@ -158,7 +158,7 @@ class TaskTeam:
             self.clock.pass_time(max(self.clock.observe(), self.unit.queue.trajectory.duration))
             return
         self.clock.follow(queued.started)
-        if self.table.armed or self.zones.is_watching:
+        if self.table.armed or self.zones.is_watching or self.cell.outsiders_act:
             self.solo.keep_up()
 
     def _say_what_a_team_ignores(self, move: Move, queued: QueuedMove) -> None:

@@ -28,6 +28,12 @@ class AnswerNotAChoice(Violation, code="R105"):
 
 class EndlessWait(Violation, code="R106"):
     what: str
+    cure: str | None = None
+
+    @property
+    def help(self) -> str | None:
+        """What would end the wait; as a rule an input."""
+        return self.cure or super().help
 
 
 class RoutineNotSimulated(Violation, code="R104"):

@@ -8,6 +8,7 @@ from typing import Protocol
 
 from rapidsim.analysis.program import Program
 from rapidsim.jobs.job import Job
+from rapidsim.jobs.pointed_targets import pointed_at_targets
 from rapidsim.reach.checked_moves import ReachReport
 
 
@@ -60,6 +61,9 @@ def choose_move_check(job: Job) -> CheckMoves | None:
         budget_s = station.check.cycle_budget_s
         trial_run = job.asked.trial_run and runs
         report = check_reach(program, arm, options, run=trial_run, cycle_budget_s=budget_s)
+        # What a run of main has found stands at the instruction.
+        pointed = pointed_at_targets(report.diagnostics, (program,))
+        report = replace(report, diagnostics=pointed)
         if job.is_arm_named:
             return report
         # Whether the program is for the default arm nobody knows.

@@ -23,6 +23,7 @@ def run_options(job: Job) -> RunOptions:
         starts_at=asked.starts_at or station.starts_at or START_OF_TIME,
         max_time_s=asked.max_time_s,
         max_wall_s=asked.max_wall_s,
+        geometry=station.geometry,
         max_cycles=asked.max_cycles,
         entry=asked.entry,
     )

@@ -14,6 +14,7 @@ from rapidsim.files import (
     did_you_mean,
     named_tasks,
     neighbours,
+    opened,
     read_tasks,
     require_inside,
 )
@@ -100,7 +101,7 @@ def chosen_tasks(paths: Sequence[str], station: Station, task: str | None) -> tu
 
 def _folders(paths: Sequence[str]) -> tuple[Path, ...]:
     """The folders that a command names, or in which the files lie that it names."""
-    places = [Path(path) for path in paths if path != "-"]
+    places = [opened(path) for path in paths if path != "-"]
     return tuple(place if place.is_dir() else place.parent for place in places)
 
 

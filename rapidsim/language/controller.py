@@ -9,7 +9,7 @@ for the whole `Controller` where it needs several.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from datetime import datetime
@@ -47,9 +47,9 @@ class ClockService(Protocol):
     place: Place
     """The statement that runs, set before each call that reports."""
 
-    program_state: Callable[[], object]
-    """All that decides what the program does next, to be compared; None where it is too much. The
-    interpreter sets it."""
+    program_state: Callable[[], Iterable[object]]
+    """All that decides what the program does next, in parts to be compared; the last is None where
+    it is too much. The interpreter sets it."""
 
     has_handler: Callable[[], bool]
     """Whether a routine that runs has an ERROR clause. The interpreter sets it."""
@@ -79,6 +79,18 @@ class ClockService(Protocol):
 
         Raises:
             Stopped: When the run may take no longer; also out of the middle of the work.
+        """
+        ...
+
+
+class Execution(Protocol):
+    """Whether the program executes."""
+
+    def stop(self, reason: str) -> None:
+        """Stop all that executes; returns when somebody has started it again.
+
+        Raises:
+            Stopped: Where nobody would: the run ends.
         """
         ...
 
@@ -356,6 +368,7 @@ class Controller:
     """One task's controller: who answers for each concern."""
 
     clock: ClockService
+    execution: Execution
     motion: Motion
     path_control: PathControl
     path_recorder: PathRecorder
@@ -384,6 +397,7 @@ class Controller:
 CONCERNS: Mapping[type, str] = MappingProxyType(
     {
         ClockService: "clock",
+        Execution: "execution",
         Motion: "motion",
         PathControl: "path_control",
         PathRecorder: "path_recorder",

@@ -32,6 +32,9 @@ from rapidsim.library.traits import Does
 _ENCODING = "iso-8859-1"
 END_OF_FILE = "EOF"
 """What ReadStr gives at the end of a file: the constant EOF."""
+REMAIN = "REMAIN"
+r"""What \Status of ReadStr becomes where a line is longer than a string; as ABB's own RobotWare 7
+packages compare it."""
 END_OF_NUMBERS = single(9.998e36)
 """What ReadNum gives at the end of a file: the constant EOF_NUM."""
 END_OF_BYTES = -1.0
@@ -124,18 +127,22 @@ def read_str(
     discard_headers: Switch = False,
     time: Num | None = None,
     line: Num | None = None,
-    status: InOut[Num] | None = None,
+    status: InOut[String] | None = None,
 ) -> String:
     r"""The text up to the end of the line or a delimiter; EOF at the end of the file.
 
-    \Time limits a wait that a file never causes; \Status becomes 0, and the run says so.
+    A string holds 80 characters; the next call reads the rest of a longer line, and \Status is
+    then "REMAIN". What it is else no source gives: "", and the run says so. \Time limits a wait
+    that a file never causes.
     """
     del time
-    if status is not None:
-        controller.not_simulated(r"ReadStr \Status", "0")
-        status.value = 0.0
     file = opened_device(io_device)
-    return _text_from(file, delim, line, remove_cr=remove_cr, discard_headers=discard_headers)
+    text = _text_from(file, delim, line, remove_cr=remove_cr, discard_headers=discard_headers)
+    if status is not None:
+        status.value = REMAIN if len(text) == MAX_STRING else ""
+        if not status.value:
+            controller.not_simulated(r"ReadStr \Status", "empty where nothing of the line remains")
+    return text
 
 
 def _text_from(

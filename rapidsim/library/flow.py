@@ -6,8 +6,8 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types.
 from __future__ import annotations
 
 from rapidsim.language.annotations import Bool, String, Switch, SymNum
-from rapidsim.language.controller import Controller
-from rapidsim.language.errors import CycleEnded, Stopped
+from rapidsim.language.controller import Controller, Execution
+from rapidsim.language.errors import CycleEnded
 from rapidsim.library.honesty import ignored
 from rapidsim.library.table import routine, table
 from rapidsim.library.traits import Does
@@ -21,16 +21,16 @@ RUNNING_CONTINUOUSLY = 1.0
 def stop(
     controller: Controller, *, no_regain: Switch = False, all_move_tasks: Switch = False
 ) -> None:
-    """Stop the program when the robot stands; nobody starts it again, so the run ends."""
+    """Stop the program when the robot stands; the run ends where nobody starts it again."""
     del no_regain
     ignored(controller.honesty, "Stop", {r"\AllMoveTasks": all_move_tasks})
     controller.clock.wait(0.0, in_position=True)
-    raise Stopped("Stop")
+    controller.execution.stop("Stop")
 
 
-def break_() -> None:
-    """Stop the program at once; nobody starts it again, so the run ends."""
-    raise Stopped("Break")
+def break_(controller: Execution) -> None:
+    """Stop the program at once; the run ends where nobody starts it again."""
+    controller.stop("Break")
 
 
 def exit_cycle() -> None:
@@ -39,11 +39,11 @@ def exit_cycle() -> None:
 
 
 def system_stop_action(
-    *, stop: Switch = False, stop_block: Switch = False, halt: Switch = False
+    controller: Execution, *, stop: Switch = False, stop_block: Switch = False, halt: Switch = False
 ) -> None:
-    """Stop all of the system; the run ends."""
+    """Stop all of the system; the run ends where nobody starts it again."""
     del stop, stop_block, halt
-    raise Stopped("SystemStopAction")
+    controller.stop("SystemStopAction")
 
 
 def op_mode() -> SymNum:
@@ -79,9 +79,14 @@ def linked_m_exe() -> None:
 
 FLOW = table(
     routine("Stop", stop, does=Does.WAIT),
-    routine("Break", break_),
+    routine("Break", break_, does=Does.WAIT),
     routine("ExitCycle", exit_cycle, does=Does.LEAVE),
-    routine("SystemStopAction", system_stop_action, r"\Stop|\StopBlock|\Halt", does=Does.LEAVE),
+    routine(
+        "SystemStopAction",
+        system_stop_action,
+        r"\Stop|\StopBlock|\Halt",
+        does=Does.LEAVE | Does.WAIT,
+    ),
     routine("OpMode", op_mode),
     routine("RunMode", run_mode),
     routine("RobOS", rob_os),

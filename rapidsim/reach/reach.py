@@ -17,6 +17,7 @@ from rapidsim.reach.cures import Cures
 from rapidsim.reach.cycle_time_findings import budget_findings, stop_findings
 from rapidsim.reach.dataflow.interpretation import walk_program
 from rapidsim.reach.dataflow.known_moves import WalkedProgram
+from rapidsim.reach.outside_values import moved_by_outside
 from rapidsim.reach.path_findings import WayFinder
 from rapidsim.reach.target_findings import (
     configuration_findings,
@@ -65,7 +66,8 @@ def check_reach(
     placed = posed(known, robot, base_from_world, options.external_axes)
     left_out = placed.left_out
     can_run = run and FRAME_WITHOUT_ORIENTATION not in left_out.values()
-    if can_run and (walked.unknown or left_out or budget is not None):
+    needs_run = bool(walked.unknown or left_out) or budget is not None
+    if can_run and (needs_run or options.geometry is not None):
         longest_s = max(LONGEST_RUN_S, 2.0 * (budget or 0.0))
         told = run_for_moves(program, robot, options, walked, len(known), longest_s)
         joints = {len(known) + at: one.joints for at, one in enumerate(told.executed)}
@@ -92,8 +94,29 @@ def check_reach(
     found = [
         replace(one, assumed=goes_on) if one.violation.code in _GIVES_WAY else one for one in found
     ]
+    if told is not None and any(one.severity is Severity.ERROR for one in found):
+        found = list(_not_sure(program, walked, found))
     distinct = tuple(_Places(walked).distinct(found))
     return ReachReport(distinct, _coverage(walked, ends, told, left_out))
+
+
+def _not_sure(
+    program: Program, walked: WalkedProgram, found: Iterable[Diagnostic]
+) -> Iterator[Diagnostic]:
+    """The findings; what depends on inputs as a run has them when nobody sets them is no error."""
+    moved = moved_by_outside(program)
+    unsure = [
+        (module.source.file, call.start, call.end)
+        for call, module in walked.written
+        if call in moved
+    ]
+    for one in found:
+        span = one.span
+        inside = span is not None and any(
+            file == span.file and start <= span.start < end for file, start, end in unsure
+        )
+        is_reach = one.violation.code.startswith("K")
+        yield replace(one, assumed=True) if inside and is_reach else one
 
 
 @dataclass(eq=False)

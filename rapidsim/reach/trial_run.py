@@ -15,6 +15,7 @@ from rapidsim.analysis.program import Program
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import InputError
+from rapidsim.findings.runs import EndlessWait
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.language.errors import Stopped
 from rapidsim.language.moves import MotionSettings
@@ -125,7 +126,7 @@ def run_for_moves(
         moves,
         tuple(one for one, _ in made),
         frozenset(failed | {call for _, (call, _) in made}),
-        tuple(one for one in run.diagnostics if _is_told(one)),
+        tuple(_as_sure(one, options) for one in run.diagnostics if _is_told(one)),
         run.time_s if run.end in (End.ENDED, End.CYCLE_LIMIT) else None,
         f"more than {run.time_s:.0f} s"
         if run.end is End.TIME_LIMIT
@@ -136,7 +137,13 @@ def run_for_moves(
 
 def _is_told(found: Diagnostic) -> bool:
     """Whether a finding of the run is one of the check, too: of moves, or why the program ends."""
-    return found.violation.code[0] in "KM" or found.severity is Severity.ERROR
+    return found.violation.code[0] in "CKM" or found.severity is Severity.ERROR
+
+
+def _as_sure(found: Diagnostic, options: RunOptions) -> Diagnostic:
+    """The finding; where nothing says what inputs do, waiting for one in vain is no error."""
+    waits = isinstance(found.violation, EndlessWait) and found.violation.cure is None
+    return replace(found, assumed=True) if waits and not options.io.stimuli else found
 
 
 def _nobody(prompt: str) -> str | None:

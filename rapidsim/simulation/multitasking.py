@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from functools import partial
 
 from rapidsim.controller.cell.cell import Cell
-from rapidsim.controller.clock import TaskClock
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
 from rapidsim.interpreter.linking.loader import FatalError, Task, load
 from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents, shared_persistents
 from rapidsim.language.moves import Place
+from rapidsim.simulation.board import TurnsBoard
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End
 from rapidsim.simulation.scheduler import Scheduler
@@ -34,7 +33,7 @@ def run_together(runs: Sequence[TaskRun], cell: Cell, options: RunOptions) -> li
     cell.share(scheduler)
     programs = [run.setup.program for run in runs]
     written = [run.setup.written for run in runs]
-    shared = shared_persistents(programs, _Board(scheduler), written)
+    shared = shared_persistents(programs, TurnsBoard(scheduler), written)
     # Every task has its data before the first one runs: they may be shared.
     loaded = [_loaded(run, shared) for run in runs]
     outcomes: dict[str, Outcome] = {}
@@ -69,23 +68,6 @@ def _left_running(task: Callable[[], Task]) -> Outcome:
     with suppress(FatalError):
         return Outcome(End.ENDED, task=task())
     return Outcome(End.ENDED)
-
-
-@dataclass(frozen=True, slots=True)
-class _Board:
-    """Sees to it that shared data are read and written in the order of time."""
-
-    scheduler: Scheduler
-
-    def look(self) -> None:
-        task = self.scheduler.current
-        if isinstance(task, TaskClock):
-            task.come_up()
-
-    def tell(self) -> None:
-        task = self.scheduler.current
-        if isinstance(task, TaskClock):
-            task.tell()
 
 
 def _loaded(run: TaskRun, shared: SharedPersistents) -> Callable[[], Task]:

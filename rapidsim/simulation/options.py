@@ -7,6 +7,7 @@ from datetime import datetime
 from pathlib import Path
 from types import MappingProxyType
 
+from rapidsim.collisions.geometry import CellGeometry
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.controller.cell.inputs import START_OF_TIME, Answers, CellInputs
 from rapidsim.controller.cell.network import Network
@@ -43,6 +44,8 @@ class RunOptions:
     """Signals, how they are wired, and what happens to inputs."""
     home: Path | None = None
     """The folder HOME: stands for; None makes file instructions fail with a clear error."""
+    geometry: CellGeometry | None = None
+    """What stands in the cell; None looks for no contacts."""
     network: Network | None = None
     """What sockets may use of the network; None lets them reach the station's scripts only."""
     configured: Configured = field(default_factory=lambda: MappingProxyType({}))

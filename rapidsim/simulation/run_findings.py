@@ -87,9 +87,10 @@ def endless_wait_finding(
     _, place = waiting
     if isinstance(stopped, PollsForever):
         routine, span, callers = _where(rapid_stack(stopped), place)
-        return Diagnostic(EndlessWait(stopped.reason), span, callers, routine=routine)
+        return Diagnostic(EndlessWait(stopped.reason, stopped.cure), span, callers, routine=routine)
     if not others:
-        return Diagnostic(EndlessWait(stopped.reason), place.span, routine=place.routine)
+        violation = EndlessWait(stopped.reason, stopped.cure)
+        return Diagnostic(violation, place.span, routine=place.routine)
     each = [
         f"{name} at {at.span.file}:{at.span.line} in `{_first_line(at)}`"
         for name, at in (waiting, *others)

@@ -15,11 +15,11 @@ from rapidsim.controller.moves.motion_findings import hasty_move_findings
 from rapidsim.files import InputError
 from rapidsim.interpreter.linking.loader import Task, load
 from rapidsim.motion.compiled import decided_anew
-from rapidsim.motion.robot.robot import Robot, RobotError
-from rapidsim.motion.timing.axis_limits import limits_of
+from rapidsim.motion.robot.robot import Robot
 from rapidsim.simulation.multitasking import run_together
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.progress import Progress, Watched
+from rapidsim.simulation.rehearsal import rehearsed, stopped_by_contact
 from rapidsim.simulation.results.early_outputs import early_output_findings
 from rapidsim.simulation.results.persistents import changed_persistents, told_once
 from rapidsim.simulation.results.simulation import (
@@ -32,7 +32,14 @@ from rapidsim.simulation.results.simulation import (
 )
 from rapidsim.simulation.results.smoothed_corners import corner_findings
 from rapidsim.simulation.run_findings import backward_findings, not_simulated_findings
-from rapidsim.simulation.task_run import Outcome, TaskRun, TaskSetup, prepare, run_to_end
+from rapidsim.simulation.task_run import (
+    Outcome,
+    TaskRun,
+    TaskSetup,
+    prepare,
+    require_limits,
+    run_to_end,
+)
 from rapidsim.syntax import tree
 from rapidsim.syntax.collection import seldom_collected
 
@@ -88,13 +95,32 @@ def run_tasks(
         watch: Is given, before anything runs, what tells how far the run is.
 
     Raises:
-        InputError: If how fast the axes of an arm turn is not known, or no task moves one.
+        InputError: If how fast the axes of an arm turn is not known, or no task moves one; if a
+            contact is to end a run that cannot be rehearsed.
     """
+    if options.geometry is None or not options.geometry.stops:
+        return _run(setups, options, watch)
+    with rehearsed(options) as (rehearsal, again):
+        collisions = _run(setups, rehearsal, watch).simulation.collisions
+    hits = () if collisions is None else collisions.hits
+    if not hits or hits[0].time_s >= options.max_time_s:
+        return _run(setups, again, watch)
+    # A run is a function of its inputs: cut off at the first contact it is the same up to there.
+    ended = _run(setups, replace(again, max_time_s=hits[0].time_s), watch)
+    return replace(ended, simulation=stopped_by_contact(ended.simulation))
+
+
+def _run(
+    setups: Sequence[TaskSetup],
+    options: RunOptions,
+    watch: Callable[[Callable[[], Progress]], None] | None,
+) -> FinishedRun:
+    """Run the programs to the end; see `run_tasks`."""
     arms = [setup.robot for setup in setups if setup.robot is not None]
     if not arms:
         raise InputError("no task moves a robot", "give one of them `motion = true`")
     for arm in arms:
-        _require_limits(arm, options)
+        require_limits(arm, options)
     journal = Journal(setups[0].name)
     journals = (journal, *(journal.beside(setup.name) for setup in setups[1:]))
     cell = Cell(options.cell, journal)
@@ -117,8 +143,14 @@ def run_tasks(
         cell.watchdog.rest()
     cell.end_sharing()
     named = zip(setups, outcomes, strict=True)
+    simulation = _simulation(runs, outcomes, cell, time_s, options)
+    if options.geometry is not None:
+        # Few cells have bodies; what measures them is imported for those.
+        from rapidsim.simulation.collisions import with_collisions  # noqa: PLC0415
+
+        simulation = with_collisions(simulation, options.geometry)
     return FinishedRun(
-        _simulation(runs, outcomes, cell, time_s, options),
+        simulation,
         {setup.name: outcome.task for setup, outcome in named if outcome.task is not None},
     )
 
@@ -221,17 +253,6 @@ def _not_simulated(runs: Sequence[TaskRun]) -> tuple[Unsimulated, ...]:
             key = (one.name, one.treated_as)
             counts[key] = counts.get(key, 0) + one.count
     return tuple(Unsimulated(name, count, how) for (name, how), count in counts.items())
-
-
-def _require_limits(robot: Robot, options: RunOptions) -> None:
-    """Refuse an arm that cannot be timed before the program runs."""
-    try:
-        limits_of(robot, options.model)
-    except RobotError as error:
-        raise InputError(
-            str(error),
-            "give one value an axis in rapidsim.toml: [motion] axis_speed = [...] in deg/s",
-        ) from None
 
 
 def _motion_s(moves: Sequence[ExecutedMove], until_s: float) -> float:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -28,6 +28,7 @@ from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.solo_queue import SoloQueue, solo_queue
 from rapidsim.diagnostics import Diagnostic
+from rapidsim.files import InputError
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.interpreter.linking.loader import Task, running
 from rapidsim.interpreter.runtime.call_stack import FatalError
@@ -35,7 +36,8 @@ from rapidsim.language.errors import CycleEnded, NotAllowed, Stopped
 from rapidsim.language.moves import Place
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.robot.external_axes import ExternalAxis
-from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.robot.robot import Robot, RobotError
+from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End
 from rapidsim.simulation.run_findings import (
@@ -116,12 +118,33 @@ def prepare(
         journal: Where it reports.
         options: Limits and the motion model.
     """
+    return begun(setup, unit_of(setup, stand_in, cell, journal, options), cell, journal, options)
+
+
+def unit_of(
+    setup: TaskSetup, stand_in: Robot, cell: Cell, journal: Journal, options: RunOptions
+) -> MechanicalUnit:
+    """The robot of a task, which stands where it starts; see `prepare`."""
     robot = setup.robot or stand_in
     start = _start_waypoint(robot, setup.start_joints_deg)
     blame = partial(go_in_joints, journal) if options.assumes_arm else None
-    queue = solo_queue(robot, options.model, start, cell.watchdog.look, blame)
+    return MechanicalUnit(solo_queue(robot, options.model, start, cell.watchdog.look, blame))
+
+
+def begun(
+    setup: TaskSetup, unit: MechanicalUnit, cell: Cell, journal: Journal, options: RunOptions
+) -> TaskRun:
+    """A task with a new controller: of what its program did, only where its robot is stays.
+
+    Args:
+        setup: The task.
+        unit: Its robot.
+        cell: What it shares with other tasks.
+        journal: Where it reports.
+        options: Limits and the motion model.
+    """
     resolver = Resolver(
-        robot,
+        unit.own.robot,
         journal,
         setup.place.inverse(),
         options.model.payload_acceleration,
@@ -129,13 +152,28 @@ def prepare(
         options.assumes_arm,
     )
     place = _entry_place(setup.program, setup.entry or options.entry)
-    unit, has_robot = MechanicalUnit(queue), setup.robot is not None
+    has_robot = setup.robot is not None
     controller = virtual_controller(
         cell, unit, resolver, journal, place, has_robot=has_robot, queue=setup.queue
     )
     if not setup.counts:
         controller.clock.run_in_background()
-    return TaskRun(setup, journal, queue, controller)
+    return TaskRun(setup, journal, unit.own, controller)
+
+
+def require_limits(robot: Robot, options: RunOptions) -> None:
+    """Refuse an arm that cannot be timed before the program runs.
+
+    Raises:
+        InputError: If how fast its axes turn is not known.
+    """
+    try:
+        limits_of(robot, options.model)
+    except RobotError as error:
+        raise InputError(
+            str(error),
+            "give one value an axis in rapidsim.toml: [motion] axis_speed = [...] in deg/s",
+        ) from None
 
 
 def run_to_end(
@@ -153,48 +191,65 @@ def run_to_end(
         others: The tasks that wait where this one waits forever, and where.
     """
     task: Task | None = None
-    controller, robot = run.controller, run.queue.robot
-    findings: tuple[Diagnostic, ...] = ()
-    failed: tuple[FailedMove, ...] = ()
     try:
         task = load()
         # Traps and procedures of the path run while the arm comes to rest, too.
         with running():
             end = _run_cycles(task, run, options)
-            while not _came_to_rest(controller):
+            while not _came_to_rest(run.controller):
                 pass
-    except FatalError as fatal:
-        controller.motion.abandon()
-        end, findings = End.ERROR, (fatal_finding(fatal, controller.clock.place),)
-    except MotionError as error:
-        finding = motion_finding(error)
-        end, findings = End.ERROR, (finding,)
-        segment, fraction = error.queued.segment, error.fault.fraction
-        failed = (
-            failed_on_the_way(error.queued.place, finding.violation, segment, fraction, robot),
-        )
-    except TimeLimitReached as stop:
-        # What the robot would do after the run is not part of it, but for its coming to rest.
-        controller.others.stop_robot(controller.clock.pointer_s())
-        end, findings = End.TIME_LIMIT, (time_limit_finding(stop, controller.clock.place),)
-    except WaitsForever as stop:
-        found = endless_wait_finding(stop, (run.setup.name, controller.clock.place), others())
-        end, findings = End.ERROR, (found,)
-    except TrapStorm as stop:
-        end, findings = End.ERROR, (trap_storm_finding(stop, controller.clock.place),)
-    except ZoneReached as stop:
-        end, findings = End.ERROR, (zone_finding(stop, controller.clock.place),)
-    except MoveImpossible as stop:
-        controller.motion.abandon()
-        end, findings = End.ERROR, (impossible_move_finding(stop, controller.clock.place),)
-    except NotAllowed as stop:
-        controller.motion.abandon()
-        end, findings = End.ERROR, (not_allowed_finding(stop, controller.clock.place),)
-    except Stopped as stop:
-        controller.motion.abandon()
-        end, findings = End.STOPPED, (stopped_finding(stop, controller.clock.place),)
-    controller.motion.end_with_the_run()
-    return Outcome(end, findings, failed, task)
+        outcome = Outcome(end, task=task)
+    except (FatalError, MotionError, Stopped) as error:
+        outcome = replace(outcome_of(error, run, others), task=task)
+    run.controller.motion.end_with_the_run()
+    return outcome
+
+
+def outcome_of(
+    error: FatalError | MotionError | Stopped,
+    run: TaskRun,
+    others: Callable[[], Sequence[tuple[str, Place]]] = tuple,
+) -> Outcome:
+    """What became of a task that ended otherwise than by its end; its robot does what is left.
+
+    Args:
+        error: What ended it.
+        run: The task.
+        others: The tasks that wait where this one waits forever, and where.
+    """
+    controller = run.controller
+    place = controller.clock.place
+    match error:
+        case FatalError():
+            controller.motion.abandon()
+            return Outcome(End.ERROR, (fatal_finding(error, place),))
+        case MotionError():
+            finding = motion_finding(error)
+            segment, fraction = error.queued.segment, error.fault.fraction
+            failed = failed_on_the_way(
+                error.queued.place, finding.violation, segment, fraction, run.queue.robot
+            )
+            return Outcome(End.ERROR, (finding,), (failed,))
+        case TimeLimitReached():
+            # What the robot would do after the run is not part of it, but for its coming to rest.
+            controller.others.stop_robot(controller.clock.pointer_s())
+            return Outcome(End.TIME_LIMIT, (time_limit_finding(error, place),))
+        case WaitsForever():
+            found = endless_wait_finding(error, (run.setup.name, place), others())
+            return Outcome(End.ERROR, (found,))
+        case TrapStorm():
+            return Outcome(End.ERROR, (trap_storm_finding(error, place),))
+        case ZoneReached():
+            return Outcome(End.ERROR, (zone_finding(error, place),))
+        case MoveImpossible():
+            controller.motion.abandon()
+            return Outcome(End.ERROR, (impossible_move_finding(error, place),))
+        case NotAllowed():
+            controller.motion.abandon()
+            return Outcome(End.ERROR, (not_allowed_finding(error, place),))
+        case _:
+            controller.motion.abandon()
+            return Outcome(End.STOPPED, (stopped_finding(error, place),))
 
 
 def _run_cycles(task: Task, run: TaskRun, options: RunOptions) -> End:

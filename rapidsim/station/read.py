@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from datetime import datetime
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.station.cameras import read_cameras
@@ -24,7 +25,11 @@ from rapidsim.station.stimuli import read_stimuli
 from rapidsim.station.tasks import read_tasks
 from rapidsim.station.toml_reader import Reader, Table, read_toml
 
+if TYPE_CHECKING:
+    from rapidsim.collisions.geometry import CellGeometry
+
 _IO_KEYS = ("signals", "cross", "stimulus", "socket", "camera", "conveyor")
+_GEOMETRY_KEYS = ("object", "attach", "collisions")
 _KEYS = (
     "controller",
     "robot",
@@ -35,6 +40,7 @@ _KEYS = (
     *_IO_KEYS,
     "clock",
     "check",
+    *_GEOMETRY_KEYS,
 )
 
 
@@ -65,6 +71,7 @@ def read_station(file: Path) -> Station:
         stubs=read_stubs(reader, reader.table(table, "controller")),
         starts_at=_starts_at(reader, reader.table(table, "clock")),
         check=read_check(reader, reader.table(table, "check")),
+        geometry=_geometry(reader, table),
         remarks=remarks,
     )
     reader.finish()
@@ -93,6 +100,15 @@ def _starts_at(reader: Reader, clock: Table) -> datetime | None:
         return None if start is None else start.replace(tzinfo=None)
     reader.wrong("clock.start", "a date with a time is needed, as in 2025-03-01T06:00:00")
     return None
+
+
+def _geometry(reader: Reader, table: Table) -> CellGeometry | None:
+    if not table.keys() & set(_GEOMETRY_KEYS):
+        return None
+    # Most stations have none, and what reads shapes takes a while to import.
+    from rapidsim.station.objects import read_geometry  # noqa: PLC0415
+
+    return read_geometry(reader, table)
 
 
 def _io(reader: Reader, table: Table) -> CellIo:

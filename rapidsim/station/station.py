@@ -20,6 +20,7 @@ from rapidsim.station.check import CheckSettings
 from rapidsim.station.tasks import DEFAULT_TASK, StationTask
 
 if TYPE_CHECKING:
+    from rapidsim.collisions.geometry import CellGeometry
     from rapidsim.frames.transform import Transform
     from rapidsim.motion.robot.external_axes import ExternalAxis
     from rapidsim.station.robot import StationRobot
@@ -52,6 +53,8 @@ class Station:
     """Date and time of day at which a run begins; None where the file does not say."""
     check: CheckSettings = field(default_factory=CheckSettings)
     """What `check` looks for."""
+    geometry: CellGeometry | None = None
+    """What stands in the cell; None where nothing says, and no contact is looked for."""
     robot_source: str | None = None
     """What names the robots, in words; None where that is the file."""
     other_units: tuple[str, ...] = ()

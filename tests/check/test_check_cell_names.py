@@ -6,10 +6,12 @@ file for `--io`, and stand in every place where RAPID takes a signal or its valu
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from command_line import call
 from hypothesis import given
 from hypothesis import strategies as st
 from laws import examples
@@ -183,3 +185,17 @@ def test_what_the_program_declares_hides_the_signal(
     names = in_station(tmp_path_factory.mktemp("cell"), {name: kind})
     text = module(f'{name}:="a";').replace("VAR num n;", f"VAR num n;\nVAR string {name};")
     assert not found_in(text, names)
+
+
+@pytest.mark.parametrize(
+    ("name", "code"), [("gI_Select", "I801"), ("Di_ready", "I801"), ("gIselect", "N201")]
+)
+def test_a_prefix_of_its_kind_and_an_underscore_make_a_signal(
+    name: str, code: str, tmp_path: Path
+) -> None:
+    file = tmp_path / "named.mod"
+    file.write_text(
+        f'MODULE named\n  PROC main()\n    IF {name}=1 TPWrite "on";\n  ENDPROC\nENDMODULE\n'
+    )
+    ended = call("check", str(file), "--output-format", "json", cwd=tmp_path)
+    assert [one["code"] for one in json.loads(ended.out)["diagnostics"]] == [code]

@@ -73,7 +73,18 @@ def test_what_was_found_is_not_lost_over_a_file_that_cannot_be_written(folder: P
         "from rapidsim.cli import main; import sys; sys.exit(main())"
     )
     done = subprocess.run(
-        [sys.executable, "-c", script, "run", "Short.mod", "--no-record", "--report", "s.html"],
+        # -B: compiled modules would be cut off too, and stay so for whoever comes next.
+        [
+            sys.executable,
+            "-B",
+            "-c",
+            script,
+            "run",
+            "Short.mod",
+            "--no-record",
+            "--report",
+            "s.html",
+        ],
         cwd=folder,
         # Python's own cache would be cut as well, and stay so.
         env=os.environ | {"PYTHONDONTWRITEBYTECODE": "1"},

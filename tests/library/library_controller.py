@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
 from datetime import datetime, timedelta
@@ -35,6 +35,7 @@ from rapidsim.language.error_numbers import (
     ERR_OUTSIDE_REACH,
     rapid_error,
 )
+from rapidsim.language.errors import Stopped
 from rapidsim.language.files import FileMode
 from rapidsim.language.messages import Messages
 from rapidsim.language.modules import Modules
@@ -91,7 +92,7 @@ class RecordingController:
 
     def __post_init__(self) -> None:
         self.call_procedure: Callable[[str], None] = print
-        self.program_state: Callable[[], object] = lambda: None
+        self.program_state: Callable[[], Iterable[object]] = lambda: (None,)
         self.has_handler: Callable[[], bool] = lambda: False
 
     def call(self, name: str, *arguments: Any, **options: Any) -> Any:
@@ -103,7 +104,7 @@ class RecordingController:
     def whole(self) -> Controller:
         """All concerns in one; mypy holds it against the protocol of each."""
         whole = Controller(
-            *(self, self, self, self, self, self),
+            *(self, self, self, self, self, self, self),
             *(self, self, self, self, self, self, self, self, self, self, self, self, self),
             # Messages go between tasks, and here is one: the book of the language has them.
             cast(Messages, self),
@@ -135,6 +136,9 @@ class RecordingController:
     def move(self, move: Move, triggers: tuple[Trigger, ...] = ()) -> None:
         self.moves.append(move)
         self.triggers += triggers
+
+    def stop(self, reason: str) -> None:
+        raise Stopped(reason)
 
     def stop_move(self) -> None:
         self.log.append("stop")

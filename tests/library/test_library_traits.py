@@ -137,7 +137,9 @@ ELSEWHERE = {
     "__init__.py": {"load"},
     "analysis/tolerated_syntax.py": {"DIM"},
     "cli/commands/follow.py": {"write"},
+    "cli/commands/serve.py": {"max"},
     "cli/tools/follow_steps.py": {"dim"},
+    "collisions": {"type"},
     "comparison/program_changes.py": {"type"},
     "controller": {
         *("ClearPath", "RestoPath", "StorePath", "SyncMoveOn", "SyncMoveOff", "SyncMoveSuspend"),
@@ -151,7 +153,10 @@ ELSEWHERE = {
     "language": {"write", "stop"},
     "motion/timing/constraints.py": {"PathAccLim", "WorldAccLim"},
     "plots": {"round"},
+    "recording": {"clear"},
     "report": {"dim", "distance"},
+    "server": {"type", "opmode", "stop", "set", "continue", "dim", "clear"},
+    "simulation": {"stop"},
     "station": {"type", "set", "close", "max", "min", "stop"},
     "syntax": {"EXP", "open", "close"},
 }

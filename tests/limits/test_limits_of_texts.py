@@ -58,7 +58,7 @@ TEXTS: dict[str, tuple[int, Callable[[int], str]]] = {
     "labels that are missing": (300, lambda n: module(lines(n, "l{n}:\nGOTO k{n};"))),
     "statements": (300, lambda n: module(lines(n, "x:=x+1;"))),
     "statements on one line": (300, lambda n: module("x:=1;" * n)),
-    "moves": (150, lambda n: module(lines(n, f"MoveL {TARGET},v100,z10,tool0;"))),
+    "moves": (75, lambda n: module(lines(n, f"MoveL {TARGET},v100,z10,tool0;"))),
     "routines": (250, lambda n: module(routines=lines(n, "PROC p{n}()\nx:=1;\nENDPROC"))),
     "modules": (150, lambda n: lines(n, "MODULE m{n}\nPROC p{n}()\nENDPROC\nENDMODULE")),
     "data": (300, lambda n: module(data=lines(n, "VAR num y{n};"))),
@@ -80,18 +80,18 @@ TEXTS: dict[str, tuple[int, Callable[[int], str]]] = {
     "characters of no language": (250, lambda n: module(lines(n, "x:=1 ? 2;"))),
     "names twice": (200, lambda n: module(data=lines(n, "VAR num y;"))),
     "undeclared data": (
-        250,
+        125,
         lambda n: module(lines(n, "x:=yz{n};"), data=lines(n, "VAR num y{n};")),
     ),
     "undeclared routines": (
-        125,
+        60,
         lambda n: module(lines(n, "q{n};"), routines=lines(n, "PROC p{n}()\nENDPROC")),
     ),
     "comments": (400, lambda n: module(lines(n, "! hello"))),
     "a long comment": (400, lambda n: module("! " + "a" * 100 * n)),
     "a long text": (400, lambda n: module(f'TPWrite "{"a" * 100 * n}";')),
     "open texts": (200, lambda n: module(lines(n, 'TPWrite "a;'))),
-    "suppressions": (200, lambda n: module(lines(n, "x:=y; ! rapidsim: ignore[N201] so"))),
+    "suppressions": (100, lambda n: module(lines(n, "x:=y; ! rapidsim: ignore[N201] so"))),
     "idle suppressions": (200, lambda n: module(lines(n, "x:=1; ! rapidsim: ignore[N201] so"))),
 }
 RECORD = "RECORD r{n}\nnum a;\nENDRECORD"

@@ -16,7 +16,7 @@ from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 
 STEP = 1e-3
-MOST_SAMPLES = cases(30_000)
+MOST_SAMPLES = cases(15_000)
 """So much of a long run is looked at, in stretches all over it."""
 _STRETCH = 200
 

@@ -59,11 +59,11 @@ FOLDERS = by_folder(moving(sorted([*ROOT.glob("programs/**/*.mod"), *ROOT.glob("
 
 
 def trajectory_of(file: FilePath) -> Trajectory | None:
-    """What a program does in its first minute; None where it does not move."""
+    """What a program does in its first seconds; None where it does not move."""
     loaded = load([SourceFile(file.name, decode(file.read_bytes())[0], "utf-8")])
     if loaded.program is None or "main" not in loaded.program.routines:
         return None
-    options = RunOptions(max_time_s=60.0, answers=lambda prompt: None, nearest_configuration=True)
+    options = RunOptions(max_time_s=20.0, answers=lambda prompt: None, nearest_configuration=True)
     trajectory = simulate(loaded.program, ROBOT, options=options).only.trajectory
     return trajectory if trajectory.pieces else None
 

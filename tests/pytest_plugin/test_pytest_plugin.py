@@ -56,7 +56,7 @@ def run_pytest(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str
 def test_the_example_passes_and_its_lines_are_counted(tmp_path: Path) -> None:
     shutil.copytree(EXAMPLE, tmp_path / "tested")
     (tmp_path / "tested" / ".coveragerc").write_text(
-        "[run]\nplugins = rapidsim.interpreter.tools.coverage_plugin\n"
+        "[run]\nplugins = rapidsim.interpreter.tools.coverage_plugin\nsource = .\n"
     )
     covered = ("-m", "coverage", "run", "-m", "pytest", "-q", "-p", "no:cacheprovider")
     ended = run_pytest(tmp_path / "tested", *covered)

@@ -35,7 +35,8 @@ except InputError as error:
 def record_elsewhere(path: Path, limit: int = 0) -> tuple[int, str]:
     """Record in another process, with a limit [bytes] on the size of files."""
     done = subprocess.run(
-        [sys.executable, "-c", RECORD, str(path), str(limit)],
+        # -B: compiled modules would be cut off too, and stay so for whoever comes next.
+        [sys.executable, "-B", "-c", RECORD, str(path), str(limit)],
         cwd=Path(__file__).parent,
         capture_output=True,
         text=True,

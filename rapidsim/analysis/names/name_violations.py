@@ -12,6 +12,8 @@ class UndefinedName(Violation, code="N201"):
     """Whether the nearest is a word of the language."""
     loads_modules: bool = False
     """Whether the task takes in other modules while it runs."""
+    may_be_signal: bool = False
+    """Whether it stands where the value of a signal may."""
 
     @property
     def help(self) -> str:
@@ -22,7 +24,10 @@ class UndefinedName(Violation, code="N201"):
             return f"did you mean `{self.nearest}`?"
         if self.loads_modules:
             return "read data of a module that is loaded while the program runs with GetDataVal"
-        return "declare it, or check the module that declares it together with this one"
+        declare = "declare it, or check the module that declares it together with this one"
+        if self.may_be_signal:
+            return f"{declare}; if it is a signal, declare it in [signals] of rapidsim.toml"
+        return declare
 
 
 class UnseenName(Violation, code="N216"):

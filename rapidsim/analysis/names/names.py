@@ -42,7 +42,9 @@ DataLike = DataSymbol | ParameterSymbol | CounterSymbol | ConfiguredSymbol
 
 
 # Programmers name signals after their kind: diStart, DO10_1, gi_part.
-_SIGNAL_NAME = re.compile(r"(di|do|ai|ao|gi|go)(?=[A-Z0-9_])|(DI|DO|AI|AO|GI|GO)(?=[0-9_])")
+_SIGNAL_NAME = re.compile(
+    r"(di|do|ai|ao|gi|go)(?=[A-Z0-9_])|(DI|DO|AI|AO|GI|GO)(?=[0-9_])|(?i:[dag][io])(?=_)"
+)
 _SIGNAL_OF_KIND = {signal.name[-2:]: signal for signal in types.SIGNALS}
 
 
@@ -107,7 +109,7 @@ def routine_named(name: tree.Name, context: Context, *, function: bool) -> Symbo
     return None
 
 
-def report_undefined(name: tree.Name, context: Context) -> None:
+def report_undefined(name: tree.Name, context: Context, *, may_be_signal: bool = False) -> None:
     """Report a name that nothing declares, unless its declaration may be in unread text."""
     if context.analysis.may_be_unread(name.key):
         return
@@ -120,7 +122,7 @@ def report_undefined(name: tree.Name, context: Context) -> None:
     nearest = closest(name.text, _known_names(context)) if compares else None
     reserved = nearest in reserved_words()
     loads = context.analysis.loads_modules
-    context.report(UndefinedName(name.text, nearest, reserved, loads), name)
+    context.report(UndefinedName(name.text, nearest, reserved, loads, may_be_signal), name)
 
 
 def take_for_signal(reference: tree.Reference, of: Type, context: Context) -> None:

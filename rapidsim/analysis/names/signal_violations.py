@@ -18,12 +18,14 @@ class UnknownSignal(Violation, code="I801"):
     type: str
     others: tuple[UnknownSignal, ...] = ()
     """Those that are told with it."""
+    nearest: str | None = None
+    """The signal of the cell that is spelt most like it."""
 
     def with_others(self, others: Sequence[Violation]) -> UnknownSignal:
         """All in one: they are one table of a station file."""
         new = {one.signal.lower(): one for one in others if isinstance(one, UnknownSignal)}
         new.pop(self.signal.lower(), None)
-        return UnknownSignal(self.signal, self.type, tuple(new.values()))
+        return UnknownSignal(self.signal, self.type, tuple(new.values()), self.nearest)
 
     @property
     def message(self) -> str:
@@ -38,10 +40,16 @@ class UnknownSignal(Violation, code="I801"):
 
     @property
     def help(self) -> str:
-        """The lines that declare them."""
+        """What may be meant, and the lines that declare them."""
         lines = (
             f'{one.signal} = {{ type = "{one.type.removeprefix("signal")}" }}'
             for one in (self, *self.others)
         )
         block = "\n".join(("[signals]", *lines))
-        return f"paste this into `rapidsim.toml`, or let `rapidsim init` write it:\n{block}"
+        meant = [
+            f"did you mean `{one.nearest}` by `{one.signal}`? Else "
+            for one in (self, *self.others)
+            if one.nearest
+        ]
+        paste = "paste this into `rapidsim.toml`, or let `rapidsim init` write it"
+        return f"{''.join(meant[:1])}{paste}:\n{block}"

@@ -5,7 +5,9 @@ from __future__ import annotations
 from rapidsim.analysis.context import Analysis
 from rapidsim.analysis.names.names import evident_signal, report_undefined
 from rapidsim.analysis.names.signal_violations import UnknownSignal
+from rapidsim.analysis.suggestions import closest
 from rapidsim.analysis.types.assignability import agrees, report_mismatch
+from rapidsim.language.types import BOOL, DNUM, NUM, resolved
 
 
 def decide_undeclared(analysis: Analysis) -> None:
@@ -17,15 +19,18 @@ def decide_undeclared(analysis: Analysis) -> None:
     for reference, context in analysis.undeclared:
         name = reference.name
         of = analysis.signals.get(name.key) or evident_signal(name, context)
+        wanted = analysis.wanted_of_undeclared.get(reference)
         if of is None:
-            report_undefined(name, context)
+            is_value = wanted is None or resolved(wanted.type) in (NUM, DNUM, BOOL)
+            report_undefined(name, context, may_be_signal=is_value)
             continue
         if name.key not in reported and name.key not in analysis.cell.wired:
-            context.report(UnknownSignal(name.text, of.name), name)
+            declared = (one.name for one in analysis.cell.symbols.values() if one.type == of)
+            nearest = closest(name.text, declared)
+            context.report(UnknownSignal(name.text, of.name, nearest=nearest), name)
             reported.add(name.key)
         analysis.signals.setdefault(name.key, of)
         analysis.symbol_of[reference] = analysis.unknown_symbol(name.text)
         analysis.type_of.setdefault(reference, of)
-        wanted = analysis.wanted_of_undeclared.get(reference)
         if wanted is not None and not agrees(of, wanted.type):
             report_mismatch(reference, of, wanted, context)

@@ -90,7 +90,8 @@ def check(
     """Find the mistakes in RAPID modules: syntax, names, types, flow, data of motion.
 
     PATH is a module (.mod .modx .sys .sysx .prg), a .pgf program file, a folder, a controller
-    backup, or - for standard input. What is named together is checked together, as one task.
+    backup, a station packed by RobotStudio (.rspag), or - for standard input. What is named
+    together is checked together, as one task.
 
     A comment `! rapidsim: ignore[K601] reason` behind a statement, or on the line before it, takes
     findings back.

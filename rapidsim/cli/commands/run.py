@@ -99,8 +99,8 @@ def run(
     """Run a RAPID program on a virtual controller with a simulated robot.
 
     PATH is a module (.mod .modx .sys .sysx .prg), a .pgf program file, a folder, a controller
-    backup, or - for standard input. What is named together is one task, unless a backup or the
-    station file says which modules belong to which.
+    backup, a station packed by RobotStudio (.rspag), or - for standard input. What is named
+    together is one task, unless a backup or the station file says which modules belong to which.
 
     Exit codes: 0 the program ended, 1 it has errors or stopped with one, 2 wrong usage, 3 the time
     limit came first, 4 it ended and an --assert or the cycle budget of the station file failed.
@@ -147,6 +147,8 @@ def run(
         # What the run found is not lost over a file that could not be written.
         raise refused
     code = _EXIT_CODES[simulation.end]
+    if code is ExitCode.CLEAN and simulation.collisions and simulation.collisions.hits:
+        code = ExitCode.FINDINGS
     return ExitCode.FAILED if done.judgement.failed and code is ExitCode.CLEAN else code
 
 

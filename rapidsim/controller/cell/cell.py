@@ -29,6 +29,7 @@ from rapidsim.controller.cell.text_tables import TextTables
 from rapidsim.controller.cell.watchdog import Watchdog
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.journal.journal import Instant, Journal, Moment
+from rapidsim.language.error_log import LoggedError
 from rapidsim.language.moves import Place
 
 OUTSIDE = "cell"
@@ -162,6 +163,10 @@ class Cell:
         self.turns: Turns = Alone()
         self.is_shared = False
         """Whether other tasks may change what one task waits for."""
+        self.outsiders_act = False
+        """Whether somebody outside may act at any time, so that programs keep up with robots."""
+        self.logbook: Callable[[str, LoggedError, float], None] | None = None
+        """Told of each entry of the event log: by which task, and when [s]."""
         self.listeners: list[Listener] = []
         self.happenings = 0
         """Grows with everything that another task may have to look at."""

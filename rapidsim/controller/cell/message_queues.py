@@ -136,7 +136,8 @@ class MessageQueues:
     _queues: dict[str, MessageQueue] = field(default_factory=dict)
 
     def open_for(self, task: str, settings: QueueSettings) -> MessageQueue:
-        """The queue of a task, which begins with it."""
+        """The queue of a task, which begins with it; the one it had before is gone."""
+        self.disconnect(f"RMQ_{task}")
         queue = MessageQueue(f"RMQ_{task}", settings)
         if settings.type is not QueueType.NONE:
             self._queues[queue.name] = queue

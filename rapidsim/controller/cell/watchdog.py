@@ -82,6 +82,10 @@ class Watchdog:
         """Interrupt the loops of one more task when the time is over."""
         self._tasks.append(task)
 
+    def forget(self, task: Ticking) -> None:
+        """Leave the loops of a task alone."""
+        self._tasks.remove(task)
+
     def look(self) -> None:
         """End the run, once, if its time is over. Costs next to nothing.
 

@@ -95,6 +95,17 @@ class Journal:
             )
         self._events.append(_Entry(self.task, moment, kind, place, message, details))
 
+    def take(self) -> tuple[Event, ...]:
+        """The events of the cell whose time is known, which are forgotten."""
+        events = self.events()
+        self._events[:] = [one for one in self._events if one.moment.instant.time is None]
+        return events
+
+    def forget_lines(self) -> None:
+        """Forget the statements and waits of this task."""
+        self._lines.clear()
+        self._waits.clear()
+
     def line(self, moment: Moment, place: Place) -> None:
         """Note that the program pointer reached a statement."""
         if not self._lines or self._lines[-1] != (moment, place):

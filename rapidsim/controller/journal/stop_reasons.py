@@ -21,6 +21,11 @@ class WallLimitReached(TimeLimitReached):
 class WaitsForever(Stopped):
     """The program waits for something that cannot happen."""
 
+    def __init__(self, reason: str, cure: str | None = None) -> None:
+        """Say why, and what would end the wait where that is no input."""
+        super().__init__(reason)
+        self.cure = cure
+
 
 class PollsForever(WaitsForever):
     """The program looks again and again at what never changes."""

@@ -16,6 +16,7 @@ from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
 from rapidsim.interpreter.linking.linker import LinkedProgram
 from rapidsim.interpreter.linking.symbols import TaskSymbols
 from rapidsim.interpreter.linking.task_modules import TaskModules
+from rapidsim.interpreter.runtime.arrays import assign_array
 from rapidsim.interpreter.runtime.call_stack import FatalError, Frame, has_handler, rapid_stack
 from rapidsim.interpreter.runtime.error_recovery import Unrecoverable, as_rapid_error
 from rapidsim.interpreter.runtime.idle_state import idle_state
@@ -94,19 +95,34 @@ class Task:
         Raises:
             LookupError: If there are no such data.
         """
-        symbol = self._data(name.lower(), module.lower() if module else None)
+        symbol = self.data(name, module)
         if symbol is not None:
-            return self._linked.value_of(symbol)
+            return self.value_of(symbol)
         predefined = DATA.get(name.lower())
         if predefined is None or module is not None:
             raise LookupError(f"there are no data named {name}")
         return self._linked.memory.predefined(name.lower(), predefined.value)
 
+    def value_of(self, symbol: DataSymbol) -> Value:
+        """A copy of the value that declared data have now."""
+        return self._linked.value_of(symbol)
+
+    def keep(self, before: Task) -> None:
+        """Take over what the persistents hold in the same program that ran before."""
+        for symbol in before._linked.memory.persistents():
+            kept, home = before.value_of(symbol), self._linked.memory.home(symbol)
+            if isinstance(home, list):
+                assign_array(home, kept)
+            else:
+                home.value = kept
+
     def persistents(self) -> tuple[ChangedPersistent, ...]:
         """The PERS data of its first modules whose value has changed since they were loaded."""
         return self._linked.memory.changed()
 
-    def _data(self, key: str, module: str | None) -> DataSymbol | None:
+    def data(self, name: str, module: str | None = None) -> DataSymbol | None:
+        """Declared data by name, as `value` finds them; None if there are none."""
+        key, module = name.lower(), module.lower() if module else None
         found: DataSymbol | None = None
         for symbol in module_data(self.program):
             if symbol.name.lower() != key or symbol.module is None:

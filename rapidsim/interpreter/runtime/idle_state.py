@@ -7,7 +7,7 @@ again.
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from types import FrameType
 from typing import Any
 
@@ -22,8 +22,13 @@ class _TooMuchError(Exception):
     """There are more values than anybody would compare."""
 
 
-def idle_state(module_data: Callable[[], Iterable[Any]], beside: Callable[[], object]) -> object:
-    """Where the program stands, and what its variables hold; None where that is too much.
+def idle_state(
+    module_data: Callable[[], Iterable[Any]], beside: Callable[[], object]
+) -> Iterator[object]:
+    """Where the program stands, and what its variables hold.
+
+    Part by part, the innermost routine first, as two states mostly differ there: whoever compares
+    a deep recursion need not walk all of it. The last part is None where there is too much.
 
     Args:
         module_data: The cells and lists of all variables outside of routines.
@@ -31,13 +36,15 @@ def idle_state(module_data: Callable[[], Iterable[Any]], beside: Callable[[], ob
     """
     left = [MOST_VALUES]
     try:
-        frames = tuple(_frames(sys._getframe(1), left))
-        return frames, tuple(_frozen(home, left) for home in module_data()), beside()
+        yield from _frames(sys._getframe(1), left)
+        for home in module_data():
+            yield _frozen(home, left)
+        yield beside()
     except _TooMuchError:
-        return None
+        yield None
 
 
-def _frames(frame: FrameType | None, left: list[int]) -> Iterable[object]:
+def _frames(frame: FrameType | None, left: list[int]) -> Iterator[object]:
     """The routines that run, each with its place and what it holds."""
     while frame is not None:
         if is_generated(frame):

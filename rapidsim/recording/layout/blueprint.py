@@ -207,6 +207,7 @@ def _lanes(runs: Sequence[RecordedRobot]) -> rrb.View:
         name="Moves and signals",
         contents=[
             *(f"+ /{run.entity(state_lanes.MOVE_LANE)}" for run in runs),
+            *(f"+ /{run.entity(state_lanes.CLEARANCE_LANE)}" for run in runs),
             f"+ /{state_lanes.SIGNALS}/**",
         ],
     )

@@ -22,7 +22,7 @@ from rapidsim.recording.layout.camera import cell_size
 from rapidsim.recording.panels.log import log_messages
 from rapidsim.recording.panels.plots import log_plots
 from rapidsim.recording.panels.program_listing import log_listing
-from rapidsim.recording.panels.state_lanes import log_moves, log_signals
+from rapidsim.recording.panels.state_lanes import log_clearance, log_moves, log_signals
 from rapidsim.recording.samples import RecordedRobot, sample
 from rapidsim.recording.scene.arm import log_arm
 from rapidsim.recording.scene.failed_moves import log_failed
@@ -61,6 +61,12 @@ def record(simulation: Simulation, path: str | Path, *, dt: float | None = None)
         remarks: tuple[str, ...] = runs[0].remarks
         for run, of_robot in zip(runs, targets, strict=True):
             remarks += _log_robot(stream, run, of_robot)
+        if simulation.collisions is not None:
+            # What measures bodies is imported for cells that have some.
+            from rapidsim.recording.scene.bodies import log_bodies  # noqa: PLC0415
+
+            log_bodies(stream, runs)
+            log_clearance(stream, runs)
         log_messages(stream, runs[0], remarks)
     return path
 

@@ -16,10 +16,12 @@ from rapidsim.simulation.results.signal_history import signal_changes
 
 MOVE_LANE = "moves"
 SIGNALS = "signals"
+CLEARANCE_LANE = "clearance"
 
 _MOST_STATES = 200
 """With more different moves than this a lane names the instruction only."""
 _STANDSTILL = "at rest"
+_CLEAR = "clear"
 _SHORTEST_STANDSTILL_S = 1e-6
 
 _States = list[tuple[float, str]]
@@ -37,6 +39,34 @@ def log_signals(stream: rr.RecordingStream, run: RecordedRobot) -> None:
     for name, changes in signal_changes(run.sampled.simulation).items():
         states, colours = _signal_states(changes)
         _log_lane(stream, rr.new_entity_path([SIGNALS, name]), states, colours, run.clock)
+
+
+def log_clearance(stream: rr.RecordingStream, runs: Sequence[RecordedRobot]) -> None:
+    """Log how near bodies come in each move: a lane a robot."""
+    collisions = runs[0].sampled.simulation.collisions
+    if collisions is None:
+        return
+    for number, run in enumerate(runs):
+        touched = {one.move for one in collisions.found.contacts if one.robot == number}
+        near = {
+            one.move: one.distance_m for one in collisions.found.clearances if one.robot == number
+        }
+        states: _States = [(0.0, _CLEAR)]
+        colours = {_CLEAR: palette.STANDSTILL}
+        for move in run.one.moves:
+            distance_m = near.get(move.index)
+            if move.index in touched:
+                state, colour = "contact", palette.FAILED
+            elif distance_m is None:
+                state, colour = _CLEAR, palette.STANDSTILL
+            else:
+                low = distance_m < collisions.geometry.clearance_m
+                state = f"{1000.0 * distance_m:.0f} mm"
+                colour = palette.WARNED if low else palette.SIGNAL_ON
+            if len(colours) <= _MOST_STATES or state in colours:
+                colours[state] = colour
+                states.append((move.start_s, state))
+        _log_lane(stream, run.entity(CLEARANCE_LANE), states, colours, run.clock)
 
 
 def _log_lane(

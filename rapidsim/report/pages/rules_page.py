@@ -15,6 +15,7 @@ FAMILIES = {
     "F": "flow",
     "M": "data of motion",
     "K": "reach and configuration",
+    "C": "collisions",
     "D": "cycle time",
     "I": "signals",
     "S": "house style",

@@ -13,6 +13,7 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.timing.axis_limits import model_of, torques_of
 from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.text import diagnostic_json
+from rapidsim.report.run.collision_records import clearance_records, contact_records
 from rapidsim.report.run.figures import Figures, JointMargin, OffPath, SingularityMargin
 from rapidsim.report.run.long_programs import regions_json, stretches_json
 from rapidsim.report.run.records import json_of, move_records, number, wait_records
@@ -86,7 +87,7 @@ def run_json(
         },
     }
     assert report.keys() >= ran.keys()
-    return report | ran
+    return report | ran | _collisions(simulation)
 
 
 def rejected_json(
@@ -230,6 +231,20 @@ def _robots(simulation: Simulation) -> list[object]:
         }
         for one in simulation.robots
     ]
+
+
+def _collisions(simulation: Simulation) -> dict[str, object]:
+    """What bodies touched and how near they came; nothing where the station tells of no bodies."""
+    collisions = simulation.collisions
+    if collisions is None:
+        return {}
+    nearest = collisions.nearest
+    return {
+        "collisions": [json_of(one) for one in contact_records(simulation)],
+        "clearance_mm": None if nearest is None else number(nearest.distance_m * 1000.0),
+        "clearances": [json_of(one) for one in clearance_records(simulation)],
+        "not_judged": list(collisions.remarks),
+    }
 
 
 def _share(share: Share, goal: str) -> dict[str, object]:

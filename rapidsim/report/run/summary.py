@@ -15,14 +15,17 @@ from rich.rule import Rule
 from rich.table import Table
 from rich.text import Text
 
+from rapidsim.collisions.contact import FARTHEST_M
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.report.findings.source_frame import printable
 from rapidsim.report.kept_units import KeptUnits
+from rapidsim.report.run.collision_records import clearance_records, contact_records
 from rapidsim.report.run.figures import Figures, JointMargin, OffPath, SingularityMargin
 from rapidsim.report.run.json_report import models, of_robots
 from rapidsim.report.run.long_programs import long_program_text
 from rapidsim.report.uncut_table import WholeTable
+from rapidsim.simulation.results.collisions import Collisions
 from rapidsim.simulation.results.persistents import PersistentChange, parts_of
 from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.simulation.results.time_shares import Share
@@ -133,6 +136,8 @@ def _facts(
         facts.add_row("off the path", _off_path(figures.off_path, several=several))
     if figures.singularity:
         facts.add_row("singularity", _singularity(figures.singularity, several=several))
+    if simulation.collisions is not None:
+        facts.add_row("collisions", _collisions(simulation, simulation.collisions))
     for name, value in _happenings(simulation):
         facts.add_row(name, value)
     return facts
@@ -193,6 +198,45 @@ def _singularity(singularity: SingularityMargin, *, several: bool) -> Text:
     whose = f" of {singularity.move.task}" if several else ""
     text = f"closest to singular{whose}: {value:.3f} (0 = singular){_at(singularity.move)}"
     return Text(text, "yellow" if value < _NEAR_SINGULAR else "")
+
+
+def _collisions(simulation: Simulation, collisions: Collisions) -> Text:
+    """The first contact, or how near bodies came, and what the shapes are worth."""
+    contacts = [one for one in contact_records(simulation) if not one.continued]
+    if contacts:
+        first, count = contacts[0], len(contacts)
+        times = "once" if count == 1 else f"{count} times, first"
+        where = "" if first.file is None else f" at {Path(first.file).name}:{first.line}"
+        text = Text(
+            f"{times} at {first.time_s:.4f} s{where}: {first.first} and {first.second}", "red"
+        )
+    elif near := next(iter(clearance_records(simulation)), None):
+        where = "" if near.file is None else f" at {Path(near.file).name}:{near.line}"
+        low = near.distance_mm < collisions.geometry.clearance_m * 1000.0
+        text = Text(
+            f"none; nearest {near.distance_mm:.1f} mm, {near.first} and {near.second}{where}",
+            "yellow" if low else "",
+        )
+    else:
+        text = Text(f"none; nothing came within {FARTHEST_M * 1000.0:g} mm")
+    for what in shape_margins(simulation, collisions):
+        text.append(f"\n{what}", "dim")
+    for what in collisions.remarks:
+        text.append(f"\nnot judged: {what}", "yellow")
+    return text
+
+
+def shape_margins(simulation: Simulation, collisions: Collisions) -> list[str]:
+    """What the bodies that were judged are worth, a line each."""
+    likenesses = [one.robot.name for one in simulation.robots if one.robot.maker is not None]
+    said = []
+    if likenesses:
+        names = " and ".join(dict.fromkeys(likenesses))
+        said.append(f"the links of {names} are likenesses, not the maker's drawings: keep a margin")
+    if collisions.hollow_m:
+        depth = collisions.hollow_m * 1000.0
+        said.append(f"hulls fill hollows of bodies, up to {depth:.1f} mm deep")
+    return said
 
 
 def _happenings(simulation: Simulation) -> list[tuple[str, RenderableType]]:

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from itertools import accumulate
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -24,6 +25,9 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 from rapidsim.simulation.results.persistents import PersistentChange
 from rapidsim.station.task_kind import TaskKind
+
+if TYPE_CHECKING:
+    from rapidsim.simulation.results.collisions import Collisions
 
 _AT_REST_S = 5.0
 """So long [s] after a limit every arm stands that was stopped there."""
@@ -106,6 +110,8 @@ class Simulation:
     """The persistents that ended with another value than their declarations give them."""
     waits: tuple[Wait, ...] = ()
     """Of all tasks, in order of their starts."""
+    collisions: Collisions | None = None
+    """What bodies touched; None where the station says nothing of bodies."""
     signal_starts: Mapping[str, float] = field(default_factory=dict)
     """What the declared signals are at the start; those that a run creates start at 0."""
     named: str = ""

@@ -1,0 +1,213 @@
+"""`rapidsim serve`: a controller that clients of Robot Web Services can talk to."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from contextlib import redirect_stdout
+
+import click
+
+from rapidsim import __version__
+from rapidsim.cli.exit_codes import ExitCode
+from rapidsim.cli.options.numbers import POSITIVE
+from rapidsim.cli.terminal import current_terminal, say, terminal_options
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.extras import require
+from rapidsim.files import InputError
+from rapidsim.jobs.asked import DEFAULT_ENTRY, Asked
+
+_MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
+
+
+@click.command()
+@click.argument("paths", metavar="PATH...", nargs=-1, required=True)
+@click.option("--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them.")
+@click.option("--station", metavar="FILE.toml", help="The station file, instead of a near one.")
+@click.option("--task", metavar="NAME", help="Only this one of several tasks.")
+@click.option(
+    "--io", metavar="FILE.toml", help="Signals and what happens to inputs; adds to the station."
+)
+@click.option(
+    "--host", metavar="ADDRESS", default="127.0.0.1", show_default=True, help="Where it listens."
+)
+@click.option(
+    "--rws1-port",
+    metavar="N",
+    type=click.IntRange(0, 65535),
+    default=8080,
+    show_default=True,
+    help="The port of Robot Web Services 1.0; 0 takes a free one.",
+)
+@click.option(
+    "--speed",
+    metavar="F|max",
+    default="1",
+    show_default=True,
+    help="Virtual seconds in a second on the wall; max is as fast as it can.",
+)
+@click.option(
+    "--lock-step", is_flag=True, help="Virtual time passes with requests only, so runs repeat."
+)
+@click.option(
+    "--request-time",
+    metavar="SECONDS",
+    type=POSITIVE,
+    help="In lock-step, the virtual time before each request; else 0.05.",
+)
+@click.option(
+    "--home", metavar="DIR", help="The folder HOME: stands for; else <program>.home here."
+)
+@click.option(
+    "--opmode",
+    type=click.Choice(list(_MODES)),
+    default="auto",
+    show_default=True,
+    help="The operating mode at the start.",
+)
+@click.option(
+    "--motors",
+    type=click.Choice(["on", "off"]),
+    default="on",
+    show_default=True,
+    help="At the start.",
+)
+@click.option(
+    "--user",
+    "users",
+    metavar="NAME:PASSWORD",
+    multiple=True,
+    help="Who may come in, instead of a controller's default users.",
+)
+@click.option(
+    "--max-sessions",
+    metavar="N",
+    type=click.IntRange(min=1),
+    default=70,
+    show_default=True,
+    help="Clients at one time.",
+)
+@click.option(
+    "--session-timeout",
+    metavar="SECONDS",
+    type=POSITIVE,
+    default=300.0,
+    show_default=True,
+    help="A session that is idle for so long ends.",
+)
+@terminal_options
+def serve(
+    paths: tuple[str, ...],
+    robot: str | None,
+    station: str | None,
+    task: str | None,
+    io: str | None,
+    host: str,
+    rws1_port: int,
+    speed: str,
+    lock_step: bool,
+    request_time: float | None,
+    home: str | None,
+    opmode: str,
+    motors: str,
+    users: tuple[str, ...],
+    max_sessions: int,
+    session_timeout: float,
+) -> int:
+    """Serve a virtual controller to clients of Robot Web Services 1.0.
+
+    PATH is as for `rapidsim run`. The first line on stdout says, as JSON, where it listens. It runs
+    until Ctrl-C or SIGTERM.
+
+    Exit codes: 0 it was ended, 1 the program has errors, 2 wrong usage or a port that is taken.
+    """
+    require("aiohttp", "rapidsim serve")
+    from rapidsim.jobs.run_files import ProgramRejectedError
+    from rapidsim.server.http.guard import is_loopback
+    from rapidsim.server.process import started
+    from rapidsim.server.serve import serve as serve_engine
+    from rapidsim.server.settings import DEFAULT_USERS, EngineSettings, ServerSettings
+    from rapidsim.simulation.live.states import Mode, Motors
+
+    if "-" in paths:
+        raise InputError("serve reads no program from standard input", "name a file or a folder")
+    if request_time is not None and not lock_step:
+        raise InputError("--request-time: it needs --lock-step")
+    if not users and not is_loopback(host):
+        raise InputError(
+            f"--host {host}: other computers reach it, and default passwords are known to all",
+            "`--user NAME:PASSWORD` says who may come in",
+        )
+    asked = Asked(
+        paths=paths,
+        robot=robot,
+        station=station,
+        task=task,
+        io=io,
+        entry=DEFAULT_ENTRY,
+        home=home,
+    )
+    engine_settings = EngineSettings(
+        speed=_speed(speed),
+        request_s=(request_time or 0.05) if lock_step else None,
+        motors=Motors.ON if motors == "on" else Motors.OFF,
+        mode=Mode(_MODES[opmode]),
+    )
+    server_settings = ServerSettings(
+        host=host,
+        rws1_port=rws1_port,
+        users=_users(users) if users else DEFAULT_USERS,
+        most_sessions=max_sessions,
+        session_timeout_s=session_timeout,
+    )
+    try:
+        engine = started(asked, engine_settings)
+    except ProgramRejectedError as rejected:
+        _print_rejected(asked, rejected.diagnostics)
+        return ExitCode.FINDINGS
+
+    def ready(address: str) -> None:
+        line = {
+            "ready": True,
+            "rws1": address,
+            "home": str(engine.home),
+            "ramdisk": str(engine.home / "RAMDISK"),
+            "pid": os.getpid(),
+            "version": __version__,
+        }
+        say(json.dumps(line))
+
+    ended = serve_engine(engine, server_settings, ready, lambda text: say(text, err=True))
+    if not ended:
+        say("error: the controller's process has ended; please report this", err=True)
+    return ExitCode.CLEAN if ended else ExitCode.DEFECT
+
+
+def _speed(text: str) -> float | None:
+    if text == "max":
+        return None
+    try:
+        speed = float(text)
+    except ValueError:
+        speed = 0.0
+    if not 0.0 < speed < float("inf"):
+        raise InputError(f"--speed: `{text}` is neither a positive number nor max")
+    return speed
+
+
+def _users(given: tuple[str, ...]) -> dict[str, str]:
+    for one in given:
+        if not one.partition(":")[0] or not one.partition(":")[2]:
+            raise InputError("--user: it takes NAME:PASSWORD, both of them")
+    return {name: password for name, _, password in (one.partition(":") for one in given)}
+
+
+def _print_rejected(asked: Asked, findings: tuple[Diagnostic, ...]) -> None:
+    """Print what checking found, as `rapidsim run` does; stdout is for who waits for a server."""
+    from rapidsim.cli.tools.run_output import print_rejected
+    from rapidsim.jobs.job import job
+    from rapidsim.jobs.run_files import loaded
+
+    with redirect_stdout(sys.stderr):
+        print_rejected(loaded(job(asked)), findings, "table", current_terminal())

@@ -1,0 +1,66 @@
+"""What a search along a motion finds: contacts, and how near bodies came."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rapidsim.frames.transform import Array
+
+FARTHEST_M = 0.5
+"""Bodies farther apart have no clearance worth a number."""
+
+
+@dataclass(frozen=True, slots=True)
+class BodyName:
+    """What a message calls a body."""
+
+    name: str
+    robot: int | None = None
+    """Which of the robots it is a link or the tool of; None for an object."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Contact:
+    """Two bodies touch."""
+
+    time_s: float
+    """The first instant."""
+    robot: int
+    """Whose move it is."""
+    move: int
+    """The index of the move of that robot."""
+    first: BodyName
+    second: BodyName
+    point: Array
+    """Where (3,) [m] in the world."""
+    depth_m: float
+    """How far the bodies overlap at most while that move lasts."""
+    continued: bool = False
+    """Whether they touched at the end of the move before already."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Clearance:
+    """The nearest that two bodies came during one move."""
+
+    distance_m: float
+    time_s: float
+    robot: int
+    move: int
+    first: BodyName
+    second: BodyName
+    point: Array
+    """Where (3,) [m] in the world: on the second body."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Found:
+    """All that was found along a motion."""
+
+    contacts: tuple[Contact, ...]
+    """In order of time."""
+    clearances: tuple[Clearance, ...]
+    """One a move in whose course bodies came nearer than `FARTHEST_M`, in order of moves."""
+    decided: bool = True
+    """Whether everything was looked at to the end; a motion that slides along a body for long may
+    not be."""

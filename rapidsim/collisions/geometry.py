@@ -1,0 +1,82 @@
+"""What stands in a cell: objects, what carries them, which pairs nobody wants judged.
+
+Plain values, made by the station file.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from rapidsim.collisions.shape import Shape
+from rapidsim.frames.transform import Transform
+
+Colour = tuple[int, int, int]
+GREY: Colour = (150, 156, 168)
+
+
+class ParentKind(StrEnum):
+    """What an object is fixed to."""
+
+    WORLD = "world"
+    WOBJ = "wobj"
+    LINK = "link"
+    TOOL = "tool"
+
+
+@dataclass(frozen=True, slots=True)
+class Parent:
+    """One frame of the cell."""
+
+    kind: ParentKind = ParentKind.WORLD
+    name: str = ""
+    """Of the work object."""
+    link: int = 0
+    """How many joints move the link."""
+    robot: str | None = None
+    """The task or the label of the robot; None for the first."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CellObject:
+    """A body of the cell."""
+
+    name: str
+    shape: Shape
+    parent: Parent
+    parent_from_object: Transform
+    colour: Colour = GREY
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Attachment:
+    """While a condition on signals holds, a robot carries an object on its flange."""
+
+    when: str
+    """The condition, as a station file writes it."""
+    object: str
+    robot: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class IgnoredPair:
+    """Two bodies that may touch."""
+
+    first: str
+    second: str
+    reason: str
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CellGeometry:
+    """All that a station says of bodies."""
+
+    objects: tuple[CellObject, ...] = ()
+    attachments: tuple[Attachment, ...] = ()
+    ignored: tuple[IgnoredPair, ...] = ()
+    clearance_m: float = 0.0
+    """A run that comes nearer than this is told so."""
+    stops: bool = False
+    """Whether a contact ends the run."""
+    own_links: bool = True
+    """Whether an arm is judged against itself."""

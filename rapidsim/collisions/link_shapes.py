@@ -1,0 +1,175 @@
+"""The bodies of an arm's links, from its description.
+
+Collision shapes where the description has them, else those that are drawn. Of a mesh each piece
+counts as its hull. A link that no joint of the arm moves (a rod, the finger of a gripper) is left
+out, and so is a shape in a format that is not read: both are told.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+
+from rapidsim.collisions import shape
+from rapidsim.collisions.meshes.read import read_mesh
+from rapidsim.collisions.meshes.triangles import Triangles
+from rapidsim.collisions.shape import Shape
+from rapidsim.files import InputError, input_text
+from rapidsim.frames.euler import Convention, rotation_from_euler
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.robot.urdf_text import plain_urdf
+
+BASE = 0
+"""The number of the link that stands still."""
+_MOST_M = 100.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LinkShape:
+    """What is fixed to one link."""
+
+    number: int
+    """How many joints of the arm move it."""
+    shape: Shape
+    """In the frame of the link."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LinkShapes:
+    """The bodies of an arm."""
+
+    links: tuple[LinkShape, ...]
+    """From base to flange; links without a body are left out."""
+    remarks: tuple[str, ...] = ()
+    """What of the arm is not judged."""
+
+
+def link_shapes(robot: Robot) -> LinkShapes:
+    """The bodies of an arm; without a description there are none, and that is told."""
+    if robot.urdf is None:
+        return LinkShapes((), (f"{robot.name} has no link shapes: nothing it does is judged",))
+    return _from_urdf(robot.urdf, tuple(joint.name for joint in robot.joints))
+
+
+@lru_cache(maxsize=8)
+def _from_urdf(file: Path, joint_names: tuple[str, ...]) -> LinkShapes:
+    text, _ = plain_urdf(file, input_text(file))
+    root = ElementTree.fromstring(text)
+    remarks: list[str] = []
+    by_number: dict[int, list[Shape]] = {}
+    frames = _frames(root, joint_names)
+    for link in root.iter("link"):
+        name = link.get("name", "")
+        bodies = list(link.iter("collision")) or list(link.iter("visual"))
+        if name not in frames:
+            remarks += [f"{name} is moved by no joint of the arm: not judged"] if bodies else []
+            continue
+        number, frame = frames[name]
+        for body in bodies:
+            try:
+                own = _geometry(body.find("geometry"), file)
+            except (InputError, ValueError) as mistake:
+                reason = mistake.message if isinstance(mistake, InputError) else "no sizes"
+                remarks.append(f"the shape of {name} cannot be read and is not judged: {reason}")
+                continue
+            if own is not None:
+                by_number.setdefault(number, []).append(own.moved(frame @ _origin(body)))
+    links = tuple(
+        LinkShape(number, shape.together(found)) for number, found in sorted(by_number.items())
+    )
+    return LinkShapes(links, tuple(remarks))
+
+
+def _frames(
+    root: ElementTree.Element, joint_names: Sequence[str]
+) -> dict[str, tuple[int, Transform]]:
+    """How many joints move each link, and where it is on the last link that a joint moves."""
+    joints = {}
+    for joint in root.findall("joint"):
+        child, parent = joint.find("child"), joint.find("parent")
+        if child is not None and parent is not None:
+            joints[child.get("link", "")] = (joint, parent.get("link", ""))
+    frames: dict[str, tuple[int, Transform]] = {}
+
+    def frame(link: str, depth: int = 0) -> tuple[int, Transform] | None:
+        if link in frames:
+            return frames[link]
+        if link not in joints:
+            found: tuple[int, Transform] | None = (BASE, Transform.identity())
+        else:
+            joint, parent = joints[link]
+            found = None
+            if joint.get("name") in joint_names:
+                found = (joint_names.index(joint.get("name", "")) + 1, Transform.identity())
+            elif joint.get("type") == "fixed" and depth < 100:
+                above = frame(parent, depth + 1)
+                found = above and (above[0], above[1] @ _origin(joint))
+        if found is not None:
+            frames[link] = found
+        return found
+
+    for link in root.iter("link"):
+        frame(link.get("name", ""))
+    return frames
+
+
+def _origin(tag: ElementTree.Element) -> Transform:
+    origin = tag.find("origin")
+    if origin is None:
+        return Transform.identity()
+    turn = rotation_from_euler(_numbers(origin.get("rpy", "0 0 0"), 3), Convention.RPY)
+    return Transform(turn, _numbers(origin.get("xyz", "0 0 0"), 3))
+
+
+def _geometry(geometry: ElementTree.Element | None, file: Path) -> Shape | None:
+    """A body of a link; None where there is none.
+
+    Raises:
+        InputError: If the file of a mesh cannot be read.
+        ValueError: If a size is missing or none.
+    """
+    tag = next(iter(geometry), None) if geometry is not None else None
+    if tag is None:
+        return None
+    match tag.tag:
+        case "box":
+            return shape.box(_sizes(tag.get("size", ""), 3))
+        case "sphere":
+            return shape.sphere(float(_sizes(tag.get("radius", ""), 1)[0]))
+        case "cylinder" | "capsule":
+            (radius,), (length,) = (_sizes(tag.get(key, ""), 1) for key in ("radius", "length"))
+            make = shape.cylinder if tag.tag == "cylinder" else shape.capsule
+            return make(float(radius), float(length))
+        case "mesh":
+            name = tag.get("filename", "")
+            if "://" in name and not name.startswith("file://"):
+                raise InputError(f"where `{name}` is, only its ROS workspace knows")
+            # ROS lays descriptions and meshes in two folders of one package.
+            room = file.absolute().parent.parent
+            mesh = read_mesh(file.parent / name.removeprefix("file://"), room)
+            scale = _sizes(tag.get("scale", "1 1 1"), 3)
+            return shape.hull_of_each_piece(
+                Triangles(mesh.vertices * scale, mesh.faces, mesh.closed)
+            )
+        case _:
+            return None
+
+
+def _sizes(text: str, count: int) -> Array:
+    sizes = _numbers(text, count)
+    if not (sizes > 0.0).all():
+        raise ValueError
+    return sizes
+
+
+def _numbers(text: str, count: int) -> Array:
+    numbers = np.array([float(word) for word in text.split()])
+    if len(numbers) != count or not (np.abs(numbers) < _MOST_M).all():
+        raise ValueError
+    return numbers

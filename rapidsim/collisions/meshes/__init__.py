@@ -1,0 +1,1 @@
+"""Shapes from files: STL, OBJ, PLY and glTF become triangles, bounded and checked."""

@@ -1,0 +1,137 @@
+"""Triangles of a shape, and what is wrong with those of many files."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from rapidsim.files import InputError
+from rapidsim.frames.transform import Array
+
+Faces = npt.NDArray[np.int64]
+
+MOST_TRIANGLES = 100_000
+_FLAT = 1e-14
+"""Twice the area of a triangle over the square of its longest edge; below it there is no plane."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Triangles:
+    """A surface."""
+
+    vertices: Array
+    """Shape (k, 3) [m], each place once."""
+    faces: Faces
+    """Shape (f, 3)."""
+    closed: bool
+    """Whether each edge has a face on either side, so that there is an inside."""
+
+
+def checked_triangles(name: str, vertices: Array, faces: Faces) -> Triangles:
+    """The triangles of a file that have an area, with vertices that touch made one.
+
+    Args:
+        name: Of the file, for messages.
+        vertices: Shape (k, 3), in any unit.
+        faces: Shape (f, 3).
+
+    Raises:
+        InputError: If there are none, too many, or if their numbers are none.
+    """
+    require_few(name, len(faces))
+    if not len(faces):
+        raise InputError(f"{name} holds no triangles")
+    if faces.min() < 0 or faces.max() >= len(vertices):
+        raise InputError(f"{name} is damaged: a triangle has a corner that is not there")
+    vertices = vertices[np.unique(faces)] if len(vertices) > 3 * len(faces) else vertices
+    used = vertices[np.unique(faces)] if faces.max() < len(vertices) else vertices
+    if not np.isfinite(used).all() or np.abs(used).max() > 1e9:
+        raise InputError(f"{name} is damaged: a corner is at no place")
+    size = float(np.ptp(used, axis=0).max())
+    if size <= 0.0:
+        raise InputError(f"{name}: all corners are in one place")
+    # Files without shared corners write each of them again, rounded alike.
+    _, first, merged = np.unique(
+        np.round(vertices / (size * 1e-7)), axis=0, return_index=True, return_inverse=True
+    )
+    vertices, faces = vertices[first], merged.reshape(-1)[faces]
+    a, b, c = (vertices[faces[:, i]] for i in range(3))
+    edges = np.stack([b - a, c - b, a - c])
+    area = np.linalg.norm(np.cross(edges[0], edges[1]), axis=1)
+    longest = np.einsum("eij,eij->ei", edges, edges).max(axis=0)
+    faces = faces[area > _FLAT * longest]
+    if not len(faces):
+        raise InputError(f"{name}: no triangle has an area")
+    return Triangles(vertices, faces, _is_closed(faces, len(vertices)))
+
+
+def require_few(name: str, count: int) -> None:
+    """Refuse more triangles than a shape may have.
+
+    Raises:
+        InputError: If there are.
+    """
+    if count > MOST_TRIANGLES:
+        raise InputError(
+            f"{name} holds more than {MOST_TRIANGLES} triangles",
+            "export it coarser: half a millimetre is fine enough for a robot",
+        )
+
+
+def _is_closed(faces: Faces, count: int) -> bool:
+    ends = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    forth = np.sort(ends[:, 0] * count + ends[:, 1])
+    back = np.sort(ends[:, 1] * count + ends[:, 0])
+    return bool((forth == back).all())
+
+
+def components(faces: Faces, count: int) -> list[Faces]:
+    """The faces of each piece that hangs together by edges.
+
+    Bodies that merely touch are pieces of their own: an edge with more than two faces joins none.
+
+    Args:
+        faces: Shape (f, 3).
+        count: Of the vertices.
+    """
+    ends = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+    edge = ends[:, 0] * count + ends[:, 1]
+    order = np.argsort(edge, kind="stable")
+    starts = np.flatnonzero(np.diff(edge[order], prepend=-1))
+    paired = starts[np.diff(starts, append=len(edge)) == 2]
+    one, other = order[paired] % len(faces), order[paired + 1] % len(faces)
+    label = np.arange(len(faces))
+    while True:
+        lower = label.copy()
+        lowest = np.minimum(label[one], label[other])
+        np.minimum.at(lower, one, lowest)
+        np.minimum.at(lower, other, lowest)
+        np.minimum.at(lower, label[one], lowest)
+        np.minimum.at(lower, label[other], lowest)
+        lower = lower[lower]
+        if (lower == label).all():
+            break
+        label = lower
+    order = np.argsort(label, kind="stable")
+    starts = np.flatnonzero(np.diff(label[order], prepend=-1))
+    return np.split(faces[order], starts[1:])
+
+
+def hollowness(vertices: Array, faces: Faces) -> float:
+    """How far [m] a piece stands out over the plane of one of its faces: 0 for convex ones.
+
+    What the hull of a piece fills is nowhere deeper.
+    """
+    used = vertices[np.unique(faces)]
+    a, b, c = (vertices[faces[:, i]] for i in range(3))
+    normals = np.cross(b - a, c - a)
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    # Which way out is, the faces of a file need not say: the side with less beyond.
+    deepest = 0.0
+    for rows in np.array_split(np.arange(len(faces)), max(1, len(faces) * len(used) // 2_000_000)):
+        heights = used @ normals[rows].T - np.einsum("kj,kj->k", normals[rows], a[rows])
+        beyond = np.minimum(heights.max(axis=0), -heights.min(axis=0))
+        deepest = max(deepest, float(beyond.max(initial=0.0)))
+    return deepest

@@ -1,0 +1,158 @@
+"""Bodies that move: where each is at any time of a run, and which pairs of them are judged."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from rapidsim.collisions.body_distance import Bodies
+from rapidsim.collisions.contact import BodyName
+from rapidsim.collisions.shape import Shape
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.configurations.targets import world_from_base_at
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.trajectory.trajectory import Samples
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """A frame that moves with a robot, or the world."""
+
+    robot: int | None = None
+    """None for the world."""
+    link: int = 0
+    """How many joints move it; one more than there are joints for the flange."""
+
+
+WORLD = Frame()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Carried:
+    """From an instant on a body is fixed to a frame."""
+
+    from_s: float
+    frame: Frame
+    frame_from_body: Transform
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Body:
+    """One body of the cell."""
+
+    label: BodyName
+    shape: Shape
+    carried: tuple[Carried, ...]
+    """In order of time, the first from the start on."""
+
+    @property
+    def stands(self) -> bool:
+        """Whether it never moves."""
+        return len(self.carried) == 1 and self.carried[0].frame.robot is None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Pair:
+    """Two bodies that must not touch; the second is the one that stands, where one does."""
+
+    first: int
+    second: int
+    owner: int
+    """The robot whose move it is."""
+    touch_only: bool
+    """Whether how near they come is no news: of links of one arm, and of a part and what it lies
+    on."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Arm:
+    """A robot in its motion."""
+
+    robot: Robot
+    world_from_base: Transform
+    """With all external axes at zero."""
+    at: Callable[[Array], Samples]
+    """The arm at some instants (k,) [s]."""
+    busy: tuple[tuple[float, float], ...]
+    """From when to when [s] it may move."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Poses:
+    """All bodies at some instants."""
+
+    times: Array
+    """Shape (k,)"""
+    rotation: Array
+    """Shape (k, b, 3, 3)"""
+    translation: Array
+    """Shape (k, b, 3)"""
+    moves: npt.NDArray[np.int64]
+    """Shape (k, r): the move of each robot."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Scene:
+    """Arms and bodies."""
+
+    arms: tuple[Arm, ...]
+    bodies: tuple[Body, ...]
+    pairs: tuple[Pair, ...]
+
+    def shapes(self) -> Bodies:
+        """The bodies laid out for measuring."""
+        return Bodies([body.shape.parts for body in self.bodies])
+
+    def poses(self, times: Array) -> Poses:
+        """Where all bodies are at instants (k,) [s]."""
+        count = len(times)
+        rotation = np.empty((count, len(self.bodies), 3, 3))
+        translation = np.empty((count, len(self.bodies), 3))
+        moves = np.zeros((count, len(self.arms)), dtype=np.int64)
+        frames: dict[Frame, Transform] = {}
+        for number, arm in enumerate(self.arms):
+            samples = arm.at(times)
+            moves[:, number] = samples.move
+            frames.update(arm_frames(number, arm, samples))
+        for number, body in enumerate(self.bodies):
+            for carried, end in zip(
+                body.carried, (*(one.from_s for one in body.carried[1:]), np.inf), strict=True
+            ):
+                rows: slice | npt.NDArray[np.bool_] = slice(None)
+                if len(body.carried) > 1:
+                    first = carried is body.carried[0]
+                    rows = ((times >= carried.from_s) | first) & (times < end)
+                pose = carried.frame_from_body
+                if carried.frame != WORLD:
+                    pose = frames[carried.frame][rows] @ pose
+                rotation[rows, number], translation[rows, number] = pose.rotation, pose.translation
+        return Poses(times, rotation, translation, moves)
+
+
+def arm_frames(number: int, arm: Arm, samples: Samples) -> Mapping[Frame, Transform]:
+    """world_from_link (k,) of the base, each link and the flange of an arm."""
+    count, joints = len(samples.times), samples.joints
+    world_from_base = arm.world_from_base
+    if arm.robot.external:
+        world_from_base = world_from_base_at(arm.robot.external, world_from_base, samples.external)
+    base_from_link = arm.robot.kinematics.link_frames(joints)
+    base = Transform(
+        np.broadcast_to(world_from_base.rotation, (count, 3, 3)),
+        np.broadcast_to(world_from_base.translation, (count, 3)),
+    )
+    frames = {Frame(number, 0): base}
+    for link in range(joints.shape[1]):
+        frames[Frame(number, link + 1)] = base @ base_from_link[:, link]
+    flange = last_link_from_flange(arm.robot)
+    frames[Frame(number, joints.shape[1] + 1)] = frames[Frame(number, joints.shape[1])] @ flange
+    return frames
+
+
+def last_link_from_flange(robot: Robot) -> Transform:
+    """Where the flange sits on the last link; the same in every pose."""
+    zero = np.zeros(len(robot.joints))
+    base_from_links = robot.kinematics.link_frames(zero)
+    return base_from_links[-1].inverse() @ robot.kinematics.forward(zero)

@@ -1,0 +1,104 @@
+"""Stopping the program of one task and letting it go on: by itself, or from outside.
+
+In a run of its own nobody starts a program that has stopped, so the run ends. Where somebody may,
+the program stands where it is while virtual time passes, as in a trap that waits; the robot stops
+on its path and goes on from there. Interrupts that come meanwhile are lost unless they are safe.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types, "Stop", "ISignalDI"
+(SingleSafe). That waits for a time count what passes while the program stands is our reading.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass
+from typing import ClassVar
+
+from rapidsim.controller.cell.cell import Cell
+from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.interrupt_table import InterruptTable
+from rapidsim.controller.moves.queued_move import MotionError
+from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.language.errors import Stopped
+
+
+@dataclass(slots=True)
+class _Asked:
+    """A stop that was asked for and has not happened."""
+
+    at_s: float
+    on_path: bool
+    """Whether the robot stops where it is; else it makes the moves it has."""
+
+
+@dataclass(eq=False)
+class TaskExecution:
+    """Implements `language.controller.Execution`; a stop asked for is a `clock.Happening`."""
+
+    on_path: ClassVar = False
+    clock: TaskClock
+    unit: MechanicalUnit
+    cell: Cell
+    table: InterruptTable
+    stops_all: Callable[[str], None] | None = None
+    """Lets all tasks stop, for a reason; None where nobody would start them again."""
+    stands: bool = False
+    """Whether the program waits to be started."""
+    _asked: _Asked | None = None
+
+    def stop(self, reason: str) -> None:
+        """Stop all that executes.
+
+        Raises:
+            Stopped: Where nobody starts it again.
+        """
+        if self.stops_all is None:
+            raise Stopped(reason)
+        now_s = self.clock.come_up()
+        self.stops_all(reason)
+        self.clock.pass_time(now_s)
+
+    def ask_to_stop(self, at_s: float, *, on_path: bool) -> None:
+        """Stop at a time [s] that has come, before the program does anything more."""
+        if not self.stands and self._asked is None:
+            self._asked = _Asked(at_s, on_path)
+
+    def go_on(self) -> None:
+        """Let the program go on when it is its turn next; also take back a stop asked for."""
+        self.stands, self._asked = False, None
+
+    def next_s(self) -> float | None:
+        """When the program stops [s]; see `clock.Happening`."""
+        return None if self._asked is None else self._asked.at_s
+
+    def pass_next(self, passed_s: float, until_s: float) -> float:
+        """Stop and stand; see `clock.Happening`."""
+        del passed_s, until_s
+        assert self._asked is not None
+        asked, self._asked = self._asked, None
+        return self.clock.interlude(asked.at_s, lambda: self._stand(on_path=asked.on_path))
+
+    def look_from(self, time_s: float) -> None:
+        """A stop is asked for at a time that has come."""
+
+    def stand(self) -> None:
+        """Stand until somebody starts the program; its robot makes the moves it has."""
+        self._stand(on_path=False)
+
+    def _stand(self, *, on_path: bool) -> None:
+        queue, since_s = self.unit.queue, self.clock.pointer_s()
+        stopped = on_path and not queue.is_halted
+        if stopped:
+            # What cannot be planned is told when the program comes to it again.
+            with suppress(MotionError):
+                queue.halt(since_s)
+        waited = self.table.waiting()
+        self.stands, now_s = True, since_s
+        while self.stands:
+            now_s = self.cell.turns.until(self.clock, math.inf)
+        self.clock.set(max(since_s, now_s))
+        self.table.stood(waited, since_s, now_s)
+        if stopped and queue.is_halted:
+            queue.resume(now_s)

@@ -1,0 +1,26 @@
+"""What a run finds of bodies that touch or come near (family C)."""
+
+from __future__ import annotations
+
+from rapidsim.diagnostics import Violation
+
+
+class Collision(Violation, code="C101"):
+    first: str
+    second: str
+    time_s: float
+    depth_mm: float
+    also: str
+    """The others that hit the same on that move; empty for none."""
+
+
+class LowClearance(Violation, code="C102"):
+    first: str
+    second: str
+    distance_mm: float
+    clearance_mm: float
+    time_s: float
+
+
+class NotJudged(Violation, code="C103"):
+    what: str

@@ -1,0 +1,118 @@
+"""What a program does with values from outside: inputs, sockets, answers, files, cameras, messages.
+
+A run of a check has them as they are when nobody sets them, which may be nothing like the cell: a
+target that depends on them is judged by values that no controller may ever see.
+
+Which data hold such values is told without order and without branches: once is always.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rapidsim.analysis.program import LibrarySymbol, Program, RoutineSymbol, Symbol
+from rapidsim.analysis.tree_walk import descendants
+from rapidsim.analysis.types.data_paths import root_of
+from rapidsim.interpreter.runtime.values import is_signal
+from rapidsim.language.annotations import Mode
+from rapidsim.syntax import tree
+
+_OUTSIDE = frozenset({"signals", "sockets", "operator", "files", "cameras", "messages"})
+"""Concerns of a controller that give such values."""
+_PATHS = (tree.Reference, tree.Index, tree.Component)
+
+
+def moved_by_outside(program: Program) -> frozenset[tree.Call]:
+    """The calls of installed instructions whose arguments depend on values from outside."""
+    return _Search(program).calls()
+
+
+class _Search:
+    """Data, parameters and functions that values from outside come to, each by its symbol."""
+
+    def __init__(self, program: Program) -> None:
+        self._program = program
+        self._reached: set[Symbol] = set()
+        self._nodes = [
+            (routine, node)
+            for module in program.modules
+            for routine in module.routines
+            for node in descendants(routine)
+            if isinstance(node, tree.Assignment | tree.Call | tree.FunctionCall | tree.Return)
+        ]
+
+    def calls(self) -> frozenset[tree.Call]:
+        count = -1
+        while count < len(self._reached):
+            count = len(self._reached)
+            for routine, node in self._nodes:
+                self._reached.update(self._reaches(routine, node))
+        return frozenset(
+            node
+            for _, node in self._nodes
+            if isinstance(node, tree.Call)
+            and isinstance(self._program.symbol_of.get(node), LibrarySymbol)
+            and any(map(self._is_outside, _values(node)))
+        )
+
+    def _reaches(self, routine: tree.RoutineNode, node: tree.Node) -> Iterator[Symbol]:
+        """What a node gives values from outside to."""
+        match node:
+            case tree.Assignment(target=target, value=value) if isinstance(target, _PATHS):
+                if self._is_outside(value):
+                    yield from self._root(target)
+            case tree.Return(value=value) if value is not None and self._is_outside(value):
+                if (symbol := self._program.symbol_of.get(routine)) is not None:
+                    yield symbol
+            case tree.Call() | tree.FunctionCall():
+                yield from self._passed_on(node)
+            case _:
+                pass
+
+    def _passed_on(self, call: tree.Call | tree.FunctionCall) -> Iterator[Symbol]:
+        """What a call gives such values to: the parameters of a routine, the data it changes."""
+        symbol = self._program.symbol_of.get(call)
+        given = list(_values(call))
+        outside = any(self._is_outside(value) for value in given if not self._is_signal(value))
+        changes = False
+        if isinstance(symbol, RoutineSymbol):
+            if outside:
+                yield from symbol.parameters
+            by_reference = [p for p in symbol.parameters if p.mode is not Mode.IN]
+            changes = any(parameter in self._reached for parameter in by_reference)
+        elif isinstance(symbol, LibrarySymbol):
+            signature = symbol.routine.signature
+            changes = outside or signature.concern in _OUTSIDE
+            changes &= any(p.mode in (Mode.VAR, Mode.INOUT) for p in signature.parameters)
+        if changes:
+            for value in given:
+                if isinstance(value, _PATHS) and not self._is_signal(value):
+                    yield from self._root(value)
+
+    def _root(self, path: tree.DataPath) -> Iterator[Symbol]:
+        if (symbol := self._program.symbol_of.get(root_of(path))) is not None:
+            yield symbol
+
+    def _is_outside(self, value: tree.Node) -> bool:
+        """Whether an expression depends on values from outside."""
+        return any(map(self._gives, descendants(value)))
+
+    def _gives(self, node: tree.Node) -> bool:
+        if isinstance(node, tree.Reference):
+            return self._program.symbol_of.get(node) in self._reached or self._is_signal(node)
+        if not isinstance(node, tree.FunctionCall):
+            return False
+        symbol = self._program.symbol_of.get(node)
+        if isinstance(symbol, LibrarySymbol):
+            return symbol.routine.signature.concern in _OUTSIDE
+        return symbol in self._reached
+
+    def _is_signal(self, value: tree.Node) -> bool:
+        of = self._program.type_of.get(value)
+        return of is not None and is_signal(of)
+
+
+def _values(call: tree.Call | tree.FunctionCall) -> Iterator[tree.Expression]:
+    for argument in call.arguments:
+        if isinstance(argument, tree.Required | tree.Optional) and argument.value is not None:
+            yield argument.value

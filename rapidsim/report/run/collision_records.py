@@ -1,0 +1,122 @@
+"""Contacts and clearances of a run as records in mm and seconds, as the JSON has them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rapidsim.collisions.contact import Clearance, Contact
+from rapidsim.frames.transform import Array
+from rapidsim.report.run.records import PoseRecord
+from rapidsim.simulation.results.simulation import Simulation
+
+_MM = 1000.0
+
+
+@dataclass(frozen=True, slots=True)
+class ContactRecord:
+    """Two bodies touched."""
+
+    time_s: float
+    first: str
+    second: str
+    task: str
+    """Whose move it was."""
+    move: int
+    """Its index among all moves."""
+    file: str | None
+    line: int | None
+    routine: str | None
+    point_mm: tuple[float, ...]
+    """Where, in the world."""
+    depth_mm: float
+    """How deep they were in each other at most while the move lasted."""
+    continued: bool
+    """Whether they touched when the move began."""
+    tcp: PoseRecord
+    """Where the TCP was."""
+
+
+@dataclass(frozen=True, slots=True)
+class ClearanceRecord:
+    """The nearest that bodies came in one move."""
+
+    distance_mm: float
+    time_s: float
+    first: str
+    second: str
+    task: str
+    move: int
+    file: str | None
+    line: int | None
+    routine: str | None
+    point_mm: tuple[float, ...]
+    """Where, in the world, on the second body."""
+
+
+def contact_records(simulation: Simulation) -> tuple[ContactRecord, ...]:
+    """The contacts of a run in order of time; none where nothing is judged."""
+    if simulation.collisions is None:
+        return ()
+    return tuple(_contact(simulation, one) for one in simulation.collisions.found.contacts)
+
+
+def clearance_records(simulation: Simulation) -> tuple[ClearanceRecord, ...]:
+    """How near bodies came in each move that came near something, the worst first."""
+    if simulation.collisions is None:
+        return ()
+    found = simulation.collisions.found.clearances
+    nearest_first = sorted(found, key=lambda one: (one.distance_m, one.time_s))
+    return tuple(_clearance(simulation, one) for one in nearest_first)
+
+
+def _contact(simulation: Simulation, one: Contact) -> ContactRecord:
+    pose = simulation.robots[one.robot].sample(one.time_s).base_from_tcp[0]
+    tcp = PoseRecord(_mm(pose.translation), tuple(pose.quaternion.tolist()), "base")
+    task, move, file, line, routine = _place(simulation, one.robot, one.move)
+    return ContactRecord(
+        time_s=one.time_s,
+        first=one.first.name,
+        second=one.second.name,
+        task=task,
+        move=move,
+        file=file,
+        line=line,
+        routine=routine,
+        point_mm=_mm(one.point),
+        depth_mm=one.depth_m * _MM,
+        continued=one.continued,
+        tcp=tcp,
+    )
+
+
+def _clearance(simulation: Simulation, one: Clearance) -> ClearanceRecord:
+    task, move, file, line, routine = _place(simulation, one.robot, one.move)
+    return ClearanceRecord(
+        distance_mm=one.distance_m * _MM,
+        time_s=one.time_s,
+        first=one.first.name,
+        second=one.second.name,
+        task=task,
+        move=move,
+        file=file,
+        line=line,
+        routine=routine,
+        point_mm=_mm(one.point),
+    )
+
+
+def _place(
+    simulation: Simulation, robot: int, move: int
+) -> tuple[str, int, str | None, int | None, str | None]:
+    """Task, number among all moves, file, line and routine of a move of one robot."""
+    one = simulation.robots[robot]
+    index = simulation.move_offsets[robot] + move
+    for made in one.moves:
+        if made.index == move:
+            span = made.place.span
+            return one.task, index, span.file, span.line, made.place.routine
+    return one.task, index, None, None, None
+
+
+def _mm(point: Array) -> tuple[float, ...]:
+    return tuple((point * _MM).tolist())

@@ -1,0 +1,6 @@
+MODULE example
+  CONST robtarget over:=[[700,0,620],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    MoveJ over,v500,fine,tool0;
+  ENDPROC
+ENDMODULE

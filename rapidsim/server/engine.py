@@ -1,0 +1,214 @@
+"""The engine: a controller that stays on, how its time passes, and what it is asked meanwhile.
+
+It runs in a process of its own, because planning a path keeps Python busy for longer than a
+protocol may wait; tests drive it by hand.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from time import monotonic
+from typing import Final, Protocol
+
+from rapidsim.server.messages import (
+    DONE,
+    Message,
+    Note,
+    Refusal,
+    RefusedRequest,
+    Reply,
+    Request,
+    SessionEnded,
+    Subscribe,
+    Told,
+    Unsubscribe,
+)
+from rapidsim.server.resources.context import Context
+from rapidsim.server.resources.table import answered
+from rapidsim.server.watched import Subscriptions
+from rapidsim.simulation.live.controller import LiveController
+from rapidsim.simulation.live.event_log import LogEntry
+
+_LAG_S: Final = 0.5
+"""So far [s] on the wall virtual time may be behind before it is said, and twice as far again."""
+
+
+class Pace(Protocol):
+    """How far virtual time may have come."""
+
+    def begin(self) -> None:
+        """The controller is switched on."""
+        ...
+
+    def horizon_s(self) -> float:
+        """How far virtual time may come now [s]."""
+        ...
+
+    def wait_s(self, virtual_s: float) -> float | None:
+        """How long on the wall until virtual time may come so far [s]; None for ever."""
+        ...
+
+    def asked(self) -> None:
+        """A request has come."""
+        ...
+
+    def lag_s(self, now_s: float) -> float:
+        """How far behind virtual time is, on the wall."""
+        ...
+
+
+@dataclass(slots=True)
+class WallPace:
+    """So many virtual seconds pass in a second on the wall."""
+
+    speed: float
+    _began_s: float = 0.0
+
+    def begin(self) -> None:
+        """The clock on the wall counts from now."""
+        self._began_s = monotonic()
+
+    def horizon_s(self) -> float:
+        """As far as the clock on the wall has come."""
+        return (monotonic() - self._began_s) * self.speed
+
+    def wait_s(self, virtual_s: float) -> float | None:
+        """Until the clock on the wall is there."""
+        if math.isinf(virtual_s):
+            return None
+        return max(0.0, self._began_s + virtual_s / self.speed - monotonic())
+
+    def asked(self) -> None:
+        """Time passes by itself."""
+
+    def lag_s(self, now_s: float) -> float:
+        """Behind the clock on the wall."""
+        return max(0.0, self.horizon_s() - now_s) / self.speed
+
+
+@dataclass(slots=True)
+class FullPace:
+    """Virtual time passes as fast as the computer can, while anything has something to do."""
+
+    def begin(self) -> None:
+        """Nothing is measured."""
+
+    def horizon_s(self) -> float:
+        """As far as it likes."""
+        return math.inf
+
+    def wait_s(self, virtual_s: float) -> float | None:
+        """What can happen has happened."""
+        return 0.0 if virtual_s < math.inf else None
+
+    def asked(self) -> None:
+        """Time passes by itself."""
+
+    def lag_s(self, now_s: float) -> float:
+        """There is nothing to be behind."""
+        del now_s
+        return 0.0
+
+
+@dataclass(slots=True)
+class LockStep:
+    """Virtual time passes with requests only, so that one script of a client gives one run."""
+
+    request_s: float
+    """So much before each request."""
+    _reached_s: float = 0.0
+
+    def begin(self) -> None:
+        """Nothing is measured."""
+
+    def horizon_s(self) -> float:
+        """As far as the requests so far let it come."""
+        return self._reached_s
+
+    def wait_s(self, virtual_s: float) -> float | None:
+        """Until the next request."""
+        return 0.0 if virtual_s <= self._reached_s else None
+
+    def asked(self) -> None:
+        """Let a little time pass."""
+        self._reached_s += self.request_s
+
+    def lag_s(self, now_s: float) -> float:
+        """There is nothing to be behind."""
+        del now_s
+        return 0.0
+
+
+@dataclass(eq=False)
+class Engine:
+    """A controller, its pace, and who listens."""
+
+    live: LiveController
+    pace: Pace
+    told: Callable[[Told], None]
+    """Told what clients subscribed to, and lines for whoever started the controller."""
+    context: Context = field(init=False)
+    subscriptions: Subscriptions = field(init=False)
+    _lag_told_s: float = _LAG_S
+
+    def __post_init__(self) -> None:
+        """Switch on."""
+        self.context = Context(self.live)
+        self.subscriptions = Subscriptions(self.context, self.told)
+        self.live.told = self._logged
+        self.pace.begin()
+
+    def step(self) -> bool:
+        """Let one thing happen whose time has come; whether there was any."""
+        stepped = self.live.step(self.pace.horizon_s())
+        self.subscriptions.look()
+        if stepped:
+            self._tell_lag()
+        return stepped
+
+    def wait_s(self) -> float | None:
+        """How long on the wall nothing will happen by itself [s]; None for ever."""
+        return self.pace.wait_s(self.live.wants_s)
+
+    def reply(self, message: Message) -> Reply:
+        """Do what is asked, at the time that has come."""
+        try:
+            return self._replied(message)
+        except RefusedRequest as refused:
+            return refused.refusal
+        except Exception as error:
+            # A defect of ours ends a request, not the controller.
+            defect = f"rapidsim has a defect: {type(error).__name__}: {error}"
+            self.told(Note(f"error: {defect}; please report it with the request, {message!r}"))
+            return Refusal(500, -1, defect)
+        finally:
+            self.subscriptions.look()
+
+    def _replied(self, message: Message) -> Reply:
+        match message:
+            case Request():
+                self.pace.asked()
+                if isinstance(self.pace, LockStep):
+                    self.live.advance(self.pace.horizon_s())
+                return answered(self.context, message)
+            case SessionEnded(session):
+                self.context.release_all(session)
+            case Subscribe(group, resources):
+                self.subscriptions.begin(group, resources)
+            case Unsubscribe(group):
+                self.subscriptions.end(group)
+        return DONE
+
+    def _logged(self, entry: LogEntry) -> None:
+        self.subscriptions.logged(entry)
+        if entry.type > 1:
+            kind = "error" if entry.type == 3 else "warning"
+            self.told(Note(f"{kind}: {entry.time_s:.3f} s: {entry.title}: {entry.text}"))
+
+    def _tell_lag(self) -> None:
+        lag_s = self.pace.lag_s(self.live.now_s)
+        if lag_s > self._lag_told_s:
+            self._lag_told_s = 2.0 * lag_s
+            self.told(Note(f"note: virtual time is {lag_s:.1f} s behind its pace"))

@@ -1,0 +1,1 @@
+"""The protocols: addresses, sessions, bodies, websockets."""

@@ -1,0 +1,283 @@
+"""Robot Web Services 1.0 over HTTP: who comes in, what is asked, how it is answered.
+
+The engine decides what becomes of a request; files are served here.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable, Callable
+from dataclasses import dataclass, field
+from typing import Final
+from urllib.parse import unquote
+
+from aiohttp import WSMsgType, web
+
+from rapidsim.server.http.bodies import (
+    JSON,
+    XHTML,
+    event_text,
+    json_body,
+    json_refusal,
+    subscribed,
+    xhtml_body,
+    xhtml_refusal,
+)
+from rapidsim.server.http.digest import DigestAuthentication
+from rapidsim.server.http.files import FileService
+from rapidsim.server.http.guard import Guard
+from rapidsim.server.http.sessions import Session, Sessions
+from rapidsim.server.link import EngineEndedError, Link
+from rapidsim.server.messages import (
+    Answer,
+    Change,
+    Item,
+    Refusal,
+    RefusedRequest,
+    Reply,
+    Request,
+    SessionEnded,
+    Subscribe,
+    Told,
+    Unsubscribe,
+)
+from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
+
+MOST_BYTES: Final = 64 * 2**20
+"""Of a body."""
+MOST_GROUPS: Final = 64
+"""Subscriptions at one time."""
+MOST_RESOURCES: Final = 1000
+"""Of one group."""
+MOST_WAITING: Final = 1000
+"""Events that wait for a slow reader; the oldest of all are dropped first."""
+PROTOCOL: Final = "robapi2_subscription"
+
+Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
+_SESSION: Final = web.RequestKey("session", Session)
+
+
+@dataclass(eq=False)
+class _Group:
+    """What one websocket is told."""
+
+    number: int
+    session: int
+    waiting: list[tuple[Item, ...]] = field(default_factory=list)
+    told: asyncio.Event = field(default_factory=asyncio.Event)
+    is_over: bool = False
+
+
+@dataclass(eq=False)
+class Face:
+    """One server's side of Robot Web Services 1.0."""
+
+    link: Link
+    users: DigestAuthentication
+    guard: Guard
+    files: FileService
+    most_sessions: int = 70
+    idle_s: float = 300.0
+    sessions: Sessions = field(init=False)
+    _groups: dict[int, _Group] = field(default_factory=dict)
+    _last_group: int = 0
+    _ending: set[asyncio.Task[object]] = field(default_factory=set)
+
+    def __post_init__(self) -> None:
+        """Begin without sessions."""
+        self.sessions = Sessions(self.most_sessions, self.idle_s, self._session_ended)
+
+    def app(self) -> web.Application:
+        """The application, whose one handler takes every request."""
+        app = web.Application(middlewares=[self._admitted], client_max_size=MOST_BYTES)
+        app.router.add_route("*", "/{tail:.*}", self._handled)
+        app.on_shutdown.append(self._close)
+        return app
+
+    def told(self, told: Told) -> None:
+        """Hand what has changed to the websocket that listens."""
+        if not isinstance(told, Change):
+            return
+        group = self._groups.get(told.group)
+        if group is not None:
+            group.waiting.append(told.items)
+            if len(group.waiting) > MOST_WAITING:
+                del group.waiting[0]
+            group.told.set()
+
+    @web.middleware
+    async def _admitted(self, request: web.Request, handler: Handler) -> web.StreamResponse:
+        """Let a request in that means this server and comes from somebody who may."""
+        if not self.guard.lets_in(request.headers):
+            return web.Response(status=403, text="this server has another name\n")
+        session = self.sessions.find(request.cookies)
+        fresh = session is None
+        if session is None:
+            header = request.headers.get("Authorization", "")
+            user = self.users.user(header, request.method, request.raw_path)
+            if user is None:
+                return web.Response(
+                    status=401, headers={"WWW-Authenticate": self.users.challenge}, text=""
+                )
+            session = self.sessions.begin(user)
+            if session is None:
+                return web.Response(status=503, text="too many sessions\n")
+        request[_SESSION] = session
+        try:
+            response = await handler(request)
+        except EngineEndedError:
+            return web.Response(status=500, text="the controller has ended\n")
+        except (UnicodeError, ValueError):
+            return web.Response(status=400, text="the request cannot be read\n")
+        if fresh and not response.prepared:
+            for name, value in session.cookies.items():
+                # By hand: one of the names would not pass `set_cookie`.
+                response.headers.add("Set-Cookie", f"{name}={value}; path=/; httponly")
+        return response
+
+    async def _handled(self, request: web.Request) -> web.StreamResponse:
+        path = unquote(request.rel_url.raw_path).strip("/")
+        first, _, rest = path.partition("/")
+        match first:
+            case "fileservice":
+                return await self._file(request, rest)
+            case "poll":
+                return await self._poll(request, rest)
+            case "subscription":
+                return await self._subscription(request, rest)
+            case "logout" if request.method == "GET":
+                self.sessions.end(request[_SESSION])
+                return _shown(request, Answer())
+        form = {key: str(value) for key, value in (await request.post()).items()}
+        asked = Request(
+            request.method, f"/{path}", dict(request.query), form, request[_SESSION].number
+        )
+        return _shown(request, await self.link.ask(asked))
+
+    async def _file(self, request: web.Request, address: str) -> web.StreamResponse:
+        try:
+            match request.method:
+                case "GET":
+                    found = self.files.read(address)
+                    if isinstance(found, bytes):
+                        return web.Response(body=found, content_type="application/octet-stream")
+                    return _shown(request, found)
+                case "PUT":
+                    is_new = self.files.write(address, await request.read())
+                    return web.Response(status=201 if is_new else 200)
+                case "DELETE":
+                    self.files.remove(address)
+                    return web.Response(status=204)
+                case "POST":
+                    form = await request.post()
+                    action, name = form.get("fs-action", ""), form.get("fs-newname", "")
+                    self.files.change(address, str(action), str(name))
+                    return web.Response(status=201)
+                case _:
+                    raise refused(BAD_PARAMETER, f"files have no {request.method}")
+        except RefusedRequest as error:
+            # XHTML whatever was asked for, as controllers do.
+            body = xhtml_refusal(error.refusal, _base(request))
+            return web.Response(status=error.refusal.status, text=body, content_type=XHTML)
+
+    async def _subscription(self, request: web.Request, rest: str) -> web.StreamResponse:
+        match request.method, rest:
+            case "POST", "":
+                return await self._subscribe(request)
+            case "DELETE", number if number.isdecimal() and int(number) in self._groups:
+                await self._end(self._groups[int(number)])
+                return _shown(request, Answer())
+        return _shown(request, Refusal(*NOT_FOUND, f"there is no subscription {rest}"))
+
+    async def _subscribe(self, request: web.Request) -> web.StreamResponse:
+        form = {key: str(value) for key, value in (await request.post()).items()}
+        # Whatever the numbers are, a resource is what has a priority.
+        resources = tuple(value for key, value in form.items() if f"{key}-p" in form)
+        if not resources or len(resources) > MOST_RESOURCES or len(self._groups) >= MOST_GROUPS:
+            return _shown(request, Refusal(*BAD_PARAMETER, "none, or too many, subscriptions"))
+        self._last_group += 1
+        group = _Group(self._last_group, request[_SESSION].number)
+        self._groups[group.number] = group
+        reply = await self.link.ask(Subscribe(group.number, resources))
+        if isinstance(reply, Refusal):
+            del self._groups[group.number]
+            return _shown(request, reply)
+        link = f"ws://{request.host}/poll/{group.number}"
+        body = subscribed(group.number, link, _base(request))
+        return web.Response(status=201, headers={"Location": link}, text=body, content_type=XHTML)
+
+    async def _poll(self, request: web.Request, rest: str) -> web.StreamResponse:
+        group = self._groups.get(int(rest)) if rest.isdecimal() else None
+        if group is None:
+            return _shown(request, Refusal(*NOT_FOUND, f"there is no subscription {rest}"))
+        socket = web.WebSocketResponse(protocols=(PROTOCOL,), heartbeat=30.0)
+        if not socket.can_prepare(request).ok:
+            return _shown(request, Refusal(*BAD_PARAMETER, "this address is for websockets"))
+        await socket.prepare(request)
+        sending = asyncio.create_task(_send(group, socket))
+        try:
+            async for message in socket:
+                if message.type is WSMsgType.ERROR:
+                    break
+        finally:
+            sending.cancel()
+            await self._end(group)
+        return socket
+
+    async def _end(self, group: _Group) -> None:
+        group.is_over = True
+        group.told.set()
+        if self._groups.pop(group.number, None) is not None:
+            await self.link.ask(Unsubscribe(group.number))
+
+    def _session_ended(self, number: int) -> None:
+        """Give back what a session holds, and end its subscriptions."""
+
+        async def end() -> None:
+            for group in [one for one in self._groups.values() if one.session == number]:
+                await self._end(group)
+            await self.link.ask(SessionEnded(number))
+
+        task: asyncio.Task[object] = asyncio.get_running_loop().create_task(end())
+        self._ending.add(task)
+        task.add_done_callback(self._ending.discard)
+
+    async def _close(self, app: web.Application) -> None:
+        """Let the websockets end."""
+        del app
+        for group in self._groups.values():
+            group.is_over = True
+            group.told.set()
+
+
+async def _send(group: _Group, socket: web.WebSocketResponse) -> None:
+    """Send what a group is told, in order, until it is over."""
+    while True:
+        await group.told.wait()
+        group.told.clear()
+        waiting, group.waiting = group.waiting, []
+        for items in waiting:
+            await socket.send_str(event_text(group.number, items))
+        if group.is_over:
+            await socket.close()
+            return
+
+
+def _shown(request: web.Request, reply: Reply) -> web.Response:
+    """A reply in the form that was asked for."""
+    base, as_json = _base(request), request.query.get("json") == "1"
+    if isinstance(reply, Refusal):
+        write = json_refusal if as_json else xhtml_refusal
+        text, status = write(reply, base), reply.status
+    elif reply.status == 204:
+        return web.Response(status=204)
+    else:
+        text = json_body(reply, base) if as_json else xhtml_body(reply, base)
+        status = reply.status
+    # The whole header is compared by a public client: no charset.
+    headers = {"Content-Type": JSON if as_json else XHTML}
+    return web.Response(status=status, body=text.encode(), headers=headers)
+
+
+def _base(request: web.Request) -> str:
+    return f"{request.scheme}://{request.host}/"

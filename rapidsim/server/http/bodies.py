@@ -1,0 +1,106 @@
+"""Answers as bodies of Robot Web Services 1.0: JSON, XHTML, and the text of an event."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from html import escape
+from typing import Final
+
+from rapidsim.server.messages import Answer, Item, Refusal
+
+JSON: Final = "application/json"
+XHTML: Final = "application/xhtml+xml"
+_HEAD: Final = (
+    '<?xml version="1.0" encoding="UTF-8"?>'
+    '<html xmlns="http://www.w3.org/1999/xhtml"><head><title>rapidsim</title>'
+)
+
+
+def json_body(answer: Answer, base: str) -> str:
+    """What was asked for as JSON."""
+    links = {"base": {"href": base}, **{one: {"href": one} for one in answer.links}}
+    items = [_json_item(one) for one in answer.items]
+    return json.dumps({"_links": links, "_embedded": {"_state": items}})
+
+
+def json_refusal(refusal: Refusal, base: str) -> str:
+    """An error as JSON."""
+    status = {"code": refusal.code, "msg": refusal.message}
+    embedded = {"status": status, "_state": list[object]()}
+    return json.dumps({"_links": {"base": {"href": base}}, "_embedded": embedded})
+
+
+def xhtml_body(answer: Answer, base: str) -> str:
+    """What was asked for as a page."""
+    links = "".join(f'<a href="{_quoted(one)}" rel="{_quoted(one)}"/>' for one in answer.links)
+    items = "".join(_xhtml_item(one) for one in answer.items)
+    return _page(base, f'<div class="state"><a href="" rel="self"/>{links}<ul>{items}</ul></div>')
+
+
+def xhtml_refusal(refusal: Refusal, base: str) -> str:
+    """An error as a page."""
+    message = escape(_plain(refusal.message))
+    return _page(
+        base,
+        f'<div class="status"><span class="code">{refusal.code}</span>'
+        f'<span class="msg">{message}</span></div>',
+    )
+
+
+def subscribed(group: int, link: str, base: str) -> str:
+    """A group of subscriptions that has begun.
+
+    Public clients look for this very order of attributes, with nothing behind them.
+    """
+    href = _quoted(link)
+    return _page(
+        base,
+        f'<div class="state"><a href="subscription/{group}" rel="group"></a>'
+        f'<a href="{href}" rel="self"></a></div>',
+    )
+
+
+def event_text(group: int, items: Iterable[Item]) -> str:
+    """What changed, as one frame of a websocket: a page in one line, as clients need it."""
+    shown = "".join(_xhtml_item(one) for one in items)
+    return (
+        f'{_HEAD}</head><body><div class="state"><a href="subscription/{group}" rel="group"></a>'
+        f"<ul>{shown}</ul></div></body></html>"
+    )
+
+
+def _page(base: str, content: str) -> str:
+    return f'{_HEAD}<base href="{_quoted(base)}"/></head><body>{content}</body></html>'
+
+
+def _json_item(item: Item) -> dict[str, object]:
+    shown: dict[str, object] = {"_type": item.kind, "_title": item.title, **item.fields}
+    if item.arguments:
+        shown["argv"] = [{"type": "string", "value": one} for one in item.arguments]
+    return shown
+
+
+def _xhtml_item(item: Item) -> str:
+    spans = [
+        f'<span class="{_quoted(name)}">{escape(_plain(text), quote=False)}</span>'
+        for name, text in item.fields.items()
+    ]
+    spans += [
+        f'<span class="arg{number}" type="string">{escape(_plain(text), quote=False)}</span>'
+        for number, text in enumerate(item.arguments, start=1)
+    ]
+    itself = f'<a href="{_quoted(item.href)}" rel="self"/>' if item.href else ""
+    return (
+        f'<li class="{_quoted(item.kind)}" title="{_quoted(item.title)}">'
+        f"{itself}{''.join(spans)}</li>"
+    )
+
+
+def _quoted(text: str) -> str:
+    return escape(_plain(text))
+
+
+def _plain(text: str) -> str:
+    """Without characters that a page must not hold, in one line."""
+    return "".join(one if one >= " " else " " for one in text if one not in "\ufffe\uffff")

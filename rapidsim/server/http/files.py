@@ -1,0 +1,163 @@
+"""The files of a controller: folders by `$NAME`, which nobody leaves.
+
+`$HOME` is the home folder; the other disks are folders in it that have their names, as for a
+program. What would lie outside, through `..`, an absolute path or a link, is not there.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+from contextlib import suppress
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+
+from rapidsim.server.messages import Answer, Item, RefusedRequest
+from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
+from rapidsim.server.resources.system import DISKS
+
+_STAMP = "%Y-%m-%d T %H:%M:%S"
+
+
+@dataclass(frozen=True, slots=True)
+class FileService:
+    """What lies in the home folder."""
+
+    home: Path
+
+    def read(self, address: str) -> bytes | Answer:
+        """A file's bytes, or what is in a folder.
+
+        Raises:
+            RefusedRequest: If there is neither.
+        """
+        place = self._place(address)
+        try:
+            if place.is_dir():
+                return Answer(tuple(_item(one) for one in sorted(place.iterdir())))
+            return place.read_bytes()
+        except OSError:
+            raise _not_there(address) from None
+
+    def write(self, address: str, content: bytes) -> bool:
+        """Write a file, whole or not at all; whether it is new.
+
+        Raises:
+            RefusedRequest: If it cannot be.
+        """
+        place = self._place(address)
+        is_new = not place.exists()
+        try:
+            place.parent.mkdir(parents=True, exist_ok=True)
+            handle, temporary = tempfile.mkstemp(dir=place.parent, prefix=".upload-")
+            try:
+                with os.fdopen(handle, "wb") as stream:
+                    stream.write(content)
+                Path(temporary).replace(place)
+            except BaseException:
+                with suppress(OSError):
+                    Path(temporary).unlink()
+                raise
+        except OSError as error:
+            raise refused(BAD_PARAMETER, f"{address} cannot be written: {error.strerror}") from None
+        return is_new
+
+    def remove(self, address: str) -> None:
+        """Remove a file, or a folder with all that is in it.
+
+        Raises:
+            RefusedRequest: If there is none, or it is a disk.
+        """
+        place = self._place(address)
+        try:
+            if place in self._roots():
+                raise refused(BAD_PARAMETER, f"{address} cannot be removed")
+            if place.is_dir():
+                shutil.rmtree(place)
+            else:
+                place.unlink()
+        except OSError:
+            raise _not_there(address) from None
+
+    def change(self, address: str, action: str, name: str) -> None:
+        """Create a folder in a folder, or rename or copy a file beside itself.
+
+        Raises:
+            RefusedRequest: If it cannot be.
+        """
+        place = self._place(address)
+        if not name or "/" in name:
+            other = place
+        elif action == "create":
+            other = self._place(f"{address}/{name}")
+        else:
+            other = self._place(f"{address.rpartition('/')[0]}/{name}")
+        try:
+            if other == place or other.exists():
+                raise refused(BAD_PARAMETER, f"`{name}` is there already, or no name")
+            match action:
+                case "create":
+                    other.mkdir(parents=True)
+                case "copy":
+                    shutil.copyfile(place, other)
+                case "rename":
+                    place.rename(other)
+                case _:
+                    raise refused(BAD_PARAMETER, f"files have no action {action}")
+        except OSError:
+            raise _not_there(address) from None
+
+    def _roots(self) -> tuple[Path, ...]:
+        return (self.home, *(self.home / disk for disk in DISKS))
+
+    def _place(self, address: str) -> Path:
+        """Where an address lies on our disk.
+
+        Raises:
+            RefusedRequest: If it is none of this controller.
+        """
+        disk, *parts = [part for part in address.split("/") if part] or [""]
+        root = self._root(disk.lstrip("$").rstrip(":").upper())
+        if root is None or any(_leads_away(part) for part in parts):
+            raise _not_there(address)
+        place = root
+        for part in parts:
+            place = _without_case(place, part)
+            if place.is_symlink():
+                raise _not_there(address)
+        return place
+
+    def _root(self, disk: str) -> Path | None:
+        if disk not in DISKS:
+            return None
+        place = self.home if disk == "HOME" else self.home / disk
+        return None if place.is_symlink() else place
+
+
+def _leads_away(part: str) -> bool:
+    return part in (".", "..") or any(one in part for one in "\\:\0") or part.startswith(".upload-")
+
+
+def _without_case(folder: Path, name: str) -> Path:
+    """A name in a folder, as it is written there: controllers compare without case."""
+    exact = folder / name
+    if not exact.exists() and folder.is_dir():
+        for one in folder.iterdir():
+            if one.name.lower() == name.lower():
+                return one
+    return exact
+
+
+def _item(place: Path) -> Item:
+    stat = place.lstat()
+    stamp = datetime.fromtimestamp(stat.st_mtime).strftime(_STAMP)
+    fields = {"fs-cdate": stamp, "fs-mdate": stamp, "fs-readonly": "false"}
+    if place.is_dir():
+        return Item("fs-dir", place.name, fields, href=place.name)
+    return Item("fs-file", place.name, {**fields, "fs-size": str(stat.st_size)}, href=place.name)
+
+
+def _not_there(address: str) -> RefusedRequest:
+    return refused(NOT_FOUND, f"{address} is not there")

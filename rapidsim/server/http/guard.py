@@ -1,0 +1,49 @@
+"""Browsers on the same computer are no way in.
+
+A page from elsewhere can let a browser send requests here, and a name that resolves to this
+computer (DNS rebinding) makes them look as if they came from here. Both give themselves away by
+the headers Host and Origin, which a page cannot choose.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from ipaddress import ip_address
+
+
+@dataclass(frozen=True, slots=True)
+class Guard:
+    """Which names this server goes by: addresses in figures, which nobody can point elsewhere."""
+
+    host: str
+    """The one that it was told to listen at."""
+
+    def lets_in(self, headers: Mapping[str, str]) -> bool:
+        """Whether a request may come from a client that means this server."""
+        host = headers.get("Host", "").lower()
+        name = _name(host)
+        if name not in ("localhost", self.host.lower()) and not _is_address(name):
+            return False
+        origin = headers.get("Origin")
+        return origin is None or origin.lower() in (f"http://{host}", f"https://{host}")
+
+
+def is_loopback(host: str) -> bool:
+    """Whether only this computer reaches an address."""
+    return host == "localhost" or (_is_address(host) and ip_address(host).is_loopback)
+
+
+def _is_address(host: str) -> bool:
+    try:
+        ip_address(host)
+    except ValueError:
+        return False
+    return True
+
+
+def _name(host: str) -> str:
+    """A host without its port."""
+    if host.startswith("["):
+        return host.partition("]")[0].lstrip("[")
+    return host.partition(":")[0]

@@ -1,0 +1,77 @@
+"""The sessions of clients: so many at one time, known by either of two cookies."""
+
+from __future__ import annotations
+
+import secrets
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from itertools import count
+from time import monotonic
+from typing import Final
+
+HTTP_SESSION: Final = "-http-session-"
+NUMBER: Final = "ABBCX"
+
+
+@dataclass(slots=True)
+class Session:
+    """One client."""
+
+    number: int
+    user: str
+    cookies: Mapping[str, str]
+    used_s: float
+
+
+@dataclass(slots=True)
+class Sessions:
+    """All of them."""
+
+    most: int
+    """So many at one time."""
+    idle_s: float
+    """One that is not used for so long is gone."""
+    ended: Callable[[int], None]
+    """Told the number of each that ends."""
+    now_s: Callable[[], float] = monotonic
+    _by_cookie: dict[tuple[str, str], Session] = field(default_factory=dict)
+    _live: dict[int, Session] = field(default_factory=dict)
+    _numbers: count[int] = field(default_factory=lambda: count(1))
+
+    def begin(self, user: str) -> Session | None:
+        """A new session; None if there are too many."""
+        self._drop_idle()
+        if len(self._live) >= self.most:
+            return None
+        number = next(self._numbers)
+        cookies = {
+            HTTP_SESSION: f"{number}::http.session::{secrets.token_hex(16)}",
+            NUMBER: str(secrets.randbits(62)),
+        }
+        session = Session(number, user, cookies, self.now_s())
+        self._live[number] = session
+        for pair in cookies.items():
+            self._by_cookie[pair] = session
+        return session
+
+    def find(self, cookies: Mapping[str, str]) -> Session | None:
+        """The session that a request belongs to, by any of its cookies."""
+        self._drop_idle()
+        for pair in cookies.items():
+            session = self._by_cookie.get(pair)
+            if session is not None:
+                session.used_s = self.now_s()
+                return session
+        return None
+
+    def end(self, session: Session) -> None:
+        """End a session."""
+        if self._live.pop(session.number, None) is not None:
+            for pair in session.cookies.items():
+                self._by_cookie.pop(pair, None)
+            self.ended(session.number)
+
+    def _drop_idle(self) -> None:
+        latest = self.now_s() - self.idle_s
+        for session in [one for one in self._live.values() if one.used_s < latest]:
+            self.end(session)

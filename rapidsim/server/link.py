@@ -1,0 +1,38 @@
+"""The way from the process that speaks protocols to the engine."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Protocol
+
+from rapidsim.server.engine import Engine
+from rapidsim.server.messages import Message, Reply, Told
+
+
+class Link(Protocol):
+    """Asks the engine."""
+
+    async def ask(self, message: Message) -> Reply:
+        """The engine's reply.
+
+        Raises:
+            EngineEndedError: If it is there no more.
+        """
+        ...
+
+
+class EngineEndedError(Exception):
+    """The engine is there no more."""
+
+
+class DirectLink:
+    """An engine in this very thread: time passes only where it is let."""
+
+    def __init__(self, make: Callable[[Callable[[Told], None]], Engine]) -> None:
+        """Make the engine; it is given who is told what it tells."""
+        self.listener: Callable[[Told], None] = lambda told: None
+        self.engine = make(lambda told: self.listener(told))
+
+    async def ask(self, message: Message) -> Reply:
+        """See `Link`."""
+        return self.engine.reply(message)

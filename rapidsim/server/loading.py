@@ -1,0 +1,83 @@
+"""From files to an engine."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from rapidsim.analysis.names.signal_violations import UnknownSignal
+from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.jobs.asked import Asked
+from rapidsim.jobs.job import job
+from rapidsim.jobs.run_files import loaded, prepared
+from rapidsim.server.engine import Engine, FullPace, LockStep, Pace, WallPace
+from rapidsim.server.messages import Told
+from rapidsim.server.settings import EngineSettings
+from rapidsim.simulation.live.controller import LiveController
+from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.task_run import TaskSetup
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ReadyController:
+    """A program that can be served."""
+
+    setups: tuple[TaskSetup, ...]
+    options: RunOptions
+    home: Path
+    notes: tuple[str, ...] = ()
+    """What is said of a backup or a robot."""
+
+
+def ready(asked: Asked) -> ReadyController:
+    """Load and check a program as `rapidsim run` does.
+
+    Signals that the program uses and nothing declares are there, as those of its cell.
+
+    Raises:
+        ProgramRejectedError: If checking finds an error.
+        InputError: If something that it needs is missing.
+    """
+    found = loaded(job(asked))
+    made = prepared(found)
+    io = made.options.io
+    undeclared = _undeclared(found.diagnostics)
+    known = {one.name.lower() for one in io.signals}
+    fresh = tuple(one for key, one in undeclared.items() if key not in known)
+    home = made.options.home or Path("HOME")
+    options = replace(made.options, io=replace(io, signals=(*io.signals, *fresh)), home=home)
+    notices = found.robot.notices
+    return ReadyController(
+        made.setups, options, home.resolve(), (*found.job.station.remarks, *notices)
+    )
+
+
+def engine_of(
+    made: ReadyController, settings: EngineSettings, told: Callable[[Told], None]
+) -> Engine:
+    """Switch a controller on.
+
+    Raises:
+        InputError: If an arm cannot be timed, or no task moves one.
+    """
+    live = LiveController(made.setups, made.options, motors=settings.motors, mode=settings.mode)
+    return Engine(live, _pace(settings), told)
+
+
+def _pace(settings: EngineSettings) -> Pace:
+    if settings.request_s is not None:
+        return LockStep(settings.request_s)
+    return FullPace() if settings.speed is None else WallPace(settings.speed)
+
+
+def _undeclared(found: tuple[Diagnostic, ...]) -> dict[str, SignalDeclaration]:
+    """The signals that programs use and nothing declares, by folded name."""
+    signals = {}
+    for one in found:
+        violation = one.violation
+        if isinstance(violation, UnknownSignal) and violation.type.startswith("signal"):
+            kind = SignalKind(violation.type.removeprefix("signal"))
+            signals[violation.signal.lower()] = SignalDeclaration(violation.signal, kind)
+    return signals

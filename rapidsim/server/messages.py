@@ -1,0 +1,120 @@
+"""What passes between the process that speaks protocols and the one in which the controller is.
+
+All of it can be pickled, and knows neither HTTP's headers nor how bodies are written.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import TypeAlias
+
+Fields: TypeAlias = Mapping[str, str]
+NOTHING: Fields = MappingProxyType({})
+
+
+@dataclass(frozen=True, slots=True)
+class Item:
+    """One thing that is shown: a list item of a page, an object of JSON."""
+
+    kind: str
+    """Its class, such as `rap-task-li`."""
+    title: str = ""
+    fields: Fields = field(default_factory=dict)
+    arguments: tuple[str, ...] = ()
+    """Texts in an order, as an entry of the event log has."""
+    href: str = ""
+    """Where it is itself, below the root."""
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """What was asked for, or that it was done."""
+
+    items: tuple[Item, ...] = ()
+    status: int = 200
+    links: tuple[str, ...] = ()
+    """Resources below this one."""
+
+
+DONE = Answer(status=204)
+
+
+class RefusedRequest(Exception):  # noqa: N818 - an answer, not a failure
+    """A request that the controller answers with an error."""
+
+    def __init__(self, status: int, code: int, message: str) -> None:
+        """Give HTTP's number, the controller's, and a line for people."""
+        super().__init__(message)
+        self.refusal = Refusal(status, code, message)
+
+
+@dataclass(frozen=True, slots=True)
+class Refusal:
+    """The error that a request is answered with."""
+
+    status: int
+    code: int
+    message: str
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """Something is asked of the controller."""
+
+    method: str
+    path: str
+    """Without the query, decoded, from the root."""
+    query: Fields = field(default_factory=dict)
+    form: Fields = field(default_factory=dict)
+    session: int = 0
+
+    @property
+    def action(self) -> str:
+        """The operation that is asked for; empty for none."""
+        return self.query.get("action", "")
+
+
+@dataclass(frozen=True, slots=True)
+class SessionEnded:
+    """What a session holds is given back."""
+
+    session: int
+
+
+@dataclass(frozen=True, slots=True)
+class Subscribe:
+    """Tell a group of subscriptions what changes at some resources, from now on."""
+
+    group: int
+    resources: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Unsubscribe:
+    """Tell a group nothing more."""
+
+    group: int
+
+
+Message: TypeAlias = Request | SessionEnded | Subscribe | Unsubscribe
+Reply: TypeAlias = Answer | Refusal
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """What a group of subscriptions is told."""
+
+    group: int
+    items: tuple[Item, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Note:
+    """A line for whoever started the controller."""
+
+    text: str
+
+
+Told: TypeAlias = Change | Note

@@ -1,0 +1,176 @@
+"""The engine in a process of its own, and the way to it."""
+
+from __future__ import annotations
+
+import asyncio
+import signal
+import sys
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass, field
+from multiprocessing import get_context
+from multiprocessing.connection import Connection
+from multiprocessing.context import SpawnProcess
+from pathlib import Path
+from queue import SimpleQueue
+from threading import Thread
+from typing import Final, TypeAlias
+
+from rapidsim.files import InputError
+from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
+from rapidsim.jobs.asked import Asked
+from rapidsim.jobs.run_files import ProgramRejectedError
+from rapidsim.motion.robot.robot import RobotError
+from rapidsim.server.engine import Engine
+from rapidsim.server.link import EngineEndedError
+from rapidsim.server.loading import engine_of, ready
+from rapidsim.server.messages import Message, Note, Reply, Told
+from rapidsim.server.settings import EngineSettings
+
+_PATIENCE_S: Final = 5.0
+"""So long [s] an engine that is told to end may take."""
+
+
+@dataclass(frozen=True, slots=True)
+class SwitchedOn:
+    """The controller is there."""
+
+    home: Path
+
+
+Start: TypeAlias = SwitchedOn | ProgramRejectedError | InputError
+"""What becomes of switching a controller on."""
+
+
+@dataclass(eq=False)
+class EngineProcess:
+    """An engine that runs beside this process; see `started`."""
+
+    home: Path
+    _connection: Connection
+    _process: SpawnProcess
+    listener: Callable[[Told], None] = print
+    """Told what the engine tells, in the loop's thread; set before `attach`."""
+    ended: asyncio.Event = field(default_factory=asyncio.Event)
+    """Set when the engine is there no more."""
+    _waiting: dict[int, asyncio.Future[Reply]] = field(default_factory=dict)
+    _last: int = 0
+    _outgoing: SimpleQueue[object] = field(default_factory=SimpleQueue)
+
+    def attach(self) -> None:
+        """Begin to hand messages to and fro; called in the loop."""
+        loop = asyncio.get_running_loop()
+        Thread(target=self._send, name="rapidsim to the engine", daemon=True).start()
+        receive = Thread(
+            target=self._receive, args=(loop,), name="rapidsim from the engine", daemon=True
+        )
+        receive.start()
+
+    async def ask(self, message: Message) -> Reply:
+        """See `link.Link`."""
+        if self.ended.is_set():
+            raise EngineEndedError
+        self._last += 1
+        number = self._last
+        future: asyncio.Future[Reply] = asyncio.get_running_loop().create_future()
+        self._waiting[number] = future
+        self._outgoing.put((number, message))
+        return await future
+
+    def end(self) -> None:
+        """Switch the controller off; its robots stop."""
+        process = self._process
+        self._outgoing.put(None)
+        process.join(_PATIENCE_S)
+        if process.is_alive():
+            process.kill()
+
+    def _send(self) -> None:
+        with suppress(OSError, ValueError):
+            while True:
+                sent = self._outgoing.get()
+                self._connection.send(sent)
+                if sent is None:
+                    return
+
+    def _receive(self, loop: asyncio.AbstractEventLoop) -> None:
+        with suppress(EOFError, OSError, RuntimeError):
+            while True:
+                number, told = self._connection.recv()
+                loop.call_soon_threadsafe(self._received, number, told)
+        with suppress(RuntimeError):
+            loop.call_soon_threadsafe(self._lost)
+
+    def _received(self, number: int | None, told: object) -> None:
+        if number is None:
+            self.listener(told)  # type: ignore[arg-type]
+            return
+        future = self._waiting.pop(number, None)
+        if future is not None and not future.done():
+            future.set_result(told)  # type: ignore[arg-type]
+
+    def _lost(self) -> None:
+        self.ended.set()
+        for future in self._waiting.values():
+            if not future.done():
+                future.set_exception(EngineEndedError())
+        self._waiting.clear()
+
+
+def started(asked: Asked, settings: EngineSettings) -> EngineProcess:
+    """Load a program and switch a controller on, in a process of its own.
+
+    Raises:
+        ProgramRejectedError: If checking finds an error.
+        InputError: If something that it needs is missing.
+    """
+    context = get_context("spawn")
+    ours, theirs = context.Pipe()
+    process = context.Process(target=_run, args=(theirs, asked, settings), daemon=True)
+    process.start()
+    theirs.close()
+    try:
+        start: Start = ours.recv()
+    except EOFError:
+        process.join(_PATIENCE_S)
+        raise InputError("the controller's process has ended before it was there") from None
+    if isinstance(start, SwitchedOn):
+        return EngineProcess(start.home, ours, process)
+    process.join(_PATIENCE_S)
+    raise start
+
+
+def _run(connection: Connection, asked: Asked, settings: EngineSettings) -> None:
+    """The life of the engine's process: until it is told to end, or nobody is there any more."""
+    # Ctrl-C goes to all processes of a terminal; the other one says when to end.
+    for name in ("SIGINT", "SIGTERM"):
+        signal.signal(getattr(signal, name), signal.SIG_IGN)
+    with suppress(EOFError, BrokenPipeError, ConnectionResetError):
+        try:
+            made = ready(asked)
+            engine = engine_of(made, settings, lambda told: connection.send((None, told)))
+        except (ProgramRejectedError, InputError) as error:
+            connection.send(error)
+            return
+        except RobotError as error:
+            connection.send(InputError(str(error)))
+            return
+        connection.send(SwitchedOn(made.home))
+        for note in made.notes:
+            connection.send((None, Note(f"note: {note}")))
+        with recursion_limit(RUNNING_DEPTH):
+            _serve(connection, engine)
+        engine.live.switch_off()
+    sys.stdout.flush()
+
+
+def _serve(connection: Connection, engine: Engine) -> None:
+    while True:
+        wait_s = 0.0 if engine.step() else engine.wait_s()
+        while connection.poll(wait_s):
+            received = connection.recv()
+            if received is None:
+                return
+            number, message = received
+            connection.send((number, engine.reply(message)))
+            wait_s = 0.0

@@ -1,0 +1,36 @@
+"""Errors as controllers answer them, status and number: recorded answers of RobotWare 6.16."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from rapidsim.server.messages import RefusedRequest
+from rapidsim.simulation.live.states import Refused, Why
+
+NOT_FOUND: Final = (404, -1073414146)
+NO_SYMBOL: Final = (400, -1073414146)
+NO_SIGNAL: Final = (404, -1073445866)
+BAD_PARAMETER: Final = (400, -1073445879)
+BAD_STATE: Final = (400, -1073442809)
+HELD_BY_ANOTHER: Final = (403, -1073445862)
+READ_ONLY: Final = (403, -1073445881)
+
+_OF: Final = {
+    Why.STATE: BAD_STATE,
+    Why.VALUE: BAD_PARAMETER,
+    Why.NO_TASK: NOT_FOUND,
+    Why.NO_SYMBOL: NO_SYMBOL,
+    Why.NO_SIGNAL: NO_SIGNAL,
+    Why.NO_UNIT: NOT_FOUND,
+    Why.READ_ONLY: READ_ONLY,
+}
+
+
+def refused(why: tuple[int, int], message: str) -> RefusedRequest:
+    """The refusal of a request."""
+    return RefusedRequest(*why, message)
+
+
+def as_answered(refusal: Refused) -> RefusedRequest:
+    """What the controller refuses, as the answer to a request."""
+    return RefusedRequest(*_OF[refusal.why], refusal.message)

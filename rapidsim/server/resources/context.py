@@ -1,0 +1,98 @@
+"""What every resource is given: the controller, and what sessions hold of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Final, TypeAlias, TypeVar
+
+from rapidsim.controller.cell.message_queues import MessageQueue
+from rapidsim.server.messages import Answer, Fields
+from rapidsim.server.resources.codes import BAD_PARAMETER, HELD_BY_ANOTHER, refused
+from rapidsim.simulation.live.controller import LiveController
+
+MASTERSHIPS: Final = ("cfg", "motion", "rapid")
+
+T = TypeVar("T")
+
+
+@dataclass(slots=True)
+class Context:
+    """The controller, and who has which mastership."""
+
+    live: LiveController
+    masters: dict[str, int] = field(default_factory=dict)
+    """The session that holds each domain."""
+    queues: dict[str, MessageQueue] = field(default_factory=dict)
+    """The message queues of clients, by their names as they are spelled."""
+    owners: dict[str, int] = field(default_factory=dict)
+    """The session that made each of them."""
+
+    def require_mastership(self, domain: str, session: int) -> None:
+        """Refuse what another session has the mastership of; in AUTO it is taken implicitly.
+
+        Raises:
+            RefusedRequest: If another session holds it.
+        """
+        if self.masters.get(domain, session) != session:
+            raise refused(HELD_BY_ANOTHER, f"another session has the mastership of {domain}")
+
+    def release_all(self, session: int) -> None:
+        """Give back what a session holds."""
+        self.masters = {key: one for key, one in self.masters.items() if one != session}
+        for name in [name for name, owner in self.owners.items() if owner == session]:
+            self.live.cell.messages.disconnect(name)
+            del self.queues[name], self.owners[name]
+
+
+Resource: TypeAlias = Callable[..., Answer]
+"""Given the context, the request, and by name what stands in the places of its address."""
+
+
+def given(form: Fields, name: str) -> str:
+    """A value that a request must give.
+
+    Raises:
+        RefusedRequest: If it does not.
+    """
+    value = form.get(name)
+    if value is None:
+        raise refused(BAD_PARAMETER, f"`{name}` is missing")
+    return value
+
+
+def chosen(form: Fields, name: str, words: Callable[[str], T]) -> T:
+    """A value that must be one of some words; see `given`.
+
+    Raises:
+        RefusedRequest: If it is not.
+    """
+    text = given(form, name)
+    try:
+        return words(text)
+    except ValueError:
+        raise refused(BAD_PARAMETER, f"`{name}` cannot be `{text}`") from None
+
+
+def number(form: Fields, name: str) -> float:
+    """A finite number that a request must give; see `given`.
+
+    Raises:
+        RefusedRequest: If it is none.
+    """
+    value = chosen(form, name, float)
+    if not abs(value) < float("inf"):
+        raise refused(BAD_PARAMETER, f"`{name}` cannot be `{form[name]}`")
+    return value
+
+
+def count(form: Fields, name: str, default: int) -> int:
+    """A number of things that a request may give.
+
+    Raises:
+        RefusedRequest: If it is none.
+    """
+    text = form.get(name, str(default))
+    if not (text.isascii() and text.isdecimal() and len(text) < 10):
+        raise refused(BAD_PARAMETER, f"`{name}` cannot be `{text}`")
+    return int(text)

@@ -1,0 +1,84 @@
+"""The event log: by domain, the newest entry first."""
+
+from __future__ import annotations
+
+from rapidsim.server.messages import DONE, Answer, Item, Request
+from rapidsim.server.resources.codes import NOT_FOUND, refused
+from rapidsim.server.resources.context import Context
+from rapidsim.simulation.live.event_log import DOMAINS, LogEntry
+
+
+def domains(context: Context, request: Request) -> Answer:
+    """All domains, with how many entries each has."""
+    del request
+    log = context.live.log
+    items = (
+        Item(
+            "elog-domain-li",
+            f"/rw/elog/{one}",
+            {"elog-domain-name": str(one), "numevts": str(len(list(log.entries(one))))},
+            href=f"rw/elog/{one}",
+        )
+        for one in DOMAINS
+    )
+    return Answer(tuple(items))
+
+
+def entries(context: Context, request: Request, domain: str) -> Answer:
+    """The entries of a domain."""
+    del request
+    found = context.live.log.entries(_domain(domain))
+    return Answer(tuple(entry_item(context, domain, one) for one in found))
+
+
+def entry(context: Context, request: Request, domain: str, number: str) -> Answer:
+    """One entry.
+
+    Raises:
+        RefusedRequest: If there is none of this number.
+    """
+    del request
+    for one in context.live.log.entries(_domain(domain)):
+        if str(one.number) == number:
+            return Answer((entry_item(context, domain, one),))
+    raise refused(NOT_FOUND, f"domain {domain} has no entry {number}")
+
+
+def clear(context: Context, request: Request, domain: str) -> Answer:
+    """Forget the entries of a domain."""
+    del request
+    context.live.log.clear(_domain(domain))
+    return DONE
+
+
+def clear_all(context: Context, request: Request) -> Answer:
+    """Forget all entries."""
+    del request
+    context.live.log.clear()
+    return DONE
+
+
+def entry_item(context: Context, domain: str, one: LogEntry) -> Item:
+    """An entry as it is shown."""
+    address = f"/rw/elog/{domain}/{one.number}"
+    # Two blanks, as controllers write it; a public client parses exactly this.
+    stamp = context.live.date_at(one.time_s).strftime("%Y-%m-%d T  %H:%M:%S")
+    fields = {
+        "msgtype": str(one.type),
+        "code": str(one.code),
+        "src-name": "rapidsim",
+        "tstamp": stamp,
+        "title": one.title,
+        "desc": one.text,
+        "conseqs": "",
+        "causes": "",
+        "actions": "",
+        "argc": str(len(one.arguments)),
+    }
+    return Item("elog-message-li", address, fields, one.arguments, href=address[1:])
+
+
+def _domain(text: str) -> int:
+    if text not in map(str, DOMAINS):
+        raise refused(NOT_FOUND, f"the event log has no domain {text}")
+    return int(text)

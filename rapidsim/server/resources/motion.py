@@ -1,0 +1,138 @@
+"""Mechanical units, and where they are."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Final
+
+from rapidsim.language.data import UNUSED_AXIS
+from rapidsim.server.messages import Answer, Item, Request
+from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
+from rapidsim.server.resources.context import Context
+from rapidsim.simulation.live import position
+from rapidsim.simulation.live.live_task import LiveTask
+from rapidsim.simulation.live.position import Coordinates
+
+_LETTERS: Final = "abcdef"
+_FRAMES: Final = {
+    "": Coordinates.BASE,
+    "base": Coordinates.BASE,
+    "world": Coordinates.WORLD,
+    "word": Coordinates.WORLD,  # So spelt by a public client.
+    "wobj": Coordinates.WOBJ,
+}
+
+
+def units(context: Context, request: Request) -> Answer:
+    """All robots."""
+    del request
+    return Answer(tuple(_unit_item(name, "ms-mechunit-li") for name, _ in _robots(context)))
+
+
+def unit(context: Context, request: Request, unit: str) -> Answer:
+    """What a robot is (`resource=static`) and how it is used (`resource=dynamic`)."""
+    name, task = _robot(context, unit)
+    if request.query.get("resource") == "static":
+        axes = len(task.unit.own.robot.joints)
+        # A client throws at an empty text, and takes these words for "none".
+        fields = {
+            "task-name": task.name,
+            "is-integrated-unit": "NoIntegratedUnit",
+            "has-integrated-unit": "NoIntegratedUnit",
+            "type": "TCPRobot",
+            "axes": str(axes),
+            "axes-total": str(axes + len(task.unit.own.robot.external)),
+        }
+    else:
+        tool, wobj = position.active_frames(task)
+        fields = {
+            "tool-name": tool,
+            "wobj-name": wobj,
+            "payload-name": "load0",
+            "total-payload-name": "load0",
+            "status": "Synchronized",
+            "jog-mode": "GroupOne",
+            "mode": "Activated",
+            "coord-system": "World",
+        }
+    item = Item("ms-mechunit", name, fields, href=f"rw/motionsystem/mechunits/{name}")
+    return Answer((item,), links=("jointtarget", "robtarget", "cartesian", "baseframe"))
+
+
+def joint_target(context: Context, request: Request, unit: str) -> Answer:
+    """Where the axes of a robot are."""
+    del request
+    name, task = _robot(context, unit)
+    now = position.joints(task)
+    fields = {f"rax_{index}": _text(one) for index, one in enumerate(now.robax, start=1)}
+    axes = zip(_LETTERS, now.extax, strict=True)
+    fields |= {f"eax_{letter}": _text(one) for letter, one in axes}
+    return Answer((Item("ms-jointtarget", name, fields),))
+
+
+def rob_target(context: Context, request: Request, unit: str) -> Answer:
+    """Where the TCP of a robot is."""
+    query = request.query
+    name, task = _robot(context, unit)
+    frame = _frame(query.get("coordinate", ""))
+    tool, wobj = query.get("tool") or "tool0", query.get("wobj") or "wobj0"
+    now = position.target(task, tool, wobj, frame)
+    fields = _numbers(("x", "y", "z"), now.trans) | _numbers(("q1", "q2", "q3", "q4"), now.rot)
+    fields |= _numbers(("cf1", "cf4", "cf6", "cfx"), now.robconf)
+    for letter, one in zip(_LETTERS, now.extax, strict=True):
+        # One public client reads this name, another that.
+        fields |= {f"eax{letter}": _text(one), f"eax_{letter}": _text(one)}
+    return Answer((Item("ms-robtargets", name, fields),))
+
+
+def cartesian(context: Context, request: Request, unit: str) -> Answer:
+    """Where the flange of a robot is, in its base."""
+    name, task = _robot(context, unit)
+    query = request.query
+    tool, wobj = query.get("tool") or "tool0", query.get("wobj") or "wobj0"
+    now = position.target(task, tool, wobj, _frame(query.get("coordinate", "")))
+    fields = _numbers(("x", "y", "z"), now.trans) | _numbers(("q1", "q2", "q3", "q4"), now.rot)
+    fields |= _numbers(("j1", "j4", "j6", "jx"), now.robconf)
+    return Answer((Item("ms-mechunit-cartesian", name, fields),))
+
+
+def base_frame(context: Context, request: Request, unit: str) -> Answer:
+    """Where a robot stands in the world."""
+    del request
+    name, task = _robot(context, unit)
+    place = task.setup.place
+    fields = _numbers(("x", "y", "z"), tuple(1e3 * float(one) for one in place.translation))
+    fields |= _numbers(("q1", "q2", "q3", "q4"), tuple(map(float, place.quaternion)))
+    return Answer((Item("ms-mechunit-baseframe", name, fields),))
+
+
+def _robots(context: Context) -> Iterator[tuple[str, LiveTask]]:
+    """Each task that moves a robot, with the name of that."""
+    movers = (one for one in context.live.tasks.values() if one.setup.robot is not None)
+    return ((f"ROB_{number}", one) for number, one in enumerate(movers, start=1))
+
+
+def _robot(context: Context, unit: str) -> tuple[str, LiveTask]:
+    for name, task in _robots(context):
+        if name.lower() == unit.lower():
+            return name, task
+    raise refused(NOT_FOUND, f"there is no mechanical unit {unit}")
+
+
+def _unit_item(name: str, kind: str) -> Item:
+    fields = {"mode": "Activated", "activation-allowed": "true", "drive-module": "0"}
+    return Item(kind, name, fields, href=f"rw/motionsystem/mechunits/{name}")
+
+
+def _frame(word: str) -> Coordinates:
+    if word.lower() not in _FRAMES:
+        raise refused(BAD_PARAMETER, f"`coordinate` cannot be `{word}` here")
+    return _FRAMES[word.lower()]
+
+
+def _numbers(names: tuple[str, ...], values: tuple[float, ...]) -> dict[str, str]:
+    return {name: _text(one) for name, one in zip(names, values, strict=True)}
+
+
+def _text(value: float) -> str:
+    return "9E+09" if value == UNUSED_AXIS else f"{value + 0.0:.9G}"

@@ -1,0 +1,79 @@
+"""The panel: motors, operating mode, speed ratio."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from rapidsim.server.messages import DONE, Answer, Item, Request
+from rapidsim.server.resources.codes import BAD_PARAMETER, refused
+from rapidsim.server.resources.context import Context, chosen, number
+from rapidsim.simulation.live.states import Mode, Motors
+
+_MODES: Final = {
+    "auto": Mode.AUTO,
+    "man": Mode.REDUCED,
+    "manr": Mode.REDUCED,
+    "manf": Mode.FULL,
+    "manfs": Mode.FULL,
+}
+
+
+def state(context: Context, request: Request) -> Answer:
+    """The state of the controller."""
+    del request
+    return Answer((state_item(context),))
+
+
+def state_item(context: Context) -> Item:
+    """The same, as it is shown."""
+    return Item("pnl-ctrlstate", "ctrlstate", {"ctrlstate": context.live.motors.value})
+
+
+def set_state(context: Context, request: Request) -> Answer:
+    """Switch the motors on or off."""
+    context.live.set_motors(chosen(request.form, "ctrl-state", Motors))
+    return DONE
+
+
+def mode(context: Context, request: Request) -> Answer:
+    """The operating mode."""
+    del request
+    return Answer((mode_item(context),))
+
+
+def mode_item(context: Context) -> Item:
+    """The same, as it is shown."""
+    return Item("pnl-opmode", "opmode", {"opmode": context.live.mode.value})
+
+
+def set_mode(context: Context, request: Request) -> Answer:
+    """Turn the key, as a virtual controller lets clients do."""
+    asked = request.form.get("opmode", "").lower()
+    if asked not in _MODES:
+        raise refused(BAD_PARAMETER, f"`opmode` cannot be `{asked}`")
+    context.live.set_mode(_MODES[asked])
+    return DONE
+
+
+def speed_ratio(context: Context, request: Request) -> Answer:
+    """The speed ratio in percent."""
+    del request
+    return Answer((speed_item(context),))
+
+
+def speed_item(context: Context) -> Item:
+    """The same, as it is shown."""
+    return Item("pnl-speedratio", "speedratio", {"speedratio": str(context.live.speed_ratio)})
+
+
+def set_speed_ratio(context: Context, request: Request) -> Answer:
+    """Let moves to come be so fast."""
+    percent = number(request.form, "speed-ratio")
+    context.live.set_speed_ratio(round(percent))
+    return DONE
+
+
+def collision_detection(context: Context, request: Request) -> Answer:
+    """The state of collision detection: nothing is detected while programs run here."""
+    del context, request
+    return Answer((Item("pnl-coldetstate", "coldetstate", {"coldetstate": "INIT"}),))

@@ -1,0 +1,165 @@
+"""Programs: starting and stopping them, tasks, pointers, modules."""
+
+from __future__ import annotations
+
+from rapidsim.server.messages import DONE, Answer, Item, Request
+from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
+from rapidsim.server.resources.context import Context, chosen, given
+from rapidsim.simulation.live.live_task import LiveTask
+from rapidsim.simulation.live.states import Cycle, StopMode, TaskState
+from rapidsim.syntax import tree
+
+
+def execution(context: Context, request: Request) -> Answer:
+    """Whether programs execute, and what comes after the end of main."""
+    del request
+    return Answer((execution_item(context),))
+
+
+def execution_item(context: Context) -> Item:
+    """The same, as it is shown."""
+    live = context.live
+    executes = "running" if live.executes else "stopped"
+    return Item(
+        "rap-execution", "execution", {"ctrlexecstate": executes, "cycle": live.cycle.value}
+    )
+
+
+def start(context: Context, request: Request) -> Answer:
+    """Start the programs.
+
+    Raises:
+        RefusedRequest: For a way of executing that is not simulated.
+    """
+    if request.form.get("execmode", "continue") != "continue":
+        raise refused(BAD_PARAMETER, "programs are only started to go on: no steps are simulated")
+    asked = request.form.get("cycle", "asis")
+    cycle = None if asked == "asis" else chosen(request.form, "cycle", Cycle)
+    context.live.start(cycle)
+    return DONE
+
+
+def start_production(context: Context, request: Request) -> Answer:
+    """Start the programs from main."""
+    del request
+    context.live.reset_pointers()
+    context.live.start()
+    return DONE
+
+
+def stop(context: Context, request: Request) -> Answer:
+    """Stop the programs."""
+    how = StopMode.STOP
+    if "stopmode" in request.form:
+        how = chosen(request.form, "stopmode", StopMode)
+    context.live.stop(how)
+    return DONE
+
+
+def reset_pointers(context: Context, request: Request) -> Answer:
+    """Put all pointers to main."""
+    context.require_mastership("rapid", request.session)
+    context.live.reset_pointers()
+    return DONE
+
+
+def set_cycle(context: Context, request: Request) -> Answer:
+    """Say what comes after the end of main."""
+    context.live.set_cycle(chosen(request.form, "cycle", Cycle))
+    return DONE
+
+
+def tasks(context: Context, request: Request) -> Answer:
+    """All tasks."""
+    del request
+    return Answer(tuple(_task_item(one) for one in context.live.task_states()))
+
+
+def task(context: Context, request: Request, task: str) -> Answer:
+    """One task."""
+    del request
+    name = context.live.task(task).name
+    items = (_task_item(one) for one in context.live.task_states() if one.name == name)
+    return Answer(tuple(items), links=("pcp",))
+
+
+def activate(context: Context, request: Request, task: str | None = None) -> Answer:
+    """Let a task, or all, take part in starting and stopping."""
+    context.live.activate(task, active=True)
+    del request
+    return DONE
+
+
+def deactivate(context: Context, request: Request, task: str | None = None) -> Answer:
+    """Let a task, or all, take no part in it."""
+    context.live.activate(task, active=False)
+    del request
+    return DONE
+
+
+def pointers(context: Context, request: Request, task: str) -> Answer:
+    """Where the program pointer of a task stands."""
+    del request
+    found = context.live.task(task)
+    place = found.place
+    span = place.span
+    fields = {
+        "modulemame": _module_at(found),  # So spelt by controllers.
+        "routinename": place.routine,
+        "beginposition": f"{span.line},{span.column}",
+        "endposition": f"{span.end_line},{span.end_column}",
+        "executiontype": "normal",
+    }
+    items = (Item("pcp-info", "progpointer", fields),) if found.has_pointer else ()
+    return Answer(items)
+
+
+def modules(context: Context, request: Request) -> Answer:
+    """The modules of a task."""
+    found = context.live.task(given(request.query, "task"))
+    return Answer(tuple(_module_item(one) for one in _modules(found)))
+
+
+def module(context: Context, request: Request, module: str) -> Answer:
+    """One module of a task.
+
+    Raises:
+        RefusedRequest: If there is none of this name.
+    """
+    found = context.live.task(given(request.query, "task"))
+    for one in _modules(found):
+        if one.name.key == module.lower():
+            return Answer((_module_item(one),))
+    raise refused(NOT_FOUND, f"{found.name} has no module {module}")
+
+
+def _task_item(one: TaskState) -> Item:
+    stands = "stopped" if one.has_pointer else "uninitialized"
+    fields = {
+        "name": one.name,
+        "type": one.kind,
+        "taskstate": "linked" if one.is_loaded else "loaded",
+        "excstate": "started" if one.executes else stands,
+        "active": "On" if one.is_active else "Off",
+        "motiontask": "TRUE" if one.moves_robot else "FALSE",
+    }
+    return Item("rap-task-li", one.name, fields, href=f"rw/rapid/tasks/{one.name}")
+
+
+def _modules(found: LiveTask) -> tuple[tree.Module, ...]:
+    program = found.setup.program if found.task is None else found.task.program
+    return tuple(program.modules)
+
+
+def _module_item(one: tree.Module) -> Item:
+    kind = "SysMod" if "sysmodule" in {word.key for word in one.attributes} else "ProgMod"
+    return Item("rap-module-info-li", one.name.text, {"name": one.name.text, "type": kind})
+
+
+def _module_at(found: LiveTask) -> str:
+    file = found.place.span.file
+    inside = (one for one in _modules(found) if one.source.file == file)
+    for one in inside:
+        if one.start <= found.place.span.start <= one.end:
+            return one.name.text
+    return ""

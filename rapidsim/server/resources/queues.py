@@ -1,0 +1,113 @@
+"""The message queues of clients: created here, read here, and written to by programs too."""
+
+from __future__ import annotations
+
+import re
+from typing import Final
+
+from rapidsim.controller.cell.message_queues import MOST_MESSAGES
+from rapidsim.language.error_numbers import ERR_RMQ_INVALID
+from rapidsim.language.errors import RapidError
+from rapidsim.language.messages import NO_USER_DEF, Message
+from rapidsim.server.messages import DONE, Answer, Item, Request
+from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
+from rapidsim.server.resources.context import Context, count, given, number
+from rapidsim.simulation.live.messages import kind_of
+
+COMMAND: Final = "111"
+KIND: Final = "1"
+_TYPE: Final = re.compile(r"\s*([A-Za-z]\w{0,31})\s*;(.*)", re.DOTALL)
+_MOST_QUEUES: Final = 50
+_MOST_MESSAGES: Final = 10_000
+
+
+def queues(context: Context, request: Request) -> Answer:
+    """The queues of clients."""
+    del request
+    items = (Item("dipc-queue-li", name, {"dipc-queue-name": name}) for name in context.queues)
+    return Answer(tuple(items))
+
+
+def create(context: Context, request: Request) -> Answer:
+    """Make a queue for a client.
+
+    Raises:
+        RefusedRequest: If it is there already, or there are too many.
+    """
+    name = given(request.form, "dipc-queue-name")
+    there = context.live.cell.messages.find(name) is not None
+    if there or not name or len(context.queues) >= _MOST_QUEUES:
+        raise refused(BAD_PARAMETER, f"the queue {name} is there already, or there are too many")
+    most = min(max(1, count(request.form, "dipc-queue-size", MOST_MESSAGES)), _MOST_MESSAGES)
+    context.queues[name] = context.live.cell.messages.connect(name, most)
+    context.owners[name] = request.session
+    return Answer(status=201)
+
+
+def send(context: Context, request: Request, queue: str) -> Answer:
+    """Put a message into the queue of a task, or of a client.
+
+    Raises:
+        RefusedRequest: If there is no such queue, or it does not take the message.
+    """
+    form, messages = request.form, context.live.cell.messages
+    found = messages.find(queue, from_outside=True)
+    found = found or messages.find(f"RMQ_{queue}", from_outside=True)
+    if found is None:
+        raise refused(NOT_FOUND, f"there is no queue {queue}")
+    matched = _TYPE.fullmatch(given(form, "dipc-data"))
+    if matched is None:
+        raise refused(BAD_PARAMETER, "`dipc-data` is a type and a value: `num;5`")
+    user = number(form, "dipc-userdef") if "dipc-userdef" in form else NO_USER_DEF
+    sender = context.queues.get(form.get("dipc-src-queue-name", ""))
+    text = matched[2].strip()
+    kind = kind_of(matched[1], text, context.live.tasks.values())
+    message = Message(kind, text, sender, user)
+    try:
+        found.put(message, context.live.now_s)
+    except RapidError as error:
+        why = NOT_FOUND if error.errno == ERR_RMQ_INVALID else BAD_PARAMETER
+        raise refused(why, error.message) from None
+    context.live.tell()
+    return DONE
+
+
+def read(context: Context, request: Request, queue: str) -> Answer:
+    """The messages that wait for a client, which are taken away.
+
+    Raises:
+        RefusedRequest: If the client has no such queue.
+    """
+    del request
+    found = context.queues.get(queue)
+    if found is None:
+        raise refused(NOT_FOUND, f"there is no queue {queue}")
+    waiting = tuple(found.messages)
+    found.messages.clear()
+    return Answer(tuple(message_item(queue, one, "dipc-read-li") for one in waiting))
+
+
+def queue(context: Context, request: Request, queue: str) -> Answer:
+    """A queue of a client.
+
+    Raises:
+        RefusedRequest: If there is none.
+    """
+    del request
+    if queue not in context.queues:
+        raise refused(NOT_FOUND, f"there is no queue {queue}")
+    return Answer((Item("dipc-queue-li", queue, {"dipc-queue-name": queue}),))
+
+
+def message_item(queue: str, message: Message, kind: str) -> Item:
+    """A message as it is shown; a public client reads the data before what is user defined."""
+    user = "" if message.user_def == NO_USER_DEF else f"{message.user_def:g}"
+    fields = {
+        "dipc-slotid": "" if message.sender is None else message.sender.name,
+        "dipc-data": message.wire,
+        "dipc-userdef": user or "0",
+        "dipc-msgtype": KIND,
+        "dipc-cmd": COMMAND,
+        "queue-name": queue,
+    }
+    return Item(kind, queue, fields, href=f"/rw/dipc/{queue}")

@@ -1,0 +1,142 @@
+"""The data of programs by their addresses: `RAPID/task/module/name`, where some may lack."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Final
+
+from rapidsim.analysis.program import Storage
+from rapidsim.server.messages import DONE, Answer, Item, Request
+from rapidsim.server.resources.codes import BAD_PARAMETER, NO_SYMBOL, refused
+from rapidsim.server.resources.context import Context, given
+from rapidsim.simulation.live import symbols
+from rapidsim.simulation.live.live_task import LiveTask
+from rapidsim.simulation.live.states import Refused
+from rapidsim.simulation.live.symbols import Datum
+
+_STORAGES: Final = {Storage.VAR: "var", Storage.PERS: "per", Storage.CONST: "con"}
+_KINDS: Final = {
+    Storage.VAR: "rap-sympropvar",
+    Storage.PERS: "rap-symproppers",
+    Storage.CONST: "rap-sympropconstant",
+}
+
+
+def value(context: Context, request: Request, symbol: str) -> Answer:
+    """The value of data, as it would stand in a program."""
+    del request
+    return Answer((value_item(context, symbol),))
+
+
+def value_item(context: Context, symbol: str) -> Item:
+    """The same, as it is shown."""
+    address = symbol.removesuffix(";value")
+    task, datum = _find(context, address)
+    title = f"RAPID/{address}"
+    return Item("rap-data", title, {"value": symbols.read(task, datum)})
+
+
+def set_value(context: Context, request: Request, symbol: str) -> Answer:
+    """Change the value of data."""
+    task, datum = _find(context, symbol.removesuffix(";value"))
+    context.require_mastership("rapid", request.session)
+    symbols.write(task, datum, given(request.form, "value"))
+    context.live.tell()
+    return DONE
+
+
+def properties(context: Context, request: Request, symbol: str) -> Answer:
+    """What data are: how they are stored, and of which type."""
+    del request
+    task, datum = _find(context, symbol)
+    return Answer((_properties_item(task, datum, ""),))
+
+
+def search(context: Context, request: Request) -> Answer:
+    """The data that modules declare, of a kind and a type, whose names match."""
+    form = request.form
+    _, _, address = form.get("blockurl", "RAPID").partition("/")
+    task_name, _, module = address.partition("/")
+    try:
+        pattern = re.compile(form.get("regexp") or ".*", re.IGNORECASE)
+    except re.error:
+        raise refused(BAD_PARAMETER, "`regexp` is no regular expression") from None
+    live = context.live
+    tasks = [live.task(task_name)] if task_name else list(live.tasks.values())
+    storage, type_ = form.get("symtyp", "any").lower(), form.get("dattyp", "").lower()
+    return Answer(
+        tuple(
+            _properties_item(task, datum, "-li")
+            for task in tasks
+            for datum in symbols.all_data(task)
+            if storage in ("any", "", _STORAGES[datum.storage])
+            and type_ in ("", datum.type_name.lower())
+            and module.lower() in ("", (datum.module or "").lower())
+            and pattern.fullmatch(datum.name)
+        )
+    )
+
+
+def validate(context: Context, request: Request) -> Answer:
+    """Whether a text is a value of a type.
+
+    Raises:
+        RefusedRequest: If it is not, or there is no such type.
+    """
+    context.live.task(given(request.form, "task"))
+    name, text = given(request.form, "datatype"), given(request.form, "value")
+    if not symbols.is_value(text, name):
+        raise refused(BAD_PARAMETER, f"`{text}` is no {name}")
+    return DONE
+
+
+def _find(context: Context, address: str) -> tuple[LiveTask, Datum]:
+    """Data and their task; where the address has no task, the first that has the data.
+
+    Raises:
+        RefusedRequest: If there are none.
+    """
+    *outer, name = [part for part in address.split("/") if part]
+    for task, module in _places(context, outer):
+        try:
+            return task, symbols.find(task, name, module)
+        except Refused:
+            continue
+    raise refused(NO_SYMBOL, f"there are no data RAPID/{address}")
+
+
+def _places(context: Context, outer: list[str]) -> Iterator[tuple[LiveTask, str | None]]:
+    """Where data may be that are named behind a task, a module, both or nothing."""
+    tasks = context.live.tasks
+    match outer:
+        case []:
+            yield from ((task, None) for task in tasks.values())
+        case [one] if one.lower() in tasks:
+            yield tasks[one.lower()], None
+        case [module]:
+            yield from ((task, module) for task in tasks.values())
+        case [task, module] if task.lower() in tasks:
+            yield tasks[task.lower()], module
+        case _:
+            return
+
+
+def _properties_item(task: LiveTask, datum: Datum, suffix: str) -> Item:
+    parts = ("RAPID", task.name, datum.module, datum.name)
+    address = "/".join(part for part in parts if part)
+    shape = datum.dimensions
+    fields = {
+        "symburl": address,
+        "name": datum.name,
+        "symtyp": _STORAGES[datum.storage],
+        "named": "true",
+        "dattyp": datum.type_name,
+        "ndim": str(len(shape)),
+        "dim": " ".join(map(str, shape)),
+        "local": str(datum.is_local).lower(),
+        "rdonly": str(datum.storage is Storage.CONST).lower(),
+        "taskvar": str(datum.is_task_only).lower(),
+        "typurl": f"RAPID/{datum.type_name}",
+    }
+    return Item(_KINDS[datum.storage] + suffix, address, fields)

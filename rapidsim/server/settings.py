@@ -1,0 +1,39 @@
+"""What `rapidsim serve` is told beside its program."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Final
+
+from rapidsim.simulation.live.states import Mode, Motors
+
+DEFAULT_USERS: Final[Mapping[str, str]] = MappingProxyType(
+    dict.fromkeys(("Default User", "Admin", "admin"), "robotics")
+)
+"""Who may come in on this computer where nobody says otherwise: those of a controller."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class EngineSettings:
+    """How the controller is switched on, and how its time passes."""
+
+    speed: float | None = 1.0
+    """Virtual seconds in one on the wall; None is as fast as it can."""
+    request_s: float | None = None
+    """In lock-step, the virtual time [s] that passes before each request; None is no lock-step."""
+    motors: Motors = Motors.ON
+    mode: Mode = Mode.AUTO
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ServerSettings:
+    """Where it is served, and to whom."""
+
+    host: str = "127.0.0.1"
+    rws1_port: int = 8080
+    """0 takes a free one."""
+    users: Mapping[str, str] = field(default_factory=lambda: DEFAULT_USERS)
+    most_sessions: int = 70
+    session_timeout_s: float = 300.0

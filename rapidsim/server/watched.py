@@ -1,0 +1,186 @@
+"""Subscriptions: what changes at the resources that clients listen to."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field, replace
+from typing import Final
+
+from rapidsim.server.messages import Change, Item, RefusedRequest
+from rapidsim.server.resources import panel, programs, signals, symbols
+from rapidsim.server.resources.codes import NOT_FOUND, refused
+from rapidsim.server.resources.context import Context
+from rapidsim.server.resources.queues import message_item
+from rapidsim.simulation.live.event_log import LogEntry
+from rapidsim.simulation.live.states import Refused
+
+_SIGNALS: Final = "/rw/iosystem/signals/"
+_SYMBOLS: Final = "/rw/rapid/symbol/data/RAPID/"
+_LOG: Final = "/rw/elog/"
+_QUEUES: Final = "/rw/dipc/"
+
+Look = Callable[[], tuple[Item, ...]]
+
+
+@dataclass(slots=True)
+class _Watched:
+    """A resource that a group listens to."""
+
+    look: Look
+    """What is told of it now."""
+    last: tuple[Item, ...]
+
+
+@dataclass(slots=True)
+class _Group:
+    values: list[_Watched] = field(default_factory=list)
+    domains: list[str] = field(default_factory=list)
+    """Of the event log."""
+    queues: list[str] = field(default_factory=list)
+    """Of clients."""
+
+
+@dataclass(slots=True, eq=False)
+class Subscriptions:
+    """All groups; a listener of the cell, so that no change of a signal is missed."""
+
+    context: Context
+    told: Callable[[Change], None]
+    _groups: dict[int, _Group] = field(default_factory=dict)
+    _signals: dict[str, list[tuple[int, str]]] = field(default_factory=dict)
+    """By folded name of a signal: which group listens, and under which address."""
+
+    def __post_init__(self) -> None:
+        """Hear of signals."""
+        self.context.live.cell.listeners.append(self)
+
+    @property
+    def groups(self) -> int:
+        """How many there are."""
+        return len(self._groups)
+
+    def begin(self, group: int, resources: tuple[str, ...]) -> None:
+        """Listen to resources; their values now are told first.
+
+        Raises:
+            RefusedRequest: If there is no such resource; then nothing is listened to.
+        """
+        made, heard = _Group(), []
+        for resource in resources:
+            if resource.startswith(_SIGNALS):
+                name = resource.removeprefix(_SIGNALS).removesuffix(";state").split("/")[-1]
+                self._signal_item(name, resource)
+                heard.append((name.lower(), resource))
+            elif resource.startswith(_LOG):
+                made.domains.append(resource.removeprefix(_LOG).strip("/"))
+            elif resource.startswith(_QUEUES):
+                name = resource.removeprefix(_QUEUES).strip("/")
+                if name not in self.context.queues:
+                    raise refused(NOT_FOUND, f"there is no queue {name}")
+                made.queues.append(name)
+            else:
+                look = self._look(resource)
+                made.values.append(_Watched(look, look()))
+        self._groups[group] = made
+        for name, resource in heard:
+            self._signals.setdefault(name, []).append((group, resource))
+            self.told(Change(group, (self._signal_item(name, resource),)))
+        for one in made.values:
+            self.told(Change(group, one.last))
+
+    def end(self, group: int) -> None:
+        """Listen no longer."""
+        self._groups.pop(group, None)
+        for name, listening in tuple(self._signals.items()):
+            kept = [one for one in listening if one[0] != group]
+            if kept:
+                self._signals[name] = kept
+            else:
+                del self._signals[name]
+
+    def look(self) -> None:
+        """Tell what has changed since somebody looked."""
+        for group, one in self._groups.items():
+            for watched in one.values:
+                now = watched.look()
+                if now != watched.last:
+                    watched.last = now
+                    self.told(Change(group, now))
+            for name in one.queues:
+                self._take(group, name)
+
+    def _take(self, group: int, name: str) -> None:
+        """Tell the messages that wait for a client, which takes them away."""
+        queue = self.context.queues.get(name)
+        while queue is not None and queue.messages:
+            item = message_item(name, queue.messages.pop(0), "dipc-msg-ev")
+            self.told(Change(group, (item,)))
+
+    def logged(self, entry: LogEntry) -> None:
+        """Tell of an entry of the event log."""
+        for group, one in self._groups.items():
+            for domain in one.domains:
+                if domain in ("0", str(entry.domain)):
+                    address = f"/rw/elog/{domain}/{entry.number}"
+                    fields = {"seqnum": str(entry.number)}
+                    item = Item("elog-message-ev", "", fields, href=address)
+                    self.told(Change(group, (item,)))
+
+    def listens_to(self, signal: str) -> bool:
+        """See `cell.Listener`."""
+        return signal.lower() in self._signals
+
+    def signal_changed(self, signal: str, old: float, value: float, now_s: float) -> None:
+        """See `cell.Listener`."""
+        del old, value, now_s
+        for group, resource in self._signals.get(signal.lower(), ()):
+            self.told(Change(group, (self._signal_item(signal, resource),)))
+
+    def _signal_item(self, name: str, resource: str) -> Item:
+        try:
+            signal = self.context.live.signal(name)
+        except Refused:
+            raise refused(NOT_FOUND, f"there is no signal {name}") from None
+        shown = signals.signal_item(self.context, signal)
+        fields = {key: shown.fields[key] for key in ("lvalue", "lstate")}
+        return Item("ios-signalstate-ev", signal.name, fields, href=resource)
+
+    def _look(self, resource: str) -> Look:
+        """How a resource is looked at.
+
+        Raises:
+            RefusedRequest: If there is none, or nothing of it can be listened to.
+        """
+        if resource.startswith(_SYMBOLS):
+            return lambda: tuple(self._symbol_items(resource))
+        base, _, kind = resource.partition(";")
+        for address, suffix, event, item in _STATES:
+            if base == address and kind in ("", suffix):
+                href = resource if suffix == "ctrlexecstate" else address
+                return lambda: (_event(item(self.context), event, suffix, href),)
+        raise refused(NOT_FOUND, f"{resource} cannot be subscribed to")
+
+    def _symbol_items(self, resource: str) -> Iterator[Item]:
+        address = resource.removeprefix(_SYMBOLS)
+        try:
+            data = symbols.value_item(self.context, address)
+        except RefusedRequest:
+            raise refused(NOT_FOUND, f"there are no data RAPID/{address}") from None
+        # Public clients differ in which of the two they read.
+        yield Item("rap-value-ev", data.title, data.fields, href=resource)
+        yield replace(data, href=resource)
+
+
+_STATES: Final = (
+    ("/rw/panel/ctrlstate", "ctrlstate", "pnl-ctrlstate-ev", panel.state_item),
+    ("/rw/panel/opmode", "opmode", "pnl-opmode-ev", panel.mode_item),
+    ("/rw/panel/speedratio", "speedratio", "pnl-speedratio-ev", panel.speed_item),
+    ("/rw/rapid/execution", "ctrlexecstate", "rap-ctrlexecstate-ev", programs.execution_item),
+    ("/rw/rapid/execution", "rapidexeccycle", "rap-execcycle-ev", programs.execution_item),
+)
+"""States that can be listened to: address, what of it, the class of the event, the item."""
+
+
+def _event(item: Item, event: str, suffix: str, href: str) -> Item:
+    field_name = {"rapidexeccycle": "cycle"}.get(suffix, suffix)
+    return Item(event, item.title, {field_name: item.fields[field_name]}, href=href)

@@ -1,0 +1,352 @@
+"""From a run and what stands in its cell to bodies that move: who carries what, who is judged."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import combinations
+
+import numpy as np
+
+from rapidsim.collisions.contact import BodyName
+from rapidsim.collisions.geometry import CellGeometry, CellObject, IgnoredPair, ParentKind
+from rapidsim.collisions.link_shapes import link_shapes
+from rapidsim.collisions.scene import WORLD, Arm, Body, Carried, Frame, Pair, Scene, arm_frames
+from rapidsim.collisions.self_pairs import judged_pairs
+from rapidsim.controller.cell.conditions import Condition, read_condition
+from rapidsim.frames.transform import Transform
+from rapidsim.language.data import WobjData
+from rapidsim.motion.configurations.targets import transform
+from rapidsim.simulation.results.signal_history import Changes, signal_changes
+from rapidsim.simulation.results.simulation import RobotRun, Simulation
+
+_LYING_M = 1e-3
+"""A part that is so near to something when it is taken or left lies on it."""
+_STOPPING_S = 0.5
+"""After its last command an arm is seen to move no longer than this."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CellScene:
+    """What is judged of a run, and what is not."""
+
+    scene: Scene
+    remarks: tuple[str, ...]
+    """What is not judged, and why."""
+    objects: Mapping[int, CellObject]
+    """The objects of the station by their number among the bodies."""
+
+
+def cell_scene(simulation: Simulation, geometry: CellGeometry) -> CellScene:
+    """The bodies of a run and the pairs of them that must not touch."""
+    return _Builder(simulation, geometry).built()
+
+
+class _Builder:
+    def __init__(self, simulation: Simulation, geometry: CellGeometry) -> None:
+        self._simulation, self._geometry = simulation, geometry
+        self._runs = simulation.robots
+        self._arms = tuple(map(_arm, self._runs))
+        self._bodies: list[Body] = []
+        self._objects: dict[int, CellObject] = {}
+        self._remarks: list[str] = []
+        self._carriers: dict[int, set[int]] = {}
+        """Which robots carry a body at any time."""
+        self._used: set[IgnoredPair] = set()
+        self._signals = {
+            name.lower(): changes
+            for name, changes in signal_changes(simulation, still=True).items()
+        }
+
+    def built(self) -> CellScene:
+        """All of it."""
+        of_links: dict[tuple[int, int], int] = {}
+        for number, one in enumerate(self._runs):
+            shapes = link_shapes(one.robot)
+            self._remarks += shapes.remarks
+            for link in shapes.links:
+                of_links[number, link.number] = len(self._bodies)
+                name = "the base" if link.number == 0 else f"link {link.number}"
+                fixed = Carried(0.0, Frame(number, link.number), Transform.identity())
+                self._bodies.append(Body(self._named(name, number), link.shape, (fixed,)))
+        for placed in self._geometry.objects:
+            self._add_object(placed)
+        pairs = tuple(self._pairs(of_links))
+        for ignored in self._geometry.ignored:
+            if ignored not in self._used:
+                self._remarks.append(
+                    f"the station ignores `{ignored.first}` and `{ignored.second}`: no such pair"
+                )
+        scene = self._lying(Scene(self._arms, tuple(self._bodies), pairs))
+        return CellScene(scene, tuple(dict.fromkeys(self._remarks)), self._objects)
+
+    def _lying(self, scene: Scene) -> Scene:
+        """The same with the pairs told apart of which one lies on the other, or is put there.
+
+        A part leaves what it lies on, and comes down on what it is put on: that is near, and meant.
+        """
+        bodies = scene.shapes()
+        pairs = list(scene.pairs)
+        for number, pair in enumerate(pairs):
+            carried = [one for one in (pair.first, pair.second) if self._carriers.get(one)]
+            if pair.touch_only or not carried:
+                continue
+            times = sorted({one.from_s for body in carried for one in self._bodies[body].carried})
+            poses = scene.poses(np.array(times))
+            back = np.swapaxes(poses.rotation[:, pair.second], 1, 2)
+            apart = poses.translation[:, pair.first] - poses.translation[:, pair.second]
+            seen = Transform(
+                back @ poses.rotation[:, pair.first], np.einsum("kij,kj->ki", back, apart)
+            )
+            here = np.zeros(len(times), dtype=np.int64)
+            enough = np.full(len(times), _LYING_M)
+            gaps = bodies.gaps(here + pair.first, here + pair.second, seen, enough)
+            if gaps.found.min() < _LYING_M:
+                pairs[number] = replace(pair, touch_only=True)
+        return replace(scene, pairs=tuple(pairs))
+
+    def _named(self, name: str, robot: int) -> BodyName:
+        whose = f" of {self._runs[robot].task}" if len(self._runs) > 1 else ""
+        return BodyName(f"{name}{whose}", robot)
+
+    def _robot(self, task: str | None, whose: str) -> int | None:
+        """The number of the robot of a task; None where there is none, which is noted."""
+        if task is None:
+            return 0
+        for number, one in enumerate(self._runs):
+            if one.task.lower() == task.lower():
+                return number
+        self._remarks.append(f"{whose}: no robot of a task `{task}` is in the run")
+        return None
+
+    def _add_object(self, one: CellObject) -> None:
+        number = len(self._bodies)
+        placed = self._placed(one)
+        if not placed:
+            return
+        first = placed[0].frame
+        label = BodyName(f"`{one.name}`", first.robot)
+        self._objects[number] = one
+        self._carriers[number] = set()
+        carried = self._carried_about(number, one, placed)
+        self._bodies.append(Body(label, one.shape, carried))
+
+    def _placed(self, one: CellObject) -> tuple[Carried, ...]:
+        """Where an object is while nobody carries it; nothing where that is not known."""
+        parent, pose = one.parent, one.parent_from_object
+        if parent.kind is ParentKind.WORLD:
+            return (Carried(0.0, WORLD, pose),)
+        robot = self._robot(parent.robot, one.name)
+        if robot is None:
+            return ()
+        joints = len(self._runs[robot].robot.joints)
+        if parent.kind is ParentKind.TOOL:
+            return (Carried(0.0, Frame(robot, joints + 1), pose),)
+        if parent.kind is ParentKind.LINK:
+            if parent.link <= joints:
+                return (Carried(0.0, Frame(robot, parent.link), pose),)
+            self._remarks.append(
+                f"`{one.name}`: {self._runs[robot].robot.name} has no link {parent.link}"
+            )
+            return ()
+        return self._in_work_object(one, robot, joints)
+
+    def _in_work_object(self, one: CellObject, robot: int, joints: int) -> tuple[Carried, ...]:
+        placed: list[Carried] = []
+        last: WobjData | None = None
+        runs = (
+            (self._runs[robot], *self._runs) if one.parent.robot is None else (self._runs[robot],)
+        )
+        for run in runs:
+            for move in run.moves:
+                wobj = move.move.wobj
+                name = move.place.arguments.get("wobj", "wobj0")
+                if name.strip().lower() != one.parent.name.lower() or wobj == last:
+                    continue
+                if not wobj.ufprog:
+                    self._remarks.append(f"`{one.name}`: `{wobj.ufmec}` moves its work object")
+                    return ()
+                frame = Frame(robot, joints + 1) if wobj.robhold else WORLD
+                pose = transform(wobj.uframe) @ transform(wobj.oframe) @ one.parent_from_object
+                placed.append(Carried(move.start_s if placed else 0.0, frame, pose))
+                last = wobj
+            if placed:
+                return tuple(placed)
+        self._remarks.append(
+            f"`{one.name}`: no move of the run uses the work object {one.parent.name}"
+        )
+        return ()
+
+    def _carried_about(
+        self, number: int, one: CellObject, placed: tuple[Carried, ...]
+    ) -> tuple[Carried, ...]:
+        """Where an object is, with the times in which robots carry it."""
+        changes: list[tuple[float, int, bool]] = []
+        for attachment in self._geometry.attachments:
+            if attachment.object.lower() != one.name.lower():
+                continue
+            robot = self._robot(attachment.robot, one.name)
+            condition = read_condition(attachment.when)
+            if robot is None:
+                continue
+            for name in condition.signals():
+                if name.lower() not in self._signals:
+                    self._remarks.append(
+                        f"`{one.name}`: nothing sets or declares the signal {name}"
+                    )
+            self._carriers[number].add(robot)
+            changes += [(t, robot, held) for t, held in _truths(condition, self._signals)]
+        if not changes:
+            return placed
+        if len(placed) > 1:
+            self._remarks.append(f"`{one.name}`: its work object changes while robots carry it")
+        home, found, holder = placed[0], [placed[0]], -1
+        for time_s, robot, held in sorted(changes, key=lambda change: change[0]):
+            if held:
+                frame = Frame(robot, len(self._runs[robot].robot.joints) + 1)
+            elif robot == holder:
+                frame = home.frame
+            else:
+                continue
+            holder = robot if held else -1
+            here = self._frame_at(found[-1].frame, time_s) @ found[-1].frame_from_body
+            found.append(Carried(time_s, frame, self._frame_at(frame, time_s).inverse() @ here))
+        return tuple(found)
+
+    def _frame_at(self, frame: Frame, time_s: float) -> Transform:
+        if frame.robot is None:
+            return Transform.identity()
+        arm = self._arms[frame.robot]
+        return arm_frames(frame.robot, arm, arm.at(np.array([time_s])))[frame][0]
+
+    def _pairs(self, of_links: Mapping[tuple[int, int], int]) -> Iterator[Pair]:
+        """The pairs that are judged, each once."""
+        links = {body: key for key, body in of_links.items()}
+        own: set[tuple[int, int]] = set()
+        if self._geometry.own_links:
+            for number, one in enumerate(self._runs):
+                for a, b in judged_pairs(one.robot, link_shapes(one.robot)):
+                    own.add((of_links[number, a], of_links[number, b]))
+        for a, b in combinations(range(len(self._bodies)), 2):
+            if a in links and b in links and links[a][0] == links[b][0]:
+                if (a, b) in own and not self._is_ignored(a, b):
+                    yield Pair(a, b, links[a][0], touch_only=True)
+                continue
+            pair = self._pair(a, b, links)
+            if pair is not None and not self._is_ignored(a, b):
+                yield pair
+
+    def _pair(self, a: int, b: int, links: Mapping[int, tuple[int, int]]) -> Pair | None:
+        """Two bodies of which one at least is an object, or which are of two robots."""
+        of_a, of_b = self._movers(a), self._movers(b)
+        moving = of_a | of_b
+        if not moving or (self._rests(a) and self._rests(b)):
+            return None
+        holders_a, holders_b = self._carriers.get(a, set()), self._carriers.get(b, set())
+        fixed_a, fixed_b = self._fixed_to(a), self._fixed_to(b)
+        if fixed_a is not None and fixed_b is not None and fixed_a[0] == fixed_b[0]:
+            # Tool and last link touch, as any two things that are bolted to each other do.
+            if not self._geometry.own_links or abs(fixed_a[1] - fixed_b[1]) <= 2:
+                return None
+            return Pair(a, b, fixed_a[0], touch_only=True)
+        for holders, fixed in ((holders_a, fixed_b), (holders_b, fixed_a)):
+            if holders and fixed is not None and fixed[0] in holders:
+                # Fingers close on what they carry.
+                joints = len(self._runs[fixed[0]].robot.joints)
+                if fixed[1] >= joints:
+                    return None
+        first, second = (b, a) if self._rests(a) else (a, b)
+        owner = min(self._movers(first) or moving)
+        return Pair(first, second, owner, touch_only=False)
+
+    def _movers(self, body: int) -> set[int]:
+        """The robots that ever move a body."""
+        return {
+            one.frame.robot for one in self._bodies[body].carried if one.frame.robot is not None
+        }
+
+    def _rests(self, body: int) -> bool:
+        """Whether a body never moves: it stands in the world, or is a base that no track moves."""
+        frames = {one.frame for one in self._bodies[body].carried}
+        return (
+            all(
+                frame.robot is None
+                or (frame.link == 0 and not self._runs[frame.robot].robot.external)
+                for frame in frames
+            )
+            and len(self._bodies[body].carried) == 1
+        )
+
+    def _fixed_to(self, body: int) -> tuple[int, int] | None:
+        """Robot and link that a body always belongs to; None for what is carried at times."""
+        frames = {one.frame for one in self._bodies[body].carried}
+        (frame, *others) = frames
+        if others or frame.robot is None or self._carriers.get(body):
+            return None
+        return frame.robot, frame.link
+
+    def _is_ignored(self, a: int, b: int) -> bool:
+        names_a, names_b = self._names(a), self._names(b)
+        found = False
+        for one in self._geometry.ignored:
+            first, second = one.first.lower(), one.second.lower()
+            if (first in names_a and second in names_b) or (first in names_b and second in names_a):
+                self._used.add(one)
+                found = True
+        return found
+
+    def _names(self, body: int) -> set[str]:
+        """What a station may call a body."""
+        one = self._bodies[body]
+        if body in self._objects:
+            names = {self._objects[body].name.lower()}
+            if self._objects[body].parent.kind is ParentKind.TOOL:
+                names.add("tool")
+            return names
+        robot = one.label.robot
+        task = "" if robot is None else self._runs[robot].task.lower()
+        name = one.label.name.split(" of ")[0].removeprefix("the ").lower()
+        return {"robot", name, task, f"{name} of {task}"}
+
+
+def _arm(one: RobotRun) -> Arm:
+    busy = tuple((move.start_s, move.end_s) for move in one.moves)
+    end_s = one.trajectory.duration
+    if busy:
+        busy = (*busy, (busy[-1][1], max(end_s, busy[-1][1])))
+    return Arm(one.robot, one.world_from_base, one.trajectory.at, _together(busy))
+
+
+def _together(stretches: Iterable[tuple[float, float]]) -> tuple[tuple[float, float], ...]:
+    """Stretches of time that touch or overlap as one each."""
+    found: list[tuple[float, float]] = []
+    for begin, end in sorted(stretches):
+        if found and begin <= found[-1][1] + _STOPPING_S:
+            found[-1] = (found[-1][0], max(found[-1][1], end))
+        else:
+            found.append((begin, end))
+    return tuple(found)
+
+
+def _value(values: Mapping[str, float], signal: str) -> float:
+    return values[signal.lower()]
+
+
+def _truths(condition: Condition, signals: Mapping[str, Changes]) -> list[tuple[float, bool]]:
+    """When a condition begins to hold and when it ends to."""
+    histories: dict[str, Sequence[tuple[float, float]]] = {
+        name.lower(): signals.get(name.lower(), [(0.0, 0.0)]) for name in condition.signals()
+    }
+    found: list[tuple[float, bool]] = []
+    holds = False
+    for time_s in sorted({t for history in histories.values() for t, _ in history}):
+        now = {
+            name: next(value for t, value in reversed(history) if t <= time_s)
+            for name, history in histories.items()
+        }
+        held = condition.holds(partial(_value, now))
+        if held is not holds:
+            found.append((time_s, held))
+            holds = held
+    return found

@@ -1,0 +1,97 @@
+"""What a run touched: contacts and clearances, as part of the result and as findings."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from rapidsim.collisions.along_motion import search
+from rapidsim.collisions.contact import Contact, Found
+from rapidsim.collisions.geometry import CellGeometry
+from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.diagnostics import Diagnostic, Related
+from rapidsim.findings.collisions import Collision, LowClearance, NotJudged
+from rapidsim.simulation.cell_scene import cell_scene
+from rapidsim.simulation.results.collisions import Collisions
+from rapidsim.simulation.results.simulation import RobotRun, Simulation
+
+_MM = 1e3
+
+
+def with_collisions(simulation: Simulation, geometry: CellGeometry) -> Simulation:
+    """A run with what its bodies touched."""
+    made = cell_scene(simulation, geometry)
+    found = search(made.scene, simulation.motion_end_s)
+    collisions = Collisions(geometry, found, made.scene, made.remarks, made.objects)
+    findings = tuple(_findings(simulation, collisions))
+    return replace(
+        simulation,
+        collisions=collisions,
+        diagnostics=(*simulation.diagnostics, *findings),
+    )
+
+
+def _findings(simulation: Simulation, collisions: Collisions) -> Iterator[Diagnostic]:
+    found, robots = collisions.found, simulation.robots
+    groups: dict[tuple[int, int, str], list[Contact]] = {}
+    for contact in found.contacts:
+        if not contact.continued:
+            groups.setdefault((contact.robot, contact.move, contact.second.name), []).append(
+                contact
+            )
+    for first, *later in groups.values():
+        names = list(dict.fromkeys(one.first.name for one in later))
+        violation = Collision(
+            first.first.name,
+            first.second.name,
+            first.time_s,
+            max(one.depth_m for one in (first, *later)) * _MM,
+            f"; so {'do' if len(names) > 1 else 'does'} {' and '.join(names)}" if names else "",
+        )
+        move = _move(robots[first.robot], first.move)
+        yield _at(move, violation, tuple(_others(robots, first)))
+    yield from _near(simulation, found, collisions.geometry.clearance_m)
+    remarks = collisions.remarks
+    if not found.decided:
+        remarks = (*remarks, "some stretches in which bodies slide along each other for long")
+    if remarks:
+        yield Diagnostic(NotJudged("; ".join(remarks)), None)
+
+
+def _near(simulation: Simulation, found: Found, clearance_m: float) -> Iterator[Diagnostic]:
+    touched = {(one.robot, one.move) for one in found.contacts}
+    for near in found.clearances:
+        if near.distance_m < clearance_m and (near.robot, near.move) not in touched:
+            violation = LowClearance(
+                near.first.name,
+                near.second.name,
+                near.distance_m * _MM,
+                clearance_m * _MM,
+                near.time_s,
+            )
+            yield _at(_move(simulation.robots[near.robot], near.move), violation)
+
+
+def _others(robots: tuple[RobotRun, ...], contact: Contact) -> Iterator[Related]:
+    """What the other robot of a contact did then."""
+    for other in {contact.first.robot, contact.second.robot} - {None, contact.robot}:
+        if other is None:
+            continue
+        index = int(robots[other].sample(contact.time_s).move[0])
+        move = _move(robots[other], index)
+        if move is not None:
+            yield Related(move.place.span, f"{robots[other].task} is here then")
+
+
+def _move(one: RobotRun, index: int) -> ExecutedMove | None:
+    return next((move for move in one.moves if move.index == index), None)
+
+
+def _at(
+    move: ExecutedMove | None,
+    violation: Collision | LowClearance,
+    related: tuple[Related, ...] = (),
+) -> Diagnostic:
+    if move is None:
+        return Diagnostic(violation, None, related)
+    return Diagnostic(violation, move.place.span, related, routine=move.place.routine)

@@ -1,0 +1,440 @@
+"""A controller that stays on: what a person at it, or a program over the network, can do with it.
+
+Nothing here knows a clock on the wall, a network or a process. Whoever holds one lets virtual time
+come (`advance`) and asks in between; what is asked takes effect at the time that has come.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from datetime import datetime, timedelta
+
+from rapidsim.controller.cell.cell import OUTSIDE, Cause, Cell
+from rapidsim.controller.cell.description import SignalDeclaration, SignalKind, Status
+from rapidsim.controller.cell.rendezvous import Meetings
+from rapidsim.controller.journal.journal import Instant, Journal, Moment
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.files import InputError
+from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents, shared_persistents
+from rapidsim.language.errors import Stopped
+from rapidsim.simulation.board import TurnsBoard
+from rapidsim.simulation.live import event_log
+from rapidsim.simulation.live.event_log import EventLog, LogEntry
+from rapidsim.simulation.live.live_task import LiveTask
+from rapidsim.simulation.live.states import Cycle, Mode, Motors, Refused, StopMode, TaskState, Why
+from rapidsim.simulation.live.turns import LiveTurns
+from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.task_run import TaskSetup, require_limits, unit_of
+
+LEAST_RATIO = 1
+"""A speed ratio of 0 % moves the robot at so many percent: standing still is not modelled."""
+
+
+def _untold(entry: LogEntry) -> None:
+    """Nobody hears of entries."""
+
+
+@dataclass(eq=False)
+class LiveController:
+    """A controller with motors on, in automatic mode, its pointers at main, and nothing started."""
+
+    setups: Sequence[TaskSetup]
+    options: RunOptions
+    told: Callable[[LogEntry], None] = _untold
+    """Hears of each entry of the event log."""
+    motors: Motors = Motors.ON
+    mode: Mode = Mode.AUTO
+    cycle: Cycle = Cycle.FOREVER
+    speed_ratio: int = 100
+    cell: Cell = field(init=False)
+    log: EventLog = field(init=False)
+    tasks: dict[str, LiveTask] = field(init=False, default_factory=dict)
+    """By folded name, in the order of the station."""
+    _turns: LiveTurns = field(init=False)
+    _journal: Journal = field(init=False)
+    _ends_with_cycle: bool = False
+    _shows_executing: bool = False
+
+    def __post_init__(self) -> None:
+        """Switch on.
+
+        Raises:
+            InputError: If an arm cannot be timed, or no task moves one.
+        """
+        self.options = replace(self.options, max_time_s=math.inf, max_wall_s=None)
+        self._journal = Journal(self.setups[0].name)
+        self.cell = Cell(self.options.cell, self._journal)
+        self.cell.outsiders_act = True
+        self.cell.logbook = lambda task, entry, time_s: self.log.written(entry, time_s)
+        self.log = EventLog(lambda entry: self.told(entry))
+        self._turns = LiveTurns(self.cell)
+        self.cell.share(self._turns)
+        arms = [setup.robot for setup in self.setups if setup.robot is not None]
+        if not arms:
+            raise InputError("no task moves a robot", "give one of them `motion = true`")
+        for arm in arms:
+            require_limits(arm, self.options)
+        shared = self._shared()
+        for number, setup in enumerate(self.setups):
+            journal = self._journal if number == 0 else self._journal.beside(setup.name)
+            self.tasks[setup.name.lower()] = LiveTask(
+                number,
+                setup,
+                self.cell,
+                self._turns,
+                journal,
+                self.options,
+                unit_of(setup, arms[0], self.cell, journal, self.options),
+                shared,
+                self,
+            )
+        for task in self.tasks.values():
+            task.begin(0.0, self._refresh)
+        self._acquaint()
+        self._show_states()
+        for task in self.tasks.values():
+            if not task.is_normal:
+                task.start()
+
+    # Time.
+
+    @property
+    def now_s(self) -> float:
+        """How far virtual time has come [s]."""
+        return self._turns.now_s
+
+    @property
+    def date(self) -> datetime:
+        """What the controller's clock shows."""
+        return self.date_at(self.now_s)
+
+    def date_at(self, time_s: float) -> datetime:
+        """What the controller's clock shows at a virtual time [s]."""
+        return self.cell.starts_at + timedelta(seconds=math.floor(time_s))
+
+    @property
+    def wants_s(self) -> float:
+        """When anything wants to happen by itself next [s]; infinite if nothing does."""
+        return self._turns.wants_s()
+
+    def step(self, until_s: float) -> bool:
+        """Let one thing happen that is due by a time [s]; whether there was any."""
+        stepped = self._turns.step(until_s)
+        self._journal.take()
+        if self.executes is not self._shows_executing:
+            self._show_states()
+        return stepped
+
+    def advance(self, until_s: float) -> None:
+        """Let virtual time come [s] and everything happen that is due by then."""
+        while self.step(until_s):
+            pass
+
+    def settle(self) -> None:
+        """Let happen what is due now."""
+        self.advance(self.now_s)
+
+    # Programs.
+
+    @property
+    def normal_tasks(self) -> Iterator[LiveTask]:
+        """The tasks that are started and stopped and take part in it."""
+        return (one for one in self.tasks.values() if one.is_normal and one.is_active)
+
+    @property
+    def executes(self) -> bool:
+        """Whether any of these executes."""
+        return any(one.executes for one in self.normal_tasks)
+
+    def start(self, cycle: Cycle | None = None) -> None:
+        """Start the programs, from main or from where they stopped.
+
+        Args:
+            cycle: What comes after the end of main; None leaves what holds.
+
+        Raises:
+            Refused: In a state that forbids it.
+        """
+        tasks = list(self.normal_tasks)
+        if self.motors is not Motors.ON:
+            raise Refused(Why.STATE, "the motors are off")
+        if self.executes:
+            raise Refused(Why.STATE, "the program executes already")
+        if not tasks:
+            raise Refused(Why.STATE, "no normal task is active")
+        if any(not one.has_pointer for one in tasks):
+            raise Refused(Why.STATE, "the program pointer is lost; set it to main")
+        self.cycle = cycle or self.cycle
+        self._ends_with_cycle = False
+        for task in tasks:
+            code = event_log.STARTED_AGAIN if task.is_begun else event_log.STARTED_FROM_MAIN
+            self.log.operational(code, self.now_s, f"{task.name} has been started.", task.name)
+            task.start()
+        self._show_states()
+        self.settle()
+
+    def stop(self, how: StopMode = StopMode.STOP) -> None:
+        """Stop the programs of the normal tasks; where none executes, nothing happens."""
+        if how is StopMode.CYCLE:
+            self._ends_with_cycle = True
+            return
+        on_path = how is not StopMode.INSTRUCTION
+        for task in self.normal_tasks:
+            if task.executes:
+                task.stop(on_path=on_path)
+                text = f"{task.name} has been stopped."
+                self.log.operational(event_log.STOPPED, self.now_s, text, task.name)
+        self.settle()
+        self._show_states()
+
+    def reset_pointers(self) -> None:
+        """Put the pointers of all normal tasks to main.
+
+        Raises:
+            Refused: While a program executes.
+        """
+        self._require_stopped()
+        self.cell.home.close_all()
+        self.cell.meetings = Meetings()
+        for task in self.tasks.values():
+            if task.is_normal:
+                task.begin(self.now_s, self._refresh)
+        self._acquaint()
+        self._show_states()
+
+    def switch_off(self) -> None:
+        """Stop the robots, close files and connections."""
+        self.stop(StopMode.QUICK)
+        self.cell.close()
+
+    def set_cycle(self, cycle: Cycle) -> None:
+        """Say what comes after the end of main."""
+        self.cycle = cycle
+
+    def task(self, name: str) -> LiveTask:
+        """A task by name, in any case.
+
+        Raises:
+            Refused: If there is none.
+        """
+        task = self.tasks.get(name.lower())
+        if task is None:
+            raise Refused(Why.NO_TASK, f"there is no task {name}")
+        return task
+
+    def activate(self, name: str | None, *, active: bool) -> None:
+        """Let a normal task take part in starting and stopping, or not; None means all.
+
+        Raises:
+            Refused: If there is none, or while a program executes.
+        """
+        chosen = list(self.tasks.values()) if name is None else [self.task(name)]
+        self._require_stopped()
+        for task in chosen:
+            if task.is_normal:
+                task.is_active = active
+
+    def task_states(self) -> tuple[TaskState, ...]:
+        """What is shown of all tasks."""
+        return tuple(
+            TaskState(
+                one.name,
+                one.setup.kind.value,
+                one.failure is None,
+                one.has_pointer,
+                one.executes,
+                one.is_active,
+                one.setup.robot is not None,
+            )
+            for one in self.tasks.values()
+        )
+
+    # The panel.
+
+    def set_motors(self, motors: Motors) -> None:
+        """Switch the motors on, or off, which stops the programs."""
+        if motors is self.motors:
+            return
+        if motors is Motors.OFF:
+            self.stop(StopMode.QUICK)
+        self.motors = motors
+        code = event_log.MOTORS_ON if motors is Motors.ON else event_log.MOTORS_OFF
+        self.log.operational(code, self.now_s, "")
+        self._show_states()
+
+    def set_mode(self, mode: Mode) -> None:
+        """Turn the key: a change of mode stops the programs and switches the motors off.
+
+        Raises:
+            Refused: From automatic to full speed in one go.
+        """
+        if mode is self.mode:
+            return
+        if {mode, self.mode} == {Mode.AUTO, Mode.FULL}:
+            raise Refused(Why.STATE, "between AUTO and MANF the key goes through MANR")
+        self.stop(StopMode.QUICK)
+        if Mode.AUTO in (mode, self.mode):
+            self.set_motors(Motors.OFF)
+        self.mode = mode
+        code = event_log.AUTOMATIC if mode is Mode.AUTO else event_log.MANUAL
+        self.log.operational(code, self.now_s, "")
+        self._show_states()
+
+    def set_speed_ratio(self, percent: int) -> None:
+        """Let the moves to come be so fast, in percent of what is programmed.
+
+        Raises:
+            Refused: Beyond 0..100, or out of automatic mode.
+        """
+        if not 0 <= percent <= 100:
+            raise Refused(Why.VALUE, f"a speed ratio of {percent} %; 0..100 are possible")
+        if self.mode is not Mode.AUTO:
+            raise Refused(Why.STATE, "the speed ratio is set in automatic mode only")
+        self.speed_ratio = percent
+        for task in self.tasks.values():
+            task.set_speed_ratio(self._refresh)
+
+    # Signals.
+
+    def signals(self) -> tuple[SignalDeclaration, ...]:
+        """All signals that are declared."""
+        return self.options.io.signals
+
+    def signal(self, name: str) -> SignalDeclaration:
+        """A signal by name, in any case.
+
+        Raises:
+            Refused: If none is declared.
+        """
+        for one in self.options.io.signals:
+            if one.name.lower() == name.lower():
+                return one
+        raise Refused(Why.NO_SIGNAL, f"there is no signal {name}")
+
+    def signal_value(self, name: str) -> float:
+        """The value of a signal."""
+        return self.cell.signals.read(name)
+
+    def set_signal(self, name: str, value: float) -> None:
+        """Change a signal, with all that hangs on it.
+
+        Raises:
+            Refused: If there is none, its kind or limits forbid the value, or it shows a state.
+        """
+        signal = self.signal(name)
+        if signal.status is not None:
+            raise Refused(Why.READ_ONLY, f"{signal.name} shows a state of the controller")
+        low, high = _limits(signal)
+        whole = signal.kind in (SignalKind.AI, SignalKind.AO) or value == math.floor(value)
+        if not (low <= value <= high and whole):
+            raise Refused(Why.VALUE, f"{signal.name} cannot be {value:.10g}")
+        self._change(signal.name, value)
+        self.settle()
+
+    def tell(self) -> None:
+        """Let programs look: somebody outside has changed what they may wait for."""
+        self.cell.tell(Moment(Instant(self.now_s)))
+        self.settle()
+
+    # What is told by tasks: implements `live_task.Chief`.
+
+    def stop_all(self, reason: str) -> None:
+        """A program asks for all to stop."""
+        for task in self.normal_tasks:
+            if task.executes:
+                task.stop(on_path=True)
+                text = f"{task.name} has been stopped by {reason}."
+                self.log.operational(event_log.STOPPED, self.now_s, text, task.name)
+
+    def cycle_ended(self, task: LiveTask) -> bool:
+        """Main has returned; whether it begins again at once."""
+        del task
+        return self.cycle is Cycle.FOREVER and not self._ends_with_cycle
+
+    def task_failed(self, task: LiveTask, found: tuple[Diagnostic, ...], message: str) -> None:
+        """A program cannot go on: all stop; the event log says why."""
+        for one in found:
+            self.log.finding(one, self.now_s)
+        self.log.execution_error(self.now_s, task.name, message)
+        for other in self.normal_tasks:
+            if other is not task and other.executes:
+                other.stop(on_path=True)
+        self._show_states(failed=task.name)
+
+    # Within.
+
+    @property
+    def _refresh(self) -> float:
+        return float(max(self.speed_ratio, LEAST_RATIO))
+
+    def _require_stopped(self) -> None:
+        if self.executes:
+            raise Refused(Why.STATE, "the program executes")
+
+    def _shared(self) -> SharedPersistents:
+        programs = [setup.program for setup in self.setups]
+        # Somebody outside may write all of them.
+        return shared_persistents(programs, TurnsBoard(self._turns), [None for _ in programs])
+
+    def _acquaint(self) -> None:
+        others = {key: one.run.controller.others for key, one in self.tasks.items()}
+        for one in others.values():
+            one.neighbours = others
+
+    def _change(self, name: str, value: float) -> None:
+        """Change a signal now; traps that storm stop the programs they belong to."""
+        cause = Cause(self._journal.beside(OUTSIDE))
+        moment = Moment(Instant(self.now_s))
+        try:
+            self.cell.set_signal(cause, moment, name, value)
+        except Stopped as storm:
+            self.stop(StopMode.STOP)
+            raise Refused(Why.STATE, storm.reason) from None
+
+    def _show_states(self, failed: str | None = None) -> None:
+        """Let the system outputs show what is."""
+        self._shows_executing = self.executes
+        for signal in self.options.io.signals:
+            value = self._status_value(signal, failed)
+            if value is not None and value != self.cell.signals.read(signal.name):
+                self._change(signal.name, value)
+
+    def _status_value(self, signal: SignalDeclaration, failed: str | None) -> float | None:
+        """What a system output shows; None for other signals, and where it stays as it is."""
+        match signal.status:
+            case None:
+                return None
+            case Status.TASK_EXECUTING:
+                named = self.tasks.get((signal.task or "").lower())
+                executes = self.executes if named is None else named.executes
+                return float(executes)
+            case Status.CYCLE_ON:
+                return float(self.executes)
+            case Status.ERROR:
+                return 1.0 if failed else float(self._has_failed)
+            case Status.MOTOR_ON | Status.MOTOR_ON_STATE:
+                return float(self.motors is Motors.ON)
+            case Status.MOTOR_OFF | Status.MOTOR_OFF_STATE:
+                return float(self.motors is Motors.OFF)
+            case Status.AUTO_ON:
+                return float(self.mode is Mode.AUTO)
+            case Status.RUN_CHAIN_OK | Status.EMERGENCY_STOP:
+                return None
+
+    @property
+    def _has_failed(self) -> bool:
+        return any(not one.has_pointer for one in self.tasks.values())
+
+
+def _limits(signal: SignalDeclaration) -> tuple[float, float]:
+    """Between what a signal may be set."""
+    low, high = signal.lowest, signal.highest
+    match signal.kind:
+        case SignalKind.DI | SignalKind.DO:
+            return 0.0, 1.0
+        case SignalKind.GI | SignalKind.GO:
+            return 0.0 if low is None else low, 2.0**32 - 1 if high is None else high
+        case _:
+            return -math.inf if low is None else low, math.inf if high is None else high

@@ -1,0 +1,125 @@
+"""The event log of a controller that stays on.
+
+Numbers and what they mean come from the controller's event messages; those marked so are from
+memory, and stand here once.
+
+Source: Operating manual Trouble shooting, "Event messages".
+"""
+
+from __future__ import annotations
+
+import re
+from collections import deque
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Final
+
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.language.error_log import ERROR, STATE, LoggedError
+
+KEPT: Final = 1000
+"""Entries of a domain that are kept, as on a controller."""
+COMMON: Final = 0
+"""The domain that shows the entries of all others."""
+DOMAINS: Final = (COMMON, 1, 2, 3, 4, 5, 7, 8, 9, 11, 12, 15)
+_CF: Final = re.compile(r"\d+")
+
+MOTORS_OFF, MOTORS_ON = 10010, 10011
+MANUAL, AUTOMATIC = 10015, 10017
+STARTED_FROM_MAIN, STARTED_AGAIN = 10150, 10151
+STOPPED = 10125
+EXECUTION_ERROR = 10020
+_TITLES: Final = {
+    MOTORS_OFF: "Motors OFF state",
+    MOTORS_ON: "Motors ON state",
+    MANUAL: "Manual mode selected",
+    AUTOMATIC: "Automatic mode confirmed",
+    STARTED_FROM_MAIN: "Program started",
+    STARTED_AGAIN: "Program restarted",
+    STOPPED: "Program stopped",
+    EXECUTION_ERROR: "Execution error state",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class LogEntry:
+    """One entry."""
+
+    number: int
+    """It grows over all domains."""
+    domain: int
+    type: int
+    """1 information, 2 warning, 3 error."""
+    code: int
+    time_s: float
+    """Virtual."""
+    title: str
+    text: str = ""
+    arguments: tuple[str, ...] = ()
+
+
+class EventLog:
+    """The entries of all domains, the newest first."""
+
+    def __init__(self, told: Callable[[LogEntry], None]) -> None:
+        """Begin with none; `told` hears of each."""
+        self._told = told
+        self._entries: dict[int, deque[LogEntry]] = {}
+        self._last = 0
+
+    def entries(self, domain: int) -> Iterator[LogEntry]:
+        """Those of a domain, the newest first."""
+        return reversed(self._entries.get(domain, ()))
+
+    def clear(self, domain: int | None = None) -> None:
+        """Forget the entries of a domain, or of all."""
+        if domain in {None, COMMON}:
+            self._entries.clear()
+        else:
+            self._entries.pop(domain or COMMON, None)
+
+    def operational(self, code: int, time_s: float, text: str, *arguments: str) -> None:
+        """Note what was done with the controller."""
+        self._note(1, int(STATE), code, time_s, _TITLES[code], text, arguments)
+
+    def execution_error(self, time_s: float, task: str, message: str) -> None:
+        """Note that a task has stopped with an error, in one line."""
+        title = _TITLES[EXECUTION_ERROR]
+        text = f"The program of {task} has stopped: {message}"
+        self._note(1, int(ERROR), EXECUTION_ERROR, time_s, title, text, (task,))
+
+    def finding(self, found: Diagnostic, time_s: float) -> None:
+        """Note what stopped a program, under the controller's number where it has one."""
+        number = _CF.search(found.violation.rule.cf or "")
+        where = f" ({found.file}, line {found.line})" if found.file else ""
+        rule = found.violation.rule.name.replace("-", " ")
+        code = int(number[0]) if number else _WITHOUT_NUMBER
+        title = rule[:1].upper() + rule[1:]
+        self._note(code // 10_000, int(ERROR), code, time_s, title, found.message + where, ())
+
+    def written(self, entry: LoggedError, time_s: float) -> None:
+        """Note what a program wrote, or what happened to its motion."""
+        domain, arguments = int(entry.domain), (entry.title, *entry.texts)
+        code = domain * 10_000 + int(entry.number) % 10_000
+        text = " ".join(entry.texts)
+        self._note(domain, int(entry.type), code, time_s, entry.title, text, arguments)
+
+    def _note(
+        self,
+        domain: int,
+        type_: int,
+        code: int,
+        time_s: float,
+        title: str,
+        text: str,
+        arguments: tuple[str, ...],
+    ) -> None:
+        self._last += 1
+        entry = LogEntry(self._last, domain, type_, code, time_s, title, text, arguments)
+        for one in (COMMON, domain):
+            self._entries.setdefault(one, deque(maxlen=KEPT)).append(entry)
+        self._told(entry)
+
+
+_WITHOUT_NUMBER: Final = 40_000
+"""Stands for a controller's number where rapidsim knows none: an error of a program."""

@@ -1,0 +1,192 @@
+"""One task of a controller that stays on: its program, its robot, and where its pointer is."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from typing import Protocol
+
+from rapidsim.controller.cell.cell import Cell, Listener
+from rapidsim.controller.journal.journal import Journal
+from rapidsim.controller.moves.queued_move import MotionError
+from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.interpreter.linking.loader import FatalError, Task, load, running
+from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents
+from rapidsim.language.errors import CycleEnded, Stopped
+from rapidsim.language.moves import Place
+from rapidsim.simulation.live.turns import LiveTurns
+from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.task_run import TaskRun, TaskSetup, begun, outcome_of
+from rapidsim.station.task_kind import TaskKind
+
+
+class Chief(Protocol):
+    """Who decides when tasks run."""
+
+    def stop_all(self, reason: str) -> None:
+        """A program asks for all to stop."""
+        ...
+
+    def cycle_ended(self, task: LiveTask) -> bool:
+        """Main has returned; whether it begins again at once."""
+        ...
+
+    def task_failed(self, task: LiveTask, found: tuple[Diagnostic, ...], message: str) -> None:
+        """A program has stopped and cannot go on: what was found, and the same in one line."""
+        ...
+
+
+@dataclass(eq=False)
+class LiveTask:
+    """A task; `begin` puts its pointer to main."""
+
+    number: int
+    setup: TaskSetup
+    cell: Cell
+    turns: LiveTurns
+    journal: Journal
+    options: RunOptions
+    unit: MechanicalUnit
+    shared: SharedPersistents
+    chief: Chief
+    run: TaskRun = field(init=False)
+    task: Task | None = None
+    """The program with its data; None if initial values fail."""
+    failure: FatalError | None = None
+    """Why it could not be made ready."""
+    is_active: bool = True
+    """Whether it takes part when programs are started."""
+    has_pointer: bool = True
+    """Whether the pointer stands somewhere from which the program can go on."""
+    _begun: bool = False
+    _own: tuple[Listener, ...] = ()
+
+    @property
+    def name(self) -> str:
+        """As the station says."""
+        return self.setup.name
+
+    @property
+    def is_normal(self) -> bool:
+        """Whether it is started and stopped; others run while the controller is on."""
+        return self.setup.kind is TaskKind.NORMAL
+
+    @property
+    def is_begun(self) -> bool:
+        """Whether it has left main's first statement since its pointer was put there."""
+        return self._begun
+
+    @property
+    def executes(self) -> bool:
+        """Whether its program runs."""
+        return self._begun and not self.run.controller.execution.stands
+
+    @property
+    def place(self) -> Place:
+        """Where its pointer is."""
+        return self.run.controller.clock.place
+
+    @property
+    def entry(self) -> str:
+        """The procedure it begins with."""
+        return self.setup.entry or self.options.entry
+
+    def begin(self, now_s: float, refresh_percent: float) -> None:
+        """Put the pointer to main at a time [s]: variables begin anew, persistents keep values.
+
+        Args:
+            now_s: Now.
+            refresh_percent: The operator's speed ratio.
+        """
+        self.end(now_s)
+        before = len(self.cell.listeners)
+        self.run = begun(self.setup, self.unit, self.cell, self.journal, self.options)
+        self._own = tuple(self.cell.listeners[before:])
+        controller = self.run.controller
+        controller.clock.set(now_s)
+        controller.execution.stops_all = self.chief.stop_all
+        self.set_speed_ratio(refresh_percent)
+        program = self.setup.program if self.task is None else self.task.program
+        old, self.failure = self.task, None
+        try:
+            self.task = load(program, controller.concerns, self.shared)
+        except FatalError as error:
+            self.failure = error
+        else:
+            if old is not None:
+                self.task.keep(old)
+        self.has_pointer = True
+
+    def end(self, now_s: float) -> None:
+        """Take the program off; its robot forgets what is left of its path."""
+        self._begun = self.has_pointer = False
+        if not hasattr(self, "run"):
+            return
+        clock = self.run.controller.clock
+        self.turns.remove(clock)
+        self.cell.watchdog.forget(clock)
+        # By identity: two tables without interrupts are equal.
+        own, self._own = {id(one) for one in self._own}, ()
+        self.cell.listeners[:] = [one for one in self.cell.listeners if id(one) not in own]
+        self.unit.part()
+        queue = self.unit.own
+        with suppress(MotionError):
+            if queue.is_open and not queue.is_halted:
+                queue.halt(now_s)
+        while queue.stored:
+            queue.clear()
+            queue.restore()
+        queue.clear()
+        queue.resume(now_s)
+
+    def start(self) -> None:
+        """Begin with main, or go on where the program stopped."""
+        execution, clock = self.run.controller.execution, self.run.controller.clock
+        if self._begun:
+            execution.go_on()
+            self.turns.wake(clock)
+            return
+        self._begun = True
+        clock.set(max(self.turns.now_s, clock.pointer_s()))
+        self.turns.add(self.number, clock, self._execute)
+
+    def stop(self, *, on_path: bool) -> None:
+        """Stop now; see `TaskExecution.ask_to_stop`."""
+        if self._begun:
+            self.run.controller.execution.ask_to_stop(self.turns.now_s, on_path=on_path)
+            self.turns.wake(self.run.controller.clock)
+
+    def set_speed_ratio(self, percent: float) -> None:
+        """Let the moves to come be so fast, in percent of what is programmed."""
+        motion = self.run.controller.motion
+        motion.settings = replace(motion.settings, speed_refresh_percent=percent)
+
+    def _execute(self) -> None:
+        """The life of the program, in a greenlet of its own."""
+        clock, execution = self.run.controller.clock, self.run.controller.execution
+        found: tuple[Diagnostic, ...] = ()
+        message = ""
+        try:
+            if self.failure is not None:
+                raise self.failure
+            assert self.task is not None
+            with running():
+                while True:
+                    with suppress(CycleEnded):
+                        self.task.run(self.entry)
+                    self.journal.forget_lines()
+                    clock.begin_again()
+                    if not self.is_normal or self.chief.cycle_ended(self):
+                        continue
+                    with suppress(CycleEnded):
+                        self.run.controller.motion.finish()
+                    execution.stand()
+        except (FatalError, MotionError, Stopped) as error:
+            found = outcome_of(error, self.run).findings
+            message = found[0].message if found else str(error)
+        except Exception as error:
+            # A defect of ours ends this program, not the controller.
+            message = f"rapidsim has a defect: {type(error).__name__}: {error}"
+        self._begun = self.has_pointer = False
+        self.chief.task_failed(self, found, message)

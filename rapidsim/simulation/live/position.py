@@ -1,0 +1,86 @@
+"""Where the robots of a controller that stays on are now."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import TypeVar
+
+from rapidsim.controller.moves.queued_move import MotionError
+from rapidsim.frames.transform import Array
+from rapidsim.language.data import (
+    WOBJ0,
+    JointTarget,
+    Pose,
+    RobTarget,
+    ToolData,
+    WobjData,
+)
+from rapidsim.motion.configurations import targets
+from rapidsim.simulation.live.live_task import LiveTask
+from rapidsim.simulation.live.states import Refused, Why
+from rapidsim.simulation.live.symbols import find, value_of
+
+
+class Coordinates(StrEnum):
+    """In which frame a position is told."""
+
+    BASE = "Base"
+    WORLD = "World"
+    WOBJ = "Wobj"
+
+
+def joints(task: LiveTask) -> JointTarget:
+    """Where the axes of a task's robot are [deg, mm]."""
+    arm, external = _stand(task)
+    resolver = task.run.controller.others.resolver
+    return JointTarget(targets.rob_joint(arm), resolver.ext_joint(external))
+
+
+def target(task: LiveTask, tool: str, wobj: str, frame: Coordinates) -> RobTarget:
+    """Where the TCP of a task's robot is [mm].
+
+    Args:
+        task: The task.
+        tool: Name of the tool.
+        wobj: Name of the work object; it matters where the frame is that of the work object.
+        frame: What the position is told in.
+
+    Raises:
+        Refused: If there is no such tool or work object.
+    """
+    arm, external = _stand(task)
+    resolver = task.run.controller.others.resolver
+    carried = _value(task, tool, ToolData)
+    held = _value(task, wobj, WobjData) if frame is Coordinates.WOBJ else WOBJ0
+    found = resolver.target(arm, external, carried, held, task.place)
+    if frame is not Coordinates.BASE:
+        return found
+    world_from_tcp = targets.transform(Pose(found.trans, found.rot))
+    pose = targets.pose(resolver.base_from_world @ world_from_tcp)
+    return found._replace(trans=pose.trans, rot=pose.rot)
+
+
+def active_frames(task: LiveTask) -> tuple[str, str]:
+    """Names of the tool and the work object of the last move."""
+    return task.run.controller.motion.active_names()
+
+
+def _stand(task: LiveTask) -> tuple[Array, Array]:
+    """Joints (n,) [rad] and external axes (e,) [m or rad] now."""
+    now_s = task.turns.now_s
+    try:
+        return task.run.controller.others.stand_at(now_s)
+    except MotionError:
+        # The program that put the move there hears of it; the arm is where its path ends.
+        samples = task.unit.queue.at_past(now_s)
+        return samples.joints[0], samples.external[0]
+
+
+T = TypeVar("T", ToolData, WobjData)
+
+
+def _value(task: LiveTask, name: str, of: type[T]) -> T:
+    value = value_of(task, find(task, name))
+    if not isinstance(value, of):
+        raise Refused(Why.NO_SYMBOL, f"{name} is no {of.__name__.lower()}")
+    return value

@@ -1,0 +1,131 @@
+"""One clock for tasks that are started, stopped and replaced while it goes on.
+
+As in `scheduler`, whoever has the earliest time runs. Here the one who holds the clock decides how
+far virtual time has come (`step`), tasks come and go, and between two steps somebody outside may
+change what they wait for. Nobody waits in vain, for somebody may always come.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from greenlet import greenlet
+
+from rapidsim.controller.cell.cell import Cell
+
+LOOKS_S = 0.01
+"""So often [s] of virtual time a program that computes or polls lets others look."""
+
+
+@dataclass(slots=True, eq=False)
+class _Entry:
+    """A task."""
+
+    number: int
+    task: object
+    greenlet: greenlet
+    wake_s: float
+    """When it wants to go on; infinite where it waits for what others do."""
+
+    @property
+    def rank(self) -> tuple[float, int]:
+        """Whose turn it is: the least."""
+        return self.wake_s, self.number
+
+
+@dataclass(slots=True, eq=False)
+class LiveTurns:
+    """Implements `cell.Turns`."""
+
+    cell: Cell
+    now_s: float = 0.0
+    """How far virtual time has come."""
+    current: object = None
+    """The task that runs; None between steps."""
+    _entries: dict[object, _Entry] = field(default_factory=dict)
+    _hub: greenlet | None = None
+
+    def add(self, number: int, task: object, body: Callable[[], None]) -> None:
+        """Let a task run from now on.
+
+        Args:
+            number: Its place among tasks that want to go on at one time.
+            task: Its clock, which calls `until`.
+            body: Runs it; must not raise.
+        """
+        self._entries[task] = _Entry(number, task, greenlet(body), self.now_s)
+
+    def remove(self, task: object) -> None:
+        """Let a task run no more; called between steps."""
+        entry = self._entries.pop(task, None)
+        if entry is not None and not entry.greenlet.dead:
+            entry.greenlet.throw()
+
+    def wake(self, task: object) -> None:
+        """Let a task look now."""
+        entry = self._entries.get(task)
+        if entry is not None:
+            entry.wake_s = min(entry.wake_s, self.now_s)
+
+    def wants_s(self) -> float:
+        """When the next of tasks and cell wants to go on [s]; infinite if none does."""
+        cell_s = self.cell.next_s()
+        wakes = (one.wake_s for one in self._entries.values())
+        return min(math.inf if cell_s is None else cell_s, min(wakes, default=math.inf))
+
+    def step(self, until_s: float) -> bool:
+        """Let the next go on that wants to by a time [s]; if none does, the time has come.
+
+        Returns:
+            Whether one did.
+        """
+        cell_s, entry = self.cell.next_s(), self._first()
+        if cell_s is not None and cell_s <= until_s and (entry is None or cell_s <= entry.wake_s):
+            self.now_s = max(self.now_s, cell_s)
+            self.cell.pass_next(cell_s, cell_s)
+            return True
+        if entry is None or entry.wake_s > until_s:
+            if until_s < math.inf:
+                self.now_s = max(self.now_s, until_s)
+            return False
+        self.now_s = max(self.now_s, entry.wake_s)
+        self._hub = greenlet.getcurrent()
+        self.current = entry.task
+        try:
+            entry.greenlet.switch()
+        finally:
+            self.current = None
+        if entry.greenlet.dead and self._entries.get(entry.task) is entry:
+            del self._entries[entry.task]
+        return True
+
+    def until(self, task: object, time_s: float) -> float:
+        """See `cell.Turns`; never infinite, as somebody outside may always come."""
+        entry = self._entries[task]
+        entry.wake_s = time_s
+        if time_s > self.now_s or self._first() is not entry:
+            assert self._hub is not None
+            self._hub.switch()
+        return entry.wake_s
+
+    def next_s(self, task: object) -> float:
+        """When somebody else may want to go on [s]."""
+        others = (one.wake_s for one in self._entries.values() if one.task is not task)
+        look_s = (math.floor(self.now_s / LOOKS_S + 1e-6) + 1) * LOOKS_S
+        return min(look_s, min(others, default=math.inf))
+
+    def look_again(self, time_s: float) -> None:
+        """Wake the other tasks at a time [s] at which something happens."""
+        for entry in self._entries.values():
+            if entry.task is not self.current:
+                entry.wake_s = min(entry.wake_s, max(time_s, self.now_s))
+
+    def rest(self, task: object) -> bool:
+        """A task waits for what others do; somebody outside may do it."""
+        del task
+        return False
+
+    def _first(self) -> _Entry | None:
+        return min(self._entries.values(), key=lambda one: one.rank, default=None)

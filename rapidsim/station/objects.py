@@ -1,0 +1,266 @@
+"""The tables [[object]], [[attach]] and [collisions]: what stands in the cell, and what is judged.
+
+[[object]]
+name = "table"
+box = [800, 600, 40]                       # mm
+pose = { position = [900, 0, -20] }        # of its middle, in its parent
+parent = "world"                           # or "wobj:wobjVice", "link:3", "tool"
+
+[[attach]]
+when = "doGrip = 1"
+object = "part"
+to = "tool"
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from rapidsim.collisions import shape
+from rapidsim.collisions.geometry import (
+    GREY,
+    Attachment,
+    CellGeometry,
+    CellObject,
+    Colour,
+    IgnoredPair,
+    Parent,
+    ParentKind,
+)
+from rapidsim.collisions.meshes.read import read_mesh
+from rapidsim.collisions.shape import Filling, Shape
+from rapidsim.files import InputError, did_you_mean
+from rapidsim.frames.transform import Transform
+from rapidsim.motion.configurations.targets import MM
+from rapidsim.station.external_axes import read_frame
+from rapidsim.station.signals import read_when
+from rapidsim.station.toml_reader import Reader, Table
+
+_SHAPES = ("box", "cylinder", "sphere", "capsule", "plane", "mesh")
+_KEYS = ("name", *_SHAPES, "unit", "scale", "filling", "pose", "parent", "robot", "colour")
+_MESH_KEYS = ("unit", "scale", "filling")
+_UNITS = {"mm": MM, "cm": 1e-2, "m": 1.0, "inch": 0.0254}
+_MOST_M = 100.0
+_LEAST_M = 1e-5
+_MOST_OBJECTS = 1000
+_COLOUR = re.compile("#[0-9a-fA-F]{6}")
+
+
+def read_geometry(reader: Reader, station: Table) -> CellGeometry | None:
+    """Read the tables; None if there are none of them. What is wrong is noted."""
+    if not {"object", "attach", "collisions"} & station.keys():
+        return None
+    objects: dict[str, CellObject] = {}
+    for number, (path, table) in enumerate(reader.tables(station, "object")):
+        if number >= _MOST_OBJECTS:
+            reader.wrong("object", f"more than {_MOST_OBJECTS} are not judged")
+            break
+        found = _object(reader, path, table)
+        if found is None:
+            continue
+        if found.name.lower() in objects:
+            reader.wrong(f"{path}.name", f"another object is called `{found.name}`")
+        objects[found.name.lower()] = found
+    attachments = [
+        one
+        for path, table in reader.tables(station, "attach")
+        if (one := _attachment(reader, path, table, [*objects])) is not None
+    ]
+    return _settings(
+        reader,
+        reader.table(station, "collisions"),
+        CellGeometry(tuple(objects.values()), tuple(attachments)),
+    )
+
+
+def _settings(reader: Reader, table: Table, found: CellGeometry) -> CellGeometry:
+    """The table [collisions]."""
+    reader.known("collisions", table, ("clearance", "stop-on-collision", "own-links", "ignore"))
+    clearance = reader.not_negative(table, "collisions", "clearance")
+    return replace(
+        found,
+        clearance_m=(clearance or 0.0) * MM,
+        stops=_flag(reader, table, "stop-on-collision", False),
+        own_links=_flag(reader, table, "own-links", True),
+        ignored=_ignored(reader, table),
+    )
+
+
+def _flag(reader: Reader, table: Table, key: str, default: bool) -> bool:
+    value = table.get(key, default)
+    if not isinstance(value, bool):
+        reader.wrong(f"collisions.{key}", "true or false is needed")
+        return default
+    return value
+
+
+def _ignored(reader: Reader, table: Table) -> tuple[IgnoredPair, ...]:
+    pairs = []
+    for path, pair in reader.tables(table, "ignore"):
+        path = f"collisions.{path}"
+        reader.known(path, pair, ("between", "reason"))
+        between = reader.texts(pair, path, "between")
+        reason = reader.text(pair, path, "reason")
+        if len(between) != 2 or not reason:
+            reader.wrong(
+                path, 'write { between = ["fence", "link 3"], reason = "why they may touch" }'
+            )
+            continue
+        pairs.append(IgnoredPair(*between, reason))
+    return tuple(pairs)
+
+
+def _attachment(
+    reader: Reader, path: str, table: Table, objects: Sequence[str]
+) -> Attachment | None:
+    reader.known(path, table, ("when", "object", "to", "robot"))
+    condition = read_when(reader, table, path, "when")
+    name = reader.text(table, path, "object")
+    to = reader.text(table, path, "to")
+    robot = reader.text(table, path, "robot")
+    for key in ("when", "object", "to"):
+        if key not in table:
+            reader.wrong(f"{path}.{key}", "is missing")
+    if to is not None and to != ParentKind.TOOL:
+        reader.wrong(f"{path}.to", f"`{to}` is not `tool`, which is all that carries objects")
+    if name is not None and name.lower() not in objects:
+        cure = did_you_mean(name, objects) or f"there are {', '.join(objects) or 'none'}"
+        reader.wrong(f"{path}.object", f"there is no object `{name}`", cure)
+        return None
+    if condition is None or name is None:
+        return None
+    return Attachment(condition.text, name, robot)
+
+
+def _object(reader: Reader, path: str, table: Table) -> CellObject | None:
+    reader.known(path, table, _KEYS)
+    name = reader.text(table, path, "name")
+    if not name:
+        reader.wrong(f"{path}.name", "is missing")
+    given = [key for key in _SHAPES if key in table]
+    if len(given) != 1:
+        reader.wrong(path, f"one of {', '.join(_SHAPES)} is needed")
+        return None
+    (kind,) = given
+    for key in _MESH_KEYS:
+        if key in table and kind != "mesh":
+            reader.wrong(f"{path}.{key}", f"a {kind} has no such key")
+    body = _mesh(reader, path, table) if kind == "mesh" else _solid(reader, path, table, kind)
+    pose = read_frame(reader, reader.table(table, "pose", f"{path}.pose"), f"{path}.pose")
+    if not (abs(pose.translation) <= 1000.0).all():
+        reader.wrong(f"{path}.pose", "more than a kilometre away")
+        pose = Transform.identity()
+    parent = _parent(reader, path, table)
+    colour = _colour(reader, path, table)
+    if body is None or not name or parent is None:
+        return None
+    return CellObject(name, body, parent, pose, colour)
+
+
+def _solid(reader: Reader, path: str, table: Table, kind: str) -> Shape | None:
+    if kind == "box":
+        size = reader.numbers(table, path, "box", 3)
+        if size is None or not _are_lengths(reader, f"{path}.box", size):
+            return None
+        return shape.box(np.array(size) * MM)
+    if kind == "plane":
+        if table["plane"] is not True:
+            reader.wrong(f"{path}.plane", "plane = true; all below its x and y axes is solid")
+        return shape.half_space()
+    sizes = reader.table(table, kind, f"{path}.{kind}")
+    keys = ("diameter",) if kind == "sphere" else ("diameter", "length")
+    reader.known(f"{path}.{kind}", sizes, keys)
+    given = [reader.positive(sizes, f"{path}.{kind}", key) for key in keys]
+    if missing := [key for key in keys if key not in sizes]:
+        reader.wrong(f"{path}.{kind}.{missing[0]}", "is missing")
+    lengths = [one for one in given if one is not None]
+    if len(lengths) < len(keys) or not _are_lengths(reader, f"{path}.{kind}", lengths):
+        return None
+    radius, *rest = 0.5 * lengths[0] * MM, *(one * MM for one in lengths[1:])
+    if kind == "sphere":
+        return shape.sphere(radius)
+    if kind == "cylinder":
+        return shape.cylinder(radius, *rest)
+    if rest[0] <= 2.0 * radius:
+        reader.wrong(f"{path}.capsule.length", "with both ends it is longer than the diameter")
+        return None
+    return shape.capsule(radius, rest[0] - 2.0 * radius)
+
+
+def _are_lengths(reader: Reader, path: str, lengths: Sequence[float]) -> bool:
+    if all(_LEAST_M <= one * MM <= _MOST_M for one in lengths):
+        return True
+    reader.wrong(path, f"lengths are from {_LEAST_M / MM:g} to {_MOST_M / MM:g} mm")
+    return False
+
+
+def _mesh(reader: Reader, path: str, table: Table) -> Shape | None:
+    name = reader.text(table, path, "mesh")
+    unit = reader.text(table, path, "unit")
+    factor = reader.positive(table, path, "scale") or 1.0
+    filling = reader.text(table, path, "filling") or Filling.SOLID
+    if filling not in list(Filling):
+        reader.wrong(f"{path}.filling", f"`{filling}` is none of {', '.join(Filling)}")
+        filling = Filling.SOLID
+    file = None if name is None else reader.inside(name, f"{path}.mesh")
+    if file is None:
+        return None
+    if unit is None and file.suffix.lower() in (".glb", ".gltf"):
+        unit = "m"
+    if unit not in _UNITS:
+        wrong = "its file does not say" if unit is None else f"`{unit}` is no unit of length"
+        reader.wrong(f"{path}.unit", wrong, f"known: {', '.join(_UNITS)}")
+        return None
+    try:
+        mesh = read_mesh(file, file.parent)
+    except InputError as mistake:
+        reader.wrong(f"{path}.mesh", mistake.message, mistake.help)
+        return None
+    if filling == Filling.SOLID and not mesh.closed:
+        reader.wrong(
+            f"{path}.mesh",
+            f"{file} is not closed: what is inside, nobody knows",
+            'filling = "surface" judges its triangles alone, filling = "hull" what is around them',
+        )
+        return None
+    mesh = replace(mesh, vertices=mesh.vertices * (_UNITS[unit] * factor))
+    size = float(np.ptp(mesh.vertices, axis=0).max())
+    if not _LEAST_M <= size <= _MOST_M:
+        reader.wrong(
+            f"{path}.unit",
+            f"{file} would be {size / MM:.6g} mm long in {unit}",
+            "say the unit that it was drawn in",
+        )
+        return None
+    return shape.of_mesh(mesh, Filling(filling))
+
+
+def _parent(reader: Reader, path: str, table: Table) -> Parent | None:
+    text = reader.text(table, path, "parent") or ParentKind.WORLD
+    robot = reader.text(table, path, "robot")
+    kind, _, name = (part.strip() for part in text.partition(":"))
+    if kind in (ParentKind.WORLD, ParentKind.TOOL) and not name:
+        return Parent(ParentKind(kind), robot=robot)
+    if kind == ParentKind.WOBJ and name:
+        return Parent(ParentKind.WOBJ, name=name, robot=robot)
+    if kind == ParentKind.LINK and name.isdecimal() and len(name) < 3:
+        return Parent(ParentKind.LINK, link=int(name), robot=robot)
+    reader.wrong(
+        f"{path}.parent", f"`{text}` is none of `world`, `wobj:NAME`, `link:NUMBER`, `tool`"
+    )
+    return None
+
+
+def _colour(reader: Reader, path: str, table: Table) -> Colour:
+    text = reader.text(table, path, "colour")
+    if text is None:
+        return GREY
+    if _COLOUR.fullmatch(text) is None:
+        reader.wrong(f"{path}.colour", f"`{text}` is no colour, such as `#6080a0`")
+        return GREY
+    red, green, blue = bytes.fromhex(text[1:])
+    return red, green, blue

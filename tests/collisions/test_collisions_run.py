@@ -1,0 +1,209 @@
+"""What a run says of a cell: first contact, clearance, carried parts, pairs that may touch."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import jsonschema
+import pytest
+from collision_cells import ARM, TABLE, cell, codes, report
+from command_line import call
+
+from rapidsim.api.schemas import json_schema
+
+DOWN = "    MoveL Offs(over,0,0,{0}),v200,fine,tool0;"
+
+
+def test_the_flange_hits_a_table_when_it_is_there(tmp_path: Path) -> None:
+    cell(tmp_path, DOWN.format(-150), TABLE)
+    found = report(tmp_path, 1)
+    jsonschema.validate(found, json_schema("run"))
+    assert codes(found) == ["C101"]
+    first = found["collisions"][0]
+    assert (first["first"], first["second"], first["line"]) == ("link 6", "`table`", 6)
+    # The flange, and what stands out of its likeness by a little more than 1 mm, is the lowest of
+    # the arm: it comes to the table's plane, and its rim is 30 mm deep at the end.
+    assert first["tcp"]["position_mm"][2] == pytest.approx(501.0, abs=0.5)
+    assert first["depth_mm"] == pytest.approx(30.0, abs=0.1)
+    assert found["clearance_mm"] == 0.0
+    assert found["end"] == "ended"
+
+
+def test_a_move_that_stays_above_says_how_near_it_came(tmp_path: Path) -> None:
+    cell(tmp_path, DOWN.format(-100), f"[collisions]\nclearance = 30\n{TABLE}")
+    found = report(tmp_path, 0)
+    assert codes(found) == ["C102"]
+    assert found["clearance_mm"] == pytest.approx(19.0, abs=1.0)
+    assert found["clearances"][0]["line"] == 6
+    assert not found["collisions"]
+
+
+def test_without_bodies_in_the_station_nothing_is_said(tmp_path: Path) -> None:
+    cell(tmp_path, DOWN.format(-150), "")
+    found = report(tmp_path, 0)
+    assert "collisions" not in found
+    assert "clearance_mm" not in found
+
+
+def test_the_summary_says_what_happened_and_what_the_shapes_are_worth(tmp_path: Path) -> None:
+    cell(tmp_path, DOWN.format(-150), TABLE)
+    ended = call("run", "cell.mod", "--no-record", cwd=tmp_path)
+    assert ended.code == 1
+    assert "likenesses" in ended.out
+    cell(tmp_path, DOWN.format(-100), TABLE)
+    ended = call("run", "cell.mod", "--no-record", cwd=tmp_path)
+    assert ended.code == 0
+    assert "none; nearest 18.8 mm, link 6 and `table`" in " ".join(ended.out.split())
+
+
+def test_a_check_finds_what_a_run_hits(tmp_path: Path) -> None:
+    cell(tmp_path, DOWN.format(-150), TABLE)
+    ended = call("check", "cell.mod", cwd=tmp_path)
+    assert ended.code == 1
+    assert "C101" in ended.out
+
+
+def test_pairs_that_may_touch_are_left_out_and_unknown_ones_told(tmp_path: Path) -> None:
+    ignored = """
+[collisions]
+ignore = [
+  { between = ["table", "robot"], reason = "it is soft" },
+  { between = ["tabel", "robot"], reason = "a slip of the pen" },
+]
+"""
+    cell(tmp_path, DOWN.format(-150), ignored + TABLE)
+    found = report(tmp_path, 0)
+    assert codes(found) == ["C103"]
+    assert "`tabel`" in found["not_judged"][0]
+
+
+def test_a_tool_has_a_body(tmp_path: Path) -> None:
+    tool = """
+[[object]]
+name = "gripper"
+cylinder = { diameter = 60, length = 100 }
+pose = { position = [0, 0, 50] }
+parent = "tool"
+"""
+    cell(tmp_path, DOWN.format(-80), tool + TABLE)
+    found = report(tmp_path, 1)
+    assert {one["first"] for one in found["collisions"]} == {"`gripper`"}
+    # Its end is 100 mm below the flange.
+    assert found["collisions"][0]["tcp"]["position_mm"][2] == pytest.approx(600.0, abs=0.03)
+
+
+PART = """
+[signals]
+doGrip = { type = "do" }
+
+[[object]]
+name = "part"
+box = [60, 60, 100]
+pose = { position = [700, 0, 550] }
+
+[[attach]]
+when = "doGrip = 1"
+object = "part"
+to = "tool"
+
+[[object]]
+name = "gripper"
+box = [40, 40, 20]
+pose = { position = [0, 0, 10] }
+parent = "tool"
+"""
+GRIP = """    SetDO doGrip,1;
+    WaitTime 0.1;
+    MoveL Offs(over,0,200,0),v200,fine,tool0;
+    SetDO doGrip,0;
+    WaitTime 0.1;
+    MoveL Offs(over,0,200,60),v200,fine,tool0;
+    MoveL Offs(over,0,0,60),v200,fine,tool0;
+"""
+WALL = """
+[[object]]
+name = "wall"
+box = [400, 10, 40]
+pose = { position = [700, 100, 530] }
+"""
+
+
+def test_a_part_is_carried_and_hits_what_is_in_its_way(tmp_path: Path) -> None:
+    cell(tmp_path, GRIP, PART + WALL)
+    found = report(tmp_path, 1)
+    assert codes(found) == ["C101"]
+    (hit,) = found["collisions"]
+    assert {hit["first"], hit["second"]} == {"`part`", "`wall`"}
+    # The part's edge is 30 mm before its middle, the wall's 5 mm before its own.
+    assert hit["tcp"]["position_mm"][1] == pytest.approx(65.0, abs=0.05)
+
+
+def test_a_part_that_lies_on_a_table_and_is_put_on_another_touches_nothing(tmp_path: Path) -> None:
+    cell(tmp_path, GRIP, f"{PART}{TABLE}")
+    found = report(tmp_path, 0)
+    assert not codes(found)
+
+
+def test_an_object_follows_its_work_object(tmp_path: Path) -> None:
+    station = '[[object]]\nname = "vice"\nbox = [100, 100, 100]\nparent = "wobj:wVice"\n'
+    head = """MODULE cell
+  PERS wobjdata wVice:=[FALSE,TRUE,"",[[700,0,300],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
+  CONST robtarget over:=[[0,0,320],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    MoveJ over,v500,fine,tool0\\WObj:=wVice;
+"""
+    moves = "    MoveL Offs(over,0,0,{0}),v200,fine,tool0\\WObj:=wVice;"
+    cell(tmp_path, moves.format(-260), station, head)
+    assert report(tmp_path, 0)["clearance_mm"] == pytest.approx(9.0, abs=1.0)
+    cell(tmp_path, moves.format(-275), station, head)
+    assert "C101" in codes(report(tmp_path, 1))
+
+
+def test_two_robots_hit_each_other(tmp_path: Path) -> None:
+    station = """
+[collisions]
+
+[[robot]]
+name = "left"
+model = "irb1600-6-1.2"
+
+[[robot]]
+name = "right"
+model = "irb1600-6-1.2"
+base = { position = [1400, 0, 0], quaternion = [0, 0, 0, 1] }
+
+[[task]]
+name = "T_LEFT"
+robot = "left"
+modules = ["left.mod"]
+
+[[task]]
+name = "T_RIGHT"
+robot = "right"
+modules = ["right.mod"]
+"""
+    moves = "    WaitTime 0.1;\n    MoveJ Offs(over,0,{0},0),v500,fine,tool0;"
+    file = cell(tmp_path, moves.format(0), station)
+    (tmp_path / "rapidsim.toml").write_text(station.replace(ARM, ""), encoding="utf-8")
+    file.rename(tmp_path / "left.mod")
+    right = (tmp_path / "left.mod").read_text(encoding="utf-8").replace("cell", "other")
+    (tmp_path / "right.mod").write_text(right, encoding="utf-8")
+    ended = call("run", "left.mod", "--no-record", "--format", "json", cwd=tmp_path)
+    assert ended.code == 1, ended
+    assert "of T_LEFT" in ended.out
+    assert "of T_RIGHT" in ended.out
+
+
+def test_a_contact_ends_the_run_where_the_station_says_so(tmp_path: Path) -> None:
+    moves = f'{DOWN.format(-150)}\n    TPWrite "over";'
+    station = f"[collisions]\nstop-on-collision = true\n{TABLE}"
+    cell(tmp_path, moves, TABLE)
+    goes_on = report(tmp_path, 1)
+    cell(tmp_path, moves, station)
+    stops = report(tmp_path, 1)
+    assert goes_on["end"] == "ended"
+    assert [one["message"] for one in goes_on["events"]] == ["over"]
+    assert stops["end"] == "error"
+    assert stops["time_s"] == goes_on["collisions"][0]["time_s"]
+    assert not stops["events"]
+    assert codes(stops) == ["C101"]

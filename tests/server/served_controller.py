@@ -1,0 +1,118 @@
+"""A controller in lock-step in front of an aiohttp client: no process, no thread, no wall clock."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable, Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TypeVar
+
+import aiohttp
+from aiohttp import web
+
+from rapidsim.jobs.asked import Asked
+from rapidsim.server.engine import Engine
+from rapidsim.server.http.app import Face
+from rapidsim.server.http.digest import DigestAuthentication
+from rapidsim.server.http.files import FileService
+from rapidsim.server.http.guard import Guard
+from rapidsim.server.link import DirectLink
+from rapidsim.server.loading import engine_of, ready
+from rapidsim.server.settings import DEFAULT_USERS, EngineSettings
+
+T = TypeVar("T")
+STEP_S = 0.05
+
+
+@dataclass
+class Served:
+    """A served controller, and a client that has come in."""
+
+    base: str
+    client: aiohttp.ClientSession
+    engine: Engine
+    face: Face
+
+    async def get(self, path: str) -> list[dict[str, Any]]:
+        """The items of a resource, as JSON."""
+        join = "&" if "?" in path else "?"
+        async with self.client.get(f"{self.base}/{path}{join}json=1") as response:
+            body = await response.json()
+            assert response.status == 200, body
+            items: list[dict[str, Any]] = body["_embedded"]["_state"]
+            return items
+
+    async def post(self, path: str, **form: str) -> tuple[int, int]:
+        """Status and code of an action; code 0 where it was done."""
+        fields = {key.replace("_", "-"): value for key, value in form.items()}
+        join = "&" if "?" in path else "?"
+        url = f"{self.base}/{path}{join}json=1"
+        async with self.client.post(url, data=fields) as response:
+            text = await response.text()
+            if response.status < 400:
+                return response.status, 0
+            body = await response.json()
+            assert text
+            return response.status, body["_embedded"]["status"]["code"]
+
+    async def status(self, path: str) -> tuple[int, int]:
+        """Status and code of a refusal."""
+        join = "&" if "?" in path else "?"
+        async with self.client.get(f"{self.base}/{path}{join}json=1") as response:
+            return response.status, (await response.json())["_embedded"]["status"]["code"]
+
+    async def search(self, path: str, **form: str) -> list[dict[str, Any]]:
+        """The items that an action answers with."""
+        async with self.client.post(f"{self.base}/{path}&json=1", data=form) as response:
+            assert response.status == 200
+            items: list[dict[str, Any]] = (await response.json())["_embedded"]["_state"]
+            return items
+
+    async def second_client(self) -> Served:
+        """The same controller for another client, who must close it."""
+        return Served(self.base, _client(), self.engine, self.face)
+
+    async def executes(self) -> bool:
+        (state,) = await self.get("rw/rapid/execution")
+        return bool(state["ctrlexecstate"] == "running")
+
+    async def value(self, name: str) -> str:
+        (state,) = await self.get(f"rw/rapid/symbol/data/RAPID/T_ROB1/{name}")
+        return str(state["value"])
+
+
+def serve(folder: Path, program: str, use: Callable[[Served], Awaitable[T]], **limits: Any) -> T:
+    """Serve a program on a free port of this computer and let a client use it."""
+    file = folder / "main.mod"
+    file.write_text(program, encoding="utf-8")
+    return asyncio.run(_serve(file, folder / "home", use, limits))
+
+
+async def _serve(
+    file: Path, home: Path, use: Callable[[Served], Awaitable[T]], limits: dict[str, Any]
+) -> T:
+    home.mkdir(exist_ok=True)
+    made = ready(Asked(paths=(str(file),), home=str(home)))
+    settings = EngineSettings(request_s=STEP_S)
+    link = DirectLink(lambda told: engine_of(made, settings, told))
+    users = DigestAuthentication(DEFAULT_USERS)
+    face = Face(link, users, Guard("127.0.0.1"), FileService(made.home), **limits)
+    link.listener = face.told
+    runner = web.AppRunner(face.app())
+    await runner.setup()
+    try:
+        site = web.TCPSite(runner, "127.0.0.1", 0)
+        await site.start()
+        port = runner.addresses[0][1]
+        async with _client() as client:
+            return await use(Served(f"http://127.0.0.1:{port}", client, link.engine, face))
+    finally:
+        await runner.cleanup()
+
+
+def _client() -> aiohttp.ClientSession:
+    digest = aiohttp.DigestAuthMiddleware("Default User", "robotics")
+    # Cookies of addresses in figures are kept only so.
+    jar = aiohttp.CookieJar(unsafe=True)
+    return aiohttp.ClientSession(middlewares=(digest,), cookie_jar=jar)

@@ -1,0 +1,169 @@
+"""Who comes in, and what nobody may do."""
+
+from pathlib import Path
+
+import aiohttp
+import pytest
+from served_controller import Served, serve
+from yarl import URL
+
+from rapidsim.server.http.guard import Guard, is_loopback
+from rapidsim.server.http.sessions import Sessions
+
+IDLE = "MODULE Idle\nPROC main()\nENDPROC\nENDMODULE\n"
+
+
+def test_nobody_comes_in_without_a_password_or_with_a_wrong_one(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        async with aiohttp.ClientSession() as nobody:
+            async with nobody.get(f"{served.base}/rw/system") as response:
+                assert response.status == 401
+                assert "Set-Cookie" not in response.headers
+                challenge = response.headers["WWW-Authenticate"]
+                assert challenge.startswith('Digest realm="validusers@robapi.abb"')
+            wrong = aiohttp.DigestAuthMiddleware("Default User", "wrong")
+            async with nobody.get(f"{served.base}/rw/system", middlewares=(wrong,)) as response:
+                assert response.status == 401
+
+    serve(tmp_path, IDLE, use)
+
+
+def test_either_cookie_stands_for_a_session(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        await served.get("rw/system")
+        cookies = {one.key: one.value for one in served.client.cookie_jar}
+        assert set(cookies) == {"ABBCX", "-http-session-"}
+        for name, value in cookies.items():
+            headers = {"Cookie": f"{name}={value}"}
+            async with (
+                aiohttp.ClientSession(headers=headers) as other,
+                other.get(f"{served.base}/rw/system") as response,
+            ):
+                assert response.status == 200
+
+    serve(tmp_path, IDLE, use)
+
+
+def test_there_are_only_so_many_sessions(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        others = []
+        for _ in range(2):
+            others.append(await served.second_client())
+            await others[-1].get("rw/system")
+        late = await served.second_client()
+        async with late.client.get(f"{late.base}/rw/system") as response:
+            assert response.status == 503
+        await others[0].get("logout")
+        await late.get("rw/system")
+        for one in (*others, late):
+            await one.client.close()
+
+    serve(tmp_path, IDLE, use, most_sessions=2)
+
+
+def test_an_idle_session_ends() -> None:
+    now, ended = [0.0], list[int]()
+    sessions = Sessions(2, 300.0, ended.append, lambda: now[0])
+    first, second = sessions.begin("a"), sessions.begin("b")
+    assert first
+    assert second
+    assert sessions.begin("c") is None
+    now[0] = 200.0
+    assert sessions.find(first.cookies) is first
+    now[0] = 400.0
+    assert sessions.find(second.cookies) is None
+    assert ended == [second.number]
+    assert sessions.find(first.cookies) is first
+
+
+@pytest.mark.parametrize(
+    ("headers", "lets_in"),
+    [
+        ({"Host": "127.0.0.1:8080"}, True),
+        ({"Host": "localhost:8080"}, True),
+        ({"Host": "[::1]:8080"}, True),
+        ({"Host": "robot.evil.example:8080"}, False),
+        ({"Host": "127.0.0.1.evil.example"}, False),
+        ({}, False),
+        ({"Host": "127.0.0.1:8080", "Origin": "http://127.0.0.1:8080"}, True),
+        ({"Host": "127.0.0.1:8080", "Origin": "http://evil.example"}, False),
+        ({"Host": "127.0.0.1:8080", "Origin": "http://127.0.0.1:3000"}, False),
+        ({"Host": "127.0.0.1:8080", "Origin": "null"}, False),
+    ],
+)
+def test_pages_from_elsewhere_do_not_come_in(headers: dict[str, str], lets_in: bool) -> None:
+    assert Guard("127.0.0.1").lets_in(headers) is lets_in
+
+
+def test_loopback_addresses_are_known() -> None:
+    assert all(map(is_loopback, ("127.0.0.1", "localhost", "::1", "127.9.9.9")))
+    assert not any(map(is_loopback, ("0.0.0.0", "192.168.1.5", "robot", "::")))
+
+
+def test_files_come_and_go_and_nobody_leaves_the_home_folder(tmp_path: Path) -> None:
+    (tmp_path / "secret.txt").write_text("secret")
+
+    async def use(served: Served) -> None:
+        url = f"{served.base}/fileservice"
+
+        async def ask(method: str, path: str, **more: object) -> tuple[int, bytes]:
+            target = URL(f"{url}/{path}", encoded=True)
+            async with served.client.request(method, target, **more) as response:  # type: ignore[arg-type]
+                return response.status, await response.read()
+
+        assert await ask("PUT", "$HOME/logs/a.txt", data=b"one") == (201, b"")
+        assert await ask("PUT", "$HOME/logs/A.TXT", data=b"two") == (200, b"")
+        assert await ask("GET", "$HOME/Logs/a.txt") == (200, b"two")
+        assert [one["_title"] for one in await served.get("fileservice/$HOME/logs")] == ["a.txt"]
+        assert (await ask("PUT", "$RAMDISK/r.txt", data=b"r"))[0] == 201
+        assert (tmp_path / "home" / "RAMDISK" / "r.txt").read_bytes() == b"r"
+        (tmp_path / "home" / "out").symlink_to(tmp_path)
+        for path in (
+            "$HOME/../secret.txt",
+            "$HOME/%2e%2e/secret.txt",
+            "$HOME/..%2fsecret.txt",
+            "$HOME/..%5csecret.txt",
+            "$HOME/out/secret.txt",
+            "$NOWHERE/a.txt",
+            "etc/passwd",
+            "",
+        ):
+            status, body = await ask("GET", path)
+            assert status == 404, path
+            assert b"secret" not in body.replace(b"secret.txt", b"")
+            assert (await ask("PUT", path, data=b"x"))[0] in (400, 404), path
+            assert (await ask("DELETE", path))[0] in (400, 404), path
+        assert (await ask("DELETE", "$HOME"))[0] == 400
+        assert (await ask("DELETE", "$HOME/logs/a.txt"))[0] == 204
+        assert (await ask("DELETE", "$HOME/logs/a.txt"))[0] == 404
+        assert (tmp_path / "secret.txt").read_text() == "secret"
+
+    serve(tmp_path, IDLE, use)
+
+
+def test_nothing_that_a_client_sends_ends_the_server(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        for path in (
+            "%00",
+            "rw/%ff%fe",
+            "rw/elog/99",
+            "rw/elog/x",
+            "poll/x",
+            "poll/-1",
+            "subscription/1",
+        ):
+            target = URL(f"{served.base}/{path}", encoded=True)
+            for method in ("GET", "POST", "PUT", "DELETE", "PATCH", "OPTIONS"):
+                async with served.client.request(method, target, data=b"\xff=\x00&%zz") as response:
+                    assert 200 <= response.status < 500, (method, path)
+        for query in ("start=x", "limit=-1", "start=-5&limit=1e9"):
+            async with served.client.get(f"{served.base}/rw/iosystem/signals?{query}") as response:
+                assert response.status in (200, 400)
+        huge = "[" * 100_000
+        assert (await served.post("rw/rapid/symbol/data/RAPID/T_ROB1/n?action=set", value=huge))[
+            0
+        ] == 400
+        await served.get("rw/system")
+
+    data = "PERS num n := 0;\nPERS pos p := [0,0,0];\n"
+    serve(tmp_path, IDLE.replace("PROC", f"{data}PROC", 1), use)

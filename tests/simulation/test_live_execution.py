@@ -1,0 +1,239 @@
+"""Programs of a controller that stays on: started, stopped, begun anew, failed."""
+
+import pytest
+from live_controller import Live, module
+
+from rapidsim.simulation.live.states import Cycle, Mode, Motors, Refused, StopMode
+
+COUNTS = module("n := n + 1; k := k + 1; WaitTime 1;", "PERS num n := 0; VAR num k := 0;")
+TURNS = module(
+    """MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v200, fine, tool0;
+    MoveAbsJ [[60,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v200, fine, tool0;
+    n := n + 1;""",
+    "PERS num n := 0;",
+)
+
+
+def test_nothing_runs_until_it_is_started_and_time_passes_all_the_same() -> None:
+    live = Live(COUNTS)
+    live.after(5.0)
+    assert (live.controller.now_s, live.controller.executes, live.value("n")) == (5.0, False, "0")
+    live.controller.start()
+    live.after(2.5)
+    assert live.controller.executes
+    assert live.value("n") == "3"
+
+
+def test_main_runs_once_or_for_ever_and_a_stop_at_its_end_waits_for_that() -> None:
+    live = Live(COUNTS)
+    live.controller.start(Cycle.ONCE)
+    live.after(3.0)
+    assert (live.controller.executes, live.value("n")) == (False, "1")
+    live.controller.start(Cycle.FOREVER)
+    live.after(1.5)
+    live.controller.stop(StopMode.CYCLE)
+    assert live.controller.executes
+    live.after(1.0)
+    assert (live.controller.executes, live.value("n")) == (False, "3")
+
+
+def test_variables_begin_anew_with_the_pointer_and_persistents_keep_their_values() -> None:
+    live = Live(COUNTS)
+    live.controller.start()
+    live.after(1.5)
+    with pytest.raises(Refused, match="executes"):
+        live.controller.reset_pointers()
+    live.controller.stop()
+    # Main runs on from where it stopped: the wait goes on, no round is counted twice.
+    live.controller.start()
+    live.after(0.1)
+    assert (live.value("n"), live.value("k")) == ("2", "2")
+    live.controller.stop()
+    live.controller.reset_pointers()
+    assert (live.value("n"), live.value("k")) == ("2", "0")
+    live.controller.start()
+    live.after(0.1)
+    assert (live.value("n"), live.value("k")) == ("3", "1")
+
+
+def test_a_stop_brakes_on_the_path_and_a_start_goes_on_to_the_end() -> None:
+    live = Live(TURNS)
+    live.controller.start(Cycle.ONCE)
+    live.after(0.6)
+    moving = live.axis_1()
+    assert 0.0 < moving < 1.0
+    live.controller.stop()
+    live.after(1.0)
+    stopped = live.axis_1()
+    assert moving < stopped < 1.0
+    live.after(10.0)
+    assert live.axis_1() == stopped
+    assert live.value("n") == "0"
+    live.controller.start()
+    live.after(10.0)
+    assert live.axis_1() == pytest.approx(1.0471975512)
+    assert live.value("n") == "1"
+
+
+def test_a_stop_after_the_instruction_lets_the_robot_make_its_move() -> None:
+    live = Live(TURNS)
+    live.controller.start(Cycle.ONCE)
+    live.after(0.6)
+    live.controller.stop(StopMode.INSTRUCTION)
+    live.after(10.0)
+    assert not live.controller.executes
+    assert live.axis_1() == pytest.approx(1.0471975512)
+    assert live.value("n") == "0"
+
+
+def test_after_a_stop_on_the_way_the_robot_may_begin_anew_from_where_it_stands() -> None:
+    live = Live(TURNS)
+    live.controller.start()
+    live.after(0.6)
+    live.controller.stop()
+    live.after(1.0)
+    stands = live.axis_1()
+    live.controller.reset_pointers()
+    assert live.axis_1() == stands
+    live.controller.start(Cycle.ONCE)
+    live.after(0.01)
+    assert live.axis_1() <= stands
+    live.after(20.0)
+    assert live.value("n") == "1"
+
+
+def test_a_program_stops_itself_and_is_started_again_behind_the_stop() -> None:
+    live = Live(module("n := 1; Stop; n := 2; Break; n := 3;", "PERS num n := 0;"))
+    live.controller.start(Cycle.ONCE)
+    for value in "12":
+        live.after(0.1)
+        assert (live.controller.executes, live.value("n")) == (False, value)
+        live.controller.start()
+    live.after(0.1)
+    assert live.value("n") == "3"
+
+
+def test_an_error_stops_the_program_and_leaves_the_controller_alive() -> None:
+    live = Live(module("n := n + 1; n := n / 0;", "PERS num n := 0;"))
+    live.controller.start()
+    live.after(0.1)
+    assert not live.controller.executes
+    errors = [entry for entry in live.entries if entry.type == 3]
+    assert [entry.code for entry in errors] == [40194, 10020] or len(errors) == 2
+    assert "line 4" in errors[0].text
+    assert live.controller.signal_value("doFault") == 1.0
+    with pytest.raises(Refused, match="pointer is lost"):
+        live.controller.start()
+    live.controller.reset_pointers()
+    assert live.controller.signal_value("doFault") == 0.0
+    live.controller.start()
+    live.after(0.1)
+    assert live.value("n") == "2"
+
+
+def test_an_error_of_one_task_stops_the_others() -> None:
+    live = Live(module("WaitTime 1; n := 1 / n;", "VAR num n := 0;"), COUNTS)
+    live.controller.start()
+    live.after(5.0)
+    assert not live.controller.executes
+    assert live.value("n", "T_ROB2") == "1"
+
+
+def test_tasks_of_the_background_run_whatever_is_started_and_stopped() -> None:
+    live = Live(COUNTS, background=module("b := b + 1; WaitTime 1;", "PERS num b := 0;"))
+    live.after(2.5)
+    assert live.value("b", "T_BACK") == "3"
+    live.controller.start()
+    live.controller.stop()
+    live.controller.reset_pointers()
+    live.after(1.0)
+    assert live.value("b", "T_BACK") == "4"
+
+
+def test_motors_off_stop_the_program_and_nothing_starts_without_them() -> None:
+    live = Live(TURNS)
+    live.controller.start()
+    assert live.controller.signal_value("doRuns") == 1.0
+    live.after(0.5)
+    live.controller.set_motors(Motors.OFF)
+    assert not live.controller.executes
+    assert live.controller.signal_value("doRuns") == 0.0
+    with pytest.raises(Refused, match="motors are off"):
+        live.controller.start()
+    live.controller.set_motors(Motors.ON)
+    live.controller.start()
+    assert live.controller.executes
+    assert [entry.code for entry in live.entries] == [10150, 10125, 10010, 10011, 10151]
+
+
+def test_the_key_goes_through_reduced_speed_and_switches_the_motors_off() -> None:
+    live = Live(COUNTS)
+    with pytest.raises(Refused, match="MANR"):
+        live.controller.set_mode(Mode.FULL)
+    live.controller.set_mode(Mode.REDUCED)
+    live.controller.set_mode(Mode.FULL)
+    assert live.controller.motors is Motors.OFF
+    with pytest.raises(Refused, match="automatic"):
+        live.controller.set_speed_ratio(50)
+
+
+def test_at_half_the_speed_ratio_a_way_takes_longer() -> None:
+    times = []
+    for percent in (100, 25):
+        live = Live(TURNS)
+        live.controller.set_speed_ratio(percent)
+        live.controller.reset_pointers()
+        live.controller.start(Cycle.ONCE)
+        while live.controller.executes:
+            live.after(0.05)
+        times.append(live.controller.now_s)
+    assert times[1] > 2.5 * times[0]
+
+
+def test_a_program_that_only_computes_lets_itself_be_stopped() -> None:
+    live = Live(module("WHILE TRUE DO n := n + 1; ENDWHILE", "VAR num n := 0;"))
+    live.controller.start()
+    live.after(0.1)
+    live.controller.stop()
+    assert not live.controller.executes
+    counted = live.value("n")
+    assert float(counted) > 1000
+    live.after(1.0)
+    assert live.value("n") == counted
+
+
+def test_a_robot_that_stopmove_holds_stays_where_it_is_when_the_program_goes_on() -> None:
+    body = """MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v200, fine, tool0;
+    CONNECT held WITH hold; ISignalDI diGo, 1, held;
+    MoveAbsJ [[60,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v200, fine, tool0;"""
+    live = Live(
+        module(body, "VAR intnum held;", "TRAP hold\nStopMove; WaitDI diGo, 0; StartMove;\nENDTRAP")
+    )
+    live.controller.start(Cycle.ONCE)
+    live.after(0.6)
+    live.controller.set_signal("diGo", 1)
+    live.after(1.0)
+    held = live.axis_1()
+    live.controller.stop()
+    live.controller.start()
+    live.after(1.0)
+    assert live.axis_1() == held
+    live.controller.set_signal("diGo", 0)
+    live.after(5.0)
+    assert live.axis_1() == pytest.approx(1.0471975512)
+
+
+def test_the_same_acts_at_the_same_times_give_the_same_run_to_the_last_bit() -> None:
+    def run(slice_s: float) -> list[object]:
+        live = Live(TURNS)
+        live.controller.start()
+        while live.controller.now_s < 0.7:
+            live.after(slice_s)
+        live.controller.advance(0.75)
+        live.controller.stop()
+        live.controller.advance(1.5)
+        live.controller.start()
+        live.controller.advance(9.0)
+        return [live.axis_1(), live.value("n"), live.entries]
+
+    assert run(0.05) == run(0.35)

@@ -1,0 +1,60 @@
+"""A target that depends on what comes from outside is judged by values that no cell may have."""
+
+import json
+from pathlib import Path
+
+import pytest
+from command_line import call
+
+NEAR = "CONST robtarget near:=[[700,0,700],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];"
+PROGRAM = f"""MODULE outside
+  {NEAR}
+  VAR num by;
+  VAR num place{{2}};
+  VAR clock watch;
+  FUNC num asked()
+    RETURN GInput(giPlace)*2;
+  ENDFUNC
+  FUNC num known()
+    RETURN ClkRead(watch)+5000;
+  ENDFUNC
+  PROC go(num way)
+    MoveJ Offs(near,way+5000,0,0),v500,fine,tool0;
+  ENDPROC
+  PROC main()
+    {{statements}}
+  ENDPROC
+ENDMODULE
+"""
+
+
+def severities(folder: Path, statements: str) -> list[tuple[str, str, str]]:
+    file = folder / "outside.mod"
+    file.write_text(PROGRAM.replace("{statements}", statements))
+    ended = call("check", str(file), "--robot", "irb1600", "--output-format", "json", cwd=folder)
+    found = json.loads(ended.out)["diagnostics"]
+    lines = file.read_text().splitlines()
+    return [
+        (one["code"], one["severity"], lines[one["line"] - 1][one["column"] - 1 :][:4])
+        for one in found
+        if one["code"] == "K601"
+    ]
+
+
+@pytest.mark.parametrize(
+    "statements",
+    [
+        "by:=GInput(giPlace); MoveJ Offs(near,by+5000,0,0),v500,fine,tool0;",
+        "place{1}:=asked(); MoveJ Offs(near,place{1}+5000,0,0),v500,fine,tool0;",
+        "MoveJ Offs(near,giPlace+5000,0,0),v500,fine,tool0;",
+        "go asked();",
+    ],
+    ids=["input", "function", "signal", "parameter"],
+)
+def test_what_depends_on_inputs_is_a_warning(statements: str, tmp_path: Path) -> None:
+    assert severities(tmp_path, statements) == [("K601", "warning", "Offs")]
+
+
+def test_what_a_run_tells_without_inputs_is_an_error(tmp_path: Path) -> None:
+    move = "by:=GInput(giPlace); MoveJ Offs(near,known(),0,0),v500,fine,tool0;"
+    assert severities(tmp_path, move) == [("K601", "error", "Offs")]
