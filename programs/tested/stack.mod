@@ -4,7 +4,7 @@ MODULE stack
   !   pytest programs/tested
 
   TASK PERS tooldata tVacuum:=[TRUE,[[0,0,120],[1,0,0,0]],[2,[0,0,50],[1,0,0,0],0,0,0]];
-  TASK PERS wobjdata wPallet:=[FALSE,TRUE,"",[[500,-150,200],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
+  TASK PERS wobjdata wPallet:=[FALSE,TRUE,"",[[600,-150,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
   CONST robtarget pFirst:=[[0,0,0],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
   CONST num boxLength:=120;
   CONST num boxWidth:=100;

@@ -39,7 +39,7 @@ MODULE test_stack
     nowhere:=placeOf(0);
     same 0,1;
   ERROR
-    IF ERRNO=ERR_ARGVALERR AND nowhere=[[0,0,0],[0,0,0,0],[0,0,0,0],[0,0,0,0,0,0]] RETURN;
+    IF ERRNO=ERR_ARGVALERR AND nowhere.trans=[0,0,0] RETURN;
   ENDPROC
 
   PROC test_placing_counts()

@@ -184,7 +184,7 @@ class Run:
 
     def __repr__(self) -> str:
         """One line."""
-        name = Path(self.simulation.program[0]).name[:50] if self.simulation.program else "?"
+        name = self.simulation.title[:50] or "?"
         return f"<run of {name}: {self.end} after {self.time_s:.3f} s, {len(self.moves)} moves>"
 
 

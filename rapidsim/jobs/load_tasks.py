@@ -29,8 +29,13 @@ class LoadedTask:
 
     name: str
     program: Program
-    has_moves: bool
-    """Whether move instructions stand in it."""
+    moves: int
+    """How many move instructions stand in it."""
+
+    @property
+    def has_moves(self) -> bool:
+        """Whether it moves a robot."""
+        return self.moves > 0
 
     @property
     def written(self) -> frozenset[str]:
@@ -58,7 +63,7 @@ def load_tasks(tasks: Sequence[TaskFiles], cell: CellNames = NO_CELL) -> LoadedT
     if conflicts or len(programs) < len(tasks):
         return LoadedTasks((), diagnostics)
     named = tuple(
-        LoadedTask(task.name or DEFAULT_TASK, program, bool(written_moves(one.files)))
+        LoadedTask(task.name or DEFAULT_TASK, program, len(written_moves(one.files)))
         for task, one, program in zip(tasks, loaded, programs, strict=True)
     )
     return LoadedTasks(named, diagnostics)

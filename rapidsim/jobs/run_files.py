@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from itertools import chain, count
 from os import PathLike, fspath
@@ -20,10 +20,11 @@ from rapidsim.jobs.load_tasks import LoadedTask, load_tasks
 from rapidsim.jobs.misspelt_signals import misspelt_in
 from rapidsim.jobs.pointed_targets import pointed_at_targets
 from rapidsim.jobs.run_options import run_options
-from rapidsim.jobs.task_files import program_name, seen_from_here
+from rapidsim.jobs.task_files import program_name, program_title, seen_from_here
 from rapidsim.jobs.task_setups import task_setups
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.progress import Progress
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.simulate import FinishedRun, run_tasks
 from rapidsim.simulation.task_run import TaskSetup
@@ -105,6 +106,8 @@ class PreparedRun:
     options: RunOptions
     diagnostics: tuple[Diagnostic, ...]
     """What checking found."""
+    title: str
+    """What the run is called."""
 
 
 def run_job(job: Job) -> FinishedRun:
@@ -141,25 +144,31 @@ def prepared(loaded: LoadedJob) -> PreparedRun:
     bare = task_setups(loaded.tasks, job.station, loaded.robot, job.open_robot)
     setups = tuple(replace(setup, entry=job.entry(setup.name)) for setup in bare)
     options = replace(run_options(job), home=_home(job.asked.home, job.asked.paths))
-    return PreparedRun(setups, options, loaded.diagnostics)
+    return PreparedRun(setups, options, loaded.diagnostics, program_title(job.asked.paths))
 
 
-def executed(prepared: PreparedRun) -> FinishedRun:
+def executed(
+    prepared: PreparedRun, watch: Callable[[Callable[[], Progress]], None] | None = None
+) -> FinishedRun:
     """Run what is prepared; the files it wrote are named as the user would name them here.
+
+    Args:
+        prepared: The run.
+        watch: Is given what tells how far the run is; see `run_tasks`.
 
     Raises:
         ProgramRejectedError: If a program cannot be turned into code that runs.
         InputError: If an arm cannot be timed, or no task moves one.
     """
     try:
-        finished = run_tasks(prepared.setups, prepared.options)
+        finished = run_tasks(prepared.setups, prepared.options, watch)
     except NotExecutableError as error:
         raise ProgramRejectedError((*prepared.diagnostics, error.diagnostic)) from None
     run = finished.simulation
     written = (replace(one, path=str(seen_from_here(Path(one.path)))) for one in run.home_files)
     found = pointed_at_targets(run.diagnostics, [setup.program for setup in prepared.setups])
     diagnostics = (*prepared.diagnostics, *found)
-    run = replace(run, home_files=tuple(written), diagnostics=diagnostics)
+    run = replace(run, home_files=tuple(written), diagnostics=diagnostics, named=prepared.title)
     return replace(finished, simulation=run)
 
 

@@ -120,6 +120,14 @@ def program_name(paths: Sequence[str]) -> str:
     return "stdin" if paths[0] == "-" else Path(os.path.realpath(paths[0])).stem
 
 
+def program_title(paths: Sequence[str]) -> str:
+    """What people call the run: the file or the folder that was named, the first of several."""
+    if paths[0] == "-":
+        return "standard input"
+    more = f" and {len(paths) - 1} more" if len(paths) > 1 else ""
+    return Path(os.path.realpath(paths[0])).name + more
+
+
 def missing_neighbours(paths: Sequence[str], diagnostics: Iterable[Diagnostic]) -> str | None:
     """A line that names the modules beside a lone file, if it uses names nobody declares."""
     beside = neighbours(paths[0]) if len(paths) == 1 else ()

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import numpy.typing as npt
 
@@ -12,6 +10,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.simulation.results.relative_motion import is_on_track, shown_end, shown_from_base
 from rapidsim.simulation.results.sampling import SampledRun, sampled
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
+from rapidsim.simulation.results.time_shares import end_point
 
 MM = 1000.0
 _DT = 0.004
@@ -29,9 +28,8 @@ def drawn(simulation: Simulation, one: RobotRun) -> SampledRun:
 
 def title_of(run: SampledRun) -> str:
     """The program's name and the robot's."""
-    names = [Path(name).name for name in run.simulation.program]
     whose = f"{run.one.task}, " if len(run.simulation.robots) > 1 else ""
-    return f"{' '.join(names[:2])} on {whose}{run.one.robot.title}"
+    return f"{run.simulation.title} on {whose}{run.one.robot.title}"
 
 
 def frame_of(run: SampledRun) -> str:
@@ -52,12 +50,8 @@ def end_mm(run: SampledRun, move: ExecutedMove) -> Array:
 
 
 def target_name(move: ExecutedMove) -> str:
-    """What the program calls the end of a move, shortened; `*` where it is written out."""
-    arguments = move.place.arguments
-    words = arguments.get("topoint") or arguments.get("tojointpos") or "*"
-    words = " ".join(words.split())
-    if words.startswith("["):
-        return "*"
+    """The end of a move in few letters."""
+    words = end_point(move)
     return words if len(words) <= _NAME_LETTERS else f"{words[: _NAME_LETTERS - 1]}…"
 
 

@@ -240,12 +240,11 @@ def _of_kind(
 
 
 def _targets(run: SampledRun) -> list[tuple[str, Array]]:
-    """Each target once, with its place (3,) [mm]."""
+    """Each place that is gone to once (3,) [mm], by its first name."""
     found: dict[tuple[str, ...], tuple[str, Array]] = {}
     for move in run.one.moves:
         place = end_mm(run, move)
-        name = target_name(move)
-        found.setdefault((name, *(f"{x:.2f}" for x in place)), (name, place))
+        found.setdefault(tuple(f"{x:.1f}" for x in place), (target_name(move), place))
     return list(found.values())
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -18,6 +18,7 @@ from rapidsim.motion.compiled import decided_anew
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.simulation.multitasking import run_together
 from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.progress import Progress, Watched
 from rapidsim.simulation.rehearsal import rehearsed, stopped_by_contact
 from rapidsim.simulation.results.early_outputs import early_output_findings
 from rapidsim.simulation.results.persistents import changed_persistents, told_once
@@ -81,30 +82,39 @@ class FinishedRun:
 
 @seldom_collected()
 @decided_anew()
-def run_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> FinishedRun:
+def run_tasks(
+    setups: Sequence[TaskSetup],
+    options: RunOptions,
+    watch: Callable[[Callable[[], Progress]], None] | None = None,
+) -> FinishedRun:
     """Run the programs of several tasks on one clock.
 
     Args:
         setups: The tasks; those at one time run in this order.
         options: Inputs and limits; what they say of a robot or a task does not count here.
+        watch: Is given, before anything runs, what tells how far the run is.
 
     Raises:
         InputError: If how fast the axes of an arm turn is not known, or no task moves one; if a
             contact is to end a run that cannot be rehearsed.
     """
     if options.geometry is None or not options.geometry.stops:
-        return _run(setups, options)
+        return _run(setups, options, watch)
     with rehearsed(options) as (rehearsal, again):
-        collisions = _run(setups, rehearsal).simulation.collisions
+        collisions = _run(setups, rehearsal, watch).simulation.collisions
     hits = () if collisions is None else collisions.hits
     if not hits or hits[0].time_s >= options.max_time_s:
-        return _run(setups, again)
+        return _run(setups, again, watch)
     # A run is a function of its inputs: cut off at the first contact it is the same up to there.
-    ended = _run(setups, replace(again, max_time_s=hits[0].time_s))
+    ended = _run(setups, replace(again, max_time_s=hits[0].time_s), watch)
     return replace(ended, simulation=stopped_by_contact(ended.simulation))
 
 
-def _run(setups: Sequence[TaskSetup], options: RunOptions) -> FinishedRun:
+def _run(
+    setups: Sequence[TaskSetup],
+    options: RunOptions,
+    watch: Callable[[Callable[[], Progress]], None] | None,
+) -> FinishedRun:
     """Run the programs to the end; see `run_tasks`."""
     arms = [setup.robot for setup in setups if setup.robot is not None]
     if not arms:
@@ -118,6 +128,8 @@ def _run(setups: Sequence[TaskSetup], options: RunOptions) -> FinishedRun:
         prepare(setup, arms[0], cell, own, options)
         for setup, own in zip(setups, journals, strict=True)
     ]
+    if watch is not None:
+        watch(Watched(runs))
     try:
         if len(runs) == 1:
             only = runs[0]

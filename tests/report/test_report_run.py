@@ -131,6 +131,8 @@ def test_json_is_the_contract() -> None:
         "diagnostics",
         "waits",
         "slowest_waits",
+        "stretches",
+        "regions",
         "events",
         "unsimulated",
         "persistents",

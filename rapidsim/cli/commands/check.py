@@ -15,6 +15,7 @@ from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.terminal import current_terminal, say, terminal_options
 from rapidsim.cli.tools.check_output import FORMATS, SPOKEN_FORMATS, checked_text
 from rapidsim.cli.tools.fixes import cured, difference, harmless_fixes
+from rapidsim.cli.tools.repeated import watch_option
 from rapidsim.diagnostics import Severity
 from rapidsim.export.text_edits import write_edits
 from rapidsim.jobs.asked import Asked
@@ -32,6 +33,7 @@ _SEVERITIES = tuple(Severity)
 
 
 @click.command(no_args_is_help=False)
+@watch_option
 @click.argument("paths", metavar="PATH...", nargs=-1, required=True)
 @click.option("--robot", metavar="NAME|FILE.urdf", help="The arm the program is for.")
 @scale_option

@@ -24,7 +24,9 @@ from rapidsim.cli.tools.assertions import (
     judge_budget,
     read_assertions,
 )
+from rapidsim.cli.tools.meter import Meter
 from rapidsim.cli.tools.opened_viewer import open_viewer
+from rapidsim.cli.tools.repeated import watch_option
 from rapidsim.cli.tools.run_output import FORMATS, RunDone, print_rejected, print_run, stage
 from rapidsim.cli.tools.watching import choose_watch, watched
 from rapidsim.extras import pip_install
@@ -50,6 +52,7 @@ _EXIT_CODES = {
 
 
 @click.command()
+@watch_option
 @program_options
 @output_options
 @input_options
@@ -114,9 +117,10 @@ def run(
     try:
         made = prepared(ready)
         _say_home(asked, made.options.home)
-        execute = partial(executed, made)
+        meter = Meter(sum(task.moves for task in ready.tasks))
+        execute = partial(executed, made, meter.watch)
         assertions = read_assertions(asserted, ready.programs, job.station.io, terminal)
-        finished, measured = watched(execute, ready, watch, terminal)
+        finished, measured = watched(execute, ready, watch, terminal, meter)
     except ProgramRejectedError as rejected:
         print_rejected(ready, rejected.diagnostics, output_format, terminal)
         return ExitCode.FINDINGS

@@ -25,6 +25,8 @@ from rapidsim.report.run.verdicts import Judgement
 from rapidsim.simulation.results.simulation import Simulation
 
 if TYPE_CHECKING:
+    from rich.console import RenderableType
+
     from rapidsim.cli.tools.profiler import Profile
 
 FORMATS = ("table", "json", "none")
@@ -124,13 +126,13 @@ def _print_summary(
 
 
 @contextmanager
-def stage(what: str, terminal: Terminal) -> Iterator[None]:
-    """Say on a terminal what is under way; anywhere else say nothing."""
+def stage(what: str, terminal: Terminal, meter: RenderableType | None = None) -> Iterator[None]:
+    """Say on a terminal what is under way, and how far; anywhere else say nothing."""
     if terminal.quiet or not sys.stderr.isatty():
         yield
         return
     from rich.console import Console
     from rich.status import Status
 
-    with Status(f"{what} ...", console=Console(stderr=True)):
+    with Status(meter or f"{what} ...", console=Console(stderr=True)):
         yield

@@ -14,6 +14,8 @@ from rapidsim.files import InputError
 from rapidsim.jobs.run_files import LoadedJob
 
 if TYPE_CHECKING:
+    from rich.console import RenderableType
+
     from rapidsim.cli.tools.profiler import Profile
 
 T = TypeVar("T")
@@ -40,9 +42,20 @@ def choose_watch(breaks: Sequence[str], profile: str | None) -> Watch:
 
 
 def watched(
-    run: Callable[[], T], loaded: LoadedJob, watch: Watch, terminal: Terminal
+    run: Callable[[], T],
+    loaded: LoadedJob,
+    watch: Watch,
+    terminal: Terminal,
+    meter: RenderableType | None = None,
 ) -> tuple[T, Profile | None]:
     """Run what was loaded, and measure it if that is wanted.
+
+    Args:
+        run: Runs it.
+        loaded: What it is.
+        watch: How it is watched.
+        terminal: Where it is said that it runs.
+        meter: How far it is.
 
     Raises:
         InputError: If several tasks run where one is to be followed.
@@ -54,7 +67,7 @@ def watched(
         from rapidsim.cli.tools.debugger import debugged
 
         return debugged(run, program, watch.breaks), None
-    with stage("simulating", terminal):
+    with stage("simulating", terminal, meter):
         if watch.profile is None:
             return run(), None
         from rapidsim.cli.tools.profiler import profiled

@@ -73,7 +73,7 @@ def record(simulation: Simulation, path: str | Path, *, dt: float | None = None)
 
 def _log_whole(stream: rr.RecordingStream, simulation: Simulation, run: RecordedRobot) -> None:
     """Log what there is once, however many robots there are."""
-    stream.send_recording_name(" ".join(Path(name).name for name in simulation.program))
+    stream.send_recording_name(simulation.title)
     stream.send_property("run", _properties(simulation, run.dt))
     stream.log("/", rr.ViewCoordinates.RIGHT_HAND_Z_UP, rr.CoordinateFrame(WORLD), static=True)
     log_signals(stream, run)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 import rerun as rr
@@ -14,6 +14,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.moves import Interpolation
 from rapidsim.recording import palette
 from rapidsim.recording.samples import RecordedRobot
+from rapidsim.simulation.results.time_shares import end_point
 
 ENTITY = "targets"
 NAMES_NEAR = f"{ENTITY}/names/near"
@@ -24,6 +25,8 @@ MOST_NAMES = 60
 MOST_AXES = 2000
 _APART = 0.02
 """Share of the work's extent within which targets share one label."""
+_MOST_AT_A_PLACE = 3
+"""Names that a label has; more would cover what it stands at."""
 _SAME = 1e-6
 """[m]; targets nearer than this with one name are one target."""
 
@@ -38,6 +41,8 @@ class Target:
     """Whether a line or an arc leads there."""
     warned: bool
     """Whether there is a finding on a move that leads there."""
+    visits: int = 1
+    """How many moves lead there."""
 
 
 def targets_of(run: RecordedRobot) -> tuple[Target, ...]:
@@ -58,8 +63,12 @@ def targets_of(run: RecordedRobot) -> tuple[Target, ...]:
             (move.place.span.file, move.place.span.line) in warned,
         )
         key = (target.name, *place)
-        if key not in found or target.on_line:
+        known = found.get(key)
+        if known is None:
             found[key] = target
+        else:
+            on_line, bad = known.on_line or target.on_line, known.warned or target.warned
+            found[key] = replace(known, on_line=on_line, warned=bad, visits=known.visits + 1)
     return tuple(found.values())
 
 
@@ -82,10 +91,8 @@ def points_of(targets: Sequence[Target]) -> Array:
 
 
 def target_name(move: ExecutedMove) -> str:
-    """What the program calls the target: the text of the argument, shortened."""
-    arguments = move.place.arguments
-    text = arguments.get("topoint") or arguments.get("tojointpos") or ""
-    text = " ".join(text.split())
+    """The end of a move in few letters."""
+    text = end_point(move)
     return text if len(text) <= 24 else text[:23] + "…"
 
 
@@ -187,7 +194,7 @@ def _log_axes(
 
 def _gathered(targets: Sequence[Target], apart_m: float) -> tuple[Array, list[str]]:
     """Places that are some way [m] apart, with the names of all targets near each."""
-    names: list[list[str]] = []
+    names: list[dict[str, int]] = []
     places: list[Array] = []
     for target in targets:
         point = target.still_from_tcp.translation
@@ -195,7 +202,14 @@ def _gathered(targets: Sequence[Target], apart_m: float) -> tuple[Array, list[st
         nearest = int(np.argmin(distances)) if distances else -1
         if not distances or distances[nearest] > apart_m:
             places.append(point)
-            names.append([target.name])
-        elif target.name not in names[nearest]:
-            names[nearest].append(target.name)
-    return np.array(places), [", ".join(group) for group in names]
+            names.append({})
+            nearest = len(names) - 1
+        names[nearest][target.name] = names[nearest].get(target.name, 0) + target.visits
+    return np.array(places), [_label(group) for group in names]
+
+
+def _label(visits: Mapping[str, int]) -> str:
+    """The names at a place, each with how often the robot goes there; of many, the first."""
+    said = [name if times == 1 else f"{name} ({times}x)" for name, times in visits.items()]
+    more = f" and {len(said) - _MOST_AT_A_PLACE} more" if len(said) > _MOST_AT_A_PLACE else ""
+    return ", ".join(said[:_MOST_AT_A_PLACE]) + more

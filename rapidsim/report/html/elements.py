@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from html import escape
 
 from rapidsim.report.findings.source_frame import printable
 
+_CODE = re.compile(r"`([^`\n]*)`")
+
 
 def text(words: object) -> str:
     """Text that a program may have written: no markup, nothing that steers a terminal or page."""
     return escape(printable(str(words)))
+
+
+def prose(words: object) -> str:
+    """The same, with what stands in backticks set as code."""
+    return _CODE.sub(r"<code>\1</code>", text(words))
 
 
 def tile(label: str, value: str, remark: str = "") -> str:
@@ -36,8 +44,10 @@ def table(heads: Sequence[str], rows: Iterable[Sequence[str]], *, kind: str) -> 
     body = "".join(
         "<tr>"
         + "".join(
-            f'<td class="number">{cell}</td>' if number else f"<td>{cell}</td>"
-            for cell, number in zip(row, numeric, strict=True)
+            f'<td class="number" data-name="{text(name[1:])}">{cell}</td>'
+            if number
+            else f"<td>{cell}</td>"
+            for cell, name, number in zip(row, heads, numeric, strict=True)
         )
         + "</tr>\n"
         for row in rows

@@ -6,6 +6,7 @@ small however long the run was.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 
 import numpy as np
@@ -15,6 +16,8 @@ from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.moves import Interpolation
+from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.report.html.arm_shapes import arm_data
 from rapidsim.report.html.packing import packed, packed_columns
 from rapidsim.simulation.results.relative_motion import (
     is_shown_in_world,
@@ -79,7 +82,7 @@ def _robot(run: SampledRun) -> dict[str, object]:
         "range": packed_columns(run.range_shares, 1),
         "joint_speed": packed_columns(run.speed_shares, 1),
         "joint_acceleration": packed_columns(run.acceleration_shares, 1),
-        "poses": _poses(one, run.simulation.motion_end_s, in_world),
+        **_arm(one, run.simulation.motion_end_s, in_world),
         "moves": [_move(move) for move in one.moves] if len(one.moves) <= MOST_MOVES else [],
         "move_count": len(one.moves),
         "targets": _targets(one, in_world),
@@ -98,11 +101,30 @@ def _kinds(run: SampledRun) -> Array:
     return np.where(run.in_corner, float(_NUMBERED.index("corner")), kinds)
 
 
-def _poses(one: RobotRun, end_s: float, in_world: bool) -> dict[str, object]:
+def _arm(one: RobotRun, end_s: float, in_world: bool) -> dict[str, object]:
+    """The arm to be drawn at its joints; one whose links that does not tell, as it stood when."""
+    samples = evaluate(one.trajectory, np.linspace(0.0, end_s, MOST_POSES))
+    arm = arm_data(one.robot)
+    step_s = end_s / (MOST_POSES - 1)
+    if arm is None:
+        return {"arm": None, "poses": _poses(one, samples, step_s, in_world)}
+    stands = shown_from_base(one, samples.external, in_world=in_world)
+    if np.allclose(stands.matrix, stands[0].matrix):
+        stands = stands[:1]
+    turns = stands.rotation.reshape(len(stands), -1)
+    return {
+        "arm": arm,
+        "stands": {
+            "step": step_s,
+            "turn": packed_columns(turns, 6),
+            "place": packed_columns(_MM * stands.translation, 1),
+        },
+    }
+
+
+def _poses(one: RobotRun, samples: Samples, step_s: float, in_world: bool) -> dict[str, object]:
     """The arm as the row of its joints, base to TCP, at evenly spaced instants."""
-    times = np.linspace(0.0, end_s, MOST_POSES)
-    samples = evaluate(one.trajectory, times)
-    kinematics = one.robot.kinematics
+    times, kinematics = samples.times, one.robot.kinematics
     links = kinematics.link_frames(samples.joints).translation
     flange = kinematics.forward(samples.joints).translation
     tcp = samples.base_from_tcp.translation
@@ -111,7 +133,7 @@ def _poses(one: RobotRun, end_s: float, in_world: bool) -> dict[str, object]:
     shown = shown_from_base(one, samples.external, in_world=in_world)
     points = shown[:, None].apply(in_base)
     return {
-        "step": end_s / (MOST_POSES - 1),
+        "step": step_s,
         "points": points.shape[1],
         "places": packed_columns(_MM * points.reshape(len(times), -1), 0),
     }
@@ -130,22 +152,29 @@ def _move(move: ExecutedMove) -> list[object]:
 
 
 def _targets(one: RobotRun, in_world: bool) -> list[list[object]]:
-    """Name, place, and whether a line or arc leads there, of each target, once.
+    """Names, place, and whether a line or arc leads there, of each target, once.
 
-    None where there are too many to be told apart.
+    Names that stand at one place are one label, with the number of visits. None where there are
+    too many to be told apart.
     """
-    found: dict[tuple[str, ...], list[object]] = {}
+    visits: dict[tuple[float, ...], Counter[str]] = {}
+    on_lines: set[tuple[float, ...]] = set()
     for move in one.moves:
         shown = shown_end(one, move, in_world=in_world).translation
-        place = [round(_MM * float(x), 1) for x in shown]
-        name = end_point(move)[:_NAME_LETTERS]
-        on_line = move.move.interpolation in (Interpolation.LINE, Interpolation.CIRCLE)
-        key = (name, *map(str, place))
-        if key not in found or on_line:
-            found[key] = [name, *place, on_line]
-        if len(found) > MOST_NAMES:
+        place = tuple(round(_MM * float(x), 1) + 0.0 for x in shown)
+        visits.setdefault(place, Counter())[end_point(move)[:_NAME_LETTERS]] += 1
+        if move.move.interpolation in (Interpolation.LINE, Interpolation.CIRCLE):
+            on_lines.add(place)
+        if len(visits) > MOST_NAMES:
             return []
-    return list(found.values())
+    return [[_label(names), *place, place in on_lines] for place, names in visits.items()]
+
+
+def _label(visits: Counter[str]) -> str:
+    first, *others = visits
+    times = visits.total()
+    more = f" +{len(others)}" if others else ""
+    return f"{first}{more}" if times == 1 else f"{first}{more} ({times}×)"
 
 
 def _failed(failed: FailedMove, shown: Transform) -> dict[str, object]:

@@ -8,19 +8,23 @@ from pathlib import Path
 
 from rapidsim.controller.journal.events import Event, EventKind
 from rapidsim.controller.journal.failed_moves import FailedMove
-from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.report.findings.merging import Finding, merged
-from rapidsim.report.html.elements import bar, section, table, text, tile
+from rapidsim.report.html.elements import bar, prose, section, table, text, tile
 from rapidsim.report.run.figures import Figures
 from rapidsim.report.run.json_report import models, of_robots
+from rapidsim.report.run.long_programs import lines_of
 from rapidsim.simulation.results.curve_deviations import CurveDeviation, all_curve_deviations
+from rapidsim.simulation.results.held_back import held_back
+from rapidsim.simulation.results.regions import Region, by_comment
 from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.simulation.results.time_shares import Share, Step, by_line, by_routine
 
 _MOST_FINDINGS = 200
 _OPEN_FINDINGS = 6
 _MOST_LINES = 300
+_MOST_STRETCHES = 30
 _MOST_EVENTS = 1500
 _LONGEST_LINE = 160
 _ENDS = {
@@ -32,26 +36,20 @@ _ENDS = {
 }
 
 
-def title(simulation: Simulation) -> str:
-    """The names of the program's files."""
-    names = [Path(name).name for name in simulation.program]
-    return names[0] if len(names) == 1 else f"{names[0]} and {len(names) - 1} more"
-
-
 def head(simulation: Simulation) -> str:
     """The name of the program, the robot, and how the run ended."""
     words, kind = _ENDS[simulation.end]
     robots = [one.robot.title for one in simulation.robots]
     return (
-        f"<h1>{text(title(simulation))}</h1>"
+        f"<h1>{text(simulation.title)}</h1>"
         f'<p class="robot">{text(" and ".join(robots))}</p>'
-        f'<p class="end {kind}">{text(words)} after {simulation.time_s:.3f} s</p>'
+        f'<p class="end {kind}">{text(words)} after {simulation.time_s:.3f}\N{NO-BREAK SPACE}s</p>'
     )
 
 
 def summary(simulation: Simulation, figures: Figures, findings: Sequence[Diagnostic]) -> str:
     """The figures that are asked for first."""
-    corners = ", ".join(f"{count} {kind.value}" for kind, count in figures.moves_by_corner)
+    corners = ", ".join(_corner(kind, count) for kind, count in figures.moves_by_corner)
     kinds = ", ".join(f"{count} {name}" for name, count in figures.moves_by_instruction)
     errors = sum(finding.severity is Severity.ERROR for finding in findings)
     warnings = sum(finding.severity is Severity.WARNING for finding in findings)
@@ -120,10 +118,10 @@ def _finding(finding: Finding, remark: str = "") -> str:
         line = f"<pre>{text(source[:_LONGEST_LINE])}</pre>"
     cf = f" (cf. {violation.cf})" if violation.cf else ""
     more = f" and {len(finding.repeats)} more like it" if finding.repeats else ""
-    cure = f'<p class="help">{text(violation.help)}</p>' if violation.help else ""
+    cure = f'<p class="help">{prose(violation.help)}</p>' if violation.help else ""
     title = f'<b class="code">{text(remark or kind)} {violation.code}</b>'
     return (
-        f'<div class="finding {kind}"><p>{title} {text(violation.message)}{text(cf)}</p>'
+        f'<div class="finding {kind}"><p>{title} {prose(violation.message)}{text(cf)}</p>'
         f'<p class="where">{text(where)}{more}</p>'
         f"{line}{cure}</div>\n"
     )
@@ -145,7 +143,9 @@ def cycle_time(simulation: Simulation) -> str:
         else ""
     )
     body = (
-        "<h3>By routine</h3>"
+        _stretches(simulation)
+        + _regions(by_comment(steps))
+        + "<h3>By routine</h3>"
         + table(
             ("routine", ">moves and waits", ">path [mm]", ">time [s]", ""),
             [
@@ -174,6 +174,55 @@ def cycle_time(simulation: Simulation) -> str:
         body,
         "in moves and waits; a wait while the robot moves counts for both lines",
     )
+
+
+def _stretches(simulation: Simulation) -> str:
+    """Where the programmed speed is not reached, and which limit is nearest then."""
+    found = held_back(simulation)
+    if not found:
+        return ""
+    rows = [
+        (
+            text(lines_of(one)),
+            text(one.limit),
+            str(one.moves),
+            f"{one.programmed_mm_s:.0f}",
+            f"{one.reached_mm_s:.0f}",
+            f"{one.seconds:.3f}",
+            f"{one.lost_s:.3f}",
+            bar(one.lost_s / found[0].lost_s if found[0].lost_s else 0.0),
+        )
+        for one in found[:_MOST_STRETCHES]
+    ]
+    heads = ("lines", "held by", ">moves", ">programmed [mm/s]", ">mean [mm/s]", ">time [s]",
+             ">lost [s]", "")  # fmt: skip
+    left = len(found) - len(rows)
+    more = f'<p class="aside">and {left} stretches that cost less</p>' if left else ""
+    table_of_them = table(heads, rows, kind="times")
+    return (
+        "<h3>Where the programmed speed is not reached</h3>"
+        f'<div class="scrolled">{table_of_them}</div>{more}'
+    )
+
+
+def _regions(regions: Sequence[Region]) -> str:
+    """The time by the comments that head parts of the program."""
+    if len(regions) < 2:
+        return ""
+    rows = [
+        (
+            text(one.comment),
+            text(f"{Path(one.file).name}:{one.line}"),
+            str(one.steps),
+            f"{one.seconds:.3f}",
+            bar(one.seconds / regions[0].seconds if regions[0].seconds else 0.0),
+        )
+        for one in regions[:_MOST_LINES]
+    ]
+    table_of_them = table(
+        ("comment", "line", ">moves and waits", ">time [s]", ""), rows, kind="times"
+    )
+    return f'<h3>By comment</h3><div class="scrolled">{table_of_them}</div>'
 
 
 def _share_row(
@@ -212,7 +261,7 @@ def events(simulation: Simulation) -> str:
             f"{event.time_s:.3f}",
             f'<span class="kind {event.kind.value}">{event.kind.value}</span>',
             text(_place(event, several)),
-            text(event.message),
+            prose(event.message),
         )
         for event in told[:_MOST_EVENTS]
     ]
@@ -274,6 +323,16 @@ def assumptions(simulation: Simulation) -> str:
 def _otherwise(figures: Figures) -> str:
     """The time with other accelerations, which is the assumption that counts most."""
     return ", ".join(f"{one.time_s:.3f} s with {one.words}" for one in figures.otherwise)
+
+
+def _corner(kind: CornerKind, count: int) -> str:
+    match kind:
+        case CornerKind.FLY_BY:
+            return f"{count} fly-by"
+        case CornerKind.STOP:
+            return _counted(count, "stop")
+        case CornerKind.STOP_CORNER_PATH_FAILURE:
+            return f"{_counted(count, 'stop')} as the next move came too late"
 
 
 def _counted(count: int, name: str) -> str:

@@ -19,7 +19,7 @@ from rapidsim.report.run.figures import figures
 from rapidsim.shipped import shipped
 from rapidsim.simulation.results.simulation import Simulation
 
-_SCRIPTS = ("data.js", "plot.js", "lanes.js", "path.js", "page.js")
+_SCRIPTS = ("data.js", "plot.js", "lanes.js", "path.js", "arm.js", "page.js")
 
 
 def write_report(simulation: Simulation, findings: Sequence[Diagnostic], path: str | Path) -> Path:
@@ -46,7 +46,7 @@ def write_report(simulation: Simulation, findings: Sequence[Diagnostic], path: s
 def report_page(simulation: Simulation, findings: Sequence[Diagnostic]) -> str:
     """The page as text."""
     parts = {
-        "title": text(sections.title(simulation)),
+        "title": text(simulation.title),
         "style": _shipped("style.css"),
         "head": sections.head(simulation),
         "summary": sections.summary(simulation, figures(simulation), findings),

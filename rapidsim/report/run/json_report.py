@@ -15,9 +15,12 @@ from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.text import diagnostic_json
 from rapidsim.report.run.collision_records import clearance_records, contact_records
 from rapidsim.report.run.figures import Figures, JointMargin, OffPath, SingularityMargin
+from rapidsim.report.run.long_programs import regions_json, stretches_json
 from rapidsim.report.run.records import json_of, move_records, number, wait_records
 from rapidsim.report.run.verdicts import NOTHING_ASKED, Judgement
 from rapidsim.simulation.results.event_values import event_record
+from rapidsim.simulation.results.held_back import held_back
+from rapidsim.simulation.results.regions import by_comment
 from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.simulation.results.time_shares import Share
 
@@ -60,6 +63,8 @@ def run_json(
         "max_off_path": _off_path(figures.off_path),
         "waits": [json_of(wait) for wait in wait_records(simulation)],
         "slowest_waits": [_share(share, "for") for share in figures.slowest_waits],
+        "stretches": stretches_json(held_back(simulation)),
+        "regions": regions_json(by_comment((*simulation.moves, *simulation.waits))),
         "events": [event_record(event) for event in simulation.events],
         "unsimulated": [
             {"name": one.name, "count": one.count, "treated_as": one.treated_as}
@@ -113,6 +118,8 @@ def rejected_json(
         "diagnostics": [diagnostic_json(finding) for finding in merged(findings)],
         "waits": [],
         "slowest_waits": [],
+        "stretches": [],
+        "regions": [],
         "events": [],
         "unsimulated": [],
         "persistents": [],

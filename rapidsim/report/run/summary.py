@@ -19,9 +19,11 @@ from rapidsim.collisions.contact import FARTHEST_M
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.report.findings.source_frame import printable
+from rapidsim.report.kept_units import KeptUnits
 from rapidsim.report.run.collision_records import clearance_records, contact_records
 from rapidsim.report.run.figures import Figures, JointMargin, OffPath, SingularityMargin
 from rapidsim.report.run.json_report import models, of_robots
+from rapidsim.report.run.long_programs import long_program_text
 from rapidsim.report.uncut_table import WholeTable
 from rapidsim.simulation.results.collisions import Collisions
 from rapidsim.simulation.results.persistents import PersistentChange, parts_of
@@ -87,13 +89,16 @@ def summary(
         written: Files of the command, the recording among them.
         bars: The characters bars are made of.
     """
-    parts: list[RenderableType] = [_headline(simulation), Rule(style="dim"), Text()]
+    parts: list[RenderableType] = [KeptUnits(_headline(simulation)), Rule(style="dim"), Text()]
     parts.append(_facts(simulation, figures, robot_reason, bars))
     slowest = sorted((*figures.slowest, *figures.slowest_waits), key=lambda one: -one.seconds)
-    if slowest:
+    of_many = long_program_text(simulation)
+    if of_many is not None:
+        parts += [Text(), of_many]
+    elif slowest:
         parts += [Text(), _slowest(slowest[:_SLOWEST], bars)]
     if simulation.moves:
-        parts += [Text(), _models(simulation, figures)]
+        parts += [Text(), KeptUnits(_models(simulation, figures))]
     if written or simulation.home_files:
         by_program = [f"{file.path} (by the program)" for file in simulation.home_files]
         parts += [Text(), files_text(written, by_program)]
@@ -102,10 +107,8 @@ def summary(
 
 def _headline(simulation: Simulation) -> Text:
     words, colour = _ENDS[simulation.end]
-    names = [Path(name).name for name in simulation.program]
-    program = names[0] if len(names) == 1 else f"{names[0]} and {len(names) - 1} more"
     return Text.assemble(
-        (program, "bold"),
+        (simulation.title, "bold"),
         f" on {' and '.join(one.robot.title for one in simulation.robots)} ",
         (f"{words} after {simulation.time_s:.3f} s", f"bold {colour}"),
     )
@@ -123,8 +126,8 @@ def _facts(
         whose = f" of {one.task}" if several else ""
         facts.add_row("" if number else "robot", f"{one.robot.name}{whose}{reason}")
         reason = ""
-    facts.add_row("time", _time_split(simulation, bars))
-    facts.add_row("moves", _moves(simulation, figures))
+    facts.add_row("time", KeptUnits(_time_split(simulation, bars)))
+    facts.add_row("moves", KeptUnits(_moves(simulation, figures)))
     if figures.moves_by_corner:
         facts.add_row("corners", _corners(figures))
     if figures.joint_margin:

@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from itertools import accumulate
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -113,10 +114,20 @@ class Simulation:
     """What bodies touched; None where the station says nothing of bodies."""
     signal_starts: Mapping[str, float] = field(default_factory=dict)
     """What the declared signals are at the start; those that a run creates start at 0."""
+    named: str = ""
+    """What the user named, such as a folder; empty where nobody said."""
 
     def __repr__(self) -> str:
         """One line."""
         return f"<simulation: {self.end} after {self.time_s:.3f} s, {len(self.moves)} moves>"
+
+    @property
+    def title(self) -> str:
+        """What the run is called: as the user named it, else by its files."""
+        if self.named or not self.program:
+            return self.named
+        first, *others = (Path(name).name for name in self.program)
+        return f"{first} and {len(others)} more" if others else first
 
     @property
     def only(self) -> RobotRun:

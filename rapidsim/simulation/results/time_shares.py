@@ -74,9 +74,12 @@ def argument(move: ExecutedMove, *names: str) -> str | None:
 
 
 def end_point(move: ExecutedMove) -> str:
-    """What the program calls the end of a move; `*` where it is written out in place."""
-    text = argument(move, "topoint", "tojointpos") or "*"
-    return "*" if text.startswith("[") else text
+    """What the program calls the end of a move; where it is written out in place, its position.
+
+    That is the first aggregate of the target, as it is written: the axes of a joint target.
+    """
+    text = "".join((argument(move, "topoint", "tojointpos") or "*").split())
+    return text[1:].partition("]")[0] + "]" if text.startswith("[[") else text
 
 
 def _added_up(

@@ -17,7 +17,8 @@ const robots = run.robots.map(packed => {
   for (const name of ["t", "kind", "speed"]) robot[name] = column(packed[name]);
   for (const name of ["tcp", "joints", "range", "joint_speed", "joint_acceleration"])
     robot[name] = packed[name].map(column);
-  robot.pose = packed.poses.places.map(column);
+  if (packed.arm) robot.stands = { ...packed.stands, turn: packed.stands.turn.map(column), place: packed.stands.place.map(column) };
+  else robot.pose = packed.poses.places.map(column);
   return robot;
 });
 const topSpeed = Math.max(1e-9, ...robots.map(robot => robot.speed.reduce((a, b) => Math.max(a, b), 0)));

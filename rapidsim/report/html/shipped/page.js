@@ -56,6 +56,7 @@ const timeTools = document.getElementById("time-tools");
 const playButton = button(timeTools, "▶ play", () => {
   if (playing()) { stop(); return; }
   if (view.now >= run.end) view.now = 0;
+  release();
   started = performance.now() - 1000 * view.now;
   playButton.textContent = "❚❚ pause";
   play();
@@ -135,6 +136,17 @@ for (const name of Object.keys(CURVES)) {
 }
 showPlots();
 steer(lanes);
+
+// Joints under the reader's hand, of the robot that is chosen.
+for (const robot of robots) {
+  if (!robot.arm) continue;
+  const own = document.createElement("div");
+  own.className = "hand";
+  document.getElementById("hand").append(own);
+  handTools(own, robot);
+  view.listeners.push(() => { own.style.display = robot === chosen ? "" : "none"; });
+}
+view.listeners.push(() => { document.getElementById("hand").style.display = chosen.arm ? "" : "none"; });
 
 // Path.
 const pathTools = document.getElementById("path-tools");

@@ -19,6 +19,7 @@ function tcpAt(robot, i) {
 }
 
 function armAt(robot, t) {
+  if (robot.arm) return [...linkFrames(robot, jointsAt(robot, t), t).map(frame => frame.place), tcpAt(robot, placeOf(robot.t, t))];
   const k = Math.min(Math.round(t / (robot.poses.step || 1)), robot.pose[0].length - 1);
   const points = [];
   for (let p = 0; p < robot.poses.points; p++)
@@ -37,7 +38,7 @@ function scene(eye) {
     for (let i = 0; i < robot.t.length; i += step)
       if (eye.whole || robot.kind[i] > 1) points.push(tcpAt(robot, i));
     if (eye.whole || !points.length)
-      for (let t = 0; t <= run.end; t += Math.max(run.end / 20, 1e-3)) points.push(...armAt(robot, t));
+      for (let t = 0; t <= run.end; t += Math.max(run.end / 20, 1e-3)) points.push(...armAt(robot, t), ...cornersAt(robot, t));
   }
   return points;
 }
@@ -60,7 +61,10 @@ function drawSpace(eye, canvas) {
   const at = point => seen(eye, point, width, height);
   drawFloor(pen, at);
   for (const robot of robots) {
+    // Near the work the arm is in the way: it is a veil there.
+    pen.globalAlpha = eye.whole ? 1 : 0.3;
     drawArm(robot, pen, at);
+    pen.globalAlpha = 1;
     drawTravelled(robot, pen, at);
     drawFailed(robot, pen, at);
     if (!eye.whole) drawTargets(robot, pen, at);
@@ -82,21 +86,6 @@ function drawFloor(pen, at) {
   }
 }
 
-function drawArm(robot, pen, at) {
-  const points = armAt(robot, view.now).map(at);
-  pen.strokeStyle = colour("arm");
-  pen.fillStyle = colour("arm");
-  pen.lineCap = "round";
-  pen.globalAlpha = 0.55;
-  for (let k = 1; k < points.length; k++) {
-    pen.lineWidth = k === points.length - 1 ? 2.5 : Math.max(4, 11 - k);
-    strip(pen, [points[k - 1], points[k]]);
-  }
-  pen.globalAlpha = 1;
-  pen.lineCap = "butt";
-  const tcp = at(tcpAt(robot, placeOf(robot.t, view.now)));
-  disc(pen, tcp, 4.5, colour("cursor"));
-}
 
 function drawTravelled(robot, pen, at) {
   const colours = KINDS.map(colour);
@@ -127,12 +116,15 @@ function drawTargets(robot, pen, at) {
   for (const [name, ...place] of robot.targets) {
     const [x, y] = at(place.slice(0, 3));
     disc(pen, [x, y], 3, colour("ink"));
-    const box = [x + 7, y - 8, pen.measureText(name).width + 8, 16];
+    // To the left where there is no room on the right.
+    const wide = pen.measureText(name).width + 8;
+    const left = x + 8 + wide > pen.canvas.clientWidth && x - wide > 0;
+    const box = [left ? x - wide - 7 : x + 7, y - 8, wide, 16];
     // A name that would cover another one is left out; it comes when one zooms in.
     if (taken.some(o => box[0] < o[0] + o[2] && o[0] < box[0] + box[2] && box[1] < o[1] + o[3] && o[1] < box[1] + box[3])) continue;
     taken.push(box);
     pen.fillStyle = colour("ink");
-    pen.fillText(name, x + 8, y);
+    pen.fillText(name, left ? x - wide : x + 8, y);
   }
 }
 

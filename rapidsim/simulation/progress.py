@@ -1,0 +1,43 @@
+"""How far a run is while it goes on; asked from another thread, it changes nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from rapidsim.simulation.task_run import TaskRun
+
+
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """What robots were given so far."""
+
+    moves: int
+    """Those whose times are known."""
+    places: int
+    """At how many places of the text these moves stand."""
+    planned: int
+    """Those besides that are planned at once, or wait for the end of their block."""
+
+
+class Watched:
+    """Counts the moves of tasks; looks at each only once, however often it is asked."""
+
+    def __init__(self, runs: Sequence[TaskRun]) -> None:
+        """Take the tasks of a run."""
+        self._runs = runs
+        self._counted = [0] * len(runs)
+        self._places: set[tuple[str, int]] = set()
+
+    def __call__(self) -> Progress:
+        """How far it is."""
+        for number, run in enumerate(self._runs):
+            moves = run.queue.moves
+            for move in moves[self._counted[number] :]:
+                if move.started.time is None:
+                    break
+                self._places.add((move.place.span.file, move.place.span.start))
+                self._counted[number] += 1
+        counted = sum(self._counted)
+        given = sum(len(run.queue.moves) for run in self._runs)
+        return Progress(counted, len(self._places), given - counted)

@@ -1,0 +1,71 @@
+"""The time of a run by the comments of its program: what people and generators head parts with."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from rapidsim.simulation.results.time_shares import Step
+
+_ROUTINE = re.compile(r"\s*(?:(?:LOCAL|TASK)\s+)?(?:PROC|FUNC|TRAP)\b", re.IGNORECASE)
+_COMMENT = re.compile(r"\s*!\s*(?P<words>.*?)\s*$")
+_SUPPRESSION = re.compile(r"rapidsim\s*:", re.IGNORECASE)
+_BORDER = re.compile(r"^\W+|\W+$")
+_LONGEST = 60
+
+
+@dataclass(frozen=True, slots=True)
+class Region:
+    """The statements behind a comment that stands on lines of its own."""
+
+    task: str
+    file: str
+    line: int
+    """Of the comment."""
+    routine: str
+    comment: str
+    steps: int
+    """Moves and waits that were run."""
+    seconds: float
+
+
+def by_comment(steps: Iterable[Step]) -> tuple[Region, ...]:
+    """The time behind each comment of a routine, the longest first; none without comments."""
+    heads: dict[str, list[tuple[int, str] | None]] = {}
+    found: dict[tuple[str, str, int], Region] = {}
+    for step in steps:
+        span = step.place.span
+        if span.file not in heads:
+            source = span.source
+            lines = [source.line(k + 1) for k in range(len(source.line_starts))]
+            heads[span.file] = _heads(lines)
+        head = heads[span.file][span.line - 1] if span.line <= len(heads[span.file]) else None
+        if head is None:
+            continue
+        key = (step.task, span.file, head[0])
+        known = found.get(key)
+        count, seconds = (known.steps, known.seconds) if known else (0, 0.0)
+        found[key] = Region(
+            *(step.task, span.file, head[0], step.place.routine, head[1]),
+            steps=count + 1,
+            seconds=seconds + step.end_s - step.start_s,
+        )
+    return tuple(sorted(found.values(), key=lambda one: -one.seconds))
+
+
+def _heads(lines: Sequence[str]) -> list[tuple[int, str] | None]:
+    """For each line of a file the first comment line of the block that heads it, and its words."""
+    found: list[tuple[int, str] | None] = []
+    head: tuple[int, str] | None = None
+    in_block = False
+    for number, line in enumerate(lines, start=1):
+        comment = _COMMENT.match(line)
+        words = "" if comment is None else _BORDER.sub("", comment["words"])
+        if _ROUTINE.match(line):
+            head = None
+        elif words and not in_block and not _SUPPRESSION.match(words):
+            head = (number, words[:_LONGEST])
+        in_block = comment is not None and (in_block or bool(words))
+        found.append(head)
+    return found
