@@ -5,6 +5,8 @@ from pathlib import Path
 import pytest
 
 import rapidsim
+from rapidsim.controller.journal.events import Wait
+from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.simulation.results.held_back import held_back
 from rapidsim.simulation.results.regions import by_comment
 from rapidsim.simulation.results.simulation import Simulation
@@ -69,9 +71,7 @@ def test_time_is_added_up_by_comment(run: Simulation) -> None:
     assert said[12] == ("Short stitches, too short for their speed", 20)
     assert set(said) == {7, 12}
     (first,) = (one for one in regions if one.line == 7)
-    assert first.seconds == pytest.approx(sum(
-        step.end_s - step.start_s
-        for step in (*run.moves, *run.waits)
-        if step.place.span.line in (9, 10)
-    ))  # fmt: skip
+    steps: list[ExecutedMove | Wait] = [*run.moves, *run.waits]
+    took_s = sum(one.end_s - one.start_s for one in steps if one.place.span.line in (9, 10))
+    assert first.seconds == pytest.approx(took_s)
     assert Path(first.file).name == "parts.mod"

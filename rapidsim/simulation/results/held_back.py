@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
+import numpy.typing as npt
 
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.frames.rotation_vectors import vector_from_rotation
@@ -109,7 +110,7 @@ def _of_robot(simulation: Simulation, one: RobotRun, offset: int) -> Iterator[St
         )
 
 
-def _pieces(below: Array, move: Array) -> Iterator[tuple[int, int]]:
+def _pieces(below: Array, move: npt.NDArray[np.int64]) -> Iterator[tuple[int, int]]:
     """Begin and end of what is below the speed, of each move by itself."""
     for begin, end in _runs(below):
         inner = np.flatnonzero(np.diff(move[begin:end])) + begin + 1
