@@ -159,7 +159,7 @@ ELSEWHERE = {
     "motion/timing/constraints.py": {"PathAccLim", "WorldAccLim"},
     "plots": {"round"},
     "recording": {"clear"},
-    "report": {"dim", "distance"},
+    "report": {"dim", "distance", "stop"},
     "server": {"type", "opmode", "stop", "set", "continue", "dim", "clear"},
     "simulation": {"stop"},
     "station": {"type", "set", "close", "max", "min", "stop"},
