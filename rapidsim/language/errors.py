@@ -41,6 +41,10 @@ class Stopped(BaseException):
         self.reason = reason
 
 
+class CutOff(Stopped):
+    """A limit of the run is reached: no clause of the program runs any more, UNDO neither."""
+
+
 class NotAllowed(Stopped):
     """A controller stops here with an error that no ERROR clause is asked about."""
 

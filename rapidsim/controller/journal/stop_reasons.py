@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from rapidsim.diagnostics import Violation
-from rapidsim.language.errors import Stopped
+from rapidsim.language.errors import CutOff, Stopped
 
 
-class TimeLimitReached(Stopped):
+class TimeLimitReached(CutOff):
     """Virtual time reached `--max-time`."""
 
 

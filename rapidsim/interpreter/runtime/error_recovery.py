@@ -31,7 +31,7 @@ from rapidsim.language.error_numbers import (
     NUMBERS,
     rapid_error,
 )
-from rapidsim.language.errors import RaisedError, RaisedToUser, RapidError, Stopped
+from rapidsim.language.errors import CutOff, RaisedError, RaisedToUser, RapidError, Stopped
 
 ERRORS: Final = (RapidError, ZeroDivisionError)
 """What a program can catch. Python divides by zero on its own; any other exception is a defect."""
@@ -216,7 +216,7 @@ def unwinds(exception: BaseException) -> bool:
     """Whether an exception leaves a routine in the way that runs its UNDO clause."""
     if isinstance(exception, LongJump):
         return exception.target is not sys._getframe(1)
-    return isinstance(exception, Stopped)
+    return isinstance(exception, Stopped) and not isinstance(exception, CutOff)
 
 
 def as_rapid_error(error: Exception) -> RapidError:
