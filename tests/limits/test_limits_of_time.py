@@ -69,7 +69,8 @@ WAYS = {
     "recursion": FIB,
     "UNDO clauses that begin anew": once(
         "    deep;",
-        "  PROC deep()\n    WHILE TRUE DO\n      n:=n+1;\n    ENDWHILE\n  UNDO\n    deep;\n  ENDPROC",
+        "  PROC deep()\n    WHILE TRUE DO\n      n:=n+1;\n    ENDWHILE\n"
+        "  UNDO\n    deep;\n  ENDPROC",
     ),
     "calls of calls": once("    q0;", CHAIN + "\n  PROC q60()\n    n:=n+1;\n  ENDPROC"),
     "moves that fail": UNREACHED,
