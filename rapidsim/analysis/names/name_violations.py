@@ -44,10 +44,16 @@ class DuplicateName(Violation, code="N202"):
     duplicate: str
     where: str = ""
     between_modules: bool = False
+    is_module: bool = False
 
     @property
     def help(self) -> str:
         """What makes the names differ."""
+        if self.is_module:
+            return (
+                "what is named together is one task: leave out the one that is a copy, or name "
+                "each program by itself"
+            )
         if self.between_modules and self.duplicate.lower() == "main":
             return (
                 "what is named together is one task: name each program by itself, or give each a "
