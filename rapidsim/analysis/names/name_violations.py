@@ -40,6 +40,10 @@ class UnseenName(Violation, code="N216"):
         return f"it may be declared in {' or '.join(self.modules)}, which cannot be read here"
 
 
+class UnresolvedReference(Violation, code="N221"):
+    undefined: str
+
+
 class DuplicateName(Violation, code="N202"):
     duplicate: str
     where: str = ""
@@ -66,6 +70,7 @@ class DuplicateName(Violation, code="N202"):
 
 SKIPS = "skips the call"
 LOOKS_FOR_IT = "looks for it among the modules it has loaded by then"
+STOPS_THERE = "fails where it comes to the call (40130)"
 """What a run does with the call of a routine that no module declares."""
 
 
@@ -80,6 +85,10 @@ class UnknownRoutine(Violation, code="N209"):
     @property
     def help(self) -> str:
         """Where the routine may be, or what it may be."""
+        if self.instead == STOPS_THERE:
+            return (
+                "the task does not check references (-BindRef 0); give the module that declares it"
+            )
         if self.instead != SKIPS:
             return (
                 f'a module that is loaded by then may declare it; `%"{self.unknown}"%` says so, '

@@ -185,7 +185,8 @@ def _puts_back(call: tree.Call, routine: LibraryRoutine, facts: Facts) -> bool:
 
 def _displaces_nothing(call: tree.Call, facts: Facts) -> bool:
     """Whether a call has one argument, a displacement that is none: `EOffsSet [0,0,0,0,0,0]`."""
-    if len(call.arguments) != 1:
-        return False
-    value = known_value(call.arguments[0].value, facts, persistents=False)
-    return value in _NO_DISPLACEMENTS
+    match call.arguments:
+        case (tree.Required(value=given),):
+            return known_value(given, facts, persistents=False) in _NO_DISPLACEMENTS
+        case _:
+            return False
