@@ -56,10 +56,8 @@ def _told(param: click.Parameter, command: str) -> click.Parameter:
     return param
 
 
-class _Named(click.ParamType):
+class _Named(click.types.StringParamType):
     """A word whose metavar says what it may be."""
-
-    name = "text"
 
     def __init__(self, metavar: str, is_robot: bool) -> None:
         self._metavar = metavar

@@ -147,7 +147,7 @@ def _worth_telling(
     )
     counts = (
         (len(told) - most, "more"),
-        (len(changes) - len(told), f"that differ by less than {_SHOWN_S:g} s"),
+        (len(changes) - len(told), f"of less than {_SHOWN_S:g} s"),
     )
     left = " and ".join(f"{count} {how}" for count, how in counts if count > 0)
     return told[:most], (f"... and {left}",) if left else ()

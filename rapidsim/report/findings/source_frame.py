@@ -33,7 +33,7 @@ class ShownLine:
 
 
 def source_frame(
-    span: Span, label: str, palette: Palette, *, colour: str, width: int, gutter: int
+    span: Span, label: str, palette: Palette, *, colour: str, width: int, gutter: int = 0
 ) -> list[str]:
     """Lines of the frame: number, text, carets with a label.
 
@@ -43,11 +43,12 @@ def source_frame(
         palette: Colours.
         colour: The colour of carets and label.
         width: Cells a line may take.
-        gutter: Cells of the line number.
+        gutter: Cells of the line number, if it shares them with longer ones.
 
     Returns:
         Three lines, the first an empty gutter, and perhaps one for the label.
     """
+    gutter = max(gutter, len(str(span.line)))
     number = f"{span.line:{gutter}}"
     rule = palette.paint("|", palette.frame)
     margin = f"{' ' * gutter} {rule}"
