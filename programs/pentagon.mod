@@ -50,9 +50,9 @@ MODULE Pentagon
     TPReadNum xpos, "x of the sheet on the table [mm]?";
     TPReadNum ypos, "y of the sheet on the table [mm]?";
     TPReadNum zrot, "Turn of the sheet about z [deg]?";
-    wobj1.oframe.trans.x := xpos;
-    wobj1.oframe.trans.y := ypos;
-    wobj1.oframe.rot := OrientZYX(zrot, 0, 0);
+    ! Where nobody answers, all three are 0:
+    ! the sheet stays where it lies.
+    IF xpos<>0 OR ypos<>0 OR zrot<>0 place_sheet;
 
     ! The configurations that the targets store hold where the sheet lay before.
     ConfJ \Off;
@@ -82,4 +82,10 @@ MODULE Pentagon
     Write logfile, "Y;"\num:=y;
     Write logfile, "Z;"\num:=z;
   ENDTRAP
+
+  PROC place_sheet()
+    wobj1.oframe.trans.x := xpos;
+    wobj1.oframe.trans.y := ypos;
+    wobj1.oframe.rot := OrientZYX(zrot, 0, 0);
+  ENDPROC
 ENDMODULE

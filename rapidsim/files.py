@@ -478,3 +478,9 @@ def _module_names(path: Path, data: bytes) -> list[str]:
     except (expat.ExpatError, LookupError, ValueError) as error:
         raise InputError(f"{path} is not a program file: {error}") from error
     return [name.strip() for name in names if name.strip()]
+
+
+def seen_from_here(path: Path) -> Path:
+    """A path below the working directory as the user would write it; others unchanged."""
+    here = Path.cwd().resolve()
+    return path.relative_to(here) if path.is_relative_to(here) else path

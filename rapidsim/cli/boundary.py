@@ -15,9 +15,9 @@ from types import FrameType
 from typing import NoReturn
 
 import click
-from click.shell_completion import shell_complete
 
 from rapidsim import __version__
+from rapidsim.cli.completion import COMPLETE, complete
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.group import commands
 from rapidsim.cli.terminal import PLAIN_CHARACTERS, Terminal, say
@@ -27,10 +27,6 @@ _LONGEST = 500
 """Characters of a line of a message; a name in a file may have millions."""
 _UNWRITABLE = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 """What the system answers when standard output goes to a full disk, or one that fails."""
-
-
-COMPLETE = "_RAPIDSIM_COMPLETE"
-"""What a shell sets to ask which words may follow; see click's page on shell completion."""
 
 
 class Terminated(BaseException):
@@ -51,7 +47,7 @@ def run_commands(arguments: Sequence[str]) -> int:
         with _terminable():
             instruction = os.environ.get(COMPLETE)
             if instruction:
-                return shell_complete(commands, {}, "rapidsim", COMPLETE, instruction)
+                return complete(instruction)
             return _code_of(arguments)
     except BrokenPipeError:
         # Whoever reads has seen enough.

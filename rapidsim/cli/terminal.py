@@ -74,6 +74,11 @@ class Terminal:
         columns = shutil.get_terminal_size(fallback).columns
         return max(_LEAST_COLUMNS, min(columns, _MOST_COLUMNS))
 
+    @property
+    def headline_width(self) -> int | None:
+        """Columns after which messages are broken; None in a file or a pipe: a line each."""
+        return self.width if sys.stdout.isatty() else None
+
     def console(self) -> Console:
         """A rich console on standard output with the same colours and width."""
         from rich.console import Console

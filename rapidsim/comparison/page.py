@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from html import escape
 
-from rapidsim.comparison.changes import Comparison
-from rapidsim.comparison.told import SAME, change_line, finding_line, time_line
+from rapidsim.comparison.changes import Comparison, TimeChange
+from rapidsim.comparison.told import Block, blocks, time_cells
 
 _SIDE = 460
 _MARGIN = 24
@@ -21,7 +21,11 @@ body { margin: 0 auto; max-width: 1000px; padding: 16px; background: var(--page)
 h1 { font-size: 20px; overflow-wrap: anywhere } h2 { font-size: 16px }
 section { background: var(--panel); border: 1px solid var(--rule); border-radius: 10px;
   padding: 4px 16px 12px; margin-bottom: 14px }
-li { overflow-wrap: anywhere } .views { display: flex; flex-wrap: wrap; gap: 16px }
+li, td:first-child { overflow-wrap: anywhere } ul { padding-left: 20px }
+table { border-collapse: collapse } td, th { padding: 2px 0 2px 16px; text-align: right;
+  font-variant-numeric: tabular-nums } td:not(:first-child) { white-space: nowrap }
+th { color: var(--soft); font-weight: normal } td:first-child { padding-left: 0; text-align: left }
+.views { display: flex; flex-wrap: wrap; gap: 16px }
 figure { margin: 0; flex: 1 1 300px } svg { width: 100%; height: auto } figcaption, .key {
   color: var(--soft); font-size: 13px }
 polyline { fill: none; stroke-width: 1.6; vector-effect: non-scaling-stroke }
@@ -32,21 +36,7 @@ polyline { fill: none; stroke-width: 1.6; vector-effect: non-scaling-stroke }
 def comparison_page(comparison: Comparison) -> str:
     """The page as text; it needs no network."""
     old, new = map(escape, comparison.names)
-    run = comparison.run
-    parts = [_section("Program", [change_line(one) for one in comparison.changes])]
-    if run is not None and not run.is_same:
-        delta_s = run.after_s - run.before_s
-        total = f"all: {run.before_s:.3f} s -> {run.after_s:.3f} s ({delta_s:+.3f} s)"
-        parts += [
-            _section("Time by routine", [total, *map(time_line, run.routines)]),
-            _section("Time by line", [time_line(one) for one in run.lines]),
-            _section("Outputs", [f"{one.signal}: {one.message}" for one in run.outputs]),
-        ]
-    parts.append(_section("Findings", [finding_line(one) for one in comparison.findings]))
-    if comparison.is_same:
-        parts.append(f"<section><p>{SAME}</p></section>")
-    if comparison.why_no_run:
-        parts.append(f"<section><p>No times: {escape(comparison.why_no_run)}.</p></section>")
+    parts = map(_section, blocks(comparison))
     return (
         '<!doctype html><html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
@@ -55,11 +45,25 @@ def comparison_page(comparison: Comparison) -> str:
     )
 
 
-def _section(title: str, lines: Sequence[str]) -> str:
-    if not lines:
+def _section(block: Block) -> str:
+    if not block.lines and not block.times:
+        return f"<section><p>{escape(block.title)}</p></section>"
+    items = "".join(f"<li>{escape(line)}</li>" for line in block.lines)
+    return (
+        f"<section><h2>{block.title}</h2>{_table(block.times)}"
+        f"{f'<ul>{items}</ul>' if items else ''}</section>"
+    )
+
+
+def _table(times: Sequence[TimeChange]) -> str:
+    if not times:
         return ""
-    items = "".join(f"<li>{escape(line)}</li>" for line in lines)
-    return f"<section><h2>{title}</h2><ul>{items}</ul></section>"
+    rows = "".join(
+        f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in time_cells(one))}</tr>"
+        for one in times
+    )
+    head = "<tr><th></th><th>before</th><th>after</th><th>change</th></tr>"
+    return f"<table>{head}{rows}</table>"
 
 
 def _paths(comparison: Comparison) -> str:

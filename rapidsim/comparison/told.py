@@ -2,29 +2,57 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import asdict
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from rapidsim.comparison.changes import At, Change, Comparison, FindingChange, TimeChange
+from rapidsim.comparison.changes import (
+    At,
+    Change,
+    Comparison,
+    FindingChange,
+    RunChange,
+    TimeChange,
+)
 
 _MOST_LINES = 20
+_SHOWN_S = 0.001
+"""Smaller changes of a time are counted; JSON has them all."""
 SAME = "No difference."
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """What is told of one subject; times come before lines."""
+
+    title: str
+    lines: tuple[str, ...] = ()
+    times: tuple[TimeChange, ...] = ()
 
 
 def as_text(comparison: Comparison) -> str:
     """A block of lines a subject."""
-    return "\n\n".join("\n".join(block) for block in _blocks(comparison)) + "\n"
+    told = []
+    for block in blocks(comparison):
+        lines = (*map(_time_line, block.times), *block.lines)
+        told.append("\n".join([block.title, *(f"  {line}" for line in lines)]))
+    return "\n\n".join(told) + "\n"
 
 
 def as_markdown(comparison: Comparison) -> str:
-    """Headings and lists, the figures as a table."""
+    """Headings and lists, times as tables."""
     lines = [f"### {comparison.names[0]} → {comparison.names[1]}", ""]
-    for title, *rest in _blocks(comparison):
-        if not rest:
-            lines += [title, ""]
+    for block in blocks(comparison):
+        if not block.lines and not block.times:
+            lines += [block.title, ""]
             continue
-        lines += [f"**{title}**", "", *(f"- {_escaped(line.strip())}" for line in rest), ""]
+        lines += [f"**{block.title}**", ""]
+        if block.times:
+            lines += ["| | before | after | change |", "|---|--:|--:|--:|"]
+            lines += [f"| {' | '.join(map(_escaped, time_cells(one)))} |" for one in block.times]
+            lines.append("")
+        if block.lines:
+            lines += [*(f"- {_escaped(line)}" for line in block.lines), ""]
     return "\n".join(lines)
 
 
@@ -52,54 +80,77 @@ def as_json(comparison: Comparison) -> dict[str, object]:
     }
 
 
-def change_line(change: Change) -> str:
+def _change_line(change: Change) -> str:
     """One change of the program in a line."""
     where = f" in {change.routine}" if change.routine else ""
     named = "" if change.routine else f" `{change.name}`"
     return f"{change.kind}{named}{where}: {change.message}{_places(change.old, change.new)}"
 
 
-def time_line(change: TimeChange) -> str:
-    """One change of a time in a line."""
+def time_cells(change: TimeChange) -> tuple[str, str, str, str]:
+    """One change of a time: of what, before, after, by how much."""
     before = "not run" if change.before_s is None else f"{change.before_s:.3f} s"
     after = "not run" if change.after_s is None else f"{change.after_s:.3f} s"
     what = f"{change.routine}: {change.what}" if change.what else change.routine
-    return f"{what}: {before} -> {after} ({change.delta_s:+.3f} s)"
+    return what, before, after, f"{change.delta_s:+.3f} s"
 
 
-def finding_line(finding: FindingChange) -> str:
+def _time_line(change: TimeChange) -> str:
+    what, before, after, delta = time_cells(change)
+    return f"{what}: {before} -> {after} ({delta})"
+
+
+def _finding_line(finding: FindingChange) -> str:
     """A finding that is new or gone in a line."""
     sign = "new " if finding.is_new else "gone"
     at = f" ({_place(finding.at)})" if finding.at else ""
     return f"{sign} {finding.severity}[{finding.code}] {finding.message}{at}"
 
 
-def _blocks(comparison: Comparison) -> Iterator[list[str]]:
+def blocks(comparison: Comparison) -> Iterator[Block]:
+    """What is told, a block a subject."""
     if comparison.is_same:
-        yield [SAME]
+        yield Block(SAME)
     if comparison.changes:
-        yield ["Program", *(f"  {change_line(one)}" for one in comparison.changes)]
+        yield Block("Program", tuple(map(_change_line, comparison.changes)))
     run = comparison.run
     if run is not None and not run.is_same:
-        delta_s = run.after_s - run.before_s
-        lines = [f"  all: {run.before_s:.3f} s -> {run.after_s:.3f} s ({delta_s:+.3f} s)"]
-        if run.other_model:
-            lines.append(f"  {run.other_model}")
-        if run.ends[0] != run.ends[1]:
-            lines.append(f"  it ended otherwise: {run.ends[0]} -> {run.ends[1]}")
-        lines += [f"  {time_line(one)}" for one in run.routines]
-        yield ["Time by routine", *lines]
-        if run.lines:
-            shown = [f"  {time_line(one)}" for one in run.lines[:_MOST_LINES]]
-            if len(run.lines) > _MOST_LINES:
-                shown.append(f"  ... and {len(run.lines) - _MOST_LINES} more")
-            yield ["Time by line", *shown]
+        yield from _time_blocks(run)
         if run.outputs:
-            yield ["Outputs", *(f"  {one.signal}: {one.message}" for one in run.outputs)]
+            yield Block("Outputs", tuple(f"{one.signal}: {one.message}" for one in run.outputs))
     if comparison.findings:
-        yield ["Findings", *(f"  {finding_line(one)}" for one in comparison.findings)]
+        yield Block("Findings", tuple(map(_finding_line, comparison.findings)))
     if comparison.why_no_run:
-        yield [f"No times: {comparison.why_no_run}."]
+        yield Block(f"No times: {comparison.why_no_run}.")
+
+
+def _time_blocks(run: RunChange) -> Iterator[Block]:
+    notes = [run.other_model] if run.other_model else []
+    if run.ends[0] != run.ends[1]:
+        notes.append(f"it ended otherwise: {run.ends[0]} -> {run.ends[1]}")
+    whole = TimeChange("", "all", "", run.before_s, run.after_s)
+    shown, left = _worth_telling(run.routines, len(run.routines))
+    yield Block("Time by routine", (*notes, *left), (whole, *shown))
+    if run.lines:
+        shown, left = _worth_telling(run.lines, _MOST_LINES)
+        yield Block("Time by line", left, shown)
+
+
+def _worth_telling(
+    changes: Sequence[TimeChange], most: int
+) -> tuple[tuple[TimeChange, ...], tuple[str, ...]]:
+    """Steps that are new or gone and times that differ visibly, and how many are left out."""
+    told = tuple(
+        one
+        for one in changes
+        if None in (one.before_s, one.after_s) or abs(one.delta_s) >= _SHOWN_S
+    )
+    counts = (
+        (len(told) - most, "more"),
+        (len(changes) - len(told), f"of less than {_SHOWN_S:g} s"),
+    )
+    left = " and ".join(f"{count} {how}" for count, how in counts if count > 0)
+    return told[:most], (f"... and {left}",) if left else ()
 
 
 def _places(old: At | None, new: At | None) -> str:
@@ -116,4 +167,4 @@ def _place(at: At) -> str:
 
 
 def _escaped(line: str) -> str:
-    return line.replace("*", "\\*").replace("<", "&lt;")
+    return line.replace("*", "\\*").replace("<", "&lt;").replace("|", "\\|")

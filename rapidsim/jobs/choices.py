@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rapidsim.files import backup_folders
+from rapidsim.files import backup_folders, seen_from_here
 from rapidsim.station.station import Station, find_station
 
 if TYPE_CHECKING:
@@ -67,7 +67,8 @@ def choose_robot(
         return RobotChoice(robot if isinstance(robot, str) else robot.name, None, scale)
     if station.robot is not None:
         scale = station.robots[0].scale if scale is None else scale
-        return RobotChoice(station.robot, f"from {station.robot_source or station.file}", scale)
+        source = station.robot_source or (station.file and seen_from_here(station.file))
+        return RobotChoice(station.robot, f"from {source}", scale)
     first = station.robots[0].unknown if station.robots else None
     unknown = f"the catalogue has no {first}; " if first else ""
     return RobotChoice(DEFAULT_ROBOT, f"by default; {unknown}--robot names another", scale)

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Severity
-from rapidsim.files import InputError
+from rapidsim.files import InputError, seen_from_here
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.jobs.entry import require_entry
 from rapidsim.jobs.given_options import asked_in_python
@@ -20,7 +20,7 @@ from rapidsim.jobs.load_tasks import LoadedTask, load_tasks
 from rapidsim.jobs.misspelt_signals import misspelt_in
 from rapidsim.jobs.pointed_targets import pointed_at_targets
 from rapidsim.jobs.run_options import run_options
-from rapidsim.jobs.task_files import program_name, program_title, seen_from_here
+from rapidsim.jobs.task_files import program_name, program_title
 from rapidsim.jobs.task_setups import task_setups
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.simulation.collected import FinishedRun

@@ -17,6 +17,7 @@ from rapidsim.files import (
     opened,
     read_tasks,
     require_inside,
+    seen_from_here,
 )
 from rapidsim.station.station import Station
 
@@ -109,12 +110,6 @@ def _folders(paths: Sequence[str]) -> tuple[Path, ...]:
 
 def _as_typed(modules: Iterable[Path]) -> tuple[str, ...]:
     return tuple(str(seen_from_here(module)) for module in modules)
-
-
-def seen_from_here(path: Path) -> Path:
-    """A path below the working directory as the user would write it; others unchanged."""
-    here = Path.cwd().resolve()
-    return path.relative_to(here) if path.is_relative_to(here) else path
 
 
 def program_name(paths: Sequence[str]) -> str:

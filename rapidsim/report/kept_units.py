@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import re
-
 from rich.console import Console, ConsoleOptions, RenderResult
 from rich.measure import Measurement
 from rich.text import Text
 
-_QUANTITY = re.compile(r"(?<=\d) (?=(?:s|ms|mm|mm/s|mm2|deg|deg/s|%|kg)\b|%)")
-_JOINT = "\ue000"
-"""Stands for the space while lines are broken; no text has it, for it means nothing."""
+from rapidsim.report.quantities import joined, parted
 
 
 class KeptUnits:
@@ -23,9 +19,9 @@ class KeptUnits:
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
         """Break lines as wide as there is room."""
         text = self._text.copy()
-        text.plain = _QUANTITY.sub(_JOINT, text.plain)
+        text.plain = joined(text.plain)
         for line in text.wrap(console, options.max_width):
-            line.plain = line.plain.replace(_JOINT, " ")
+            line.plain = parted(line.plain)
             yield line
 
     def __rich_measure__(self, console: Console, options: ConsoleOptions) -> Measurement:

@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -242,6 +243,16 @@ def test_no_line_of_help_is_cut() -> None:
         ("rapidsim ki", "plain,kin"),
         ("rapidsim kin ", "plain,fk"),
         ("rapidsim run --rec", "--record"),
+        ("rapidsim check pro", "file,pro"),
+        ("rapidsim run job.mod --station ", "file,"),
+        ("rapidsim run job.mod --plots ", "dir,"),
+        ("rapidsim run job.mod --robot irb1600-6", "plain,irb1600-6-1.2"),
+        ("rapidsim kin fk --robot rv", "plain,rv-m1"),
+        ("rapidsim diff old/ ne", "file,ne"),
+        ("rapidsim robots irb120", "plain,irb120-3-0.58"),
+        ("rapidsim explain K603", "plain,K603"),
+        ("rapidsim check job.mod --ignore S901,S9", "plain,S901,S902"),
+        ("rapidsim check job.mod --output-format s", "plain,sarif"),
     ],
 )
 def test_a_shell_is_told_which_words_may_follow(words: str, wanted: str) -> None:
@@ -253,3 +264,12 @@ def test_a_shell_is_told_which_words_may_follow(words: str, wanted: str) -> None
     ended = rapidsim(environment=environment)
     assert ended.code == 0, ended.err
     assert wanted in ended.out
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_a_shell_is_given_what_it_evaluates(shell: str, tmp_path: Path) -> None:
+    script = rapidsim(environment={"_RAPIDSIM_COMPLETE": f"{shell}_source"}).out
+    assert f"{shell}_complete" in script
+    if shutil.which(shell):
+        (tmp_path / "script").write_text(script)
+        assert subprocess.run([shell, "-n", tmp_path / "script"], check=False).returncode == 0

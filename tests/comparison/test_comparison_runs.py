@@ -46,10 +46,12 @@ def test_other_forms_say_the_same(sides: Path) -> None:
     marked = diff(sides, "old", "new", "--format", "markdown").out
     assert marked.startswith("### old → new\n")
     assert "- signal in place: SetDO: doLamp -&gt; doHorn" in marked.replace("->", "-&gt;")
+    assert "\n| | before | after | change |\n|---|--:|--:|--:|\n| all | " in marked
     ended = diff(sides, "old", "new", "--format", "html", "--output", "diff.html")
     assert (ended.code, ended.out) == (1, "")
     page = (sides / "diff.html").read_text(encoding="utf-8")
     assert page.count("<polyline") == 4
+    assert "<tr><th></th><th>before</th><th>after</th><th>change</th></tr>" in page
     assert "doLamp -&gt; doHorn" in page
     refused = diff(sides, "old", "new", "--format", "html")
     assert (refused.code, "--output FILE.html" in refused.err) == (2, True)

@@ -11,6 +11,7 @@ import pytest
 from command_line import call
 
 import rapidsim
+from rapidsim.cli.terminal import Terminal
 from rapidsim.cli.tools.check_output import checked_text
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Transform
@@ -20,7 +21,6 @@ from rapidsim.jobs.job import job
 from rapidsim.jobs.run_files import ProgramRejectedError
 from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.text import diagnostic_json
-from rapidsim.report.palette import PLAIN
 from rapidsim.report.run.figures import figures
 from rapidsim.report.run.json_report import run_json
 from rapidsim.simulation.options import RunOptions
@@ -80,7 +80,7 @@ def command(*arguments: object, cwd: Path, stdin: bytes = b"") -> dict[str, obje
 
 def checked(path: str) -> object:
     result = rapidsim.check([path])
-    text = checked_text("json", merged(result.diagnostics), result, PLAIN, width=80)
+    text = checked_text("json", merged(result.diagnostics), result, Terminal())
     return json.loads(text)
 
 

@@ -1,8 +1,10 @@
 """Findings as text and JSON: carets stand under their place, repeats become one."""
 
 import json
+import re
 import unicodedata
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from laws import examples
@@ -10,6 +12,7 @@ from laws import examples
 from rapidsim.analysis.names.name_violations import UndefinedName
 from rapidsim.analysis.rules.control_flow.conditions import ConstantCondition
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Rule, Source, Span
+from rapidsim.findings.runs import UncaughtError
 from rapidsim.jobs.selectors import is_selected
 from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.source_frame import printable, shown_line
@@ -194,6 +197,22 @@ def test_colours_change_nothing_but_colour() -> None:
 
 def vars_of(palette: object) -> tuple[str, ...]:
     return tuple(getattr(palette, name) for name in palette.__dataclass_fields__)  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize("width", [40, 60, 80])
+def test_a_message_breaks_between_words_and_keeps_its_units(width: int) -> None:
+    """Only where there is a width to keep; in a pipe it is one line."""
+    text = "MODULE a\n  n:=p10;\nENDMODULE\n"
+    told = "the path fails at 22 % (280.2 mm): axis 3 goes to 63.0 deg, 8.0 deg past 55.0 deg"
+    findings = merged([Diagnostic(UncaughtError(told), span(text, "p10"))])
+    broken = full(findings, PLAIN, width=width, headlines=width).splitlines()
+    assert max(map(len, broken)) <= width
+    assert full(findings, PLAIN, width=width).splitlines()[0].endswith(told)
+    assert told in " ".join(broken)
+    assert not [line for line in broken if re.match(r"(mm|deg|%)", line)]
+    coloured = full(findings, COLOURED, width=width, headlines=width)
+    assert COLOURED.outside(str, coloured) == coloured
+    assert re.sub(r"\x1b\[[0-9;]*m", "", coloured).splitlines() == broken
 
 
 def test_the_summary_line_counts() -> None:

@@ -19,7 +19,7 @@ from rapidsim.report.run.json_report import models, rejected_json, run_json
 from rapidsim.report.run.summary import ASCII_BARS, BLOCK_BARS, Bars, Written, summary
 from rapidsim.simulation.results.simulation import End, Simulation
 
-RECORDING = Written(Path("cell.rrd"), "recording")
+RECORDING = Written(Path("cell.rrd"), "recording", "rerun cell.rrd")
 
 
 def text(simulation: Simulation, *, width: int = 80, bars: Bars = BLOCK_BARS) -> str:

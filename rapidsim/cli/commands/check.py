@@ -136,7 +136,7 @@ def check(
     if counted:
         say(statistics(result.diagnostics, terminal.palette), palette=terminal.palette, nl=False)
     else:
-        text = checked_text(output_format, findings, result, terminal.palette, terminal.width)
+        text = checked_text(output_format, findings, result, terminal)
         say(text, palette=terminal.palette, nl=False)
     if output_format in SPOKEN_FORMATS and not terminal.quiet:
         seconds, files, known = time.perf_counter() - started, len(result.files), len(result.known)

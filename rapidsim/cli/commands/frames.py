@@ -50,7 +50,9 @@ def frames(
     loaded = load(files, cell=job.cell, unseen=task_files.unseen)
     if loaded.program is None:
         findings = merged(loaded.diagnostics)
-        text = full(findings, terminal.palette, width=terminal.width)
+        text = full(
+            findings, terminal.palette, width=terminal.width, headlines=terminal.headline_width
+        )
         say(text, palette=terminal.palette, nl=False, err=True)
         say(summary_line(findings, files=len(files), seconds=None), err=True)
         return ExitCode.FINDINGS

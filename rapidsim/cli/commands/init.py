@@ -7,9 +7,8 @@ import click
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.robot_choice import open_robot
 from rapidsim.cli.terminal import current_terminal, say, terminal_options
-from rapidsim.files import InputError
+from rapidsim.files import InputError, seen_from_here
 from rapidsim.jobs.draft import draft_for
-from rapidsim.jobs.task_files import seen_from_here
 from rapidsim.output_files import whole_file
 from rapidsim.station.draft import Draft, draft_text
 from rapidsim.station.read import read_station

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import click
 
+from rapidsim.cli.opening import opening
 from rapidsim.cli.options.numbers import POSITIVE
 from rapidsim.cli.viewer import require_screen
 from rapidsim.extras import is_installed, require
@@ -171,7 +172,8 @@ def write(
     for what, path, writer in _writers(simulation, outputs):
         try:
             writer()
-            written.append(Written(path, what))
+            shown_by = opening(path) if path.suffix == ".rrd" else None
+            written.append(Written(path, what, shown_by))
         except InputError as error:
             refused = refused or error
     return tuple(written), refused

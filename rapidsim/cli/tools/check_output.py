@@ -6,10 +6,10 @@ import json
 from collections.abc import Sequence
 
 from rapidsim import __version__
+from rapidsim.cli.terminal import Terminal
 from rapidsim.jobs.check_files import CheckResult
 from rapidsim.report.findings.merging import Finding
 from rapidsim.report.findings.text import concise, diagnostic_json, full
-from rapidsim.report.palette import Palette
 
 FORMATS = ("full", "concise", "json", "sarif", "github", "junit")
 SPOKEN_FORMATS = ("full", "concise")
@@ -17,14 +17,19 @@ SPOKEN_FORMATS = ("full", "concise")
 
 
 def checked_text(
-    format: str, findings: Sequence[Finding], result: CheckResult, palette: Palette, width: int
+    format: str, findings: Sequence[Finding], result: CheckResult, terminal: Terminal
 ) -> str:
     """The findings as text that ends in a line end, where there is any."""
     match format:
         case "full":
-            return full(findings, palette, width=width)
+            return full(
+                findings,
+                terminal.palette,
+                width=terminal.width,
+                headlines=terminal.headline_width,
+            )
         case "concise":
-            return concise(findings, palette)
+            return concise(findings, terminal.palette)
         case "sarif":
             from rapidsim.report.findings.sarif import sarif
 

@@ -11,6 +11,7 @@ import numpy as np
 from rich.console import Group, RenderableType
 from rich.text import Text
 
+from rapidsim.cli.opening import opening
 from rapidsim.cli.options.poses import tool
 from rapidsim.files import InputError
 from rapidsim.frames.euler import Convention
@@ -186,7 +187,7 @@ def written(
         from rapidsim.recording.layout.waypoint_recording import record_followed
 
         record_followed(result, Path(title).name, recording, asked.world_from_base)
-        files.append(Written(recording, "recording"))
+        files.append(Written(recording, "recording", opening(recording)))
     if trace:
         from rapidsim.export.trace import write_samples
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from rapidsim.cli.opening import opening
 from rapidsim.cli.options.outputs import new_plots, new_recording
 from rapidsim.cli.terminal import current_terminal, say
 from rapidsim.cli.tools.opened_viewer import open_viewer
@@ -53,7 +54,7 @@ def write(shown: Postures, asked: Outputs, *, quiet: bool) -> tuple[Written, ...
         from rapidsim.recording.layout.posture_recording import record_postures
 
         record_postures(shown, posture_markdown(shown), asked.recording)
-        files.append(Written(asked.recording, "recording"))
+        files.append(Written(asked.recording, "recording", opening(asked.recording)))
     if asked.plots:
         from rapidsim.plots.posture_pictures import write_posture_plots
 

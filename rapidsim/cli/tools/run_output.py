@@ -91,7 +91,9 @@ def _as_text(report: dict[str, object]) -> str:
 def _print_findings(findings: Sequence[Diagnostic], terminal: Terminal) -> None:
     if terminal.quiet:
         findings = [finding for finding in findings if finding.severity is Severity.ERROR]
-    text = full(merged(findings), terminal.palette, width=terminal.width)
+    text = full(
+        merged(findings), terminal.palette, width=terminal.width, headlines=terminal.headline_width
+    )
     say(text, palette=terminal.palette, nl=False)
 
 

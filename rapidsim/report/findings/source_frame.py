@@ -32,29 +32,41 @@ class ShownLine:
     """Cell after the last caret; at least one after the first."""
 
 
-def source_frame(span: Span, label: str, palette: Palette, *, colour: str, width: int) -> list[str]:
+def source_frame(
+    span: Span, label: str, palette: Palette, *, colour: str, width: int, gutter: int = 0
+) -> list[str]:
     """Lines of the frame: number, text, carets with a label.
 
     Args:
         span: What to point at; of several lines the first is shown.
-        label: Text behind the carets; may be empty.
+        label: Text behind the carets, or below them where there is no room; may be empty.
         palette: Colours.
         colour: The colour of carets and label.
         width: Cells a line may take.
+        gutter: Cells of the line number, if it shares them with longer ones.
 
     Returns:
-        Three lines, the first an empty gutter.
+        Three lines, the first an empty gutter, and perhaps one for the label.
     """
-    number = str(span.line)
-    gutter = " " * len(number)
+    gutter = max(gutter, len(str(span.line)))
+    number = f"{span.line:{gutter}}"
     rule = palette.paint("|", palette.frame)
-    shown = shown_line(span, width - len(number) - 3)
-    carets = "^" * (shown.caret_end - shown.caret_start)
-    pointer = palette.paint(f"{carets} {label}".rstrip(), colour)
+    margin = f"{' ' * gutter} {rule}"
+    room = width - gutter - 3
+    shown = shown_line(span, room)
+    lines = ["^" * (shown.caret_end - shown.caret_start)]
+    if shown.caret_end + 1 + len(label) <= room:
+        lines = [f"{lines[0]} {label}".rstrip()]
+    elif label:
+        lines.append(label)
+    starts = (shown.caret_start, max(0, min(shown.caret_start, room - len(label))))
     return [
-        f"{gutter} {rule}",
+        margin,
         f"{palette.paint(number, palette.frame)} {rule} {shown.text}".rstrip(),
-        f"{gutter} {rule} {' ' * shown.caret_start}{pointer}",
+        *(
+            f"{margin} {' ' * start}{palette.paint(line, colour)}"
+            for start, line in zip(starts, lines, strict=False)
+        ),
     ]
 
 

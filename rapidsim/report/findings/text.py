@@ -10,13 +10,23 @@ from rapidsim.diagnostics import Diagnostic, Edit, Fix, Severity, Span
 from rapidsim.report.findings.merging import Finding
 from rapidsim.report.findings.source_frame import printable, source_frame
 from rapidsim.report.palette import Palette
+from rapidsim.report.quantities import joined, parted
 
 _LISTED_LINES = 6
 
 
-def full(findings: Sequence[Finding], palette: Palette, *, width: int) -> str:
-    """Each finding with the source text it points at, related places, and the cure if known."""
-    return "".join(f"{_full(finding, palette, width)}\n\n" for finding in findings)
+def full(
+    findings: Sequence[Finding], palette: Palette, *, width: int, headlines: int | None = None
+) -> str:
+    """Each finding with the source text it points at, related places, and the cure if known.
+
+    Args:
+        findings: What to tell.
+        palette: Colours.
+        width: Cells that source text and cures may take.
+        headlines: Cells after which a message is broken; None keeps it on one line, for `grep`.
+    """
+    return "".join(f"{_full(finding, palette, width, headlines)}\n\n" for finding in findings)
 
 
 def concise(findings: Sequence[Finding], palette: Palette) -> str:
@@ -72,24 +82,26 @@ def diagnostic_json(finding: Finding) -> dict[str, object]:
     }
 
 
-def _full(finding: Finding, palette: Palette, width: int) -> str:
+def _full(finding: Finding, palette: Palette, width: int, headlines: int | None) -> str:
     diagnostic = finding.first
     colour = palette.of(diagnostic.severity)
-    lines = [_headline(diagnostic, palette)]
-    gutter = 1
+    lines = _headline(diagnostic, palette, headlines)
+    spans = [diagnostic.span, *(related.span for related in diagnostic.related)]
+    gutter = max((len(str(one.line)) for one in spans if one), default=1)
     if span := diagnostic.span:
-        gutter = len(str(span.line))
         within = f" in {diagnostic.routine}" if diagnostic.routine else ""
         arrow = palette.paint(f"{' ' * gutter}-->", palette.frame)
         lines.append(f"{arrow} {_place(span)}{within}")
-        lines += source_frame(span, "", palette, colour=colour, width=width)
+        lines += source_frame(span, "", palette, colour=colour, width=width, gutter=gutter)
     shown = diagnostic.span
     for related in diagnostic.related:
         if shown is None or related.span.file != shown.file:
             arrow = palette.paint(f"{' ' * gutter}:::", palette.frame)
             lines.append(f"{arrow} {_place(related.span)}")
         label = printable(related.message)
-        lines += source_frame(related.span, label, palette, colour=palette.note, width=width)
+        lines += source_frame(
+            related.span, label, palette, colour=palette.note, width=width, gutter=gutter
+        )
         shown = related.span
     margin = f"{' ' * gutter} {palette.paint('=', palette.frame)}"
     cures = (
@@ -113,23 +125,45 @@ def _wrapped(label: str, cure: str, width: int) -> list[str]:
     lines: list[str] = []
     for number, line in enumerate(cure.splitlines()):
         begin = f"{label} " if number == 0 else indent
-        lines += textwrap.wrap(
-            printable(line),
+        wrapped = textwrap.wrap(
+            joined(printable(line)),
             width,
             initial_indent=begin,
             subsequent_indent=indent,
             break_on_hyphens=False,
         )
+        lines += map(parted, wrapped)
     return lines
 
 
-def _headline(diagnostic: Diagnostic, palette: Palette) -> str:
+def _headline(diagnostic: Diagnostic, palette: Palette, width: int | None) -> list[str]:
+    """Code, name and message, broken between words where there is a width to keep."""
     violation = diagnostic.violation
-    severity = diagnostic.severity
-    code = palette.paint(f"{severity.value}[{violation.code}]", palette.of(severity))
-    message = palette.paint(printable(violation.message), palette.strong)
+    code = f"{diagnostic.severity.value}[{violation.code}]"
+    message = printable(violation.message)
+    head = f"{code} {violation.name}: "
     compare = f" (cf. {violation.cf})" if violation.cf else ""
-    return f"{code} {violation.name}: {message}{compare}"
+    whole = f"{head}{message}{compare}"
+    parts = (
+        (0, len(code), palette.of(diagnostic.severity)),
+        (len(code), len(head), ""),
+        (len(head), len(head) + len(message), palette.strong),
+        (len(head) + len(message), len(whole), ""),
+    )
+    lines, end = [], 0
+    for line in [whole] if width is None else _broken(whole, width):
+        start = whole.index(line, end)
+        end = start + len(line)
+        pieces = ((whole[max(a, start) : min(b, end)], paint) for a, b, paint in parts)
+        lines.append("".join(palette.paint(text, paint) for text, paint in pieces))
+    return lines
+
+
+def _broken(text: str, width: int) -> list[str]:
+    lines = textwrap.wrap(
+        joined(text), width, break_on_hyphens=False, expand_tabs=False, replace_whitespace=False
+    )
+    return [parted(line) for line in lines]
 
 
 def _concise(finding: Finding, palette: Palette) -> str:

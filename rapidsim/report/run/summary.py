@@ -10,7 +10,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from rich.console import Group, RenderableType
+from rich.console import Console, ConsoleOptions, Group, RenderableType, RenderResult
+from rich.measure import Measurement
 from rich.rule import Rule
 from rich.table import Table
 from rich.text import Text
@@ -34,13 +35,12 @@ _BAR_CELLS = 24
 _MOVE_CELLS = 22
 _ROUTINE_CELLS = 14
 _LINE_BAR_CELLS = 10
+_ANY_WIDTH = 1000
 _SLOWEST = 5
 _SHOWN_TEXTS = 8
 _SHOWN_PERSISTENTS = 8
 _LOW_MARGIN_DEG = 5.0
 _NEAR_SINGULAR = 0.05
-_BARE = "._-/\\:"
-"""Characters beside letters and digits that need no quotes in a path on a command line."""
 
 _ENDS = {
     End.ENDED: ("ended as programmed", "green"),
@@ -70,6 +70,8 @@ class Written:
     path: Path
     what: str
     """Such as "recording"."""
+    opened_by: str | None = None
+    """The command that shows it, if it takes one."""
 
 
 def summary(
@@ -96,7 +98,7 @@ def summary(
     if of_many is not None:
         parts += [Text(), of_many]
     elif slowest:
-        parts += [Text(), _slowest(slowest[:_SLOWEST], bars)]
+        parts += [Text(), _Slowest(slowest[:_SLOWEST], bars)]
     if simulation.moves:
         parts += [Text(), KeptUnits(_models(simulation, figures))]
     if written or simulation.home_files:
@@ -129,7 +131,7 @@ def _facts(
     facts.add_row("time", KeptUnits(_time_split(simulation, bars)))
     facts.add_row("moves", KeptUnits(_moves(simulation, figures)))
     if figures.moves_by_corner:
-        facts.add_row("corners", _corners(figures))
+        facts.add_row("corners", KeptUnits(_corners(figures)))
     if figures.joint_margin:
         facts.add_row("joint limits", _margin(figures.joint_margin, several=several))
     if figures.off_path:
@@ -167,7 +169,7 @@ def _moves(simulation: Simulation, figures: Figures) -> str:
 
 
 def _corners(figures: Figures) -> Text:
-    late = "because the next move came too late (cf. ABB 50024)"
+    late = "because the next move came too late (cf.\u00a0ABB\u00a050024)"
     texts = []
     for kind, count in figures.moves_by_corner:
         stops = f"{count} stop{'' if count == 1 else 's'}"
@@ -298,6 +300,31 @@ def _change(change: PersistentChange) -> str:
     return f"{first}, {len(changed)} of {len(old)} values changed"
 
 
+@dataclass(frozen=True, slots=True)
+class _Slowest:
+    """Lines that cost the most; where all columns do not fit, those that matter most."""
+
+    lines: Sequence[Share]
+    bars: Bars
+
+    def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
+        table = _slowest(self.lines, self.bars)
+        needed = Measurement.get(console, options.update(max_width=_ANY_WIDTH), table).maximum
+        fits = needed - _LINE_BAR_CELLS <= options.max_width
+        yield table if fits else _slowest_narrow(self.lines)
+
+
+def _slowest_narrow(lines: Sequence[Share]) -> Table:
+    table = Table(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
+    table.add_column("slowest lines", overflow="fold")
+    table.add_column("move or wait", overflow="fold")
+    table.add_column("time", justify="right", no_wrap=True)
+    for line in lines:
+        what = f"{line.instruction} {printable(line.goal)}"
+        table.add_row(line.line, what, f"{line.seconds:.3f} s")
+    return table
+
+
 def _slowest(lines: Sequence[Share], bars: Bars) -> Table:
     table = WholeTable(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
     table.add_column("slowest lines", no_wrap=True)
@@ -348,11 +375,9 @@ def files_text(written: Sequence[Written], others: Sequence[str] = ()) -> Text:
         f"Written: {', '.join([*(f'{one.path} ({one.what})' for one in written), *others])}"
     )
     for one in written:
-        if one.path.suffix == ".rrd":
-            text.append("\nOpen the recording with: ")
-            # Quotes that a shell on any system understands.
-            quote = '"' if any(not (c.isalnum() or c in _BARE) for c in str(one.path)) else ""
-            text.append(f"rerun {quote}{one.path}{quote}", "bold")
+        if one.opened_by is not None:
+            text.append(f"\nOpen the {one.what} with: ")
+            text.append(one.opened_by, "bold")
     return text
 
 
