@@ -48,6 +48,7 @@ class VirtualController:
     execution: TaskExecution
     motion: TaskMotion
     others: TaskOthers
+    sockets: TaskSockets
     concerns: Controller
 
 
@@ -86,6 +87,7 @@ def virtual_controller(
     triggers = Triggers(clock, unit, cell, marks, interrupts)
     motion = TaskMotion(clock, unit, cell, resolver, state, triggers, team.put)
     own_queue = cell.messages.open_for(journal.task, queue or QueueSettings())
+    sockets = TaskSockets(clock, cell, journal)
     concerns = Controller(
         clock=clock,
         execution=execution,
@@ -97,7 +99,7 @@ def virtual_controller(
         operator=TaskOperator(clock, cell, journal),
         files=TaskFiles(clock, cell),
         texts=TaskTexts(clock, cell),
-        sockets=TaskSockets(clock, cell, journal),
+        sockets=sockets,
         interrupts=interrupts,
         signals=TaskSignals(clock, unit, cell, table, marks, watched),
         error_numbers=TaskErrorNumbers(),
@@ -109,4 +111,4 @@ def virtual_controller(
         cameras=TaskCameras(clock, cell),
         messages=TaskMessages(clock, cell, table, journal, own_queue),
     )
-    return VirtualController(clock, execution, motion, others, concerns)
+    return VirtualController(clock, execution, motion, others, sockets, concerns)

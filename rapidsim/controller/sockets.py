@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.cell.network import NetworkConnection, NetworkPort
@@ -32,6 +32,7 @@ class TaskSockets:
     clock: TaskClock
     cell: Cell
     journal: Journal
+    _opened: list[Port | StreamEnd] = field(default_factory=list)
 
     def open_port(self, address: str, port: int) -> Listener:
         """Let clients connect to a port: over the network where the run may use it.
@@ -45,7 +46,8 @@ class TaskSockets:
         if network is not None and not sockets.is_scripted(port, serves=False):
             opened = network.listen(address, port)
         else:
-            opened = sockets.listen(port, now_s)
+            opened = sockets.listen(port, now_s, address)
+            self._opened.append(opened)
         self.clock.event(EventKind.SOCKET, f"listens on port {port}", port=port)
         self.clock.tell()
         return opened
@@ -70,7 +72,10 @@ class TaskSockets:
             )
             if self._waited(lambda: bool(waiting), deadline_s, nobody):
                 found = waiting.pop(0)
-            elif not self.cell.sockets.is_scripted(listener.port, serves=False):
+                self._opened.append(found)
+            elif self.cell.sockets.outside is None and not self.cell.sockets.is_scripted(
+                listener.port, serves=False
+            ):
                 told = NobodyConnects(listener.port)
                 self.journal.finding(told, self.clock.place, once=told)
         if found is not None:
@@ -103,7 +108,10 @@ class TaskSockets:
             nobody = f"`SocketConnect` waits for {address}:{port}, and nobody listens there"
             if self._waited(is_answered, deadline_s, nobody):
                 found = ends[0]
+                self._opened.append(found)
                 self.clock.tell()
+            elif sockets.outside is not None:
+                sockets.hang_up(address, port, self.clock.observe())
             elif network is None:
                 self.journal.finding(NobodyAnswers(f"{address}:{port}"), self.clock.place)
         if found is not None:
@@ -164,14 +172,31 @@ class TaskSockets:
         """Close what a socket was tied to."""
         now_s = self.clock.come_up()
         if isinstance(listener, Port):
-            self.cell.sockets.close_port(listener)
+            self._close_port(listener, now_s)
         elif isinstance(listener, NetworkPort):
             listener.close()
+        ours = (listener, connection)
+        self._opened[:] = [one for one in self._opened if not any(one is own for own in ours)]
         if isinstance(connection, StreamEnd):
             connection.close(now_s)
         elif isinstance(connection, NetworkConnection):
             connection.close()
         self.clock.tell()
+
+    def close_all(self, now_s: float) -> None:
+        """Close at a time [s] what the program left open, which ends here."""
+        for one in self._opened:
+            if isinstance(one, Port):
+                self._close_port(one, now_s)
+            elif one.is_open:
+                one.close(now_s)
+        self._opened.clear()
+
+    def _close_port(self, port: Port, now_s: float) -> None:
+        self.cell.sockets.close_port(port)
+        if self.cell.sockets.outside is not None:
+            for one in port.waiting:
+                one.close(now_s)
 
     def _deadline(self, max_time: float | None) -> float:
         self.clock.note_line()

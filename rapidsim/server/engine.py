@@ -15,12 +15,14 @@ from typing import Final, Protocol
 from rapidsim.server.journal import (
     event_line,
     log_line,
+    refusal_line,
     request_line,
     switched_off_line,
     switched_on_line,
 )
 from rapidsim.server.messages import (
     DONE,
+    FromNetwork,
     Message,
     Note,
     Refusal,
@@ -35,6 +37,7 @@ from rapidsim.server.messages import (
 from rapidsim.server.resources.context import Context
 from rapidsim.server.resources.table import answered
 from rapidsim.server.watched import Subscriptions
+from rapidsim.server.wire import NotedWire
 from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.live.event_log import LogEntry
 
@@ -172,6 +175,10 @@ class Engine:
         self._note(lambda: switched_on_line(self.live.motors, self.live.mode))
         if self.journal is not None:
             self.live.happened = lambda event: self._note(lambda: event_line(event))
+            if isinstance(self.live.wire, NotedWire):
+                self.live.wire.refused = lambda act, error: self._note(
+                    lambda: refusal_line(self.live.now_s, act, error)
+                )
         self.pace.begin()
 
     def switch_off(self) -> None:
@@ -226,6 +233,15 @@ class Engine:
                 self.subscriptions.begin(group, resources)
             case Unsubscribe(group):
                 self.subscriptions.end(group)
+            case FromNetwork(number, port, peer, data, is_over):
+                outside, now_s = self.live.outside, self.live.now_s
+                if peer:
+                    outside.came(number, port, peer, now_s)
+                if data:
+                    outside.arrived(number, data, now_s)
+                if is_over:
+                    outside.ended(number, now_s)
+                self.live.tell()
         return DONE
 
     def _come_up(self) -> None:

@@ -16,7 +16,9 @@ from typing import Final
 
 from rapidsim.controller.journal.events import Event
 from rapidsim.files import InputError
+from rapidsim.language.errors import RapidError
 from rapidsim.server.messages import (
+    FromNetwork,
     Message,
     Refusal,
     Reply,
@@ -29,6 +31,10 @@ from rapidsim.simulation.live.event_log import LogEntry
 from rapidsim.simulation.live.states import Mode, Motors
 from rapidsim.simulation.results.event_values import event_record, written
 
+NETWORK: Final = "network"
+"""The kind of an event that a peer of a program's socket brings about."""
+REFUSED: Final = "network-refused"
+"""The kind of an event that is an error of a program's socket."""
 _MOST_LINE: Final = 128 * 2**20
 """Characters of a line: an upload at its largest, in base 64, and room for the rest."""
 
@@ -55,6 +61,8 @@ class RecordedLife:
 
     began: SwitchedOnAs
     recorded: tuple[Recorded, ...]
+    refusals: Mapping[int, tuple[float, str]]
+    """Error number and message of what the network refused, by the number of the act."""
     end_s: float
     """When the controller was switched off, or the last line."""
     lines: tuple[str, ...]
@@ -91,8 +99,16 @@ def log_line(entry: LogEntry) -> str:
     return _line(written(entry.time_s), "event", what)
 
 
+def refusal_line(time_s: float, act: int, error: RapidError) -> str:
+    """What the network refused a program, which asked for something for the so many-th time."""
+    what = {"kind": REFUSED, "act": act, "number": error.errno, "message": error.message}
+    return _line(time_s, "event", what)
+
+
 def request_line(time_s: float, message: Message, reply: Reply) -> str:
-    """What came from outside, and how it was answered."""
+    """What came from outside, and how a request was answered."""
+    if isinstance(message, FromNetwork):
+        return _line(time_s, "event", _what(message))
     return _line(time_s, "request", {**_what(message), "status": reply.status, **_code(reply)})
 
 
@@ -108,6 +124,7 @@ def read_journal(lines: Iterable[str], name: str) -> RecordedLife:
     """
     began: SwitchedOnAs | None = None
     recorded, kept, end_s = list[Recorded](), list[str](), 0.0
+    refusals: dict[int, tuple[float, str]] = {}
     for number, line in enumerate(lines, start=1):
         if not line.endswith("\n"):
             break
@@ -116,25 +133,28 @@ def read_journal(lines: Iterable[str], name: str) -> RecordedLife:
                 raise ValueError("too long")
             read = json.loads(line)
             time_s, kind, what = float(read["t"]), read["kind"], read["what"]
+            is_asked = kind == "request" or what["kind"] == NETWORK
             if not end_s <= time_s < float("inf"):
                 # What happened is told when its time is known; what was asked, at once.
-                if kind == "request":
+                if is_asked:
                     raise ValueError("time goes back")
                 time_s = end_s
-            if kind == "request":
+            if is_asked:
                 recorded.append(Recorded(time_s, _message(what)))
+            elif what["kind"] == REFUSED:
+                refusals[int(what["act"])] = (float(what["number"]), str(what["message"]))
             elif what["kind"] == "on" and began is None:
                 began = SwitchedOnAs(Motors(what["motors"]), Mode(what["opmode"]))
         except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
             raise InputError(f"{name}, line {number}: this is no line of a journal") from None
-        if kind == "request" or what["kind"] == "off":
+        if is_asked or what["kind"] == "off":
             end_s = time_s
         kept.append(line)
     if began is None:
         raise InputError(
             f"{name} is no journal of a controller", "`rapidsim serve --journal` writes one"
         )
-    return RecordedLife(began, tuple(recorded), end_s, tuple(kept))
+    return RecordedLife(began, tuple(recorded), refusals, end_s, tuple(kept))
 
 
 class JournalFile:
@@ -197,11 +217,28 @@ def _what(message: Message) -> dict[str, object]:
             return {"subscribe": list(resources), "group": group}
         case Unsubscribe(group):
             return {"unsubscribe": group}
+        case FromNetwork(number, port, peer, data, is_over):
+            return {
+                "kind": NETWORK,
+                "connection": number,
+                "port": port,
+                "peer": peer,
+                "data": b64encode(data).decode(),
+                "over": is_over,
+            }
 
 
 def _message(what: Mapping[str, object]) -> Message:
     """What `_what` wrote; raises what reading a value of another shape raises."""
     match what:
+        case {
+            "connection": int(number),
+            "port": int(port),
+            "peer": str(peer),
+            "data": str(data),
+            "over": bool(is_over),
+        }:
+            return FromNetwork(number, port, peer, b64decode(data, validate=True), is_over)
         case {"end_of_session": int(session)}:
             return SessionEnded(session)
         case {"subscribe": [*resources], "group": int(group)}:

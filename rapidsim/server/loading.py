@@ -8,6 +8,7 @@ from pathlib import Path
 
 from rapidsim.analysis.names.signal_violations import UnknownSignal
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
+from rapidsim.controller.cell.outside_streams import NoWire, Wire
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.job import job
@@ -15,6 +16,7 @@ from rapidsim.jobs.run_files import LoadedJob, PreparedRun, loaded, prepared
 from rapidsim.server.engine import Engine, FullPace, LockStep, Pace, WallPace
 from rapidsim.server.messages import Told
 from rapidsim.server.settings import EngineSettings
+from rapidsim.server.wire import NotedWire
 from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.task_run import TaskSetup
@@ -73,6 +75,7 @@ def engine_of(
     settings: EngineSettings,
     told: Callable[[Told], None],
     journal: Callable[[str], None] | None = None,
+    wire: Wire | None = None,
 ) -> Engine:
     """Switch a controller on.
 
@@ -81,11 +84,18 @@ def engine_of(
         settings: Its state, and how its time passes.
         told: Told what the engine tells.
         journal: Takes each line of the journal.
+        wire: The network of the programs' sockets; None where nobody is there.
 
     Raises:
         InputError: If an arm cannot be timed, or no task moves one.
     """
-    live = LiveController(made.setups, made.options, motors=settings.motors, mode=settings.mode)
+    live = LiveController(
+        made.setups,
+        made.options,
+        motors=settings.motors,
+        mode=settings.mode,
+        wire=NotedWire(wire or NoWire()),
+    )
     return Engine(live, _pace(settings), told, journal)
 
 

@@ -102,7 +102,21 @@ class Unsubscribe:
     group: int
 
 
-Message: TypeAlias = Request | SessionEnded | Subscribe | Unsubscribe
+@dataclass(frozen=True, slots=True)
+class FromNetwork:
+    """The other end of a program's socket has done something."""
+
+    number: int
+    """Of the connection; see `outside_streams`."""
+    port: int = 0
+    """Of the program, where a client has connected to it."""
+    peer: str = ""
+    """Who has connected, or has answered; empty where the connection was there."""
+    data: bytes = b""
+    is_over: bool = False
+
+
+Message: TypeAlias = Request | SessionEnded | Subscribe | Unsubscribe | FromNetwork
 Reply: TypeAlias = Answer | Refusal
 
 

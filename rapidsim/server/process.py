@@ -9,7 +9,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
 from multiprocessing import get_context
-from multiprocessing.connection import Connection
+from multiprocessing.connection import Connection, wait
 from multiprocessing.context import SpawnProcess
 from pathlib import Path
 from queue import SimpleQueue
@@ -27,6 +27,7 @@ from rapidsim.server.link import EngineEndedError
 from rapidsim.server.loading import engine_of, ready
 from rapidsim.server.messages import Message, Note, Reply, Told
 from rapidsim.server.settings import EngineSettings
+from rapidsim.server.wire import SocketWire
 
 _PATIENCE_S: Final = 5.0
 """So long [s] an engine that is told to end may take."""
@@ -155,12 +156,15 @@ def _run(connection: Connection, asked: Asked, settings: EngineSettings) -> None
                 kept = JournalFile(
                     settings.journal, lambda text: connection.send((None, Note(text)))
                 )
+            wire = SocketWire(settings.hosts)
             engine = engine_of(
                 made,
                 settings,
                 lambda told: connection.send((None, told)),
                 None if kept is None else kept.write,
+                wire,
             )
+            wire.unread = engine.live.outside.unread
         except (ProgramRejectedError, InputError) as error:
             connection.send(error)
             return
@@ -171,20 +175,23 @@ def _run(connection: Connection, asked: Asked, settings: EngineSettings) -> None
         for note in made.notes:
             connection.send((None, Note(f"note: {note}")))
         with recursion_limit(RUNNING_DEPTH):
-            _serve(connection, engine)
+            _serve(connection, engine, wire)
         engine.switch_off()
+        wire.shut()
         if kept is not None:
             kept.close()
     sys.stdout.flush()
 
 
-def _serve(connection: Connection, engine: Engine) -> None:
+def _serve(connection: Connection, engine: Engine, wire: SocketWire) -> None:
     while True:
         wait_s = 0.0 if engine.step() else engine.wait_s()
-        while connection.poll(wait_s):
+        heard = wait([connection, *wire.heard()], wire.patience_s(wait_s))
+        for one in wire.came(heard):
+            engine.reply(one)
+        while connection.poll():
             received = connection.recv()
             if received is None:
                 return
             number, message = received
             connection.send((number, engine.reply(message)))
-            wait_s = 0.0

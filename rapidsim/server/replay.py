@@ -13,6 +13,7 @@ from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
 from rapidsim.server.engine import Engine, LockStep
 from rapidsim.server.journal import RecordedLife, read_journal
 from rapidsim.server.loading import ReadyController
+from rapidsim.server.wire import NotedWire, RecordedWire
 from rapidsim.simulation.collected import FinishedRun
 from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.results.simulation import End
@@ -50,7 +51,12 @@ def replayed(made: ReadyController, life: RecordedLife, told: Callable[[str], No
     """
     began = life.began
     live = LiveController(
-        made.setups, made.options, motors=began.motors, mode=began.mode, keeps_all=True
+        made.setups,
+        made.options,
+        motors=began.motors,
+        mode=began.mode,
+        wire=NotedWire(RecordedWire(life.refusals)),
+        keeps_all=True,
     )
     lines: list[str] = []
     # Time comes only as far as it is let below.

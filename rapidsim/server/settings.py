@@ -26,6 +26,8 @@ class EngineSettings:
     """In lock-step, the virtual time [s] that passes before each request; None is no lock-step."""
     motors: Motors = Motors.ON
     mode: Mode = Mode.AUTO
+    hosts: frozenset[str] = frozenset()
+    """Other computers that programs' sockets may be bound to or connect to."""
     journal: Path | None = None
     """Where the journal is written; None keeps none."""
 

@@ -19,7 +19,9 @@ PROGRAM = "MODULE job\nPROC main()\nWaitTime 1;\nENDPROC\nENDMODULE\n"
 @pytest.mark.skipif(sys.platform == "win32", reason="ends it by a signal")
 def test_it_says_where_it_listens_and_ends_when_told(tmp_path: Path) -> None:
     (tmp_path / "job.mod").write_text(PROGRAM)
+    (tmp_path / "ram").mkdir()
     command = [sys.executable, "-m", "rapidsim", "serve", "job.mod", "--rws1-port", "0"]
+    command += ["--journal", "a.jsonl", "--ramdisk", "ram"]
     with subprocess.Popen(
         command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     ) as process:
@@ -27,6 +29,7 @@ def test_it_says_where_it_listens_and_ends_when_told(tmp_path: Path) -> None:
         assert process.stderr
         ready = json.loads(process.stdout.readline())
         assert ready["ready"] is True
+        assert ready["ramdisk"] == str(tmp_path / "ram")
         with pytest.raises(urllib.error.HTTPError) as refused:
             urllib.request.urlopen(f"{ready['rws1']}/rw/system", timeout=60)
         assert refused.value.code == 401
@@ -34,6 +37,8 @@ def test_it_says_where_it_listens_and_ends_when_told(tmp_path: Path) -> None:
         process.send_signal(signal.SIGTERM)
         out, err = process.communicate(timeout=60)
     assert (process.returncode, out, err) == (0, "", "")
+    lines = (tmp_path / "a.jsonl").read_text().splitlines()
+    assert [json.loads(line)["what"]["kind"] for line in lines] == ["on", "off"]
 
 
 def test_a_program_with_errors_is_not_served(tmp_path: Path) -> None:
@@ -61,6 +66,8 @@ def test_a_port_that_is_taken_is_told(tmp_path: Path) -> None:
         (("job.mod", "--speed", "fast"), "neither a positive number nor max"),
         (("job.mod", "--speed", "0"), "neither a positive number nor max"),
         (("job.mod", "--request-time", "1"), "needs --lock-step"),
+        (("job.mod", "--journal", "none/a.jsonl"), "--journal: none/a.jsonl: No such file"),
+        (("job.mod", "--ramdisk", "none"), "--ramdisk: none is not a folder"),
         (("job.mod", "--user", "nobody"), "takes NAME:PASSWORD"),
         (("-",), "no program from standard input"),
         (("none.mod",), "none.mod"),

@@ -98,6 +98,13 @@ _MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
     help="A session that is idle for so long ends.",
 )
 @click.option(
+    "--network-host",
+    "network_hosts",
+    metavar="ADDRESS",
+    multiple=True,
+    help="An address beyond this computer that sockets of programs may use.",
+)
+@click.option(
     "--journal",
     metavar="FILE.jsonl",
     help="Write what clients ask and what happens; `rapidsim run --replay` runs it again.",
@@ -121,6 +128,7 @@ def serve(
     users: tuple[str, ...],
     max_sessions: int,
     session_timeout: float,
+    network_hosts: tuple[str, ...],
     journal: str | None,
 ) -> int:
     """Serve a virtual controller to clients of Robot Web Services 1.0.
@@ -162,6 +170,7 @@ def serve(
         request_s=(request_time or 0.05) if lock_step else None,
         motors=Motors.ON if motors == "on" else Motors.OFF,
         mode=Mode(_MODES[opmode]),
+        hosts=frozenset(network_hosts),
         journal=None if journal is None else Path(journal),
     )
     server_settings = ServerSettings(

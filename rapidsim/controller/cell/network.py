@@ -124,18 +124,28 @@ class Network:
         Raises:
             RapidError: ERR_SOCK_NET_UNREACH for a host that the run may not talk to.
         """
-        if address not in self.hosts and address not in _LOCAL:
+        if not self.may_reach(address):
             raise rapid_error(
                 ERR_SOCK_NET_UNREACH,
                 f"{address} is another computer; `--network-host {address}` lets the run use it",
             )
-        try:
-            stream = socket.create_connection((address or _LOOPBACK, port), timeout=seconds)
-        except OSError:
+        stream = self.reached(address, port, seconds)
+        if stream is None:
             return None
         connection = NetworkConnection(stream, f"{address}:{port}")
         self._opened.append(connection)
         return connection
+
+    def may_reach(self, address: str) -> bool:
+        """Whether sockets may connect to a host."""
+        return address in self.hosts or address in _LOCAL
+
+    def reached(self, address: str, port: int, seconds: float | None) -> socket.socket | None:
+        """A connection to a server; None if it does not answer."""
+        try:
+            return socket.create_connection((address or _LOOPBACK, port), timeout=seconds)
+        except OSError:
+            return None
 
     def close(self) -> None:
         """Close whatever the program left open."""

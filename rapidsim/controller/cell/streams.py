@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
+from typing import Protocol
 
 from rapidsim.controller.cell.socket_scripts import SocketScript, SocketStep
 from rapidsim.language.error_numbers import ERR_SOCK_ADDR_INUSE, rapid_error
@@ -116,6 +117,26 @@ class _Peer:
             self.ended(now_s)
 
 
+class Outside(Protocol):
+    """Who is beyond the scripts; see `outside_streams`."""
+
+    def opened(self, port: Port, address: str) -> None:
+        """A program listens."""
+        ...
+
+    def closed(self, port: Port) -> None:
+        """It listens no more."""
+        ...
+
+    def called(self, address: str, port: int) -> StreamEnd | None:
+        """A program's end of the connection it asks for, once somebody has answered."""
+        ...
+
+    def hung_up(self, address: str, port: int, now_s: float) -> None:
+        """A program no longer wants a connection that it asked for."""
+        ...
+
+
 class SocketTable:
     """The ports that programs listen on and the scripts that talk to them."""
 
@@ -123,6 +144,8 @@ class SocketTable:
         """Let scripts do what they do at the times they say."""
         self._scripts = tuple(scripts)
         self._schedule = schedule
+        self.outside: Outside | None = None
+        """None where nobody is there but scripts and tasks."""
         self._ports: dict[int, Port] = {}
         self._busy: set[int] = set()
         """Indices of the scripts that are connected, on their way, or done."""
@@ -131,15 +154,18 @@ class SocketTable:
         """Whether a script serves a port, or connects to it."""
         return any(one.port == port and one.serves == serves for one in self._scripts)
 
-    def listen(self, port: int, now_s: float) -> Port:
-        """Open a port; scripts that connect to it set out.
+    def listen(self, port: int, now_s: float, address: str = "") -> Port:
+        """Open a port, at an address if that matters; scripts that connect to it set out.
 
         Raises:
             RapidError: ERR_SOCK_ADDR_INUSE.
         """
         if port in self._ports:
             raise rapid_error(ERR_SOCK_ADDR_INUSE, f"somebody listens on port {port} already")
-        opened = self._ports[port] = Port(port)
+        opened = Port(port)
+        if self.outside is not None and not self.is_scripted(port, serves=False):
+            self.outside.opened(opened, address)
+        self._ports[port] = opened
         for index, script in enumerate(self._scripts):
             if script.port == port and not script.serves and index not in self._busy:
                 self._set_out(index, now_s)
@@ -148,6 +174,8 @@ class SocketTable:
     def close_port(self, port: Port) -> None:
         """Listen no more."""
         port.is_open = False
+        if self.outside is not None:
+            self.outside.closed(port)
         if self._ports.get(port.port) is port:
             del self._ports[port.port]
 
@@ -163,11 +191,16 @@ class SocketTable:
                 return near
         listening = self._ports.get(port)
         if listening is None:
-            return None
+            return None if self.outside is None else self.outside.called(address, port)
         host = "127.0.0.1" if address in _LOCAL else address
         near, far = connected(name, f"{host}:{port}")
         listening.waiting.append(far)
         return near
+
+    def hang_up(self, address: str, port: int, now_s: float) -> None:
+        """Stop trying to connect."""
+        if self.outside is not None:
+            self.outside.hung_up(address, port, now_s)
 
     def _set_out(self, index: int, now_s: float) -> None:
         """Let a script connect to the program's port after its time."""

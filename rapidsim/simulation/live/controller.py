@@ -13,6 +13,7 @@ from datetime import datetime, timedelta
 
 from rapidsim.controller.cell.cell import OUTSIDE, Cause, Cell
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind, Status
+from rapidsim.controller.cell.outside_streams import NoWire, OutsideStreams, Wire
 from rapidsim.controller.cell.rendezvous import Meetings
 from rapidsim.controller.journal.events import Event
 from rapidsim.controller.journal.journal import Instant, Journal, Moment
@@ -52,9 +53,13 @@ class LiveController:
     mode: Mode = Mode.AUTO
     cycle: Cycle = Cycle.FOREVER
     speed_ratio: int = 100
+    wire: Wire = field(default_factory=NoWire)
+    """The network of the programs' sockets."""
     keeps_all: bool = False
     """Whether what happened is kept for `finished`; a controller that stays on would fill up."""
     cell: Cell = field(init=False)
+    outside: OutsideStreams = field(init=False)
+    """Who talks to the programs' sockets."""
     log: EventLog = field(init=False)
     tasks: dict[str, LiveTask] = field(init=False, default_factory=dict)
     """By folded name, in the order of the station."""
@@ -78,6 +83,8 @@ class LiveController:
         self.log = EventLog(lambda entry: self.told(entry))
         self._turns = LiveTurns(self.cell)
         self.cell.share(self._turns)
+        self.outside = OutsideStreams(self.wire)
+        self.cell.sockets.outside = self.outside
         arms = [setup.robot for setup in self.setups if setup.robot is not None]
         if not arms:
             raise InputError("no task moves a robot", "give one of them `motion = true`")
@@ -220,6 +227,7 @@ class LiveController:
         self.stop(StopMode.QUICK)
         for task in self.tasks.values():
             self._turns.remove(task.run.controller.clock)
+            task.run.controller.sockets.close_all(self.now_s)
         self.cell.close()
 
     def finished(self) -> FinishedRun:

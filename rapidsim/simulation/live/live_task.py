@@ -135,6 +135,7 @@ class LiveTask:
             return
         clock = self.run.controller.clock
         self.turns.remove(clock)
+        self.run.controller.sockets.close_all(now_s)
         self.cell.watchdog.forget(clock)
         # By identity: two tables without interrupts are equal.
         own, self._own = {id(one) for one in self._own}, ()

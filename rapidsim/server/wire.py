@@ -1,0 +1,290 @@
+"""The network of programs' sockets: real ports, looked at by whoever waits for the engine's time.
+
+Nothing here waits. What peers do is asked for (`came`) when one of `heard` has something to say,
+and takes effect where the engine lets it. This computer only, unless other hosts are named.
+"""
+
+from __future__ import annotations
+
+import socket
+from collections.abc import Callable, Collection, Iterator, Mapping
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, field
+from itertools import count
+from queue import Empty, SimpleQueue
+from threading import Event, Thread
+from typing import Final
+
+from rapidsim.controller.cell.network import Network
+from rapidsim.controller.cell.outside_streams import MOST_UNREAD, NoWire, Wire
+from rapidsim.language.error_numbers import ERR_SOCK_NET_UNREACH, rapid_error
+from rapidsim.language.errors import RapidError
+from rapidsim.server.messages import FromNetwork
+
+_AT_ONCE: Final = 65536
+_MOST_CONNECTIONS: Final = 100
+"""At one time; who comes then waits at the port."""
+_MOST_UNSENT: Final = 16 * 2**20
+"""Bytes that a peer has not taken; more, and it is taken for gone."""
+_AGAIN_S: Final = 0.25
+"""After so long [s] a server that did not answer is tried again."""
+_LOOK_S: Final = 0.01
+"""So often [s] a peer is asked whether it takes more."""
+
+
+@dataclass(slots=True)
+class NotedWire:
+    """Tells what a wire refuses, by the number of the act, so that it can be refused again."""
+
+    wire: Wire
+    refused: Callable[[int, RapidError], None] = lambda act, error: None
+    _acts: int = 0
+
+    def listen(self, port: int, address: str) -> None:
+        """See `Wire`."""
+        with self._noted():
+            self.wire.listen(port, address)
+
+    def unlisten(self, port: int) -> None:
+        """See `Wire`."""
+        self.wire.unlisten(port)
+
+    def connect(self, number: int, address: str, port: int) -> None:
+        """See `Wire`."""
+        with self._noted():
+            self.wire.connect(number, address, port)
+
+    def send(self, number: int, data: bytes) -> None:
+        """See `Wire`."""
+        self.wire.send(number, data)
+
+    def close(self, number: int) -> None:
+        """See `Wire`."""
+        self.wire.close(number)
+
+    @contextmanager
+    def _noted(self) -> Iterator[None]:
+        self._acts += 1
+        try:
+            yield
+        except RapidError as error:
+            self.refused(self._acts, error)
+            raise
+
+
+@dataclass(slots=True)
+class RecordedWire(NoWire):
+    """Refuses what was refused, by the number of the act: errors by that."""
+
+    refusals: Mapping[int, tuple[float, str]]
+    _acts: int = 0
+
+    def listen(self, port: int, address: str) -> None:
+        """See `Wire`."""
+        del port, address
+        self._act()
+
+    def connect(self, number: int, address: str, port: int) -> None:
+        """See `Wire`."""
+        del number, address, port
+        self._act()
+
+    def _act(self) -> None:
+        self._acts += 1
+        if self._acts in self.refusals:
+            raise RapidError(*self.refusals[self._acts])
+
+
+@dataclass(slots=True)
+class _Connection:
+    stream: socket.socket
+    unsent: bytearray = field(default_factory=bytearray)
+    closes: bool = False
+    """Whether it ends when all is sent."""
+
+
+@dataclass(eq=False, slots=True)
+class SocketWire:
+    """Implements `outside_streams.Wire`."""
+
+    hosts: frozenset[str] = frozenset()
+    """Addresses beside this computer that sockets may be bound to or connect to."""
+    unread: Callable[[int], int] = lambda number: 0
+    """Bytes of a connection that wait for its program."""
+    _network: Network = field(init=False)
+    _servers: dict[int, socket.socket] = field(default_factory=dict)
+    _connections: dict[int, _Connection] = field(default_factory=dict)
+    _calls: dict[int, Event] = field(default_factory=dict)
+    """Of calls that nobody has answered yet; set where nobody waits any more."""
+    _answers: SimpleQueue[tuple[int, socket.socket]] = field(default_factory=SimpleQueue)
+    _lost: list[int] = field(default_factory=list)
+    _incoming: count[int] = field(default_factory=lambda: count(-1, -1))
+    _bell: tuple[socket.socket, socket.socket] = field(default_factory=socket.socketpair)
+    """Rings when a call has been answered."""
+
+    def __post_init__(self) -> None:
+        """Begin without ports."""
+        self._network = Network(self.hosts)
+        for one in self._bell:
+            one.setblocking(False)
+
+    def listen(self, port: int, address: str) -> None:
+        """See `Wire`."""
+        # Of its own, for it would keep all ports that ever were.
+        opened = Network(self.hosts).listen(address, port)
+        opened.server.setblocking(False)
+        self._servers[port] = opened.server
+
+    def unlisten(self, port: int) -> None:
+        """See `Wire`."""
+        server = self._servers.pop(port, None)
+        if server is not None:
+            server.close()
+
+    def connect(self, number: int, address: str, port: int) -> None:
+        """See `Wire`."""
+        if not self._network.may_reach(address):
+            raise rapid_error(
+                ERR_SOCK_NET_UNREACH,
+                f"{address} is another computer; `--network-host {address}` lets programs use it",
+            )
+        over = self._calls[number] = Event()
+        call = Thread(target=self._call, args=(number, address, port, over), daemon=True)
+        call.start()
+
+    def send(self, number: int, data: bytes) -> None:
+        """See `Wire`."""
+        if connection := self._connections.get(number):
+            connection.unsent += data
+            self._flush(number, connection)
+
+    def close(self, number: int) -> None:
+        """See `Wire`."""
+        if call := self._calls.pop(number, None):
+            call.set()
+        if connection := self._connections.get(number):
+            connection.closes = True
+            self._flush(number, connection)
+
+    def shut(self) -> None:
+        """Close all of it."""
+        for server in self._servers.values():
+            server.close()
+        for connection in self._connections.values():
+            connection.stream.close()
+        for call in self._calls.values():
+            call.set()
+        for one in self._bell:
+            one.close()
+
+    def heard(self) -> list[socket.socket]:
+        """What may have something to say."""
+        room = len(self._connections) < _MOST_CONNECTIONS
+        readable = [
+            one.stream
+            for number, one in self._connections.items()
+            if not one.closes and self.unread(number) < MOST_UNREAD
+        ]
+        return [self._bell[0], *(self._servers.values() if room else ()), *readable]
+
+    def patience_s(self, wait_s: float | None) -> float | None:
+        """How long to wait for any of them, if nothing else hurries for so long [s]."""
+        if not any(one.unsent for one in self._connections.values()):
+            return wait_s
+        return _LOOK_S if wait_s is None else min(wait_s, _LOOK_S)
+
+    def came(self, ready: Collection[object]) -> Iterator[FromNetwork]:
+        """What those did that have something to say; also sends what could not be sent before."""
+        for number, connection in tuple(self._connections.items()):
+            if connection.unsent:
+                self._flush(number, connection)
+        lost, self._lost = self._lost, []
+        yield from (FromNetwork(number, is_over=True) for number in lost)
+        if self._bell[0] in ready:
+            yield from self._answered()
+        for port, server in tuple(self._servers.items()):
+            if server in ready:
+                yield from self._accepted(port, server)
+        for number, connection in tuple(self._connections.items()):
+            if connection.stream in ready:
+                yield from self._read(number, connection)
+
+    def _answered(self) -> Iterator[FromNetwork]:
+        with suppress(BlockingIOError):
+            self._bell[0].recv(_AT_ONCE)
+        while True:
+            try:
+                number, stream = self._answers.get_nowait()
+            except Empty:
+                return
+            if self._calls.pop(number, None) is None:
+                stream.close()
+                continue
+            stream.setblocking(False)
+            self._connections[number] = _Connection(stream)
+            yield FromNetwork(number, peer=_name(stream.getpeername()))
+
+    def _accepted(self, port: int, server: socket.socket) -> Iterator[FromNetwork]:
+        with suppress(OSError):
+            stream, address = server.accept()
+            stream.setblocking(False)
+            number = next(self._incoming)
+            self._connections[number] = _Connection(stream)
+            yield FromNetwork(number, port, _name(address))
+
+    def _read(self, number: int, connection: _Connection) -> Iterator[FromNetwork]:
+        try:
+            data = connection.stream.recv(_AT_ONCE)
+        except BlockingIOError:
+            return
+        except OSError:
+            data = b""
+        if not data:
+            self._drop(number, connection)
+        yield FromNetwork(number, data=data, is_over=not data)
+
+    def _flush(self, number: int, connection: _Connection) -> None:
+        """Send what the peer takes."""
+        try:
+            while connection.unsent:
+                sent = connection.stream.send(connection.unsent)
+                del connection.unsent[:sent]
+        except BlockingIOError:
+            if len(connection.unsent) <= _MOST_UNSENT:
+                return
+            self._lose(number, connection)
+        except OSError:
+            self._lose(number, connection)
+        if connection.closes:
+            self._drop(number, connection)
+
+    def _lose(self, number: int, connection: _Connection) -> None:
+        """The peer has gone while something was sent to it, which its program hears of later."""
+        connection.unsent.clear()
+        if not connection.closes:
+            self._drop(number, connection)
+            self._lost.append(number)
+            self._ring()
+
+    def _drop(self, number: int, connection: _Connection) -> None:
+        connection.stream.close()
+        self._connections.pop(number, None)
+
+    def _call(self, number: int, address: str, port: int, over: Event) -> None:
+        """Try until somebody answers or nobody waits any more; runs in a thread of its own."""
+        while not over.is_set():
+            stream = self._network.reached(address, port, 1.0)
+            if stream is None:
+                over.wait(_AGAIN_S)
+                continue
+            self._answers.put((number, stream))
+            self._ring()
+            return
+
+    def _ring(self) -> None:
+        with suppress(OSError):
+            self._bell[1].send(b"!")
+
+
+def _name(address: tuple[object, ...]) -> str:
+    return f"{address[0]}:{address[1]}"
