@@ -4,8 +4,10 @@ programs of rules.
 
 import gc
 import os
+from collections.abc import Generator
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from unittest.mock import patch
 
 import pytest
 from command_line import PROCESS, SWITCH
@@ -40,10 +42,13 @@ settings.register_profile("explore", deadline=None, max_examples=500)
 settings.load_profile(PROFILE)
 
 
-@pytest.fixture(autouse=True)
-def _process(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
-    if request.node.get_closest_marker("process"):
-        monkeypatch.setenv(SWITCH, PROCESS)
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, object, object]:
+    """No fixture: thousands of tests would set it up for nothing."""
+    if not item.get_closest_marker("process"):
+        return (yield)
+    with patch.dict(os.environ, {SWITCH: PROCESS}):
+        return (yield)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -8,6 +8,7 @@ with pictures, a recording and a report: 50 is among the first.
 from pathlib import Path
 
 import pytest
+from fuzzing import campaign
 from fuzzing.campaign import Tally, program, try_program
 from fuzzing.dice import Dice
 from fuzzing.laws import LAWS
@@ -59,8 +60,9 @@ def test_a_trace_ends_with_the_run(name: str, tmp_path: Path) -> None:
 def test_a_sample_of_programs(first: int, monkeypatch: pytest.MonkeyPatch) -> None:
     # All pictures would take as long as ten programs.
     monkeypatch.setattr(write, "PICTURES", {"path": path_picture})
-    # Of a program that tries again for ever a check would look at the first two minutes.
+    # Of a program that goes on for ever a check would look at two minutes, a run at half of one.
     monkeypatch.setattr(reach, "LONGEST_RUN_S", SECONDS)
+    monkeypatch.setattr(campaign, "MAX_TIME", SECONDS)
     tally = Tally()
     for number in range(first, first + AT_ONCE):
         try_program(SEED, number, tally)

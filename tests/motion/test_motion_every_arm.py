@@ -11,6 +11,7 @@ from collections.abc import Mapping
 import numpy as np
 import pytest
 from laws import cases
+from numpy.typing import NDArray
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.confdata import confdata_of, configurations, select, told_apart
@@ -32,6 +33,7 @@ VECTORS = cases(5_000)
 SINGULAR_VECTORS = cases(100)
 NUDGES = (0.0, 1e-12, -1e-12, 1e-9, -1e-9)
 CLOSED_FORM = [name for name in robot_names() if told_apart(load_robot(name).kinematics)]
+Names = NDArray[np.str_]
 SEARCHED = [name for name in robot_names() if name not in CLOSED_FORM]
 
 
@@ -55,45 +57,42 @@ def test_joints_to_pose_and_confdata_and_back(robot: Robot) -> None:
 
 def test_singular_vectors_are_among_the_solutions(robot: Robot) -> None:
     arm = robot.kinematics
-    for place, joints in singular_vectors(robot).items():
-        pose, own = arm.forward(joints), arm.branch_of(joints)
-        branches = arm.inverse(pose)
-        assert branches.exists[np.arange(len(joints)), own].all(), place
-        if place.startswith("wrist centre on axis 1"):
-            assert not (own & 4).any(), "on the border it counts as in front"
-        assert_solutions_reach(arm, pose, branches)
-        same = SAME_WHERE_ELBOWS_MEET if "elbow" in place else SAME
-        if "onto axis 2" in place:
-            continue
-        for branch in np.unique(own):
-            rows = own == branch
-            followed = arm.inverse_on_branch(pose[rows], int(branch), joints[rows])
-            assert followed.exists.all(), place
-            assert np.abs(followed.joints - joints[rows]).max() < same, place
+    places, joints = all_singular_vectors(robot)
+    pose, own = arm.forward(joints), arm.branch_of(joints)
+    branches = arm.inverse(pose)
+    assert_all(branches.exists[np.arange(len(joints)), own], places)
+    on_the_border = np.char.startswith(places, "wrist centre on axis 1")
+    assert not (own[on_the_border] & 4).any(), "on the border it counts as in front"
+    assert_solutions_reach(arm, pose, branches)
+    told = np.char.find(places, "onto axis 2") < 0
+    for branch in np.unique(own[told]):
+        rows = told & (own == branch)
+        followed = arm.inverse_on_branch(pose[rows], int(branch), joints[rows])
+        assert_all(followed.exists, places[rows])
+        off = np.abs(followed.joints - joints[rows]).max(axis=-1)
+        assert_all(off < same_joints(places[rows]), places[rows])
 
 
 def test_singular_vectors_come_back_by_their_confdata(robot: Robot) -> None:
     """Without help from a vector before, what comes back may differ, but pose and confdata hold."""
     arm = robot.kinematics
+    places, joints = all_singular_vectors(robot)
+    within = ~limit_excess(robot, joints).any(axis=-1)
+    places, joints = places[within], joints[within]
     elsewhere = random_joints(robot, SINGULAR_VECTORS, np.random.default_rng(4))
-    for place, joints in singular_vectors(robot).items():
-        joints = joints[~limit_excess(robot, joints).any(axis=-1)]
-        if not len(joints):
-            continue
-        pose, named = arm.forward(joints), confdata_of(arm, joints)
-        selected = select(robot, pose, named, joints)
-        assert not selected.quarters_off.any(), place
-        same = SAME_WHERE_ELBOWS_MEET if "elbow" in place else SAME
-        assert np.abs(selected.joints - joints).max() < same, place
-        other = select(robot, pose, named, elsewhere[: len(joints)])
-        assert other.exists.all(), place
-        assert not other.quarters_off[:, 0].any(), place
-        # Up to 1e-7 rad of axis 5 confdata may share out axes 4 and 6: twice that is the price.
-        way, turn = distances(arm.forward(other.joints), pose)
-        assert way.max() < 3.0 * EXACT, place
-        assert turn.max() < 3.0 * EXACT, place
-        if "axis 1" not in place:
-            assert not other.quarters_off.any(), place
+    elsewhere = np.resize(elsewhere, joints.shape)
+    pose, named = arm.forward(joints), confdata_of(arm, joints)
+    selected = select(robot, pose, named, joints)
+    assert_all((selected.quarters_off == 0).all(axis=-1), places)
+    assert_all(np.abs(selected.joints - joints).max(axis=-1) < same_joints(places), places)
+    other = select(robot, pose, named, elsewhere)
+    assert_all(other.exists, places)
+    # Up to 1e-7 rad of axis 5 confdata may share out axes 4 and 6: twice that is the price.
+    way, turn = distances(arm.forward(other.joints), pose)
+    assert_all(np.maximum(way, turn) < 3.0 * EXACT, places)
+    assert_all(other.quarters_off[:, 0] == 0, places)
+    sure = np.char.find(places, "axis 1") < 0
+    assert_all((other.quarters_off[sure] == 0).all(axis=-1), places[sure])
 
 
 def test_vectors_at_a_limit_are_within_it(robot: Robot) -> None:
@@ -145,6 +144,22 @@ def well_bent(robot: Robot, joints: Array, rng: np.random.Generator) -> Array:
         if not poor.any():
             return joints
         joints[poor] = random_joints(robot, int(poor.sum()), rng)
+
+
+def all_singular_vectors(robot: Robot) -> tuple[Names, Array]:
+    """Where each is (k,), and the joint vectors (k, n) [rad]."""
+    vectors = singular_vectors(robot)
+    counts = [len(joints) for joints in vectors.values()]
+    return np.repeat(list(vectors), counts), np.concatenate(list(vectors.values()))
+
+
+def same_joints(places: Names) -> Array:
+    """How far [rad] the same joints may be apart."""
+    return np.where(np.char.find(places, "elbow") < 0, SAME, SAME_WHERE_ELBOWS_MEET)
+
+
+def assert_all(holds: NDArray[np.bool_], places: Names) -> None:
+    assert not set(places[~holds])
 
 
 def singular_vectors(robot: Robot) -> Mapping[str, Array]:

@@ -1,6 +1,6 @@
 """What people install: wheel and source archive in fresh environments, from another folder.
 
-Each environment takes a quarter of a minute and more, so these tests run behind the others.
+Each environment takes many seconds, so these tests run behind the others.
 """
 
 import json
@@ -38,9 +38,15 @@ for name in ("irb120", "irb1600"):
 '''
 
 
+PIP = (sys.executable, "-m", "pip")
+"""The one of the tests, which installs into other environments as well."""
+MYPY = (sys.executable, "-m", "mypy")
+
+
 @dataclass(frozen=True)
 class Environment:
     folder: Path
+    has_pip: bool
 
     @property
     def bin(self) -> Path:
@@ -48,31 +54,53 @@ class Environment:
 
     def run(self, *arguments: object, cwd: Path) -> subprocess.CompletedProcess[str]:
         program, *rest = map(str, arguments)
-        return subprocess.run(
-            [str(self.bin / program), *rest], cwd=cwd, capture_output=True, text=True, check=False
-        )
+        return ran(self.bin / program, *rest, cwd=cwd)
 
     def install(self, *what: object) -> None:
-        done = self.run("python", "-m", "pip", "install", "-q", *what, cwd=self.folder)
+        """As a user does; or faster, and only what is imported is compiled, when it is."""
+        if self.has_pip:
+            done = self.run("python", "-m", "pip", "install", "-q", *what, cwd=self.folder)
+        else:
+            place = ("--python", self.bin / "python", "install", "--no-compile", "-q")
+            done = ran(*PIP, *place, *what, cwd=self.folder)
         assert done.returncode == 0, done.stderr
+
+
+def ran(*command: object, cwd: Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        list(map(str, command)), cwd=cwd, capture_output=True, text=True, check=False
+    )
 
 
 @pytest.fixture(scope="session")
 def archives(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
-    """The source archive, and the wheel made of it."""
+    """The source archive, and the wheel made of it.
+
+    With the backend that is here; pip fetches its own one where it builds, below.
+    """
     folder = tmp_path_factory.mktemp("dist")
-    subprocess.run(
-        [sys.executable, "-m", "build", "--outdir", str(folder), str(ROOT)],
-        check=True,
-        capture_output=True,
+    built = ran(
+        *(sys.executable, "-m", "build", "--no-isolation", "--outdir", folder, ROOT), cwd=folder
     )
+    assert built.returncode == 0, built.stdout + built.stderr
     return next(folder.glob("*.tar.gz")), next(folder.glob("*.whl"))
+
+
+def made(folder: Path, *options: str) -> Environment:
+    subprocess.run([sys.executable, "-m", "venv", *options, str(folder)], check=True)
+    return Environment(folder, has_pip=not options)
 
 
 @pytest.fixture
 def environment(tmp_path: Path) -> Environment:
-    subprocess.run([sys.executable, "-m", "venv", str(tmp_path / "venv")], check=True)
-    return Environment(tmp_path / "venv")
+    """A fresh one without pip, which would take as long as some extras."""
+    return made(tmp_path / "venv", "--without-pip")
+
+
+@pytest.fixture
+def environment_of_a_user(tmp_path: Path) -> Environment:
+    """A fresh one as `python -m venv` makes it."""
+    return made(tmp_path / "venv")
 
 
 @pytest.fixture
@@ -103,10 +131,10 @@ NEEDS = {
 
 
 def test_the_core_is_small_and_does_all_but_what_it_says(
-    archives: tuple[Path, Path], environment: Environment, elsewhere: Path
+    archives: tuple[Path, Path], environment_of_a_user: Environment, elsewhere: Path
 ) -> None:
-    _, wheel = archives
-    environment.install(wheel)
+    environment = environment_of_a_user
+    environment.install(archives[1])
     taken = sum(f.stat().st_size for f in environment.folder.rglob("*") if f.is_file())
     assert taken / 1e6 < MOST_MB
     for arguments in (
@@ -142,11 +170,11 @@ def test_an_extra_brings_what_it_is_for(
 
 
 def test_the_command_that_a_message_names_brings_an_extra(
-    archives: tuple[Path, Path], environment: Environment, elsewhere: Path
+    archives: tuple[Path, Path], environment_of_a_user: Environment, elsewhere: Path
 ) -> None:
-    environment.install(archives[1])
-    environment.install("rapidsim[parquet]")
-    ended = environment.run("rapidsim", *NEEDS["parquet"], cwd=elsewhere)
+    environment_of_a_user.install(archives[1])
+    environment_of_a_user.install("rapidsim[parquet]")
+    ended = environment_of_a_user.run("rapidsim", *NEEDS["parquet"], cwd=elsewhere)
     assert ended.returncode == 0, ended.stderr
 
 
@@ -178,27 +206,20 @@ def test_the_source_archive_installs(
 def test_mypy_follows_what_is_installed(
     what: str, archives: tuple[Path, Path], environment: Environment, elsewhere: Path
 ) -> None:
-    environment.install(
-        "mypy", "types-greenlet", *(["-e", ROOT] if what == "editable" else [archives[1]])
-    )
+    environment.install("types-greenlet", *(["-e", ROOT] if what == "editable" else [archives[1]]))
+    looking_there = ("--python-executable", environment.bin / "python", "--strict")
     (elsewhere / "user.py").write_text(USER_PROGRAM)
-    ended = environment.run("mypy", "--strict", "user.py", cwd=elsewhere)
+    ended = ran(*MYPY, *looking_there, "user.py", cwd=elsewhere)
     assert ended.returncode == 0, ended.stdout
     (elsewhere / "wrong.py").write_text(USER_PROGRAM.replace("moves: int", "moves: str"))
-    ended = environment.run("mypy", "--strict", "wrong.py", cwd=elsewhere)
+    ended = ran(*MYPY, *looking_there, "wrong.py", cwd=elsewhere)
     assert ended.returncode == 1
     assert "Incompatible types" in ended.stdout
 
 
 @pytest.mark.parametrize("python", PYTHONS[1:])
 def test_types_hold_with_every_python(python: str) -> None:
-    ended = subprocess.run(
-        [sys.executable, "-m", "mypy", "--python-version", python],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    ended = ran(*MYPY, "--python-version", python, cwd=ROOT)
     assert ended.returncode == 0, ended.stdout
 
 
@@ -208,20 +229,15 @@ def test_wheels_of_all_dependencies_exist(
     python: str, system: str, archives: tuple[Path, Path], tmp_path: Path
 ) -> None:
     report = tmp_path / "report.json"
-    done = subprocess.run(
-        [
-            *(sys.executable, "-m", "pip", "install", "-q", "--dry-run", "--ignore-installed"),
-            "--only-binary=:all:",
-            "--implementation=cp",
-            f"--python-version={python}",
-            *(f"--platform={one}" for one in SYSTEMS[system]),
-            f"--target={tmp_path / 'unused'}",
-            f"--report={report}",
-            extra(archives[1], "all"),
-        ],
-        capture_output=True,
-        text=True,
-        check=False,
+    done = ran(
+        *(*PIP, "install", "-q", "--dry-run", "--ignore-installed", "--only-binary=:all:"),
+        "--implementation=cp",
+        f"--python-version={python}",
+        *(f"--platform={one}" for one in SYSTEMS[system]),
+        f"--target={tmp_path / 'unused'}",
+        f"--report={report}",
+        extra(archives[1], "all"),
+        cwd=tmp_path,
     )
     assert done.returncode == 0, done.stderr
     found = json.loads(report.read_text(encoding="utf-8"))["install"]

@@ -1,142 +1,24 @@
-"""What checking by value judges is, field by field, what a run drives."""
+"""What checking by value judges is, field by field, what a run drives: each setting, any stance.
 
-from __future__ import annotations
+In `test_simulation_every_program` all programs of the repository.
+"""
 
-import re
-from collections.abc import Iterator
-from contextlib import suppress
-from dataclasses import fields, is_dataclass
-from itertools import pairwise
-from pathlib import Path
-from typing import Any
-
-import numpy as np
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 from laws import examples
-from simulation_program import arm
-from test_simulation_reach_programs import PROGRAMS, names_a_move, read
+from simulation_segments import agreeing, driven, judged
 
 from rapidsim.analysis.program import Program
-from rapidsim.controller.moves.queued_move import QueuedMove
-from rapidsim.controller.moves.resolve import Resolver
-from rapidsim.files import InputError, SourceFile
-from rapidsim.frames.transform import Transform
-from rapidsim.interpreter.limits import NotExecutableError
+from rapidsim.files import SourceFile
 from rapidsim.jobs.checked_program import load
-from rapidsim.language.moves import Move
-from rapidsim.motion.geometry.segments import Segment
-from rapidsim.motion.model import MotionModel
-from rapidsim.reach.arm_configurations import ends_of
-from rapidsim.reach.dataflow.interpretation import walk_program
-from rapidsim.reach.move_segments import segments_of
-from rapidsim.reach.path_findings import WayFinder
-from rapidsim.reach.target_poses import posed
-from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.simulate import simulate
-
-
-def differences(a: object, b: object, name: str = "") -> Iterator[str]:
-    """The fields in which two values differ by more than rounding."""
-    if is_dataclass(a) and type(a) is type(b):
-        for field in fields(a):
-            if (type(a), field.name) != (Segment, "index"):
-                inner = getattr(a, field.name), getattr(b, field.name)
-                yield from differences(*inner, f"{name}.{field.name}")
-    elif isinstance(a, np.ndarray) and isinstance(b, np.ndarray):
-        if a.shape != b.shape or np.abs(a - b).max(initial=0.0) > 1e-9:
-            yield f"{name}: {a} {b}"
-    elif isinstance(a, float) and isinstance(b, float):
-        if a != b and abs(a - b) > 1e-9:
-            yield f"{name}: {a} {b}"
-    elif a != b:
-        yield f"{name}: {a} {b}"
-
 
 AXES = "[9E9,9E9,9E9,9E9,9E9,9E9]"
-MODEL = MotionModel(payload_acceleration=0.5)
-Key = tuple[int, Move, int, Move]
-"""Where two moves in a row stand in the text, and what they are."""
 
 
-def judged(program: Program) -> dict[Key, list[Segment]]:
-    """The segments that a check makes of moves whose start and end it knows."""
-    walked, robot, model = walk_program(program), arm(), MODEL
-    placed = posed(walked.known, robot, Transform.identity())
-    ways = WayFinder(program, placed, ends_of(placed, robot), robot, model, {}).survey()
-    sure = ways.stances.sure
-    others = [
-        row
-        for row, known in enumerate(walked.known)
-        if row not in ways.segments
-        and row not in placed.left_out
-        and known.previous is not None
-        and sure[[row, known.previous]].all()
-    ]
-    made = dict(
-        zip(others, segments_of(placed, ways.stances.joints, robot, model, others), strict=True)
-    )
-    made |= {row: ways.driven(row) for row, way in ways.surveyed.items() if not way.broken}
-    found: dict[Key, list[Segment]] = {}
-    for row, segment in made.items():
-        known = walked.known[row]
-        if known.previous is not None and not known.uncertain:
-            before = walked.known[known.previous]
-            key = (known.call.start, known.move, before.call.start, before.move)
-            found.setdefault(key, []).append(segment)
-    return found
-
-
-def driven(program: Program, monkeypatch: pytest.MonkeyPatch) -> dict[Key, list[Segment]]:
-    """The segments that a run makes."""
-    made: list[tuple[QueuedMove, Segment]] = []
-    resolve = Resolver.resolve
-
-    def recorded(*arguments: Any, **named: Any) -> QueuedMove:
-        queued = resolve(*arguments, **named)
-        made.append((queued, queued.segment))
-        return queued
-
-    with monkeypatch.context() as patch, suppress(InputError, NotExecutableError):
-        patch.setattr(Resolver, "resolve", recorded)
-        simulate(program, arm(), options=RunOptions(max_time_s=20.0, model=MODEL))
-    found: dict[Key, list[Segment]] = {}
-    for (before, _), (queued, segment) in pairwise(made):
-        key = (queued.place.span.start, queued.move, before.place.span.start, before.move)
-        found.setdefault(key, []).append(segment)
-    return found
-
-
-def compared(program: Program, monkeypatch: pytest.MonkeyPatch) -> int:
-    """How many segments of a check were found among those of the run that made the same moves."""
+def compared(program: Program) -> int:
     reach = judged(program)
-    run = driven(program, monkeypatch) if reach else {}
-    both = [(one, run[key]) for key, made in reach.items() if key in run for one in made]
-    for one, others in both:
-        differing = [list(differences(one, other)) for other in others]
-        assert not all(differing), (program.modules[0].name.text, differing[0])
-    return len(both)
-
-
-def test_programs_of_the_repository(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert sum(count(path, monkeypatch) for path in PROGRAMS) > 50
-
-
-def test_programs_of_the_rules(rule_programs: list[Path], monkeypatch: pytest.MonkeyPatch) -> None:
-    assert sum(count(path, monkeypatch) for path in rule_programs) > 50
-
-
-def count(path: Path, monkeypatch: pytest.MonkeyPatch) -> int:
-    """The segments of a module that were compared; none where it is not to be run.
-
-    Where a trap clears the path, what comes next begins where it came up, which no text tells.
-    """
-    cleared = {b"TRAP", b"ClearPath"} <= set(re.findall(rb"\w+", path.read_bytes()))
-    if cleared or not names_a_move(path):
-        return 0
-    loaded = read(path)
-    return 0 if loaded is None or loaded.program is None else compared(loaded.program, monkeypatch)
+    return agreeing(reach, driven(program).segments) if reach else 0
 
 
 DATA = """
@@ -157,7 +39,7 @@ BEFORE = {
 
 
 @pytest.mark.parametrize("setting", BEFORE.values(), ids=BEFORE.keys())
-def test_no_setting_is_ignored(setting: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_no_setting_is_ignored(setting: str) -> None:
     text = f"""MODULE cell
 {DATA}
   PROC main()
@@ -174,7 +56,7 @@ ENDMODULE
 """
     loaded = load([SourceFile("cell.mod", text, "utf-8")])
     assert loaded.program is not None, [d.violation.message for d in loaded.diagnostics]
-    assert compared(loaded.program, monkeypatch) == 6
+    assert compared(loaded.program) == 6
 
 
 @examples(15)
@@ -208,5 +90,4 @@ ENDMODULE
 """
     loaded = load([SourceFile("cell.mod", text, "utf-8")])
     assert loaded.program is not None, [d.violation.message for d in loaded.diagnostics]
-    with pytest.MonkeyPatch.context() as patch:
-        compared(loaded.program, patch)
+    compared(loaded.program)

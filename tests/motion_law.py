@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from laws import cases
@@ -50,8 +51,7 @@ def with_smoothed(what: Smoothing, trajectory: Trajectory) -> Trajectory:
 def excess_of(trajectory: Trajectory, limits: Limits, most: int = MOST_SAMPLES) -> Excess:
     """How much of the limits a motion uses; AccSet and programmed speeds are those of its moves."""
     share, speed, load = _of_moves(trajectory.pieces)
-    times = instants(trajectory, most)
-    samples = trajectory.at(times.ravel())
+    times, samples = sampled(trajectory, most)
     joints = np.concatenate([samples.joints, samples.external], axis=1)
     rates = np.diff(joints.reshape(*times.shape, -1), axis=1) / STEP
     changes = np.diff(rates, axis=1) / STEP
@@ -72,7 +72,14 @@ def excess_of(trajectory: Trajectory, limits: Limits, most: int = MOST_SAMPLES) 
     )
 
 
-def instants(trajectory: Trajectory, most: int = MOST_SAMPLES) -> Array:
+@lru_cache(maxsize=1)
+def sampled(trajectory: Trajectory, most: int) -> tuple[Array, Samples]:
+    """Instants (b, k) [s] of a finished motion, and where the arm is then (b * k)."""
+    times = instants(trajectory, most)
+    return times, trajectory.at(times.ravel())
+
+
+def instants(trajectory: Trajectory, most: int) -> Array:
     """Instants (b, k) [s] in b stretches, from just before a motion to just after it."""
     count = int(trajectory.duration / STEP) + 5
     stretches = 1 if count <= most else most // _STRETCH
@@ -109,7 +116,7 @@ def off_curve(trajectory: Trajectory) -> float:
     On arcs that two wrist axes lead it is that of the z axis of the tool where it passes the plane.
     The TCP is found from the joints that were sampled, so this measures the arm, not its plan.
     """
-    samples = trajectory.at(instants(trajectory).ravel())
+    _, samples = sampled(trajectory, MOST_SAMPLES)
     places = trajectory.place_at(samples.times)
     worst = 0.0
     begin = 0.0
