@@ -54,7 +54,7 @@ def choose_move_check(job: Job) -> CheckMoves | None:
             run_options(job),
             start_joints_deg=robot.start_joints_deg if robot else None,
             world_from_base=robot.world_from_base if robot else Transform.identity(),
-            external_axes=() if number else station.external_axes,
+            external_axes=robot.external if number and robot else station.external_axes,
             task=task,
             entry=job.entry(task),
         )

@@ -67,6 +67,8 @@ def task_setups(
         arm = with_axes if number == 0 else first
         if number and robot.name:
             arm = robot.bounded(open_robot(robot.name, robot.scale))
+        if number and robot.external:
+            arm = replace(arm, external=robot.external)
         start, place = robot.start_joints_deg, robot.world_from_base
         _require_axes(station, arm, start)
         setups.append(

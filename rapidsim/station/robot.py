@@ -11,6 +11,7 @@ from rapidsim.station.external_axes import read_frame
 from rapidsim.station.toml_reader import Reader, Table
 
 if TYPE_CHECKING:
+    from rapidsim.motion.robot.external_axes import ExternalAxis
     from rapidsim.motion.robot.robot import Robot
 
 _KEYS = ("model", "urdf", "scale", "base", "start")
@@ -33,6 +34,8 @@ class StationRobot:
     """What a backup calls an arm that the catalogue does not have."""
     bounds: tuple[tuple[float, float] | None, ...] = ()
     """Of each axis what a backup lets it do [rad], None where that is not said."""
+    external: tuple[ExternalAxis, ...] = ()
+    """Axes beside it, where it is not the first: those of the first are the station's."""
 
     def armed(self, other: StationRobot) -> StationRobot:
         """This robot with the arm of another and what is said of its axes."""

@@ -120,7 +120,8 @@ class Station:
     @property
     def units(self) -> tuple[str, ...]:
         """Names of the mechanical units beside the robot."""
-        simulated = (axis.unit for axis in self.external_axes)
+        further = (axis for robot in self.robots for axis in robot.external)
+        simulated = (axis.unit for axis in (*self.external_axes, *further))
         return tuple(dict.fromkeys((*simulated, *self.other_units)))
 
 

@@ -157,3 +157,52 @@ def test_a_unit_of_another_group_is_not_the_first_robots(own: bool, tmp_path: Pa
     station = said(folder)
     assert [axis.unit for axis in station.external_axes] == (["TRACK_1"] if own else [])
     assert set(station.units) == {"TRACK_1", "STN_1"}
+
+
+TWO = """MECHANICAL_UNIT_GROUP:
+
+      -Name "left" -Robot "ROB_1"
+
+      -Name "right" -Robot "ROB_2" -MechanicalUnit_1 "TRACK_1"
+#
+CAB_TASKS:
+
+      -Name "T_ROB1" -Type "NORMAL" -UseMechanicalUnitGroup "left" -MotionTask
+
+      -Name "T_ROB2" -Type "NORMAL" -UseMechanicalUnitGroup "right" -MotionTask
+"""
+SECOND = """MODULE second
+  VAR jointtarget here;
+  PROC main()
+    MoveAbsJ [[0,0,0,0,30,0],[9E9,{},9E9,9E9,9E9,9E9]],v1000,fine,tool0;
+    here:=CJointT();
+    TPWrite ""\\Num:=here.extax.eax_b;
+  ENDPROC
+ENDMODULE
+"""
+
+
+@pytest.mark.parametrize(("place", "said_of_it"), [(500, []), (5000, ["K602"])])
+def test_a_second_robot_has_the_track_of_its_group(
+    place: int, said_of_it: list[str], tmp_path: Path
+) -> None:
+    folder = backup(tmp_path)
+    moc = (folder / "SYSPAR/MOC.cfg").read_text()
+    second = '\n      -name "ROB_2" -use_robot_type "ROB1_120_0.58_3"\n#\nSINGLE:'
+    for name, text in {
+        "SYSPAR/MOC.cfg": moc.replace("#\nSINGLE:", second, 1),
+        "SYSPAR/SYS.cfg": TWO,
+        "BACKINFO/backinfo.txt": ">>TASK1: (T_ROB1,,)\n\n>>TASK2: (T_ROB2,,)\n",
+        "RAPID/TASK1/m.mod": "MODULE m\nPROC main()\nENDPROC\nENDMODULE\n",
+        "RAPID/TASK2/second.mod": SECOND.format(place),
+    }.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    station = said(folder)
+    assert not station.external_axes
+    assert [axis.unit for axis in station.robots[1].external] == ["TRACK_1"]
+    found = check([folder]).diagnostics
+    assert [one.violation.code for one in found if one.severity == "error"] == said_of_it
+    if not said_of_it:
+        texts = [one.message for one in simulate([folder]).events if one.kind.value == "text"]
+        assert texts == ["500"]

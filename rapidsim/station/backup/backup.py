@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from rapidsim.backinfo import listed_products, listed_tasks
@@ -43,10 +44,15 @@ def backup_station(folders: Sequence[Path]) -> Station:
     robots = backup_robots(motion)
     system = read_configuration(text_in(root, "SYSPAR", "SYS.cfg"))
     units = external_units(motion, system)
+    first, *further = units.axes
+    robots = (
+        *robots[:1],
+        *(replace(one, external=axes) for one, axes in zip(robots[1:], further, strict=True)),
+    )
     io, remarks = backup_io(read_configuration(text_in(root, "SYSPAR", "EIO.cfg")))
     return Station(
         robots=robots,
-        external_axes=units.axes,
+        external_axes=first,
         other_units=units.others,
         robot_source="the backup's MOC.cfg" if robots else None,
         tasks=_tasks_of(root, folders, [robot.label for robot in robots]),

@@ -30,47 +30,62 @@ _ROTATING = ("FREE_ROT", "EXT_ROT")
 class ExternalUnits:
     """The units beside the robots."""
 
-    axes: tuple[ExternalAxis, ...] = ()
-    """Those that a run has."""
+    axes: tuple[tuple[ExternalAxis, ...], ...] = ()
+    """Those that a run has, of each robot."""
     others: tuple[str, ...] = ()
     """Names of the units of which the backup does not say enough."""
 
 
 def external_units(motion: Configuration, system: Configuration) -> ExternalUnits:
-    """The units that the first robot has, as MOC.cfg and the unit groups of SYS.cfg say it."""
-    elsewhere = _of_other_groups(system)
+    """The units that each robot has, as MOC.cfg and the unit groups of SYS.cfg say it.
+
+    A unit that stands in no group belongs to the first robot.
+    """
+    robots = [one for one in motion.get("ROBOT", ()) if one.get("use_robot_type")]
+    owners = _owners(system, [one.get("name") for one in robots])
     named = {kind: _by_name(instances) for kind, instances in motion.items()}
-    track = next((robot.get("base_frame_coordinated") for robot in motion.get("ROBOT", ())), None)
+    tracks = {one.get("base_frame_coordinated") for one in robots}
     active = {
         unit.get("name")
         for unit in motion.get("MECHANICAL_UNIT", ())
         if unit.get("activate_at_start_up", "").lower() == SWITCHED_ON
     }
-    axes: list[ExternalAxis] = []
+    axes: list[list[ExternalAxis]] = [[] for _ in robots or ({},)]
     others: list[str] = []
     for unit, singles in _units(motion).items():
-        found = [_axis(unit, one, named, carries_robot=unit == track) for one in singles]
+        owner = owners.get(unit, 0)
+        found = [_axis(unit, one, named, carries_robot=unit in tracks) for one in singles]
         whole = [axis for axis in found if axis is not None]
-        taken = {axis.letter for axis in (*axes, *whole)}
-        fits = len(whole) == len(found) and len(taken) == len(axes) + len(whole)
-        if fits and unit in active and unit not in elsewhere:
-            axes += whole
-        else:
+        if owner is None or unit not in active or len(whole) < len(found):
             others.append(unit)
-    return ExternalUnits(tuple(sorted(axes, key=lambda axis: axis.letter)), tuple(others))
+            continue
+        mine = axes[owner]
+        if len({axis.letter for axis in (*mine, *whole)}) < len(mine) + len(whole):
+            others.append(unit)
+        else:
+            mine += whole
+    return ExternalUnits(
+        tuple(tuple(sorted(mine, key=lambda axis: axis.letter)) for mine in axes), tuple(others)
+    )
 
 
-def _of_other_groups(system: Configuration) -> frozenset[str]:
-    """Names of the units that groups have, and not that of the first robot."""
-    groups = [
-        frozenset(value for key, value in group.items() if key.startswith("mechanicalunit_"))
-        for group in system.get(UNIT_GROUP, ())
-    ]
-    robots = [bool(group.get("robot")) for group in system.get(UNIT_GROUP, ())]
-    if True not in robots:
-        return frozenset()
-    own = groups[robots.index(True)]
-    return frozenset().union(*groups) - own
+def _owners(system: Configuration, labels: Sequence[str | None]) -> Mapping[str, int | None]:
+    """The robot, by its number, of each unit that stands in a group; None where none has it.
+
+    Of several robots that share a unit it is the first.
+    """
+    groups = system.get(UNIT_GROUP, ())
+    # A group that names a robot which MOC.cfg lacks is that of the first, if no other is.
+    unknown = None if any(group.get("robot") in labels for group in groups) else 0
+    owners: dict[str, int | None] = {}
+    for group in groups:
+        robot = group.get("robot")
+        owner = labels.index(robot) if robot in labels else unknown if robot else None
+        for key, unit in group.items():
+            if key.startswith("mechanicalunit_"):
+                known = [one for one in (owners.get(unit), owner) if one is not None]
+                owners[unit] = min(known, default=None)
+    return owners
 
 
 def _units(motion: Configuration) -> Mapping[str, Sequence[str]]:
