@@ -2,6 +2,7 @@
 
 import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 from command_line import call
@@ -50,7 +51,7 @@ def tasks_of(program: Path) -> int:
     return station.read_text("utf-8").count("[[task]]") if station.exists() else 1
 
 
-def errors_of(told: dict) -> list[Error]:
+def errors_of(told: dict[str, Any]) -> list[Error]:
     return [
         (found["file"], found["line"], found["column"], found["code"], found["message"])
         for found in told["diagnostics"]
