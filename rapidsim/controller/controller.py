@@ -28,6 +28,7 @@ from rapidsim.controller.path_control import TaskPathControl
 from rapidsim.controller.path_recorder import TaskPathRecorder
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.path_marks import PathMarks
+from rapidsim.controller.queue.speed_outputs import SpeedOutputs
 from rapidsim.controller.queue.zone_table import WorldZoneTable
 from rapidsim.controller.search import TaskSearch
 from rapidsim.controller.signals import TaskSignals
@@ -78,13 +79,14 @@ def virtual_controller(
     clock = TaskClock(cell, unit, journal, table, place)
     interrupts = TaskInterrupts(clock, table)
     execution = TaskExecution(clock, unit, cell, table)
-    clock.happenings = (execution, cell, marks, watched, interrupts)
+    speeds = SpeedOutputs(unit, cell)
+    clock.happenings = (execution, cell, marks, watched, speeds, interrupts)
     solo = SoloMoves(clock, unit, cell, resolver, table, marks, watched, journal, state)
     others = TaskOthers(clock, unit, cell, resolver, state, journal.task, has_robot)
     team = TaskTeam(
         clock, unit, cell, resolver, table, marks, watched, journal, state, solo, others
     )
-    triggers = Triggers(clock, unit, cell, marks, interrupts)
+    triggers = Triggers(clock, unit, cell, marks, interrupts, speeds)
     motion = TaskMotion(clock, unit, cell, resolver, state, triggers, team.put)
     own_queue = cell.messages.open_for(journal.task, queue or QueueSettings())
     sockets = TaskSockets(clock, cell, journal)

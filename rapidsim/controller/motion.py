@@ -12,12 +12,15 @@ from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.solo_moves import Put
 from rapidsim.controller.triggers import Triggers
 from rapidsim.frames.transform import Array
+from rapidsim.frames.vectors import length, minus
 from rapidsim.language.data import JointTarget, Pos, RobTarget, ToolData, WobjData
 from rapidsim.language.moves import MotionSettings, Move
 from rapidsim.language.path_events import Trigger
 from rapidsim.motion.configurations.targets import rob_joint
 
 _LOOKS_BACK_S = 1e-3
+_ARRIVED_MM = 0.01
+"""A path that ends so near to its target was not cut short."""
 
 
 @dataclass(slots=True, eq=False)
@@ -95,6 +98,17 @@ class TaskMotion:
             self.state.tool, self.state.tool_name = data, name
         else:
             self.state.wobj, self.state.wobj_name = data, name
+
+    def programmed_end(self, tool: ToolData, wobj: WobjData) -> RobTarget:
+        """Where the path ends so far, without what generators correct."""
+        end = self.unit.queue.end
+        stands = self.resolver.target(end.joints, end.external, tool, wobj, self.clock.place)
+        last = self.unit.queue.moves[-1].move if self.unit.queue.moves else None
+        if last is None or last.programmed is None or (last.tool, last.wobj) != (tool, wobj):
+            return stands
+        assert isinstance(last.to, RobTarget)
+        came = length(minus(stands.trans, last.to.trans)) < _ARRIVED_MM
+        return last.programmed if came else stands
 
     def target_at(self, joints: JointTarget, tool: ToolData, wobj: WobjData) -> RobTarget:
         """Where the TCP would be with the axes at given positions."""

@@ -12,7 +12,12 @@ from dataclasses import dataclass
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.path_marks import PathMarks
-from rapidsim.language.error_numbers import ERR_PATH, ERR_PATHDIST, rapid_error
+from rapidsim.language.error_numbers import (
+    ERR_ALRDY_MOVING,
+    ERR_PATH,
+    ERR_PATHDIST,
+    rapid_error,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,10 +45,14 @@ class TaskPathControl:
         """Let the robot go on, and with it those that move together with it.
 
         Raises:
-            RapidError: ERR_PATHDIST, when it stands too far from where it left its path.
+            RapidError: ERR_ALRDY_MOVING; ERR_PATHDIST, when it stands too far from where it left
+                its path.
         """
         self.clock.note_line()
         now_s = self.clock.observe()
+        queue = self.unit.queue
+        if queue.is_open and not queue.is_halted and queue.preview().duration > now_s:
+            raise rapid_error(ERR_ALRDY_MOVING, "the robot is moving; nothing stopped it")
         too_far = self.unit.queue.too_far_off()
         if too_far:
             raise rapid_error(

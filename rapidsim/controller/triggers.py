@@ -1,7 +1,7 @@
 """What happens at places of the path: outputs, interrupts, ramps, procedures.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "TriggIO",
-"TriggCheckIO", "TriggRampAO", "TriggInt".
+"TriggCheckIO", "TriggRampAO", "TriggInt", "TriggSpeed".
 """
 
 from __future__ import annotations
@@ -19,9 +19,11 @@ from rapidsim.controller.journal.journal import Instant, Moment
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.path_marks import PathMark, PathMarks
+from rapidsim.controller.queue.speed_outputs import SpeedOutputs
 from rapidsim.language.path_events import (
     CallProcedure,
     CheckSignal,
+    FollowSpeed,
     RaiseInterrupt,
     RampOutput,
     SetOutput,
@@ -44,6 +46,7 @@ class Triggers:
     cell: Cell
     marks: PathMarks
     interrupts: TaskInterrupts
+    speeds: SpeedOutputs
 
     def mark(self, queued: QueuedMove, triggers: tuple[Trigger, ...]) -> None:
         """Put the places of triggers on the path of a move."""
@@ -79,8 +82,8 @@ class Triggers:
                     self._ramp(cause, ramp, now_s)
                 case CallProcedure(name=name):
                     self._call_at(name, now_s)
-                case None:
-                    pass
+                case FollowSpeed() as follow:
+                    self.speeds.follow(cause, now_s, follow.signal, follow.per_mm_s, follow.lag_s)
 
         return act
 

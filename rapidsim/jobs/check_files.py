@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.passes.checker import Find
+from rapidsim.analysis.program_parts import ENTRY
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
 from rapidsim.diagnostics import Diagnostic, Severity
@@ -179,7 +180,8 @@ def _moves_checked(
 ) -> ReachReport:
     written = written_moves(loaded.files)
     why = "nobody asked for it" if moves is None else "the program cannot run as it is"
-    if (written or always) and moves is not None and loaded.program is not None:
+    runs = loaded.program is not None and ENTRY in loaded.program.routines
+    if (written or always or runs) and moves is not None and loaded.program is not None:
         report = moves(loaded.program, task, runs=True)
         if isinstance(report, ReachReport):
             return report

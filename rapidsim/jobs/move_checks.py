@@ -57,6 +57,7 @@ def choose_move_check(job: Job) -> CheckMoves | None:
             external_axes=robot.external if number and robot else station.external_axes,
             task=task,
             entry=job.entry(task),
+            queue=next((one.queue for one in station.tasks if one.name == task), None),
         )
         budget_s = station.check.cycle_budget_s
         trial_run = job.asked.trial_run and runs
@@ -67,7 +68,10 @@ def choose_move_check(job: Job) -> CheckMoves | None:
         if job.is_arm_named:
             return report
         # Whether the program is for the default arm nobody knows.
-        assumed = tuple(replace(found, assumed=True) for found in report.diagnostics)
+        assumed = tuple(
+            found if found.violation.code.startswith("R") else replace(found, assumed=True)
+            for found in report.diagnostics
+        )
         return replace(report, diagnostics=assumed)
 
     return check_moves if job.asked.reach else None

@@ -149,6 +149,10 @@ class Motion(Protocol):
         """Let a tool or a work object, which the program calls so, be that of the last move."""
         ...
 
+    def programmed_end(self, tool: ToolData, wobj: WobjData) -> RobTarget:
+        """Where the path ends so far, without what correction generators add to it."""
+        ...
+
     def target_at(self, joints: JointTarget, tool: ToolData, wobj: WobjData) -> RobTarget:
         """Where the TCP would be with the axes at given positions."""
         ...

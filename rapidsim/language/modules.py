@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from rapidsim.diagnostics import Source
+from rapidsim.language.errors import RapidError
 
 
 @dataclass(frozen=True, slots=True)
@@ -14,7 +15,8 @@ class LoadSession:
 
     path: str
     """As the program named it."""
-    source: Source
+    source: Source | RapidError
+    """What was read; or why nothing was, which WaitLoad raises."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -96,6 +96,8 @@ class Move:
     """The argument \\ID: moves of several robots with the same number are made together."""
     stop: StopTime | None = None
     """The argument \\Inpos, where it gives a time."""
+    programmed: RobTarget | None = None
+    """The target as programmed, where \\Corr moves it."""
 
 
 class SingularArea(Enum):

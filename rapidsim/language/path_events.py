@@ -51,6 +51,16 @@ class RampOutput:
 
 
 @dataclass(frozen=True, slots=True)
+class FollowSpeed:
+    """From here on an analog output is the speed of the TCP [mm/s] times a factor; 0 ends it."""
+
+    signal: str
+    per_mm_s: float
+    lag_s: float
+    """It is so long ahead of the speed [s]."""
+
+
+@dataclass(frozen=True, slots=True)
 class CallProcedure:
     """A procedure runs as a trap would."""
 
@@ -61,8 +71,7 @@ class CallProcedure:
 class Trigger:
     """Where on a move something happens, and what."""
 
-    action: SetOutput | RaiseInterrupt | CheckSignal | RampOutput | CallProcedure | None
-    """None does nothing."""
+    action: SetOutput | RaiseInterrupt | CheckSignal | RampOutput | FollowSpeed | CallProcedure
     distance: float = 0.0
     """[mm] before the end of the move, or after its start; [s] before the end if `by_time`."""
     from_start: bool = False

@@ -1,7 +1,4 @@
-r"""Correction generators: what a sensor adds to paths with \Corr.
-
-Generators are connected, written and read as on a controller; they do not move the path, and each
-move with \Corr says so.
+r"""Correction generators: what a sensor adds to paths with \Corr; see `path_offset`.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "CorrCon",
 "CorrWrite", "CorrRead", "CorrDiscon", "CorrClear".
@@ -19,7 +16,8 @@ from rapidsim.language.error_numbers import (
     rapid_error,
 )
 from rapidsim.language.reference import Reference
-from rapidsim.language.single import single
+from rapidsim.library.path_offset import sum_of
+from rapidsim.library.poses import single_pos
 from rapidsim.library.table import routine, table
 
 MOST_GENERATORS = 5
@@ -56,8 +54,7 @@ def corr_read(controller: Motion) -> Pos:
     """What all generators correct together [mm]."""
     if not controller.corrections:
         raise rapid_error(CORR_NOOBJECT, "no correction generator is connected")
-    columns = zip(*controller.corrections.values(), strict=True)
-    return Pos(*(single(sum(column)) for column in columns))
+    return single_pos(sum_of(controller.corrections))
 
 
 def _connected(controller: Motion, descr: Reference[int | None]) -> int:

@@ -25,7 +25,12 @@ from rapidsim.language.annotations import (
 )
 from rapidsim.language.controller import Controller, Honesty
 from rapidsim.language.data import ListItem
-from rapidsim.language.error_numbers import ERR_UI_INITVALUE, ERR_UI_MAXMIN, rapid_error
+from rapidsim.language.error_numbers import (
+    ERR_UI_INITVALUE,
+    ERR_UI_MAXMIN,
+    ERR_UI_NOTINT,
+    rapid_error,
+)
 from rapidsim.library.honesty import ignored
 from rapidsim.library.questions import BREAKS, Breaks, answered
 from rapidsim.library.table import routine, table
@@ -282,6 +287,8 @@ def _number(
         raise rapid_error(ERR_UI_MAXMIN, f"{name}: the least value {low:g} is above {high:g}")
     if initial is not None and not low <= initial <= high:
         raise rapid_error(ERR_UI_INITVALUE, f"{name}: {initial:g} is not within {low:g}..{high:g}")
+    if whole and initial is not None and initial != round(initial):
+        raise rapid_error(ERR_UI_NOTINT, f"{name}: {initial:g} is not a whole number")
 
     def ask(ends: bool) -> float | None:
         return controller.operator.ask_number(_prompt(asked), ends=ends)

@@ -20,6 +20,7 @@ from rapidsim.language.error_numbers import (
     ERR_LOADNO_NOUSE,
     ERR_PATH,
     ERR_TASKNAME,
+    ERR_UNKPROC,
     ERR_UNLOAD,
     rapid_error,
 )
@@ -58,14 +59,17 @@ def start_load(
     dynamic: Switch = False,
     file: String | None = None,
 ) -> None:
-    """Read a module's file; WaitLoad makes it part of the program."""
+    """Read a module's file; WaitLoad makes it part of the program, or raises why it cannot."""
     del dynamic
     if load_no.value is not None:
         raise rapid_error(
             ERR_LOADNO_INUSE, f"the load session holds {load_no.value.path}, which no WaitLoad took"
         )
     path = joined_path(file_path, file)
-    load_no.value = LoadSession(path, _read(controller, path))
+    try:
+        load_no.value = LoadSession(path, _read(controller, path))
+    except RapidError as error:
+        load_no.value = LoadSession(path, error)
 
 
 def wait_load(
@@ -77,18 +81,20 @@ def wait_load(
     check_ref: Switch = False,
 ) -> None:
     """Remove another module if asked to, then make a module that StartLoad read part of it."""
-    session = _session(load_no.value)
+    session = _session(load_no.value, ERR_UNKPROC)
     if unload_path is not None:
         with controller.clock.long_work():
             controller.modules.unload(joined_path(unload_path, unload_file))
     load_no.value = None
+    if isinstance(session.source, RapidError):
+        raise session.source
     with controller.clock.long_work():
         controller.modules.load(session.source, session.path, check_references=check_ref)
 
 
 def cancel_load(load_no: Var[LoadSessionVar]) -> None:
     """Forget a module that StartLoad has read."""
-    _session(load_no.value)
+    _session(load_no.value, ERR_LOADNO_NOUSE)
     load_no.value = None
 
 
@@ -159,9 +165,9 @@ def save(
     _write(controller.files, module, path)
 
 
-def _session(session: LoadSession | None) -> LoadSession:
+def _session(session: LoadSession | None, otherwise: float) -> LoadSession:
     if session is None:
-        raise rapid_error(ERR_LOADNO_NOUSE, "no StartLoad has begun with this load session")
+        raise rapid_error(otherwise, "no StartLoad has begun with this load session")
     return session
 
 

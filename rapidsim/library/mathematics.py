@@ -181,10 +181,10 @@ def num_to_dnum(value: Num) -> Dnum:
 
 def dnum_to_num(value: Dnum, *, integer: Switch = False) -> Num:
     r"""The nearest `num`; with \Integer only whole numbers that a num holds exactly."""
-    if integer:
-        _check_whole(value, LARGEST_EXACT_INTEGER)
     if abs(value) > LARGEST_SINGLE:
         raise rapid_error(ERR_NUM_LIMIT, f"{value:g} is beyond the range of num")
+    if integer:
+        _check_whole(value, LARGEST_EXACT_INTEGER, beyond=ERR_ARGVALERR)
     return value
 
 
@@ -256,11 +256,11 @@ def _to_decimals(value: float, decimals: float | None, whole: Callable[[float], 
     return math.copysign(whole(abs(value) * scale) / scale, value)
 
 
-def _check_whole(value: float, largest: float) -> None:
+def _check_whole(value: float, largest: float, beyond: float = ERR_INT_MAXVAL) -> None:
     if value != math.floor(value):
         raise rapid_error(ERR_INT_NOTVAL, f"{value:.7g} is not a whole number")
     if abs(value) > largest:
-        raise rapid_error(ERR_INT_MAXVAL, f"{value:.7g} is larger than {largest:.0f}")
+        raise rapid_error(beyond, f"{value:.7g} is larger than {largest:.0f}")
 
 
 MATHEMATICS = table(

@@ -34,6 +34,7 @@ from rapidsim.language.reference import Reference
 from rapidsim.language.single import single
 from rapidsim.library.displacement import in_object, with_axis_offsets
 from rapidsim.library.honesty import ignored
+from rapidsim.library.path_offset import offset
 from rapidsim.library.table import LibraryRoutine, routine, table
 from rapidsim.library.traits import NOTHING, Does
 
@@ -80,26 +81,38 @@ def asked(
         sync_id: What the instruction makes of its option to move in step with other robots.
     """
     left_out = {
-        r"\Corr": options.get("corr"),
         r"\ID": options.get("id_"),
         r"\TLoad": options.get("tload"),
     }
     ignored(controller.honesty, name, left_out)
     cir_point, wobj, inpos = options.get("cir_point"), options.get("wobj"), options.get("inpos")
     no_object = WOBJ0 if tool is not None else controller.motion.active_wobj()
+    used_tool = controller.motion.active_tool() if tool is None else tool.value
+    used_wobj = no_object if wobj is None else wobj.value
+    programmed = None
+    if isinstance(to, RobTarget):
+        to = in_object(controller.motion, to)
+        cir_point = None if cir_point is None else in_object(controller.motion, cir_point)
+        if options.get("corr") and controller.motion.corrections:
+            controller.honesty.not_simulated(
+                rf"{name} \Corr", "offset by what is written when the instruction executes"
+            )
+            programmed = to
+            to, cir_point = offset(controller.motion, to, cir_point, used_tool, used_wobj)
     return Move(
         name,
         interpolation,
-        to if isinstance(to, JointTarget) else in_object(controller.motion, to),
+        to,
         _speed(speed, options.get("v")),
         _zone(zone, options.get("z"), inpos),
-        controller.motion.active_tool() if tool is None else tool.value,
-        no_object if wobj is None else wobj.value,
-        circle_point=None if cir_point is None else in_object(controller.motion, cir_point),
+        used_tool,
+        used_wobj,
+        circle_point=cir_point,
         duration_s=options.get("t"),
         concurrent=options.get("conc", False),
         sync_id=sync_id,
         stop=_stop(controller.honesty, inpos),
+        programmed=programmed,
     )
 
 

@@ -29,6 +29,8 @@ from rapidsim.language.error_numbers import (
     ERR_CALC_DIVZERO,
     ERR_CALC_NEG,
     ERR_CALC_OVERFLOW,
+    ERR_INT_MAXVAL,
+    ERR_INT_NOTVAL,
     rapid_error,
 )
 from rapidsim.language.types import NUM
@@ -38,6 +40,8 @@ from rapidsim.library.text import checked, parsed_value, value_text
 _PLACE = re.compile(r"\{(\d+)\}")
 _LATIN_1 = "iso-8859-1"
 _MAX_DECIMALS = 15
+_DIVISION, _MODULUS = 3, 4
+"""Places of OpDiv and OpMod among the operations."""
 _MAX_DIGITS_VALUE = 2**32 - 1
 """The largest value of a `stringdig`."""
 
@@ -217,7 +221,9 @@ def str_dig_calc(str_dig1: StringDig, operation: OpCalc, str_dig2: StringDig) ->
     """Compute with two whole numbers written in digits."""
     a, b = _digits(str_dig1), _digits(str_dig2)
     chosen = _choice(operation, 5, "operation")
-    if chosen >= 3 and b == 0:
+    if chosen == _MODULUS and b == 0:
+        raise rapid_error(ERR_INT_NOTVAL, f"{a} has no remainder by 0")
+    if chosen == _DIVISION and b == 0:
         raise rapid_error(ERR_CALC_DIVZERO, f"{a} divided by 0")
     result = (a + b, a - b, a * b, a // (b or 1), a % (b or 1))[chosen]
     if result < 0:
@@ -236,7 +242,7 @@ def _position(text: str, position: float, last: int) -> int:
     return int(position) - 1
 
 
-def _whole(text: str, base: int) -> int:
+def _whole(text: str, base: int, otherwise: float = ERR_ARGVALERR) -> int:
     digits = text.strip()
     try:
         # Python would take underscores, signs and prefixes as well.
@@ -244,13 +250,13 @@ def _whole(text: str, base: int) -> int:
             return int(digits, base)
     except ValueError:
         pass
-    raise rapid_error(ERR_ARGVALERR, f'"{text}" is no whole number to base {base}')
+    raise rapid_error(otherwise, f'"{text}" is no whole number to base {base}')
 
 
 def _digits(text: str) -> int:
-    value = _whole(text, 10)
+    value = _whole(text, 10, ERR_INT_NOTVAL)
     if value > _MAX_DIGITS_VALUE:
-        raise rapid_error(ERR_ARGVALERR, f"{value} exceeds {_MAX_DIGITS_VALUE}")
+        raise rapid_error(ERR_INT_MAXVAL, f"{value} exceeds {_MAX_DIGITS_VALUE}")
     return value
 
 

@@ -137,8 +137,8 @@ def clk_stop(controller: ClockService, clock: Var[Clock]) -> None:
 def clk_read(controller: ClockService, clock: Var[Clock], *, high_res: Switch = False) -> Num:
     """What a clock shows [s]."""
     resolution = FINE_CLOCK_RESOLUTION_S if high_res else CLOCK_RESOLUTION_S
-    # Just above the last step, so that 0.3 s computed as 0.29999... still shows 0.3.
-    steps = math.floor(_clock_time(controller, clock.value) / resolution + 1e-6)
+    # Half a digit of num above the last step, so that WaitTime 1.234 still shows 1.234.
+    steps = math.floor(_clock_time(controller, clock.value) * (1.0 + 6e-8) / resolution + 1e-6)
     return steps * resolution
 
 

@@ -4,7 +4,7 @@ r"""Trigger data: what happens where on the path of a TriggL, TriggJ or TriggC.
 again; a run passes each place once. \Next is not simulated.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "TriggIO",
-"TriggEquip", "TriggInt", "TriggCheckIO", "TriggRampAO".
+"TriggEquip", "TriggInt", "TriggCheckIO", "TriggRampAO", "TriggSpeed".
 """
 
 from __future__ import annotations
@@ -35,6 +35,7 @@ from rapidsim.language.data import Signal
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.path_events import (
     CheckSignal,
+    FollowSpeed,
     RaiseInterrupt,
     RampOutput,
     SetOutput,
@@ -184,10 +185,12 @@ def trigg_speed(
     err_do: Var[SignalDo] | None = None,
     **inhibition: Unpack[Inhibition],
 ) -> None:
-    """Let an analog output follow the speed of the TCP: not simulated, the output stays."""
-    del distance, scale_lag, a_op, scale_value, start, dip_lag, err_do, inhibition
-    controller.not_simulated("TriggSpeed", "the output keeps its value")
-    trigg_data.value = Trigger(None)
+    """Let an analog output follow the speed of the TCP from a place on."""
+    ignored(controller, "TriggSpeed", {r"\DipLag": dip_lag, r"\ErrDO": err_do})
+    action = FollowSpeed(connected(a_op), scale_value, scale_lag)
+    trigg_data.value = Trigger(
+        action, distance, from_start=start, lag_s=scale_lag, **_inhibited(inhibition)
+    )
 
 
 def trigg_data_reset(trigg_data: Var[TriggData]) -> None:
@@ -260,7 +263,6 @@ TRIGGERS = table(
         "TriggSpeed",
         trigg_speed,
         rf"{_WHERE} \Start ScaleLag AOp ScaleValue \DipLag \ErrDO {_INHIBITION}",
-        treated_as="the output keeps its value",
     ),
     routine("TriggDataReset", trigg_data_reset),
     routine("TriggDataCopy", trigg_data_copy),

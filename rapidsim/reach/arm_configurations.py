@@ -23,7 +23,11 @@ from rapidsim.motion.configurations.confdata import (
     stands_as,
     told_apart,
 )
-from rapidsim.motion.configurations.reachability import limit_excess, turns_within_limits
+from rapidsim.motion.configurations.reachability import (
+    limit_excess,
+    programmed_excess,
+    turns_within_limits,
+)
 from rapidsim.motion.geometry.curves import circle_fault
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.model import MotionModel
@@ -71,7 +75,7 @@ def ends_of(posed: PosedMoves, robot: Robot) -> Ends:
     stored = np.zeros((count, len(robot.joints)))
     to_axes = np.flatnonzero(looked_at & posed.to_axes)
     stored[to_axes] = posed.axes[to_axes]
-    works[to_axes] = ~limit_excess(robot, posed.axes[to_axes]).any(axis=-1)
+    works[to_axes] = ~programmed_excess(robot, posed.axes[to_axes]).any(axis=-1)
     reachable[to_axes] = works[to_axes]
     led = np.array([led_by_wrist(known, robot) for known in posed.moves], dtype=bool)
     # Their way tells whether they can be made; nobody goes to the pose of their target.

@@ -13,7 +13,7 @@ import numpy as np
 
 from rapidsim.analysis.program import Program
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.configurations.reachability import limit_excess
+from rapidsim.motion.configurations.reachability import programmed_excess
 from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.interruption import Look, undisturbed
 from rapidsim.motion.kinematics.arm import Mask
@@ -70,7 +70,7 @@ def reach_from(
     to_poses = np.array([row for row in rows if not placed.to_axes[row]], dtype=np.int64)
     to_axes = np.array([row for row in rows if placed.to_axes[row]], dtype=np.int64)
     count = len(world_from_base)
-    past_limits = limit_excess(robot, placed.axes[to_axes]).any(axis=-1)
+    past_limits = programmed_excess(robot, placed.axes[to_axes]).any(axis=-1)
     unreachable = np.zeros((count, len(known)), dtype=bool)
     unreachable[:, to_axes] = past_limits
     other = np.zeros((count, len(known)), dtype=bool)

@@ -27,7 +27,7 @@ from rapidsim.reach.target_findings import (
     wind_up_findings,
 )
 from rapidsim.reach.target_poses import FRAME_WITHOUT_ORIENTATION, posed
-from rapidsim.reach.trial_run import LONGEST_RUN_S, RunMoves, run_for_moves
+from rapidsim.reach.trial_run import LONGEST_RUN_S, RunMoves, run_for_error, run_for_moves
 from rapidsim.simulation.options import RunOptions
 
 _SAID_BY_TEXT = ("M501",)
@@ -51,14 +51,14 @@ def check_reach(
         program: A checked program.
         robot: The arm.
         options: How main is run, where it is: where the arm starts, signals, motion model.
-        run: Whether main is run for the moves that only a run can tell.
+        run: Whether main is run, for the moves that only a run can tell and for its error.
         cycle_budget_s: How long one cycle of main may take; then needless stops are told, too.
     """
     options = options or RunOptions()
     walked = walk_program(program)
     budget = cycle_budget_s if run else None
     if not walked.written and budget is None:
-        return ReachReport()
+        return ReachReport(run_for_error(program, robot, options, walked) if run else ())
     known = list(walked.known)
     told: RunMoves | None = None
     joints: dict[int, Array] = {}
@@ -90,6 +90,8 @@ def check_reach(
     if budget is not None and told is not None:
         found += budget_findings(program, told, budget, options.model.version)
         found += stop_findings(program, placed, ways)
+    if told is None and run:
+        found += run_for_error(program, robot, options, walked)
     goes_on = options.nearest_configuration
     found = [
         replace(one, assumed=goes_on) if one.violation.code in _GIVES_WAY else one for one in found

@@ -23,7 +23,7 @@ from rapidsim.language.data import Orient, RobTarget
 from rapidsim.language.moves import Interpolation
 from rapidsim.language.target_violations import QuaternionNotUnit
 from rapidsim.motion.configurations.reach_cures import reason_with_lengths
-from rapidsim.motion.configurations.reachability import limit_excess, why_unreachable
+from rapidsim.motion.configurations.reachability import programmed_excess, why_unreachable
 from rapidsim.motion.configurations.targets import is_no_orientation
 from rapidsim.motion.robot.external_axes import ExternalAxis, amount_text
 from rapidsim.motion.robot.robot import Robot
@@ -162,7 +162,7 @@ def wind_up_findings(
 
 
 def _over(robot: Robot, joints: Array) -> str:
-    excess = limit_excess(robot, joints)
+    excess = programmed_excess(robot, joints)
     return ", ".join(
         f"axis {axis + 1} at {np.degrees(joints[axis]):.1f} deg, "
         f"{amount_text(float(np.degrees(abs(excess[axis]))))} deg past its limit"

@@ -1,4 +1,4 @@
-"""The moves that only a run of main can tell, and what that run found about moves.
+"""The moves that only a run of main can tell, and the error that ends it.
 
 The run is short and has no consequences: files go to a folder that is thrown away, and it is over
 after some virtual time, or at a question to the operator. It ends earlier where the arm cannot go
@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from rapidsim.analysis.program import Program
+from rapidsim.analysis.program import LibrarySymbol, Program
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import InputError
@@ -19,6 +19,7 @@ from rapidsim.findings.runs import EndlessWait
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.language.errors import Stopped
 from rapidsim.language.moves import MotionSettings
+from rapidsim.library.traits import Does
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.dataflow.known_moves import KnownMove, WalkedProgram
 from rapidsim.simulation.options import RunOptions
@@ -33,6 +34,12 @@ LONGEST_WORK_S = 60.0
 takes in a program that gets on."""
 MOST_MOVES = 4000
 """Move instructions in a text beyond which a check does not run it."""
+MOST_MOVES_FOR_ERRORS = 300
+"""Likewise, where all moves are known and only an error can be found."""
+LONGEST_WORK_FOR_ERRORS_S = 5.0
+"""Time on the computer's clock that such a run may take."""
+_NOT_THERE = frozenset({"files", "texts", "sockets", "cameras"})
+"""Concerns of a controller that give a check something else than a run."""
 _TOLD_BY_RUN = frozenset({"conf_j", "conf_l"})
 """Settings whose findings the run makes itself."""
 _ENDS = {
@@ -132,6 +139,45 @@ def run_for_moves(
         if run.end is End.TIME_LIMIT
         else "a time that is not known: its run stopped before the end",
         f"does not tell: {_ENDS[run.end]}",
+    )
+
+
+def run_for_error(
+    program: Program, robot: Robot, options: RunOptions, walked: WalkedProgram
+) -> tuple[Diagnostic, ...]:
+    """The error that ends a run of main, of a program whose moves are known without one.
+
+    None where the run would depend on what a check does not have: other tasks, files, a network.
+    """
+    if (
+        program.routines.get(options.entry.lower()) is None
+        or len(walked.written) > MOST_MOVES_FOR_ERRORS
+        or len(options.cell_tasks) > 1
+        or _asks_outside(program)
+    ):
+        return ()
+    limited = replace(
+        options,
+        home=None,
+        network=None,
+        max_cycles=1,
+        max_time_s=min(options.max_time_s, LONGEST_RUN_S),
+        max_wall_s=LONGEST_WORK_FOR_ERRORS_S,
+    )
+    try:
+        run = simulate(program, robot, options=limited)
+    except (InputError, NotExecutableError):
+        return ()
+    errors = (one for one in run.diagnostics if one.severity is Severity.ERROR)
+    return tuple(_as_sure(one, options) for one in errors if one.violation.code.startswith("R"))
+
+
+def _asks_outside(program: Program) -> bool:
+    """Whether a program calls what a check cannot give it."""
+    installed = (one for one in program.symbol_of.values() if isinstance(one, LibrarySymbol))
+    return any(
+        one.routine.signature.concern in _NOT_THERE or Does.LOAD in one.routine.does
+        for one in installed
     )
 
 

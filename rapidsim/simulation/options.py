@@ -10,6 +10,7 @@ from types import MappingProxyType
 from rapidsim.collisions.geometry import CellGeometry
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.controller.cell.inputs import START_OF_TIME, Answers, CellInputs
+from rapidsim.controller.cell.message_queues import QueueSettings
 from rapidsim.controller.cell.network import Network
 from rapidsim.frames.transform import Transform
 from rapidsim.language.equipment import Configured
@@ -61,6 +62,8 @@ class RunOptions:
     """The procedure to run."""
     task: str = "T_ROB1"
     """Name of the task."""
+    queue: QueueSettings | None = None
+    """Message queue of the task; None where nobody describes it."""
     cell_tasks: tuple[str, ...] = ()
     """Names of all tasks of the cell, also of those that are not in the run."""
 

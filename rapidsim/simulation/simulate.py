@@ -47,7 +47,8 @@ def simulate(program: Program, robot: Robot, *, options: RunOptions) -> Simulati
     if options.external_axes:
         robot = replace(robot, external=options.external_axes)
     start, place = options.start_joints_deg, options.world_from_base
-    return simulate_tasks((TaskSetup(options.task, program, robot, start, place),), options)
+    setup = TaskSetup(options.task, program, robot, start, place, queue=options.queue)
+    return simulate_tasks((setup,), options)
 
 
 def simulate_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> Simulation:

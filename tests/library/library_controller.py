@@ -255,6 +255,9 @@ class RecordingController:
     def activate(self, data: ToolData | WobjData, name: str) -> None:
         self.log.append(f"active {name}")
 
+    def programmed_end(self, tool: ToolData, wobj: WobjData) -> RobTarget:
+        return self.current_target(tool, wobj)
+
     def target_at(self, joints: JointTarget, tool: ToolData, wobj: WobjData) -> RobTarget:
         return HOME
 

@@ -137,8 +137,8 @@ def test_all_moves_to_a_pose_take_the_same_arguments_alike(name: str) -> None:
     assert move.zone == (Z10 if "zone" in names else FINE)
     assert (move.tool, move.wobj, move.concurrent) == (GRIPPER, TABLE, "conc" in names)
     assert move.circle_point == (P20 if way is Interpolation.CIRCLE else None)
-    left_out = [rf"{name} \Corr"] if "corr" in names else []
-    assert [what for what, _ in controller.unsimulated] == [*left_out, rf"{name} \TLoad"]
+    # No correction generator is connected.
+    assert [what for what, _ in controller.unsimulated] == [rf"{name} \TLoad"]
     assert ("corr" in names) is (
         not name.endswith(("DO", "AO", "GO", "Sync")) and "J" not in name[:6]
     )
@@ -147,7 +147,6 @@ def test_all_moves_to_a_pose_take_the_same_arguments_alike(name: str) -> None:
 @pytest.mark.parametrize(
     ("name", "options", "reported"),
     [
-        ("MoveL", {"corr": True}, r"MoveL \Corr"),
         ("MoveL", {"tload": Box(LOAD0)}, r"MoveL \TLoad"),
         ("MoveJ", {"id_": None, "tload": Box(LOAD0)}, r"MoveJ \TLoad"),
     ],

@@ -129,8 +129,8 @@ def test_a_load_session_reads_first_and_links_later(tmp_path: Path) -> None:
         part=PART,
         other="MODULE other\nENDMODULE\n",
     )
-    in_use, not_in_use = "error 20096", "error 20097"
-    assert it.texts == [in_use, "FALSE", "TRUEFALSE", not_in_use, not_in_use]
+    in_use, unknown, not_in_use = "error 20096", "error 20196", "error 20097"
+    assert it.texts == [in_use, "FALSE", "TRUEFALSE", unknown, not_in_use]
 
 
 @pytest.mark.parametrize(
@@ -166,7 +166,7 @@ def test_what_cannot_be_loaded_leaves_the_program_as_it_was(
     [
         ('Load "none.mod";', "ERR_FILNOTFND"),
         ('Load "../part.mod";', "ERR_FILNOTFND"),
-        ('StartLoad "none.mod",session;', "ERR_FILNOTFND"),
+        ('StartLoad "none.mod",session;WaitLoad session;', "ERR_FILNOTFND"),
         ('UnLoad "part.mod";', "ERR_UNLOAD"),
         ('EraseModule "none";', "ERR_MODULE"),
         ('EraseModule "cell";', "ERR_MODULE"),

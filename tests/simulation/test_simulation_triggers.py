@@ -252,7 +252,10 @@ def test_what_a_stop_does_not_do_is_said() -> None:
     ]
 
 
-def test_an_output_that_should_follow_the_speed_is_left_and_said_so() -> None:
+def test_an_output_follows_the_speed_and_ends_at_nothing() -> None:
     done = run("TriggSpeed one,100,0.05,aoFlow,2;\nTriggL b,v200,one,fine,tool0;")
-    assert done.end == "ended"
-    assert [one.name for one in done.run.unsimulated] == ["TriggSpeed"]
+    written = [e.details["value"] for e in done.run.events if e.kind is EventKind.SIGNAL]
+    flow = [float(str(value)) for value in written]
+    assert max(flow) == pytest.approx(400.0, rel=1e-3)
+    assert flow[-1] == 0.0
+    assert not done.run.unsimulated

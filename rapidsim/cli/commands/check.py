@@ -59,7 +59,11 @@ _SEVERITIES = tuple(Severity)
 @click.option("--update-baseline", is_flag=True, help="Write the current findings to the baseline.")
 @click.option("--statistics", "counted", is_flag=True, help="Count findings by rule.")
 @click.option("--no-reach", is_flag=True, help="Do not check whether the robot can make the moves.")
-@click.option("--no-run", is_flag=True, help="Do not run main for moves that only a run can tell.")
+@click.option(
+    "--no-run",
+    is_flag=True,
+    help="Do not run main, for moves only a run can tell and for its error.",
+)
 @click.option("--no-merge", is_flag=True, help="Show repeated findings one by one.")
 @click.option(
     "--fail-on",

@@ -72,6 +72,12 @@ def limit_excess(robot: Robot, joints: Array) -> Array:
     return above - below
 
 
+def programmed_excess(robot: Robot, joints: Array) -> Array:
+    """As `limit_excess`, of axis positions that a program writes, which are rounded."""
+    excess = limit_excess(robot, joints)
+    return np.where(np.abs(excess) > robot.axes.tolerances[: joints.shape[-1]], excess, 0.0)
+
+
 def why_unreachable(
     robot: Robot, base_from_flange: Transform, branch: int | None = None
 ) -> Unreachable | None:

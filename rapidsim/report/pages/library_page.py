@@ -9,6 +9,7 @@ from rapidsim.language.annotations import Mode
 from rapidsim.library.catalogue import CHAPTERS, ROUTINES
 from rapidsim.library.declared import read_declared_chapters
 from rapidsim.library.table import LibraryRoutine, Parameter
+from rapidsim.library.versions import SINCE
 
 _INTRODUCTION = """\
 # Library
@@ -74,6 +75,17 @@ def _how(row: LibraryRoutine) -> Iterator[str]:
         yield f"*Not simulated: {row.treated_as}*"
     elif not first:
         yield "Carried out by the interpreter"
+    for name, key in _versioned(row):
+        if key in SINCE:
+            yield f"{name} since RobotWare {SINCE[key].major}"
+
+
+def _versioned(row: LibraryRoutine) -> Iterator[tuple[str, str]]:
+    """What of a routine may have come later, and its key among the versions."""
+    yield "Known", row.name.lower()
+    for parameter in row.signature.parameters:
+        option = f"\\{parameter.name}"
+        yield f"`{option}`", f"{row.name}{option}".lower()
 
 
 def _parameter(parameter: Parameter) -> str:

@@ -1,0 +1,76 @@
+"""Analog outputs that follow the speed of the TCP: TriggSpeed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import ClassVar
+
+import numpy as np
+
+from rapidsim.controller.cell.cell import Cause, Cell
+from rapidsim.controller.journal.journal import Instant, Moment
+from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+
+STEP_S = 0.012
+"""An output is written in steps of this time."""
+_MM = 1e-3
+
+
+@dataclass(frozen=True, slots=True)
+class _Follower:
+    """How an output follows, and on whose account."""
+
+    cause: Cause
+    per_mm_s: float
+    lag_s: float
+
+
+@dataclass(slots=True)
+class SpeedOutputs:
+    """The outputs that follow one robot: a `clock.Happening`.
+
+    They are written while time passes and no further move can come, so the preview of the motion
+    is what will be.
+    """
+
+    on_path: ClassVar = True
+    unit: MechanicalUnit
+    cell: Cell
+    _followers: dict[str, _Follower] = field(default_factory=dict)
+    _written_s: float = 0.0
+
+    def follow(
+        self, cause: Cause, now_s: float, signal: str, per_mm_s: float, lag_s: float
+    ) -> None:
+        """Let an output be a factor times the speed [mm/s] that is to come; a factor 0 ends it."""
+        self._followers[signal.lower()] = _Follower(cause, per_mm_s, lag_s)
+        self._write(signal, self._followers[signal.lower()], now_s)
+        if per_mm_s == 0.0:
+            del self._followers[signal.lower()]
+
+    def next_s(self) -> float | None:
+        """When outputs are written next [s]; None while the robot stands."""
+        if not self._followers:
+            return None
+        ends_s = self.unit.queue.preview().duration
+        return min(self._written_s + STEP_S, ends_s) if self._written_s < ends_s else None
+
+    def pass_next(self, passed_s: float, until_s: float) -> float:
+        """Write all outputs; see `clock.Happening`."""
+        del until_s
+        time_s = self.next_s()
+        assert time_s is not None
+        time_s = max(time_s, passed_s)
+        for signal, follower in self._followers.items():
+            self._write(signal, follower, time_s)
+        self._written_s = time_s
+        return time_s
+
+    def look_from(self, time_s: float) -> None:
+        """A robot that stood is followed from when it goes on."""
+        self._written_s = max(self._written_s, time_s - STEP_S)
+
+    def _write(self, signal: str, follower: _Follower, time_s: float) -> None:
+        samples = self.unit.queue.preview().at(np.array([time_s + follower.lag_s]))
+        value = follower.per_mm_s * float(samples.tcp_speed[0]) / _MM
+        self.cell.schedule(follower.cause, Moment(Instant(time_s)), {signal: value})
