@@ -8,8 +8,10 @@ from dataclasses import dataclass, field, replace
 from os import PathLike
 from typing import TYPE_CHECKING
 
+from rapidsim.analysis.can_fail import can_fail
 from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.passes.checker import Find
+from rapidsim.analysis.program import Program
 from rapidsim.analysis.program_parts import ENTRY
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
@@ -165,6 +167,11 @@ def check_tasks(
     )
 
 
+def _may_end_badly(program: Program) -> bool:
+    """Whether a run of main can find an error in a program without moves."""
+    return ENTRY in program.routines and can_fail(program)
+
+
 def _disagreements(tasks: Sequence[Loaded]) -> tuple[Diagnostic, ...]:
     """What tasks declare differently and share."""
     programs = [one.program for one in tasks if one.program is not None]
@@ -180,9 +187,9 @@ def _moves_checked(
 ) -> ReachReport:
     written = written_moves(loaded.files)
     why = "nobody asked for it" if moves is None else "the program cannot run as it is"
-    runs = loaded.program is not None and ENTRY in loaded.program.routines
-    if (written or always or runs) and moves is not None and loaded.program is not None:
-        report = moves(loaded.program, task, runs=True)
+    program = loaded.program
+    if moves is not None and program is not None and (written or always or _may_end_badly(program)):
+        report = moves(program, task, runs=True)
         if isinstance(report, ReachReport):
             return report
         why = report

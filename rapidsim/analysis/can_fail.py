@@ -1,0 +1,35 @@
+"""Whether anything in a program can end in an error when it runs."""
+
+from __future__ import annotations
+
+from rapidsim.analysis.program import LibrarySymbol, Program
+from rapidsim.analysis.tree_walk import descendants
+from rapidsim.language.types import STRING, resolved
+from rapidsim.library.traits import Does
+from rapidsim.syntax import tree
+
+_FAILING_OPERATORS = frozenset({"/", "DIV", "MOD"})
+
+
+def can_fail(program: Program) -> bool:
+    """Whether a statement calls, divides, indexes, joins texts or raises.
+
+    What only computes, compares and tells cannot; whoever asks need not run it to know.
+    """
+    return any(
+        _can_fail(node, program) for module in program.modules for node in descendants(module)
+    )
+
+
+def _can_fail(node: tree.Node, program: Program) -> bool:
+    match node:
+        case tree.Call() | tree.FunctionCall():
+            symbol = program.symbol_of.get(node)
+            return not (isinstance(symbol, LibrarySymbol) and Does.TELL in symbol.routine.does)
+        case tree.Binary(operator=operator):
+            of = program.type_of.get(node)
+            return operator in _FAILING_OPERATORS or of is None or resolved(of) == STRING
+        case tree.Raise() | tree.Index() | tree.LateCall() | tree.Connect():
+            return True
+        case _:
+            return False
