@@ -13,6 +13,7 @@ from rapidsim.analysis.passes.checker import Find
 from rapidsim.analysis.program_parts import ENTRY
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
+from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import TaskFiles
 from rapidsim.jobs.baseline import Key, read_baseline, told_apart
@@ -35,6 +36,11 @@ if TYPE_CHECKING:
 
 _FAMILIES_OF_MOVES = "DKM"
 _FAMILY_OF_RUNS = "R"
+_CAN_STOP = (
+    *(tree.Call, tree.LateCall, tree.FunctionCall, tree.LateFunctionCall, tree.Raise),
+    *(tree.Binary, tree.Index, tree.While, tree.For, tree.Goto, tree.Placeholder, tree.Connect),
+)
+"""What an error can come from; a program without any need not be run."""
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
@@ -175,13 +181,21 @@ def _disagreements(tasks: Sequence[Loaded]) -> tuple[Diagnostic, ...]:
     return shared_findings(programs)
 
 
+def _may_stop(loaded: Loaded) -> bool:
+    """Whether an error can end main. Running takes longer to import than such a check takes."""
+    if loaded.program is None or ENTRY not in loaded.program.routines:
+        return False
+    nodes = (node for file in loaded.files for node in descendants(*file.modules))
+    return any(isinstance(node, _CAN_STOP) for node in nodes)
+
+
 def _moves_checked(
     loaded: Loaded, task: str, moves: CheckMoves | None, always: bool, cell: CellNames
 ) -> ReachReport:
     written = written_moves(loaded.files)
     why = "nobody asked for it" if moves is None else "the program cannot run as it is"
-    runs = loaded.program is not None and ENTRY in loaded.program.routines
-    if (written or always or runs) and moves is not None and loaded.program is not None:
+    wanted = bool(written) or always or _may_stop(loaded)
+    if wanted and moves is not None and loaded.program is not None:
         report = moves(loaded.program, task, runs=True)
         if isinstance(report, ReachReport):
             return report
