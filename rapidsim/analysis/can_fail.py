@@ -29,7 +29,9 @@ def _can_fail(node: tree.Node, program: Program) -> bool:
         case tree.Binary(operator=operator):
             of = program.type_of.get(node)
             return operator in _FAILING_OPERATORS or of is None or resolved(of) == STRING
-        case tree.Raise() | tree.Index() | tree.LateCall() | tree.Connect():
+        case (
+            tree.Raise() | tree.Index() | tree.LateCall() | tree.LateFunctionCall() | tree.Connect()
+        ):
             return True
         case _:
             return False

@@ -93,7 +93,7 @@ class Cell:
             select: Codes or beginnings of codes of the rules that are looked for; none means those
                 that are on by default.
             ignore: Those that are left out.
-            run: Whether main is run for the moves that only a run can tell.
+            run: Whether main is run, for moves only a run can tell and for its error.
 
         Raises:
             InputError: If a file has gone, or a selector means nothing.
