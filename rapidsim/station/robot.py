@@ -34,13 +34,20 @@ class StationRobot:
     """What a backup calls an arm that the catalogue does not have."""
     bounds: tuple[tuple[float, float] | None, ...] = ()
     """Of each axis what a backup lets it do [rad], None where that is not said."""
+    carried_by: str | None = None
+    """The mechanical unit that moves its base, where what its axes do is not known."""
     external: tuple[ExternalAxis, ...] = ()
     """Axes beside it, where it is not the first: those of the first are the station's."""
 
     def armed(self, other: StationRobot) -> StationRobot:
         """This robot with the arm of another and what is said of its axes."""
         return replace(
-            self, name=other.name, scale=other.scale, unknown=other.unknown, bounds=other.bounds
+            self,
+            name=other.name,
+            scale=other.scale,
+            unknown=other.unknown,
+            bounds=other.bounds,
+            carried_by=other.carried_by,
         )
 
     def bounded(self, arm: Robot) -> Robot:

@@ -109,7 +109,7 @@ def test_a_program_has_its_file_beside_it_and_the_arm_that_is_named(tmp_path: Pa
 CONFIGURATION = {
     "cfg/SYS.cfg": """CAB_TASKS:
       -Name "T_LEFT" -Type "NORMAL" -Entry "go" -MotionTask
-      -Name "T_RIGHT" -Type "NORMAL" -Entry "go" -MotionTask
+      -Name "T_RIGHT" -Type "NORMAL" -BindRef 0 -Entry "go" -MotionTask
       -Name "watch" -Entry "look"
 #
 CAB_TASK_MODULES:
@@ -150,6 +150,7 @@ def test_configuration_files_say_what_a_controller_would_be_told(tmp_path: Path)
             "name": "T_RIGHT",
             "modules": ["common.sys", "mover.mod"],
             "entry": "go",
+            "check_references": False,
             "robot": "ROB_2",
         },
         {

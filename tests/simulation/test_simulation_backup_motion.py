@@ -206,3 +206,18 @@ def test_a_second_robot_has_the_track_of_its_group(
     if not said_of_it:
         texts = [one.message for one in simulate([folder]).events if one.kind.value == "text"]
         assert texts == ["500"]
+
+
+def test_an_arm_on_a_unit_that_is_not_known_is_not_judged(tmp_path: Path) -> None:
+    folder = backup(tmp_path)
+    moc = (folder / "SYSPAR/MOC.cfg").read_text()
+    moc = moc.replace('coordinated "TRACK_1"', 'coordinated "GANTRY"')
+    (folder / "SYSPAR/MOC.cfg").write_text(moc.replace(" -activate_at_start_up", ""))
+    (folder / "RAPID/TASK1/m.mod").write_text(
+        "MODULE m\nPROC main()\nMoveJ [[19000,0,600],[0,0,1,0],[0,0,0,0],"
+        "[9E9,9E9,9E9,9E9,9E9,9E9]],v1000,fine,tool0;\nENDPROC\nENDMODULE\n"
+    )
+    result = check([folder])
+    assert not [one for one in result.diagnostics if one.violation.code[0] == "K"]
+    assert result.coverage.unchecked[0].reason == "ROB_1 stands on GANTRY, whose axes are not known"
+    assert any("ROB_1 stands on GANTRY" in remark for remark in said(folder).remarks)

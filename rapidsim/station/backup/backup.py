@@ -25,6 +25,7 @@ from rapidsim.station.backup.options import unknown_options
 from rapidsim.station.backup.robots import backup_robots
 from rapidsim.station.backup.signals import backup_io
 from rapidsim.station.backup.tasks import configured_tasks
+from rapidsim.station.robot import StationRobot
 from rapidsim.station.station import Station
 from rapidsim.station.task_kind import TaskKind
 from rapidsim.station.tasks import StationTask
@@ -49,6 +50,10 @@ def backup_station(folders: Sequence[Path]) -> Station:
         *robots[:1],
         *(replace(one, external=axes) for one, axes in zip(robots[1:], further, strict=True)),
     )
+    known = {axis.unit for axes in units.axes for axis in axes}
+    robots = tuple(
+        replace(one, carried_by=None) if one.carried_by in known else one for one in robots
+    )
     io, remarks = backup_io(read_configuration(text_in(root, "SYSPAR", "EIO.cfg")))
     return Station(
         robots=robots,
@@ -59,7 +64,7 @@ def backup_station(folders: Sequence[Path]) -> Station:
         io=io,
         configured=_configured_in(root),
         robotware=_robotware(root),
-        remarks=(*remarks, *_not_simulated(units)),
+        remarks=(*remarks, *_not_simulated(units), *_carried(robots)),
     )
 
 
@@ -83,6 +88,16 @@ def _not_simulated(units: ExternalUnits) -> Iterator[str]:
             "its axes can do, it is not active at the start, or it belongs to another task; "
             "[[external_axis]] tables declare it for the first robot"
         )
+
+
+def _carried(robots: Sequence[StationRobot]) -> Iterator[str]:
+    """What is said of robots whose base moves with a unit that no run has."""
+    for robot in robots:
+        if robot.carried_by:
+            yield (
+                f"{robot.label} stands on {robot.carried_by}, of whose axes MOC.cfg does not say "
+                "enough: its moves are not checked, and a run has it stand still"
+            )
 
 
 def _tasks_of(

@@ -36,6 +36,7 @@ def _robot(instance: Instance, arms: Mapping[str, Instance]) -> StationRobot:
         label=instance.get("name"),
         unknown=type_name if name is None else None,
         bounds=_bounds([arms.get(joint) for joint in joints]),
+        carried_by=instance.get("base_frame_coordinated") or None,
     )
 
 
