@@ -1,14 +1,18 @@
 """RAPID under pytest: a fixture for Python tests, and RAPID procedures that are tests themselves.
 
 pytest loads it where rapidsim is installed. The fixture `rapid` loads cells whose home folder is
-fresh for each test. A module `test_*.mod` is collected: each of its procedures `test_*` without
-required parameters runs like a `main`, together with the modules of its folder that are no tests
-and those that the setting `rapid_modules` names. It passes when it comes to its end.
+fresh for each test, `controller` serves them to clients. A module `test_*.mod` is collected: each
+of its procedures `test_*` without required parameters runs like a `main`, together with the modules
+of its folder that are no tests and those that the setting `rapid_modules` names. It passes when it
+comes to its end.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+import json
+import subprocess
+import sys
+from collections.abc import Callable, Iterable, Iterator
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -22,6 +26,8 @@ if TYPE_CHECKING:
     from rapidsim.motion.robot.robot import Robot
 
 _WIDTH = 100
+_PATIENCE_S = 30.0
+"""So long [s] a served controller may take to end."""
 _TEST = "test_"
 
 
@@ -76,6 +82,80 @@ def rapid(request: pytest.FixtureRequest, tmp_path: Path) -> Rapid:
     home = tmp_path / "home"
     home.mkdir()
     return Rapid(request.path.parent, home)
+
+
+class ServedController:
+    """A controller that `rapidsim serve` serves in a process of its own."""
+
+    def __init__(self, arguments: list[str], folder: Path, log: Path) -> None:
+        """Start it, and wait until it listens; what it says of errors goes to a file."""
+        self._log = log
+        with log.open("w", encoding="utf-8") as errors:
+            self._process = subprocess.Popen(
+                [sys.executable, "-m", "rapidsim", "serve", *arguments],
+                cwd=folder,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                stderr=errors,
+                text=True,
+            )
+        assert self._process.stdout is not None
+        line = self._process.stdout.readline()
+        if not line:
+            self.end()
+            pytest.fail(f"rapidsim serve did not start:\n{self.errors}", pytrace=False)
+        ready = json.loads(line)
+        self.rws1: str = ready["rws1"]
+        """Where Robot Web Services 1.0 listens: `http://127.0.0.1:PORT`."""
+        self.home = Path(ready["home"])
+        """The folder of HOME:."""
+        self.ramdisk = Path(ready["ramdisk"])
+        """The folder of RAMDISK:."""
+
+    @property
+    def errors(self) -> str:
+        """What it has said: errors of programs, notes."""
+        return self._log.read_text(encoding="utf-8")
+
+    def end(self) -> int:
+        """End it, so that its journal is whole; its exit code."""
+        self._process.terminate()
+        try:
+            return self._process.wait(_PATIENCE_S)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            return self._process.wait()
+        finally:
+            assert self._process.stdout is not None
+            self._process.stdout.close()
+
+
+@pytest.fixture
+def controller(
+    request: pytest.FixtureRequest, tmp_path: Path
+) -> Iterator[Callable[..., ServedController]]:
+    """Controllers for clients: `controller("cell/", "--lock-step").rws1` is the address of one.
+
+    The paths, of which the first arguments are, begin in the folder of the test; options are those
+    of `rapidsim serve`. Each listens at a free port, has a fresh home folder, and ends with the
+    test.
+    """
+    served: list[ServedController] = []
+
+    def serve(*arguments: str | PathLike[str]) -> ServedController:
+        name = f"controller-{len(served) + 1}"
+        home = tmp_path / name
+        home.mkdir()
+        own = ["--rws1-port", "0", "--home", str(home)]
+        given = [str(one) for one in arguments]
+        served.append(
+            ServedController([*own, *given], request.path.parent, tmp_path / f"{name}.log")
+        )
+        return served[-1]
+
+    yield serve
+    for one in served:
+        one.end()
 
 
 class RapidFailedError(Exception):

@@ -82,11 +82,8 @@ class EngineProcess:
 
     def end(self) -> None:
         """Switch the controller off; its robots stop."""
-        process = self._process
         self._outgoing.put(None)
-        process.join(_PATIENCE_S)
-        if process.is_alive():
-            process.kill()
+        _await_end(self._process)
 
     def _send(self) -> None:
         with suppress(OSError, ValueError):
@@ -135,12 +132,18 @@ def started(asked: Asked, settings: EngineSettings) -> EngineProcess:
     try:
         start: Start = ours.recv()
     except EOFError:
-        process.join(_PATIENCE_S)
+        _await_end(process)
         raise InputError("the controller's process has ended before it was there") from None
     if isinstance(start, SwitchedOn):
         return EngineProcess(start, ours, process)
-    process.join(_PATIENCE_S)
+    _await_end(process)
     raise start
+
+
+def _await_end(process: SpawnProcess) -> None:
+    process.join(_PATIENCE_S)
+    if process.is_alive():
+        process.kill()
 
 
 def _run(connection: Connection, asked: Asked, settings: EngineSettings) -> None:

@@ -1,43 +1,40 @@
 """`rapidsim serve`: the ready line, how it ends, what it refuses. Its services: tests/server."""
 
 import json
-import signal
 import socket
-import subprocess
 import sys
 import urllib.error
 import urllib.request
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from command_line import call
+
+from rapidsim.pytest_plugin import ServedController
 
 PROGRAM = "MODULE job\nPROC main()\nWaitTime 1;\nENDPROC\nENDMODULE\n"
 
 
 @pytest.mark.process
 @pytest.mark.skipif(sys.platform == "win32", reason="ends it by a signal")
-def test_it_says_where_it_listens_and_ends_when_told(tmp_path: Path) -> None:
+def test_it_says_where_it_listens_and_ends_when_told(
+    tmp_path: Path, controller: Callable[..., ServedController]
+) -> None:
     (tmp_path / "job.mod").write_text(PROGRAM)
     (tmp_path / "ram").mkdir()
-    command = [sys.executable, "-m", "rapidsim", "serve", "job.mod", "--rws1-port", "0"]
-    command += ["--journal", "a.jsonl", "--ramdisk", "ram"]
-    with subprocess.Popen(
-        command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    ) as process:
-        assert process.stdout
-        assert process.stderr
-        ready = json.loads(process.stdout.readline())
-        assert ready["ready"] is True
-        assert ready["ramdisk"] == str(tmp_path / "ram")
-        with pytest.raises(urllib.error.HTTPError) as refused:
-            urllib.request.urlopen(f"{ready['rws1']}/rw/system", timeout=60)
-        assert refused.value.code == 401
-        refused.value.close()
-        process.send_signal(signal.SIGTERM)
-        out, err = process.communicate(timeout=60)
-    assert (process.returncode, out, err) == (0, "", "")
-    lines = (tmp_path / "a.jsonl").read_text().splitlines()
+    journal = tmp_path / "a.jsonl"
+    served = controller(
+        tmp_path / "job.mod", "--journal", journal, "--ramdisk", tmp_path / "ram", "--lock-step"
+    )
+    assert served.ramdisk == tmp_path / "ram"
+    assert served.home.parent == tmp_path
+    with pytest.raises(urllib.error.HTTPError) as refused:
+        urllib.request.urlopen(f"{served.rws1}/rw/system", timeout=60)
+    assert refused.value.code == 401
+    refused.value.close()
+    assert (served.end(), served.errors) == (0, "")
+    lines = journal.read_text().splitlines()
     assert [json.loads(line)["what"]["kind"] for line in lines] == ["on", "off"]
 
 
@@ -66,8 +63,6 @@ def test_a_port_that_is_taken_is_told(tmp_path: Path) -> None:
         (("job.mod", "--speed", "fast"), "neither a positive number nor max"),
         (("job.mod", "--speed", "0"), "neither a positive number nor max"),
         (("job.mod", "--request-time", "1"), "needs --lock-step"),
-        (("job.mod", "--journal", "none/a.jsonl"), "--journal: none/a.jsonl: No such file"),
-        (("job.mod", "--ramdisk", "none"), "--ramdisk: none is not a folder"),
         (("job.mod", "--user", "nobody"), "takes NAME:PASSWORD"),
         (("-",), "no program from standard input"),
         (("none.mod",), "none.mod"),

@@ -14,7 +14,7 @@ from rapidsim.files import InputError
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
 from rapidsim.jobs.asked import Asked
 from rapidsim.server.engine import Engine, LockStep, Pace
-from rapidsim.server.journal import read_journal
+from rapidsim.server.journal import JournalFile, read_journal
 from rapidsim.server.loading import ReadyController, ready
 from rapidsim.server.messages import Message, Request, SessionEnded, Subscribe
 from rapidsim.server.replay import replayed
@@ -196,6 +196,14 @@ def test_run_replays_a_journal_and_tells_where_another_program_departs(
     done = call(*command, "--max-time", "1", cwd=tmp_path)
     assert done.code == 3
     assert "--max-time ended it" in done.err
+
+
+def test_where_nothing_can_be_written_is_told(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="--journal: "):
+        JournalFile(tmp_path / "none" / "a.jsonl", print)
+    (tmp_path / "lived.mod").write_text(PROGRAM)
+    with pytest.raises(InputError, match="--ramdisk: none is not a folder"):
+        ready(Asked(paths=(str(tmp_path / "lived.mod"),), home=str(tmp_path), ramdisk="none"))
 
 
 @pytest.mark.parametrize(
