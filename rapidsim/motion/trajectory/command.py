@@ -6,12 +6,14 @@ counted from 1; number 0 is the standstill before the first.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
 
 from rapidsim.frames.transform import Array
+from rapidsim.motion.path.joined_paths import JoinedPaths, joined_paths
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.time_scaling import Timing
 from rapidsim.motion.trajectory.time_scalings import Timings, timings_of
@@ -45,7 +47,8 @@ class MotionCommand:
         # Row 0 is the standstill before the first piece. Columns: see `_Column`.
         self._table = np.zeros((16, 6))
         self._rows = 1
-        self._joined: _Joined | None = None
+        self._joined_timings: _JoinedTimings | None = None
+        self._joined_paths: _JoinedPaths | None = None
 
     def copy(self) -> MotionCommand:
         """The same, to be added to on its own."""
@@ -99,7 +102,7 @@ class MotionCommand:
 
     def cut(self, time_s: float) -> None:
         """Take back what is commanded after a time [s]."""
-        self._joined = None
+        self._joined_timings = self._joined_paths = None
         while self._pieces and self._table[self._rows - 1, _Column.START] >= time_s:
             self._pieces.pop()
             self._rows -= 1
@@ -186,11 +189,27 @@ class MotionCommand:
         number = self.number_at(times)
         way, _ = self.state(number, times)
         joints = np.empty((len(times), self.piece(1).path.axis_count))
-        for each, at in groups(np.maximum(number, 1)):
-            piece = self._pieces[each - 1]
-            points = piece.path.evaluate(piece.from_s + way[at])
+        for path, s, at in self.on_paths(number, way):
+            points = path.evaluate(s)
             joints[at] = np.concatenate([points.joints, points.external], axis=1)
         return joints
+
+    def on_paths(self, number: Index, way: Array) -> Iterator[tuple[Path, Array, Index]]:
+        """Where ways (k,) [m] since the start of pieces (k,) are.
+
+        Before the first piece the arm stands where that begins.
+
+        Yields:
+            A path, places s on it [m], and which of the k they are.
+        """
+        if not len(number):
+            return
+        number = np.maximum(number, 1)
+        joined = self._paths_of(np.unique(number))
+        own = np.searchsorted(joined.numbers, number)
+        s = self._table[number, _Column.FROM_S] + way + joined.paths.starts[own]
+        for each, at in groups(joined.paths.on[own]):
+            yield joined.paths.paths[each], s[at], at
 
     def nodes_between(self, first_s: float, last_s: float) -> Array:
         """Where the acceleration of the pieces from one instant to another changes [s]."""
@@ -202,24 +221,40 @@ class MotionCommand:
             nodes.append(start + np.clip(times, 0.0, duration))
         return np.concatenate(nodes)
 
-    def _timings_of(self, lowest: int, highest: int) -> _Joined:
+    def _timings_of(self, lowest: int, highest: int) -> _JoinedTimings:
         """The timings of some pieces, counted from 1.
 
         They are kept, for whoever asks about many pieces mostly asks again.
         """
-        joined = self._joined
+        joined = self._joined_timings
         if joined is None or lowest < joined.lowest or highest > joined.highest:
             timings = timings_of([piece.timing for piece in self._pieces[lowest - 1 : highest]])
             rows = self._table[lowest : highest + 1]
             own = np.arange(len(rows))
             _, before = timings.place_and_integral(own, rows[:, _Column.OFFSET])
             first = rows[:, _Column.FROM_S] - timings.s[timings.first]
-            joined = self._joined = _Joined(timings, lowest, highest, before, first)
+            joined = self._joined_timings = _JoinedTimings(timings, lowest, highest, before, first)
+        return joined
+
+    def _paths_of(self, numbers: Index) -> _JoinedPaths:
+        """The paths of some pieces, numbers increasing; kept as the timings are."""
+        joined = self._joined_paths
+        if joined is None or not np.isin(numbers, joined.numbers).all():
+            paths = joined_paths([self._pieces[number - 1].path for number in numbers.tolist()])
+            joined = self._joined_paths = _JoinedPaths(numbers, paths)
         return joined
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Joined:
+class _JoinedPaths:
+    """The paths of some pieces (k,)."""
+
+    numbers: Index
+    paths: JoinedPaths
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _JoinedTimings:
     """The timings of some pieces (t,)."""
 
     timings: Timings

@@ -21,7 +21,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.model import Smoothing
 from rapidsim.motion.trajectory.axis_smoothing import mean_joints
-from rapidsim.motion.trajectory.command import ROUNDING_M, Index, MotionCommand, Piece, groups
+from rapidsim.motion.trajectory.command import ROUNDING_M, Index, MotionCommand, Piece
 from rapidsim.motion.trajectory.filter_windows import Windows
 from rapidsim.motion.trajectory.zero_crossings import first_crossing
 
@@ -133,10 +133,15 @@ class Trajectory:
     @property
     def travelled_m(self) -> float:
         """TCP travel [m] of the whole run, corners cut."""
-        travel = 0.0
-        for piece in self.pieces:
-            start, end = piece.path.travelled(np.array([piece.from_s, piece.to_s]))
-            travel += float(end - start)
+        number = np.arange(1, self._command.last + 1)
+        way = self._command.ways(number)
+        return float(np.sum(self._travelled(number, way) - self._travelled(number, 0.0 * way)))
+
+    def _travelled(self, number: Index, way: Array) -> Array:
+        """TCP travel (k,) [m] on the paths of pieces (k,), as far as ways (k,) [m] in them."""
+        travel = np.empty(len(number))
+        for path, s, at in self._command.on_paths(number, way):
+            travel[at] = path.travelled(s)
         return travel
 
     def at(self, times: Array) -> Samples:
@@ -153,18 +158,16 @@ class Trajectory:
         pose = Transform(np.empty((len(times), 3, 3)), np.empty((len(times), 3)))
         move, tcp_speed = np.empty(len(times), dtype=np.int64), np.empty(len(times))
         # Before the first piece the arm stands where it begins, with the tool it begins with.
-        for each, at in groups(np.maximum(number, 1)):
-            piece = self._command.piece(each)
-            s = piece.from_s + way[at]
+        for path, s, at in self._command.on_paths(number, way):
             if by_axes:
-                tcp, segment, tcp_speed[at] = piece.path.beside(s, joints[at], rates[at])
+                tcp, segment, tcp_speed[at] = path.beside(s, joints[at], rates[at])
             else:
-                points = piece.path.evaluate(s)
+                points = path.evaluate(s)
                 joints[at] = np.concatenate([points.joints, points.external], axis=1)
                 tcp, segment = points.base_from_tcp, points.segment
                 tcp_speed[at] = points.tcp_rate * speed[at]
             pose.rotation[at], pose.translation[at] = tcp.rotation, tcp.translation
-            indices = np.array([one.index for one in piece.path.segments])
+            indices = np.array([one.index for one in path.segments])
             move[at] = indices[segment]
         arm, external = np.split(joints, [len(self._start.joints)], axis=1)
         return Samples(times, move, arm, pose, tcp_speed, external)
@@ -179,9 +182,8 @@ class Trajectory:
         if self._smoothing == "path" or not self._command.last:
             return off
         number, way, _ = self._visible(samples.times)
-        for each, at in groups(np.maximum(number, 1)):
-            piece = self._command.piece(each)
-            on_path = piece.path.evaluate(piece.from_s + way[at]).base_from_tcp.translation
+        for path, s, at in self._command.on_paths(number, way):
+            on_path = path.evaluate(s).base_from_tcp.translation
             off[at] = np.linalg.norm(samples.base_from_tcp.translation[at] - on_path, axis=1)
         return off
 
