@@ -8,6 +8,7 @@ from rapidsim.language.types import STRING, resolved
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
+_FAILING = (tree.Raise, tree.Index, tree.LateCall, tree.LateFunctionCall, tree.Connect)
 _FAILING_OPERATORS = frozenset({"/", "DIV", "MOD"})
 
 

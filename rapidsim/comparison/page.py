@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from html import escape
 
@@ -21,6 +22,7 @@ body { margin: 0 auto; max-width: 1000px; padding: 16px; background: var(--page)
 h1 { font-size: 20px; overflow-wrap: anywhere } h2 { font-size: 16px }
 section { background: var(--panel); border: 1px solid var(--rule); border-radius: 10px;
   padding: 4px 16px 12px; margin-bottom: 14px }
+code { background: var(--page); border-radius: 4px; padding: 1px 4px; font-size: 13px }
 li, td:first-child { overflow-wrap: anywhere } ul { padding-left: 20px }
 table { border-collapse: collapse } td, th { padding: 2px 0 2px 16px; text-align: right;
   font-variant-numeric: tabular-nums } td:not(:first-child) { white-space: nowrap }
@@ -29,7 +31,9 @@ th { color: var(--soft); font-weight: normal } td:first-child { padding-left: 0;
 figure { margin: 0; flex: 1 1 300px } svg { width: 100%; height: auto } figcaption, .key {
   color: var(--soft); font-size: 13px }
 polyline { fill: none; stroke-width: 1.6; vector-effect: non-scaling-stroke }
-.old { stroke: var(--old); color: var(--old) } .new { stroke: var(--new); color: var(--new) }
+/* Wide, so that it is seen where both go the same way. */
+.old { stroke: var(--old); color: var(--old) } polyline.old { stroke-width: 5; opacity: 0.55 }
+.new { stroke: var(--new); color: var(--new) }
 """
 
 
@@ -48,11 +52,16 @@ def comparison_page(comparison: Comparison) -> str:
 def _section(block: Block) -> str:
     if not block.lines and not block.times:
         return f"<section><p>{escape(block.title)}</p></section>"
-    items = "".join(f"<li>{escape(line)}</li>" for line in block.lines)
+    items = "".join(f"<li>{_marked(line)}</li>" for line in block.lines)
     return (
         f"<section><h2>{block.title}</h2>{_table(block.times)}"
         f"{f'<ul>{items}</ul>' if items else ''}</section>"
     )
+
+
+def _marked(line: str) -> str:
+    """A line in which RAPID stands between backticks."""
+    return re.sub(r"`([^`]*)`", r"<code>\1</code>", escape(line))
 
 
 def _table(times: Sequence[TimeChange]) -> str:

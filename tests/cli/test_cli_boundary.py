@@ -230,6 +230,10 @@ def test_what_is_no_finite_number_is_refused(value: str) -> None:
         assert (ended.code, "number" in ended.err) == (2, True)
 
 
+def test_help_tells_no_range_that_is_none() -> None:
+    assert "None" not in rapidsim("kin", "ik", "--help").out
+
+
 def test_no_line_of_help_is_cut() -> None:
     for command in ((), ("kin",)):
         listed = rapidsim(*command, "--help").out.partition("Commands:")[2]

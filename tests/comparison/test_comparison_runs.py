@@ -51,6 +51,7 @@ def test_other_forms_say_the_same(sides: Path) -> None:
     assert (ended.code, ended.out) == (1, "")
     page = (sides / "diff.html").read_text(encoding="utf-8")
     assert page.count("<polyline") == 4
+    assert "`" not in page
     assert "<tr><th></th><th>before</th><th>after</th><th>change</th></tr>" in page
     assert "doLamp -&gt; doHorn" in page
     refused = diff(sides, "old", "new", "--format", "html")

@@ -74,7 +74,7 @@ def test_a_run_says_what_it_assumes_and_once_that_a_higher_ramp_waits() -> None:
     )
     found = run.only("R113")
     assert found.violation.severity is Severity.NOTE
-    assert "ramp of 80 %, and this move still has 50 %" in found.violation.message
+    assert "ramp of 80 %, but this move still has 50 %" in found.violation.message
     assert run.findings == [("R113", 9)]
     assert "assumed" in str(models(run.run)["ramp"])
     plain = ran(program(f"MoveJ {target(800, -200, 700)},v500,fine,tool0;"))

@@ -203,7 +203,7 @@ def _remarks(paths: Sequence[str], result: CheckResult, mended: _Mended) -> Iter
     if mended.fixed:
         yield f"Fixed {mended.fixed}."
     elif "-" not in paths and (curable := sum(bool(one.fix and one.fix.safe) for one in found)):
-        yield f"`--fix` cures {curable} of them."
+        yield f"`--fix` can fix {curable} of them."
     if mended.left_out:
         yield f"Fixes left out, because they would leave more errors: {mended.left_out}."
     if result.known:

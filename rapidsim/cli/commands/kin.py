@@ -11,7 +11,7 @@ import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options import poses
-from rapidsim.cli.options.numbers import Number, numbers
+from rapidsim.cli.options.numbers import ANY_NUMBER, numbers
 from rapidsim.cli.options.poses import (
     base_option,
     convention_option,
@@ -127,12 +127,12 @@ def fk(
 @euler_option
 @click.option(
     "--pitch",
-    type=Number(),
+    type=ANY_NUMBER,
     metavar="DEG",
     help="Instead: the tool in the vertical plane through axis 1, this far above level.",
 )
 @click.option(
-    "--roll", type=Number(), metavar="DEG", default=0.0, help="With --pitch: about the tool."
+    "--roll", type=ANY_NUMBER, metavar="DEG", default=0.0, help="With --pitch: about the tool."
 )
 @click.option(
     "--conf",

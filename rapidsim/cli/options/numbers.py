@@ -22,6 +22,18 @@ class Number(click.FloatRange):
         return float(super().convert(number, param, ctx))
 
 
+class _AnyNumber(click.types.FloatParamType):
+    """The same without a range, for which click has no words."""
+
+    name = "number"
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> float:
+        return _number(str(value), str(value))
+
+
+ANY_NUMBER = _AnyNumber()
 POSITIVE = Number(min=0.0, min_open=True)
 
 

@@ -10,7 +10,7 @@ from rapidsim.report.palette import Palette
 
 
 def statistics(diagnostics: Iterable[Diagnostic], palette: Palette) -> str:
-    """One line a rule, the most frequent first: count, code, name, and whether `--fix` cures it."""
+    """One line per rule, the most frequent first: count, code, name, whether `--fix` helps."""
     diagnostics = list(diagnostics)
     counts = Counter(one.violation.rule for one in diagnostics)
     fixable = Counter(one.violation.rule for one in diagnostics if one.fix is not None)

@@ -3,8 +3,8 @@
 What their modules declare stands in no file of a backup, so a name of a program may be theirs.
 The options that a controller has are the products in `BACKINFO/backinfo.txt`.
 
-Source: Product specification Controller software IRC5 (3HAC050945), the options with RAPID
-instructions and data; those that are not named here bring nothing, or what the library knows.
+What is named here are options that public backups use and whose RAPID no manual of the language
+lists. Others bring nothing that a program names, or what the library knows, as far as is known.
 """
 
 from __future__ import annotations
