@@ -1,5 +1,8 @@
-"""What `BACKINFO/backinfo.txt` of a controller backup says: each task, its folder and its modules.
+"""What `BACKINFO/backinfo.txt` of a controller backup says: products, tasks and their modules.
 
+>>PRODUCTS_ID:
+RobotWare Version: 6.08.01.00
+  616-1 PC Interface
 >>TASK1: (T_ROB1,Program,)
 SYSMOD/user.sys @
 PROGMOD/MainModule.mod @
@@ -22,6 +25,18 @@ class ListedTask:
     name: str
     modules: tuple[str, ...]
     """Folded paths below the folder of the task, with `/`; none where the file names none."""
+
+
+def listed_products(text: str) -> tuple[str, ...]:
+    """RobotWare, options and drives of a controller, each as it is written."""
+    products: list[str] = []
+    inside = False
+    for line in text.replace("\r", "\n").splitlines():
+        if line.startswith(">>"):
+            inside = line.upper().startswith(">>PRODUCTS_ID")
+        elif inside and line.strip():
+            products.append(line.strip())
+    return tuple(products)
 
 
 def listed_tasks(text: str) -> Mapping[str, ListedTask]:

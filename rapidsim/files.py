@@ -87,6 +87,8 @@ class TaskFiles:
     """Modules that it has and that cannot be read here, each with the reason in words."""
     left_out: tuple[str, ...] = ()
     """Files beside them in a backup that the controller does not load."""
+    refers_late: bool = False
+    """Whether its controller loads it with references that nothing declares."""
 
 
 def read_tasks(paths: Sequence[str], rooms: Sequence[Path] = ()) -> tuple[TaskFiles, ...]:

@@ -25,6 +25,7 @@ _MAIN_ERROR = re.compile(
     r"(?m)(^  PROC main\(\)\n(?:    .*\n)+)  ERROR.*\n(?:    .*\n)*(?=  ENDPROC|  UNDO)"
 )
 _NOT_INLINED = re.compile(r"(?m)^ *(VAR|RETURN|RAISE|GOTO|EXIT|\w+:$)")
+_PLACE = re.compile(r"\w+\.mod:\d+")
 _ROUTINE = re.compile(r"(?ms)^  (PROC|FUNC|TRAP) (?!main\().*?^  END\1\n")
 
 
@@ -50,7 +51,7 @@ def journal(out: str) -> dict[str, object]:
         "path_mm": result.get("path_mm"),
         "moves": [{key: move[key] for key in _MOVE} for move in result.get("moves", ())],
         "events": [
-            (event["time_s"], event["task"], event["message"])
+            (event["time_s"], event["task"], _PLACE.sub("PLACE", event["message"]))
             for event in result.get("events", ())
             if event["kind"] in _HEARD
         ],

@@ -20,6 +20,7 @@ from types import FrameType
 from unittest import mock
 
 from rapidsim.cli.boundary import run_commands
+from rapidsim.reach.trial_run import LONGEST_WORK_S
 
 SOUND = (0, 1, 2, 3, 4)
 """Exit codes of commands that nobody interrupted; 70 is a defect."""
@@ -27,8 +28,8 @@ INTERRUPTED = (130, 143)
 MAX_WALL = 2.0
 GRACE = 2.0
 """Seconds of the processor that a command may take beyond its `--max-wall`."""
-CHECK_LIMIT = 60.0
-"""`check` has no `--max-wall`; of an endless loop it runs 120 s of virtual time."""
+CHECK_LIMIT = LONGEST_WORK_S + GRACE
+"""`check` has no `--max-wall`; of an endless loop it runs 120 s of virtual time, or so long."""
 _FRAME = re.compile(r'File "[^"]*/(rapidsim/[^"]+|<[^"]+>)", line \d+, in (\S+)')
 _FRAMES = 2
 HANGS = "Hang"

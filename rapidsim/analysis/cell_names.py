@@ -40,6 +40,9 @@ class CellNames:
     """Files whose routines stand for libraries that are not here."""
     unseen: tuple[str, ...] = ()
     """Modules that the task has and nobody can read here: what they declare is not known."""
+    refers_late: bool = False
+    """Whether the task is loaded with references that nothing declares: a run finds out when it
+    comes to one."""
 
     def find(self, key: str) -> ConfiguredSymbol | None:
         """The symbol of a folded name."""

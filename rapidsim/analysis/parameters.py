@@ -56,8 +56,12 @@ class Formal:
         # Routines that take signals of every kind, such as AliasIO, declare no kind; of those that
         # no run simulates, only names tell.
         by_name = types.ANYTYPE in self.types and self.mode is not Mode.IN and "signal" in self.key
-        takes_all = self.only is not None and types.SIGNAL_DI in self.only.types
-        return types.SIGNAL_DI if takes_all or by_name else None
+        return types.SIGNAL_DI if self.takes_all_signals or by_name else None
+
+    @property
+    def takes_all_signals(self) -> bool:
+        """Whether it takes signals of every kind."""
+        return self.only is not None and types.SIGNAL_DI in self.only.types
 
 
 @dataclass(frozen=True, slots=True)

@@ -32,8 +32,8 @@ from rapidsim.report.html.write import write_report
 from rapidsim.report.run.figures import figures
 from rapidsim.report.run.json_report import run_json
 from rapidsim.report.run.records import MoveRecord, WaitRecord, move_records, wait_records
+from rapidsim.simulation.collected import FinishedRun
 from rapidsim.simulation.results.simulation import End, Simulation
-from rapidsim.simulation.simulate import FinishedRun
 
 Path_ = str | PathLike[str]
 

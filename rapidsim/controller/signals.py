@@ -133,12 +133,14 @@ class TaskSignals:
         return True
 
     def _holds(self, condition: Callable[[], bool]) -> bool:
-        """Evaluate a condition and note what it looks at."""
-        self._looked_at, told = {}, self.clock.times_told
+        """Evaluate a condition and note what it looks at; it may call what waits itself."""
+        around, told = self._looked_at, self.clock.times_told
+        seen: dict[str, None] = {}
+        self._looked_at = seen
         try:
             return condition()
         finally:
-            self._seen, self._looked_at = self._looked_at, None
+            self._seen, self._looked_at = seen, around
             self._saw_time = self.clock.times_told > told
 
     def _is_vain(self, signals: tuple[str, ...]) -> bool:

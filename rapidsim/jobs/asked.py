@@ -40,6 +40,8 @@ class Asked:
     answers_are_typed: bool = False
     home: str | None = None
     """The folder HOME: stands for; None is `<program>.home` here."""
+    ramdisk: str | None = None
+    """The folder RAMDISK: stands for; None is one in the home folder."""
     network: Network | None = None
     starts_at: datetime | None = None
     max_time_s: float = 3600.0

@@ -15,7 +15,7 @@ from rapidsim.analysis.suppressions import without_suppressed
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import TaskFiles
 from rapidsim.jobs.baseline import Key, read_baseline, told_apart
-from rapidsim.jobs.checked_program import Loaded, load
+from rapidsim.jobs.checked_program import Loaded, load_task
 from rapidsim.jobs.faultless_part import faultless_part
 from rapidsim.jobs.given_options import asked_in_python
 from rapidsim.jobs.job import Job, job
@@ -146,7 +146,7 @@ def check_tasks(
         cell: What the configuration declares beside the modules.
     """
     wanted = detectors_of() if rules is None else rules
-    loaded = [(task, load(task.files, wanted, cell=cell, unseen=task.unseen)) for task in tasks]
+    loaded = [(task, load_task(task, cell, wanted)) for task in tasks]
     reports = [
         _moves_checked(one, task.name or DEFAULT_TASK, moves, even_without_moves, cell)
         for task, one in loaded

@@ -9,7 +9,7 @@ from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.passes.checker import Find, check
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Severity, Source
-from rapidsim.files import SourceFile
+from rapidsim.files import SourceFile, TaskFiles
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse
 
@@ -30,6 +30,7 @@ def load(
     *,
     cell: CellNames = NO_CELL,
     unseen: Sequence[str] = (),
+    refers_late: bool = False,
 ) -> Loaded:
     """Parse and check the modules of one task; mistakes in them are findings, never raised.
 
@@ -38,10 +39,17 @@ def load(
         rules: What to look for beyond what keeps a program from running.
         cell: What the configuration declares beside the modules.
         unseen: Modules of the task that nobody can read here.
+        refers_late: Whether its controller loads it with references that nothing declares.
     """
     parsed = [parse(Source(file.name, file.text)) for file in files]
     trees = tuple(one.file for one in parsed)
-    checked = check(trees, rules, cell=replace(cell, unseen=tuple(unseen)))
+    names = replace(cell, unseen=tuple(unseen), refers_late=refers_late)
+    checked = check(trees, rules, cell=names)
     diagnostics = (*(d for one in parsed for d in one.diagnostics), *checked.diagnostics)
     accepted = all(d.severity is not Severity.ERROR for d in diagnostics)
     return Loaded(trees, checked.program if accepted else None, diagnostics)
+
+
+def load_task(task: TaskFiles, cell: CellNames, rules: Sequence[Find] = ()) -> Loaded:
+    """The same for a task, with what is known of its modules; see `load`."""
+    return load(task.files, rules, cell=cell, unseen=task.unseen, refers_late=task.refers_late)

@@ -17,7 +17,7 @@ from rapidsim.analysis.names.signal_violations import UnknownSignal
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.diagnostics import Source
 from rapidsim.files import InputError, SourceFile, TaskFiles, backup_folders, read_tasks
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checked_program import load_task
 from rapidsim.reach.dataflow.written_moves import written_moves
 from rapidsim.station.backup.backup import backup_station
 from rapidsim.station.backup.loose_configuration import (
@@ -179,7 +179,10 @@ def _configured(
         if not own:
             continue
         one = task.settings
-        yield DraftTask(one.name, (), one.kind, one.moves, entry=one.entry), own
+        named_task = DraftTask(
+            one.name, (), one.kind, one.moves, entry=one.entry, refers_late=one.refers_late
+        )
+        yield named_task, own
 
 
 def _one_a_main(modules: Sequence[_Module]) -> Iterator[tuple[DraftTask, list[_Module]]]:
@@ -237,7 +240,7 @@ def _undeclared(tasks: Sequence[TaskFiles], station: Station) -> tuple[SignalDec
     names = declared_names(station)
     found: dict[str, SignalDeclaration] = {}
     for task in tasks:
-        for one in load(task.files, cell=names, unseen=task.unseen).diagnostics:
+        for one in load_task(task, names).diagnostics:
             violation = one.violation
             if isinstance(violation, UnknownSignal):
                 kind = SignalKind(violation.type.removeprefix("signal"))

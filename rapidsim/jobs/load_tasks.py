@@ -11,7 +11,7 @@ from rapidsim.diagnostics import Diagnostic, Related, Span, Violation
 from rapidsim.files import TaskFiles
 from rapidsim.interpreter.runtime.memory import module_data
 from rapidsim.interpreter.runtime.shared_persistents import disagreements, may_be_shared
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checked_program import load_task
 from rapidsim.reach.dataflow.side_effects import ProgramEffects
 from rapidsim.reach.dataflow.written_moves import written_moves
 from rapidsim.station.tasks import DEFAULT_TASK
@@ -56,7 +56,7 @@ class LoadedTasks:
 
 def load_tasks(tasks: Sequence[TaskFiles], cell: CellNames = NO_CELL) -> LoadedTasks:
     """Parse and check the modules of tasks; mistakes in them are findings, never raised."""
-    loaded = [load(task.files, cell=cell, unseen=task.unseen) for task in tasks]
+    loaded = [load_task(task, cell) for task in tasks]
     programs = [one.program for one in loaded if one.program is not None]
     conflicts = shared_findings(programs) if len(tasks) > 1 else ()
     diagnostics = (*(found for one in loaded for found in one.diagnostics), *conflicts)

@@ -23,10 +23,11 @@ from rapidsim.jobs.run_options import run_options
 from rapidsim.jobs.task_files import program_name, program_title, seen_from_here
 from rapidsim.jobs.task_setups import task_setups
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.simulation.collected import FinishedRun
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.progress import Progress
 from rapidsim.simulation.results.simulation import Simulation
-from rapidsim.simulation.simulate import FinishedRun, run_tasks
+from rapidsim.simulation.simulate import run_tasks
 from rapidsim.simulation.task_run import TaskSetup
 
 _UNATTENDED = {"CI", "PYTEST_CURRENT_TEST"}
@@ -143,7 +144,12 @@ def prepared(loaded: LoadedJob) -> PreparedRun:
         require_entry(program, job.entry(name))
     bare = task_setups(loaded.tasks, job.station, loaded.robot, job.open_robot)
     setups = tuple(replace(setup, entry=job.entry(setup.name)) for setup in bare)
-    options = replace(run_options(job), home=_home(job.asked.home, job.asked.paths))
+    home, ramdisk = _home(job.asked.home, job.asked.paths), job.asked.ramdisk
+    if ramdisk is not None and not Path(ramdisk).is_dir():
+        raise InputError(f"--ramdisk: {ramdisk} is not a folder")
+    options = replace(
+        run_options(job), home=home, ramdisk=None if ramdisk is None else Path(ramdisk)
+    )
     return PreparedRun(setups, options, loaded.diagnostics, program_title(job.asked.paths))
 
 
@@ -164,6 +170,11 @@ def executed(
         finished = run_tasks(prepared.setups, prepared.options, watch)
     except NotExecutableError as error:
         raise ProgramRejectedError((*prepared.diagnostics, error.diagnostic)) from None
+    return as_named(prepared, finished)
+
+
+def as_named(prepared: PreparedRun, finished: FinishedRun) -> FinishedRun:
+    """A run with what checking found, under the names that the user knows."""
     run = finished.simulation
     written = (replace(one, path=str(seen_from_here(Path(one.path)))) for one in run.home_files)
     found = pointed_at_targets(run.diagnostics, [setup.program for setup in prepared.setups])

@@ -43,8 +43,9 @@ def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
     if len(station.tasks) < 2:
         everything = (*paths, *_as_typed((*station.modules, *station.stubs)))
         unseen = station.tasks[0].unseen if station.tasks else ()
+        refers_late = bool(station.tasks) and station.tasks[0].refers_late
         return tuple(
-            replace(task, unseen=(*task.unseen, *unseen))
+            replace(task, unseen=(*task.unseen, *unseen), refers_late=refers_late)
             for task in named_tasks(read_tasks(everything, rooms), station.task)
         )
     named = read_tasks(paths, rooms)
@@ -70,6 +71,7 @@ def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
             name=task.name,
             files=(*mine.files, *more.files, *stubs),
             unseen=(*mine.unseen, *more.unseen, *task.unseen),
+            refers_late=task.refers_late,
         )
         for task, mine, more in zip(station.tasks, own, listed, strict=True)
     )

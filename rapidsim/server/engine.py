@@ -12,6 +12,13 @@ from dataclasses import dataclass, field
 from time import monotonic
 from typing import Final, Protocol
 
+from rapidsim.server.journal import (
+    event_line,
+    log_line,
+    request_line,
+    switched_off_line,
+    switched_on_line,
+)
 from rapidsim.server.messages import (
     DONE,
     Message,
@@ -118,22 +125,22 @@ class LockStep:
 
     request_s: float
     """So much before each request."""
-    _reached_s: float = 0.0
+    _requests: int = 0
 
     def begin(self) -> None:
         """Nothing is measured."""
 
     def horizon_s(self) -> float:
         """As far as the requests so far let it come."""
-        return self._reached_s
+        return self._requests * self.request_s
 
     def wait_s(self, virtual_s: float) -> float | None:
         """Until the next request."""
-        return 0.0 if virtual_s <= self._reached_s else None
+        return 0.0 if virtual_s <= self.horizon_s() else None
 
     def asked(self) -> None:
         """Let a little time pass."""
-        self._reached_s += self.request_s
+        self._requests += 1
 
     def lag_s(self, now_s: float) -> float:
         """There is nothing to be behind."""
@@ -149,16 +156,28 @@ class Engine:
     pace: Pace
     told: Callable[[Told], None]
     """Told what clients subscribed to, and lines for whoever started the controller."""
+    journal: Callable[[str], None] | None = None
+    """Takes each line of the journal; None where nobody keeps one."""
     context: Context = field(init=False)
     subscriptions: Subscriptions = field(init=False)
     _lag_told_s: float = _LAG_S
+    _held: list[str] | None = None
+    """Lines of what a request brings about, which come after its own."""
 
     def __post_init__(self) -> None:
         """Switch on."""
         self.context = Context(self.live)
         self.subscriptions = Subscriptions(self.context, self.told)
         self.live.told = self._logged
+        self._note(lambda: switched_on_line(self.live.motors, self.live.mode))
+        if self.journal is not None:
+            self.live.happened = lambda event: self._note(lambda: event_line(event))
         self.pace.begin()
+
+    def switch_off(self) -> None:
+        """Stop the robots, close files and connections, end the journal."""
+        self.live.switch_off()
+        self._note(lambda: switched_off_line(self.live.now_s))
 
     def step(self) -> bool:
         """Let one thing happen whose time has come; whether there was any."""
@@ -174,8 +193,21 @@ class Engine:
 
     def reply(self, message: Message) -> Reply:
         """Do what is asked, at the time that has come."""
+        if isinstance(message, Request):
+            self.pace.asked()
+        self._come_up()
+        now_s, self._held = self.live.now_s, []
+        reply = self._replied(message)
+        held, self._held = self._held, None
+        self._note(lambda: request_line(now_s, message, reply))
+        for line in held:
+            self._note(lambda line=line: line)  # type: ignore[misc]
+        self.subscriptions.look()
+        return reply
+
+    def _replied(self, message: Message) -> Reply:
         try:
-            return self._replied(message)
+            return self._done(message)
         except RefusedRequest as refused:
             return refused.refusal
         except Exception as error:
@@ -183,14 +215,10 @@ class Engine:
             defect = f"rapidsim has a defect: {type(error).__name__}: {error}"
             self.told(Note(f"error: {defect}; please report it with the request, {message!r}"))
             return Refusal(500, -1, defect)
-        finally:
-            self.subscriptions.look()
 
-    def _replied(self, message: Message) -> Reply:
+    def _done(self, message: Message) -> Reply:
         match message:
             case Request():
-                self.pace.asked()
-                self._come_up()
                 return answered(self.context, message)
             case SessionEnded(session):
                 self.context.release_all(session)
@@ -204,15 +232,26 @@ class Engine:
         """Let the present be the time at which a request takes effect.
 
         In lock-step everything happens that is due before it. Else nobody waits for a controller
-        that is behind its pace: the present is how far it has come.
+        that is behind its pace: the present is how far it has come. All that is due by then has
+        happened, so that the time in the journal says what a request came after.
         """
         horizon_s = self.pace.horizon_s()
         if isinstance(self.pace, LockStep):
             self.live.advance(horizon_s)
         else:
             self.live.step(horizon_s)
+            self.live.settle()
+
+    def _note(self, line: Callable[[], str]) -> None:
+        if self.journal is None:
+            return
+        if self._held is None:
+            self.journal(line())
+        else:
+            self._held.append(line())
 
     def _logged(self, entry: LogEntry) -> None:
+        self._note(lambda: log_line(entry))
         self.subscriptions.logged(entry)
         if entry.type > 1:
             kind = "error" if entry.type == 3 else "warning"

@@ -11,7 +11,7 @@ from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.job import job
-from rapidsim.jobs.run_files import loaded, prepared
+from rapidsim.jobs.run_files import LoadedJob, PreparedRun, loaded, prepared
 from rapidsim.server.engine import Engine, FullPace, LockStep, Pace, WallPace
 from rapidsim.server.messages import Told
 from rapidsim.server.settings import EngineSettings
@@ -27,6 +27,7 @@ class ReadyController:
     setups: tuple[TaskSetup, ...]
     options: RunOptions
     home: Path
+    ramdisk: Path
     notes: tuple[str, ...] = ()
     """What is said of a backup or a robot."""
 
@@ -41,29 +42,51 @@ def ready(asked: Asked) -> ReadyController:
         InputError: If something that it needs is missing.
     """
     found = loaded(job(asked))
-    made = prepared(found)
+    return with_cell(found, prepared(found))
+
+
+def with_cell(found: LoadedJob, made: PreparedRun) -> ReadyController:
+    """What is loaded and prepared for a run, as a controller that is served has it."""
     io = made.options.io
     undeclared = _undeclared(found.diagnostics)
     known = {one.name.lower() for one in io.signals}
     fresh = tuple(one for key, one in undeclared.items() if key not in known)
     home = made.options.home or Path("HOME")
-    options = replace(made.options, io=replace(io, signals=(*io.signals, *fresh)), home=home)
+    signals = (*io.signals, *fresh)
+    # Nobody sits at a terminal to answer.
+    options = replace(
+        made.options, io=replace(io, signals=signals), home=home, answers=None, network=None
+    )
     notices = found.robot.notices
+    ramdisk = options.ramdisk or home / "RAMDISK"
     return ReadyController(
-        made.setups, options, home.resolve(), (*found.job.station.remarks, *notices)
+        made.setups,
+        options,
+        home.resolve(),
+        ramdisk.resolve(),
+        (*found.job.station.remarks, *notices),
     )
 
 
 def engine_of(
-    made: ReadyController, settings: EngineSettings, told: Callable[[Told], None]
+    made: ReadyController,
+    settings: EngineSettings,
+    told: Callable[[Told], None],
+    journal: Callable[[str], None] | None = None,
 ) -> Engine:
     """Switch a controller on.
+
+    Args:
+        made: Its programs and cell.
+        settings: Its state, and how its time passes.
+        told: Told what the engine tells.
+        journal: Takes each line of the journal.
 
     Raises:
         InputError: If an arm cannot be timed, or no task moves one.
     """
     live = LiveController(made.setups, made.options, motors=settings.motors, mode=settings.mode)
-    return Engine(live, _pace(settings), told)
+    return Engine(live, _pace(settings), told, journal)
 
 
 def _pace(settings: EngineSettings) -> Pace:

@@ -36,6 +36,8 @@ class Answer:
     status: int = 200
     links: tuple[str, ...] = ()
     """Resources below this one."""
+    content: bytes | None = None
+    """A file, in place of items."""
 
 
 DONE = Answer(status=204)
@@ -69,6 +71,8 @@ class Request:
     query: Fields = field(default_factory=dict)
     form: Fields = field(default_factory=dict)
     session: int = 0
+    content: bytes = b""
+    """A body that is no form."""
 
     @property
     def action(self) -> str:

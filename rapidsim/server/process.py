@@ -22,6 +22,7 @@ from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.run_files import ProgramRejectedError
 from rapidsim.motion.robot.robot import RobotError
 from rapidsim.server.engine import Engine
+from rapidsim.server.journal import JournalFile
 from rapidsim.server.link import EngineEndedError
 from rapidsim.server.loading import engine_of, ready
 from rapidsim.server.messages import Message, Note, Reply, Told
@@ -36,6 +37,7 @@ class SwitchedOn:
     """The controller is there."""
 
     home: Path
+    ramdisk: Path
 
 
 Start: TypeAlias = SwitchedOn | ProgramRejectedError | InputError
@@ -46,7 +48,7 @@ Start: TypeAlias = SwitchedOn | ProgramRejectedError | InputError
 class EngineProcess:
     """An engine that runs beside this process; see `started`."""
 
-    home: Path
+    there: SwitchedOn
     _connection: Connection
     _process: SpawnProcess
     listener: Callable[[Told], None] = print
@@ -135,7 +137,7 @@ def started(asked: Asked, settings: EngineSettings) -> EngineProcess:
         process.join(_PATIENCE_S)
         raise InputError("the controller's process has ended before it was there") from None
     if isinstance(start, SwitchedOn):
-        return EngineProcess(start.home, ours, process)
+        return EngineProcess(start, ours, process)
     process.join(_PATIENCE_S)
     raise start
 
@@ -148,19 +150,31 @@ def _run(connection: Connection, asked: Asked, settings: EngineSettings) -> None
     with suppress(EOFError, BrokenPipeError, ConnectionResetError):
         try:
             made = ready(asked)
-            engine = engine_of(made, settings, lambda told: connection.send((None, told)))
+            kept = None
+            if settings.journal is not None:
+                kept = JournalFile(
+                    settings.journal, lambda text: connection.send((None, Note(text)))
+                )
+            engine = engine_of(
+                made,
+                settings,
+                lambda told: connection.send((None, told)),
+                None if kept is None else kept.write,
+            )
         except (ProgramRejectedError, InputError) as error:
             connection.send(error)
             return
         except RobotError as error:
             connection.send(InputError(str(error)))
             return
-        connection.send(SwitchedOn(made.home))
+        connection.send(SwitchedOn(made.home, made.ramdisk))
         for note in made.notes:
             connection.send((None, Note(f"note: {note}")))
         with recursion_limit(RUNNING_DEPTH):
             _serve(connection, engine)
-        engine.live.switch_off()
+        engine.switch_off()
+        if kept is not None:
+            kept.close()
     sys.stdout.flush()
 
 

@@ -12,7 +12,6 @@ from aiohttp import web
 from rapidsim.files import InputError
 from rapidsim.server.http.app import Face
 from rapidsim.server.http.digest import DigestAuthentication
-from rapidsim.server.http.files import FileService
 from rapidsim.server.http.guard import Guard
 from rapidsim.server.messages import Note, Told
 from rapidsim.server.process import EngineProcess
@@ -55,7 +54,6 @@ async def _serve(
         engine,
         DigestAuthentication(settings.users),
         Guard(settings.host),
-        FileService(engine.home),
         settings.most_sessions,
         settings.session_timeout_s,
     )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from types import MappingProxyType
 from typing import Final
 
@@ -25,6 +26,8 @@ class EngineSettings:
     """In lock-step, the virtual time [s] that passes before each request; None is no lock-step."""
     motors: Motors = Motors.ON
     mode: Mode = Mode.AUTO
+    journal: Path | None = None
+    """Where the journal is written; None keeps none."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

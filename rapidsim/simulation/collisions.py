@@ -48,7 +48,7 @@ def _findings(simulation: Simulation, collisions: Collisions) -> Iterator[Diagno
             max(one.depth_m for one in (first, *later)) * _MM,
             f"; so {'do' if len(names) > 1 else 'does'} {' and '.join(names)}" if names else "",
         )
-        move = _move(robots[first.robot], first.move)
+        move = robots[first.robot].move(first.move)
         yield _at(move, violation, tuple(_others(robots, first)))
     yield from _near(simulation, found, collisions.geometry.clearance_m)
     remarks = collisions.remarks
@@ -69,7 +69,7 @@ def _near(simulation: Simulation, found: Found, clearance_m: float) -> Iterator[
                 clearance_m * _MM,
                 near.time_s,
             )
-            yield _at(_move(simulation.robots[near.robot], near.move), violation)
+            yield _at(simulation.robots[near.robot].move(near.move), violation)
 
 
 def _others(robots: tuple[RobotRun, ...], contact: Contact) -> Iterator[Related]:
@@ -77,14 +77,9 @@ def _others(robots: tuple[RobotRun, ...], contact: Contact) -> Iterator[Related]
     for other in {contact.first.robot, contact.second.robot} - {None, contact.robot}:
         if other is None:
             continue
-        index = int(robots[other].sample(contact.time_s).move[0])
-        move = _move(robots[other], index)
+        move = robots[other].move(int(robots[other].sample(contact.time_s).move[0]))
         if move is not None:
             yield Related(move.place.span, f"{robots[other].task} is here then")
-
-
-def _move(one: RobotRun, index: int) -> ExecutedMove | None:
-    return next((move for move in one.moves if move.index == index), None)
 
 
 def _at(

@@ -41,6 +41,8 @@ class RunOptions:
     """Signals, how they are wired, and what happens to inputs."""
     home: Path | None = None
     """The folder HOME: stands for; None makes file instructions fail with a clear error."""
+    ramdisk: Path | None = None
+    """The folder RAMDISK: stands for; None is one in the home folder."""
     geometry: CellGeometry | None = None
     """What stands in the cell; None looks for no contacts."""
     network: Network | None = None
@@ -70,6 +72,7 @@ class RunOptions:
             answers_are_typed=self.answers_are_typed,
             io=self.io,
             home=self.home,
+            ramdisk=self.ramdisk,
             network=self.network,
             tasks=self.cell_tasks,
             configured=self.configured,

@@ -39,6 +39,7 @@ class DraftTask:
     moves: bool = True
     robot: str | None = None
     entry: str | None = None
+    refers_late: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,6 +85,8 @@ def _task(task: DraftTask) -> Iterator[str]:
         yield f"type = {json.dumps(task.kind.value)}"
     if task.entry is not None:
         yield f"entry = {json.dumps(task.entry)}"
+    if task.refers_late:
+        yield "check_references = false"
     if not task.moves:
         yield "motion = false"
     elif task.robot is not None:

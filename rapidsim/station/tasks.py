@@ -10,6 +10,7 @@ modules = ["background.mod"]
 type = "semistatic"        # or "static"; "normal" unless it is said
 motion = false             # it moves nothing; so it is where no robot is left
 entry = "watch"            # the procedure it begins with; "main" unless it is said
+check_references = false   # it is loaded with references that nothing declares (-BindRef 0)
 rmq = { type = "remote", mode = "synchronous", size = 400, messages = 5 }
 """
 
@@ -26,7 +27,7 @@ from rapidsim.station.task_kind import TaskKind
 from rapidsim.station.toml_reader import Reader, Table
 
 DEFAULT_TASK = "T_ROB1"
-_KEYS = ("name", "modules", "type", "motion", "robot", "entry", "rmq")
+_KEYS = ("name", "modules", "type", "motion", "robot", "entry", "check_references", "rmq")
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,6 +50,8 @@ class StationTask:
     """Modules that a backup's configuration loads into it and that are not in the backup."""
     queue: QueueSettings | None = None
     """Its message queue; None where nobody describes it."""
+    refers_late: bool = False
+    """Whether it is loaded with references that nothing declares."""
     is_system: bool = False
     """Whether it is the controller's own, such as that of its safety board: no run has it."""
 
@@ -86,7 +89,19 @@ def _read_task(reader: Reader, path: str, task: Table) -> StationTask:
     files = tuple(reader.file.parent / one for one in modules)
     kind, entry = _kind(reader, path, task), reader.text(task, path, "entry")
     queue = read_queue(reader, path, task)
-    return StationTask(name, files, kind, motion, robot, entry=entry, queue=queue)
+    checks = task.get("check_references", True)
+    if not isinstance(checks, bool):
+        reader.wrong(f"{path}.check_references", "true or false is needed")
+    return StationTask(
+        name,
+        files,
+        kind,
+        motion,
+        robot,
+        entry=entry,
+        queue=queue,
+        refers_late=checks is False,
+    )
 
 
 def _kind(reader: Reader, path: str, task: Table) -> TaskKind:

@@ -39,7 +39,8 @@ TAKEN = {
         *installed_routine_names(),
         *installed_type_names(),
         *reserved_words(),
-        *("main", "cell", "n", "b", "list", "take", "i", "given", "t", "rob_1", "t_rob1id"),
+        *("main", "cell", "n", "b", "list", "take", "i", "given", "t", "rob_1", "t_rob1id", "k"),
+        *("p", "trigg"),
         *(f"take_{kind}" for kind in KINDS),
     )
 }
@@ -63,15 +64,34 @@ VALUES = (
 )
 """Places that take the value of a signal of any kind."""
 PLACES = {
-    "di": ("WaitDI {},1;", "b:=TestDI({});", "n:=DInput({});", "ISignalDI {},1,i;", "take_di {};"),
+    "di": (
+        *("WaitDI {},1;", "b:=TestDI({});", "n:=DInput({});", "ISignalDI {},1,i;", "take_di {};"),
+        *("WaitDI {},1\\MaxTime:=2;", "SearchL {},p,p,v100,tool0;"),
+    ),
     "do": (
         *("SetDO {},1;", "Set {};", "Reset {};", "PulseDO {};", "InvertDO {};", "WaitDO {},0;"),
         *("n:=DOutput({});", "ISignalDO {},0,i;", "take_do {};"),
+        *(
+            "SetDO\\SDelay:=1,{},1;",
+            "MoveLDO p,v100,fine,tool0,{},1;",
+            "TriggIO trigg,5\\DOp:={},1;",
+        ),
     ),
     "gi": ("WaitGI {},3;", "n:=GInput({});", "ISignalGI {},i;", "take_gi {};"),
-    "go": ("SetGO {},3;", "WaitGO {},3;", "n:=GOutput({});", "ISignalGO {},i;", "take_go {};"),
+    "go": (
+        "SetGO {},3;",
+        "WaitGO {},3;",
+        "n:=GOutput({});",
+        "ISignalGO {},i;",
+        "take_go {};",
+        "MoveJGO p,v100,fine,tool0,{}\\Value:=3;",
+        "TriggIO trigg,5\\GOp:={},1;",
+    ),
     "ai": ("n:=AInput({});", "WaitAI {}\\GT,3;", "take_ai {};"),
-    "ao": ("SetAO {},3;", "n:=AOutput({});", "take_ao {};"),
+    "ao": (
+        *("SetAO {},3;", "n:=AOutput({});", "take_ao {};"),
+        *("MoveJAO p,v100,fine,tool0,{},3;", "TriggEquip trigg,5,0.1\\AOp:={},1;"),
+    ),
 }
 """Places that take a signal of one kind."""
 
@@ -81,6 +101,7 @@ def module(*statements: str) -> str:
     body = "\n".join(statements)
     return (
         "MODULE cell\nVAR num n;\nVAR bool b;\nVAR num list{3};\nVAR intnum i;\n"
+        "VAR robtarget p;\nVAR triggdata trigg;\n"
         f"PROC main()\nCONNECT i WITH t;\n{body}\nENDPROC\n"
         f"FUNC num given(num x)\nRETURN x;\nENDFUNC\nTRAP t\nENDTRAP\n{takes}\nENDMODULE\n"
     )
@@ -199,3 +220,16 @@ def test_a_prefix_of_its_kind_and_an_underscore_make_a_signal(
     )
     ended = call("check", str(file), "--output-format", "json", cwd=tmp_path)
     assert [one["code"] for one in json.loads(ended.out)["diagnostics"]] == [code]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_signal_that_is_given_an_alias_is_of_its_kind(kind: str, tmp_path: Path) -> None:
+    file = tmp_path / "alias.mod"
+    file.write_text(
+        "MODULE alias\n  PROC main()\n"
+        f"    VAR signal{kind} other;\n    AliasIO glue,other;\n  ENDPROC\nENDMODULE\n"
+    )
+    ended = call("check", str(file), "--output-format", "json", cwd=tmp_path)
+    told = json.loads(ended.out)["diagnostics"]
+    (found,) = (one for one in told if one["code"] == "I801")
+    assert f'glue = {{ type = "{kind}" }}' in found["help"]

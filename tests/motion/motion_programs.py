@@ -14,6 +14,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.segments import Geometry, Segment, Speed, Waypoint, Zone
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.curve_following import PathFault
+from rapidsim.motion.path.joined_paths import joined_paths
 from rapidsim.motion.path.path import Path, build_path
 from rapidsim.motion.robot.robot import Robot, load_robot
 from rapidsim.motion.timing.axis_limits import Limits
@@ -162,6 +163,26 @@ def path_or_fault(
     if isinstance(program, Programmer):
         return build_path(program.robot, program.segments, model)
     return build_path(ROBOT, program, model)
+
+
+def require_same_when_joined(paths: Sequence[Path]) -> None:
+    """Joined paths have the joints, poses, segments, speeds and travel of each, ends included."""
+    joined = joined_paths(paths)
+    for number, path in enumerate(paths):
+        on, start = joined.paths[joined.on[number]], joined.starts[number]
+        s = np.linspace(0.0, path.length, 23)
+        alone, together = path.evaluate(s), on.evaluate(s + start)
+        assert np.allclose(together.joints, alone.joints, rtol=0.0, atol=1e-9)
+        there, here = together.base_from_tcp, alone.base_from_tcp
+        assert np.allclose(there.translation, here.translation, rtol=0.0, atol=1e-9)
+        assert np.allclose(there.rotation, here.rotation, rtol=0.0, atol=1e-9)
+        driven = (on.segments[each] for each in together.segment)
+        assert all(a is path.segments[b] for a, b in zip(driven, alone.segment, strict=True))
+        # At breakpoints a rate jumps, and the rounding of the place says which side it is of.
+        inner = ~np.isin(s, path.breakpoints)
+        assert np.allclose(together.tcp_rate[inner], alone.tcp_rate[inner], rtol=0.0, atol=1e-6)
+        travel = on.travelled(s + start) - on.travelled(np.array([start]))
+        assert np.allclose(travel, path.travelled(s), rtol=0.0, atol=1e-9)
 
 
 offsets = st.floats(-0.12, 0.12)

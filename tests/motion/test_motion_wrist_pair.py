@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from laws import examples
-from motion_programs import LIMITS, MODEL, zone
+from motion_programs import LIMITS, MODEL, Programmer, path_of, require_same_when_joined, zone
 from plain_segments import plain_segment
 
 from rapidsim.frames.rotation_vectors import rotation_from_vector
@@ -438,3 +438,9 @@ def test_an_arm_whose_wrist_axes_pass_each_other_cannot_lead() -> None:
     for name in ("crb15000-5-0.95", "rv-m1"):
         robot = load_robot(name)
         assert not wrist_meets(robot.kinematics, robot.start)
+
+
+def test_led_arcs_are_joined_with_other_paths() -> None:
+    led = built(IRB1600, [half(CircleMode.WRIST_45, 0.004)])
+    line = path_of(Programmer().line((0.1, 0.0, 0.0)))
+    require_same_when_joined([line, led, line])

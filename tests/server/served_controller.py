@@ -15,7 +15,6 @@ from rapidsim.jobs.asked import Asked
 from rapidsim.server.engine import Engine
 from rapidsim.server.http.app import Face
 from rapidsim.server.http.digest import DigestAuthentication
-from rapidsim.server.http.files import FileService
 from rapidsim.server.http.guard import Guard
 from rapidsim.server.link import DirectLink
 from rapidsim.server.loading import engine_of, ready
@@ -97,7 +96,7 @@ async def _serve(
     settings = EngineSettings(request_s=STEP_S)
     link = DirectLink(lambda told: engine_of(made, settings, told))
     users = DigestAuthentication(DEFAULT_USERS)
-    face = Face(link, users, Guard("127.0.0.1"), FileService(made.home), **limits)
+    face = Face(link, users, Guard("127.0.0.1"), **limits)
     link.listener = face.told
     runner = web.AppRunner(face.app())
     await runner.setup()

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from laws import examples
 
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind, Status
 from rapidsim.files import backup_folders
@@ -15,6 +16,7 @@ from rapidsim.language.robotware import RobotWare
 from rapidsim.simulation.results.signal_history import signal_changes
 from rapidsim.station.backup.backup import backup_station
 from rapidsim.station.backup.cfg_file import read_configuration
+from rapidsim.station.backup.signals import backup_io
 from rapidsim.station.read import read_station
 from rapidsim.station.station import Station
 
@@ -92,15 +94,37 @@ def test_signals_are_those_of_the_configuration(tmp_path: Path) -> None:
 
 def test_cross_connections_follow_and_what_is_left_out_is_said(tmp_path: Path) -> None:
     said = station(tmp_path, {"syspar/eio.CFG": EIO})
-    (cross,) = said.io.crosses
+    cross, mixed = said.io.crosses
     assert (cross.result, cross.condition.text) == ("diClosed", "not doGrip and diPart")
     assert [
         cross.condition.holds({"doGrip": grip, "diPart": part}.__getitem__)
         for grip, part in ((0.0, 1.0), (1.0, 1.0), (0.0, 0.0))
     ] == [True, False, False]
-    assert len(said.remarks) == 2
-    assert "`doMixed`" in said.remarks[0]
-    assert "`doRing`" in said.remarks[1]
+    assert (mixed.result, mixed.condition.text) == ("doMixed", "a and b or c")
+    (remark,) = said.remarks
+    assert "`doRing`" in remark
+
+
+@given(
+    signals=st.lists(st.booleans(), min_size=2, max_size=5), words=st.tuples(*[st.booleans()] * 4)
+)
+@examples(30)
+def test_a_cross_connection_is_evaluated_from_left_to_right(
+    signals: list[bool], words: tuple[bool, ...]
+) -> None:
+    actors = "".join(f' -Act{n} "s{n}"' for n in range(1, len(signals) + 1))
+    operators = "".join(
+        f' -Oper{n} "{"OR" if word else "AND"}"'
+        for n, word in enumerate(words[: len(signals) - 1], start=1)
+    )
+    text = f'EIO_CROSS:\n\n      -Name "c" -Res "r"{actors}{operators}\n'
+    io, remarks = backup_io(read_configuration(text))
+    expected = signals[0]
+    for word, one in zip(words, signals[1:], strict=False):
+        expected = (expected or one) if word else (expected and one)
+    values = {f"s{n}": float(one) for n, one in enumerate(signals, start=1)}
+    assert io.crosses[0].condition.holds(values.__getitem__) is expected
+    assert not remarks
 
 
 @pytest.mark.parametrize(

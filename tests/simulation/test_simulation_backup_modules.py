@@ -143,3 +143,53 @@ def test_a_module_of_an_add_in_may_declare_what_the_backup_does_not(backup: Back
         }
     )
     assert codes(folder) == [("N216", "warning")]
+
+
+def test_what_an_option_without_a_library_may_declare_is_no_error(backup: Backup) -> None:
+    task = listed("PROGMOD/MainModule.mod")
+    files: dict[str, str | bytes] = {
+        "RAPID/TASK1/PROGMOD/MainModule.mod": MAIN.replace("fromUser", "reg1:=PM_OF_OPTION"),
+    }
+    for product, code in (("616-1 PC Interface", "N201"), ("642-2 Palletizing PowerPac", "N216")):
+        products = f">>PRODUCTS_ID:\nRobotWare Version: 6.08.01.00\n  {product}\n"
+        folder = backup({"BACKINFO/backinfo.txt": products + task, **files})
+        assert [found for found, _ in codes(folder)] == [code], product
+
+
+LATE = r"""CAB_TASKS:
+
+      -Name "T_ROB1" -Type "NORMAL" -BindRef {} -MotionTask
+"""
+
+
+@pytest.mark.parametrize(("check_references", "severity"), [("0", "warning"), ("1", "error")])
+def test_data_that_nothing_declares_are_a_warning_where_references_are_not_checked(
+    backup: Backup, check_references: str, severity: str
+) -> None:
+    folder = backup(
+        {
+            "BACKINFO/backinfo.txt": listed("PROGMOD/MainModule.mod"),
+            "RAPID/TASK1/PROGMOD/MainModule.mod": MAIN.replace("fromUser", "reg1:=nowhere"),
+            "SYSPAR/SYS.cfg": LATE.format(check_references),
+        }
+    )
+    assert [one for _, one in codes(folder)] == [severity]
+
+
+def test_a_routine_that_nothing_declares_is_an_error_of_the_run_there(backup: Backup) -> None:
+    caught = (
+        'PROC main()\n TPWrite "first";\n IF nowhere(1)=2 TPWrite "never";\n TPWrite "never";\n'
+        "ERROR\n IF ERRNO=ERR_REFUNKFUN THEN\n gone 1,unknown;\n ENDIF\n"
+        ' TPWrite "never";\n TRYNEXT;\nENDPROC\n'
+    )
+    folder = backup(
+        {
+            "BACKINFO/backinfo.txt": listed("PROGMOD/MainModule.mod"),
+            "RAPID/TASK1/PROGMOD/MainModule.mod": f"MODULE MainModule\n{caught}ENDMODULE\n",
+            "SYSPAR/SYS.cfg": LATE.format("0"),
+        }
+    )
+    assert codes(folder)[:2] == [("N209", "warning")] * 2
+    run = simulate([folder])
+    assert [one.message for one in run.events if one.kind.value == "text"] == ["first"]
+    assert run.end == "error"

@@ -40,14 +40,24 @@ class UnseenName(Violation, code="N216"):
         return f"it may be declared in {' or '.join(self.modules)}, which cannot be read here"
 
 
+class UnresolvedReference(Violation, code="N221"):
+    undefined: str
+
+
 class DuplicateName(Violation, code="N202"):
     duplicate: str
     where: str = ""
     between_modules: bool = False
+    is_module: bool = False
 
     @property
     def help(self) -> str:
         """What makes the names differ."""
+        if self.is_module:
+            return (
+                "what is named together is one task: leave out the one that is a copy, or name "
+                "each program by itself"
+            )
         if self.between_modules and self.duplicate.lower() == "main":
             return (
                 "what is named together is one task: name each program by itself, or give each a "
@@ -60,6 +70,7 @@ class DuplicateName(Violation, code="N202"):
 
 SKIPS = "skips the call"
 LOOKS_FOR_IT = "looks for it among the modules it has loaded by then"
+STOPS_THERE = "fails where it comes to the call (40130)"
 """What a run does with the call of a routine that no module declares."""
 
 
@@ -74,6 +85,10 @@ class UnknownRoutine(Violation, code="N209"):
     @property
     def help(self) -> str:
         """Where the routine may be, or what it may be."""
+        if self.instead == STOPS_THERE:
+            return (
+                "the task does not check references (-BindRef 0); give the module that declares it"
+            )
         if self.instead != SKIPS:
             return (
                 f'a module that is loaded by then may declare it; `%"{self.unknown}"%` says so, '

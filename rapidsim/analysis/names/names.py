@@ -15,8 +15,10 @@ from rapidsim.analysis.installed import (
 from rapidsim.analysis.names.name_violations import (
     LOOKS_FOR_IT,
     SKIPS,
+    STOPS_THERE,
     UndefinedName,
     UnknownRoutine,
+    UnresolvedReference,
     UnseenName,
     WrongKind,
 )
@@ -118,6 +120,10 @@ def report_undefined(name: tree.Name, context: Context, *, may_be_signal: bool =
         context.report(UnseenName(name.text, unseen), name)
         context.analysis.runs = False
         return
+    if context.analysis.cell.refers_late:
+        context.report(UnresolvedReference(name.text), name)
+        context.analysis.runs = False
+        return
     compares = context.analysis.may_compare(name.key)
     nearest = closest(name.text, _known_names(context)) if compares else None
     reserved = nearest in reserved_words()
@@ -209,7 +215,11 @@ def _unknown_routine(name: tree.Name, context: Context) -> UnknownSymbol | None:
     compares = analysis.may_compare(name.key)
     known = [*_routine_names(context), *installed_routine_names()] if compares else []
     nearest = closest(name.text, (*known, *reserved_words())) if compares else None
-    instead = LOOKS_FOR_IT if analysis.loads_modules else SKIPS
+    instead = SKIPS
+    if analysis.loads_modules:
+        instead = LOOKS_FOR_IT
+    elif analysis.cell.refers_late:
+        instead = STOPS_THERE
     reserved = nearest in reserved_words()
     context.report(UnknownRoutine(name.text, nearest, instead, reserved), name)
     return analysis.unknown_symbol(name.text)

@@ -147,7 +147,7 @@ def _without_duplicates(homes: Sequence[Context]) -> list[tuple[Context, Declara
         first_home = modules.setdefault(home.module.name.key, home)
         if first_home is not home:
             place = first_home.module.span(first_home.module.name)
-            violation = DuplicateName(home.module.name.text, " as a module")
+            violation = DuplicateName(home.module.name.text, " as a module", is_module=True)
             home.report(violation, home.module.name, Related(place, "the first one is here"))
         own: dict[str, Declaration] = {}
         for node in home.module.items:
@@ -168,7 +168,9 @@ def _without_duplicates(homes: Sequence[Context]) -> list[tuple[Context, Declara
             if node.scope != "LOCAL":
                 other, there = shared.setdefault(name.key, (home, node))
                 if there is not node:
-                    _report_declared_here(name, there, other, home)
+                    # Of two copies of a module all names are the same; it is told once.
+                    if other.module.name.key != home.module.name.key:
+                        _report_declared_here(name, there, other, home)
                     continue
             accepted.append((home, node))
     return accepted

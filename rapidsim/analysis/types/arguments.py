@@ -39,6 +39,7 @@ def check_argument(
     type_of: TypeOf,
     *,
     beside: Type | None = None,
+    alike: Type | None = None,
 ) -> Type | None:
     """Check the value of an argument.
 
@@ -48,13 +49,14 @@ def check_argument(
         context: Where the call stands.
         type_of: Finds the types of expressions.
         beside: Type of the argument before it that may be num or dnum; literals follow it.
+        alike: What a signal that nothing declares is, where its parameter takes every kind.
 
     Returns:
         The type of the argument; None where it is not known.
     """
     plain = _without_parentheses(value)
     if isinstance(plain, tree.Reference) and find(plain.name.key, context) is None:
-        signal = formal.signal
+        signal = alike or formal.signal
         if signal is not None:
             take_for_signal(plain, signal, context)
             return None

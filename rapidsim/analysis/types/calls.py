@@ -7,13 +7,13 @@ from collections.abc import Sequence
 from rapidsim.analysis.context import Context, TypeOf
 from rapidsim.analysis.names.names import find, routine_named, take_for_unknown
 from rapidsim.analysis.parameters import Callee, Formal, Wanted
-from rapidsim.analysis.program import ParameterSymbol
+from rapidsim.analysis.program import DataSymbol, ParameterSymbol
 from rapidsim.analysis.types.argument_binding import bind
 from rapidsim.analysis.types.argument_violations import BadOption
 from rapidsim.analysis.types.arguments import check_argument
 from rapidsim.analysis.types.callees import callee_of
 from rapidsim.language import types
-from rapidsim.language.types import Type
+from rapidsim.language.types import Type, resolved
 from rapidsim.syntax import tree
 
 
@@ -95,13 +95,35 @@ def _check_arguments(
                 context.report(BadOption(problem, "give one of them"), argument)
         match argument:
             case tree.Required(value=value):
-                found = check_argument(value, formal, context, type_of, beside=beside)
+                kind = _signal_beside(argument, bound, context)
+                found = check_argument(value, formal, context, type_of, beside=beside, alike=kind)
                 if types.DNUM in formal.types:
                     beside = found
             case tree.Optional(value=value):
                 _check_option(argument, value, formal, context, type_of)
             case tree.Conditional():
                 _check_conditional(argument, context)
+
+
+def _signal_beside(
+    argument: tree.Required, bound: Sequence[tuple[tree.Argument, Formal]], context: Context
+) -> Type | None:
+    """The kind of signal that another argument is, where a call connects two of any kind.
+
+    `AliasIO glue,alias` takes `glue` for what `alias` is declared as.
+    """
+    takes_all = [
+        one.value
+        for one, formal in bound
+        if isinstance(one, tree.Required) and formal.takes_all_signals
+    ]
+    if argument.value not in takes_all:
+        return None
+    for other in takes_all:
+        match find(other.name.key, context) if isinstance(other, tree.Reference) else None:
+            case DataSymbol(type=of) | ParameterSymbol(type=of) if resolved(of) in types.SIGNALS:
+                return resolved(of)
+    return None
 
 
 def _check_option(

@@ -33,14 +33,22 @@ from rapidsim.extras import pip_install
 from rapidsim.files import InputError
 from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.job import Job
-from rapidsim.jobs.run_files import ProgramRejectedError, executed, loaded, prepared
+from rapidsim.jobs.run_files import (
+    LoadedJob,
+    PreparedRun,
+    ProgramRejectedError,
+    as_named,
+    executed,
+    loaded,
+    prepared,
+)
 from rapidsim.jobs.task_files import program_name
 from rapidsim.report.run.assertion_figures import asked_figures
 from rapidsim.report.run.figures import Figures, figures
 from rapidsim.report.run.summary import Written
 from rapidsim.report.run.verdicts import Judgement
+from rapidsim.simulation.collected import FinishedRun
 from rapidsim.simulation.results.simulation import End
-from rapidsim.simulation.simulate import FinishedRun
 
 _EXIT_CODES = {
     End.ENDED: ExitCode.CLEAN,
@@ -86,6 +94,11 @@ _EXIT_CODES = {
 @click.option(
     "--profile", metavar="FILE.prof", help="Where the interpreter spends the computer's time."
 )
+@click.option(
+    "--replay",
+    metavar="JOURNAL",
+    help="Live a journal of `rapidsim serve` again, in place of running main.",
+)
 @terminal_options
 def run(
     asked: Asked,
@@ -95,6 +108,7 @@ def run(
     write_pers: bool,
     breaks: tuple[str, ...],
     profile: str | None,
+    replay: str | None,
 ) -> int:
     """Run a RAPID program on a virtual controller with a simulated robot.
 
@@ -118,7 +132,9 @@ def run(
         made = prepared(ready)
         _say_home(asked, made.options.home)
         meter = Meter(sum(task.moves for task in ready.tasks))
-        execute = partial(executed, made, meter.watch)
+        execute: Callable[[], FinishedRun] = partial(executed, made, meter.watch)
+        if replay is not None:
+            execute = _replaying(ready, made, Path(replay))
         assertions = read_assertions(asserted, ready.programs, job.station.io, terminal)
         finished, measured = watched(execute, ready, watch, terminal, meter)
     except ProgramRejectedError as rejected:
@@ -150,6 +166,20 @@ def run(
     if code is ExitCode.CLEAN and simulation.collisions and simulation.collisions.hits:
         code = ExitCode.FINDINGS
     return ExitCode.FAILED if done.judgement.failed and code is ExitCode.CLEAN else code
+
+
+def _replaying(ready: LoadedJob, made: PreparedRun, journal: Path) -> Callable[[], FinishedRun]:
+    """What lives a journal again.
+
+    Raises:
+        InputError: If it is none.
+    """
+    from rapidsim.server.loading import with_cell
+    from rapidsim.server.replay import read_life, replayed
+
+    life = read_life(journal)
+    tell = partial(say, err=True)
+    return lambda: as_named(made, replayed(with_cell(ready, made), life, tell))
 
 
 def _say_home(asked: Asked, home: Path | None) -> None:

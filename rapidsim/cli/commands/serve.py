@@ -6,6 +6,8 @@ import json
 import os
 import sys
 from contextlib import redirect_stdout
+from math import inf
+from pathlib import Path
 
 import click
 
@@ -57,6 +59,7 @@ _MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
     help="In lock-step, the virtual time before each request; else 0.05.",
 )
 @click.option("--home", metavar="DIR", help="The folder for HOME:; else <program>.home.")
+@click.option("--ramdisk", metavar="DIR", help="The folder for RAMDISK:; else one in HOME:.")
 @click.option(
     "--opmode",
     type=click.Choice(list(_MODES)),
@@ -94,6 +97,11 @@ _MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
     show_default=True,
     help="A session that is idle for so long ends.",
 )
+@click.option(
+    "--journal",
+    metavar="FILE.jsonl",
+    help="Write what clients ask and what happens; `rapidsim run --replay` runs it again.",
+)
 @terminal_options
 def serve(
     paths: tuple[str, ...],
@@ -107,11 +115,13 @@ def serve(
     lock_step: bool,
     request_time: float | None,
     home: str | None,
+    ramdisk: str | None,
     opmode: str,
     motors: str,
     users: tuple[str, ...],
     max_sessions: int,
     session_timeout: float,
+    journal: str | None,
 ) -> int:
     """Serve a virtual controller to clients of Robot Web Services 1.0.
 
@@ -145,19 +155,22 @@ def serve(
         io=io,
         entry=DEFAULT_ENTRY,
         home=home,
+        ramdisk=ramdisk,
     )
     engine_settings = EngineSettings(
         speed=_speed(speed),
         request_s=(request_time or 0.05) if lock_step else None,
         motors=Motors.ON if motors == "on" else Motors.OFF,
         mode=Mode(_MODES[opmode]),
+        journal=None if journal is None else Path(journal),
     )
     server_settings = ServerSettings(
         host=host,
         rws1_port=rws1_port,
         users=_users(users) if users else DEFAULT_USERS,
         most_sessions=max_sessions,
-        session_timeout_s=session_timeout,
+        # In lock-step nothing depends on the wall, sessions included.
+        session_timeout_s=inf if lock_step else session_timeout,
     )
     try:
         engine = started(asked, engine_settings)
@@ -169,8 +182,8 @@ def serve(
         line = {
             "ready": True,
             "rws1": address,
-            "home": str(engine.home),
-            "ramdisk": str(engine.home / "RAMDISK"),
+            "home": str(engine.there.home),
+            "ramdisk": str(engine.there.ramdisk),
             "pid": os.getpid(),
             "version": __version__,
         }

@@ -17,8 +17,8 @@ from rapidsim.interpreter.tools.questions import NotAskedError, Question, answer
 from rapidsim.report.findings.source_frame import source_frame
 from rapidsim.report.run.assertion_figures import ASKED_FIGURES
 from rapidsim.report.run.verdicts import BudgetVerdict, Verdict
+from rapidsim.simulation.collected import FinishedRun
 from rapidsim.simulation.results.simulation import End
-from rapidsim.simulation.simulate import FinishedRun
 
 LABEL = "--assert"
 _MAIN = "main"

@@ -143,7 +143,7 @@ class Cell:
         self.max_time_s = inputs.max_time_s
         self.watchdog = Watchdog(inputs.max_wall_s, lambda: journal.noted)
         self.signals = SignalTable(inputs.io.signals)
-        self.home = HomeFolder(inputs.home)
+        self.home = HomeFolder(inputs.home, inputs.ramdisk)
         self.operator = Operator(inputs.answers, inputs.answers_are_typed)
         self.texts = TextTables()
         self.sockets = SocketTable(inputs.io.sockets, self.happen)

@@ -1,7 +1,7 @@
 """Conditions on signals, as a station file writes them: `doGrip = 1 and not diFault`.
 
-Terms are joined by `and` or by `or`, never both in one condition, so that nobody has to know which
-binds tighter. A signal alone means that it is not 0.
+Terms are joined by `and` or by `or`; a station file never mixes them, so that nobody has to know
+which binds tighter. A signal alone means that it is not 0.
 """
 
 from __future__ import annotations
@@ -50,16 +50,21 @@ class Term:
 
 @dataclass(frozen=True, slots=True)
 class Condition:
-    """Terms, of which all must hold, or any."""
+    """Terms and how they are joined."""
 
     text: str
     terms: tuple[Term, ...]
-    any_of: bool = False
+    joints: tuple[str, ...]
+    """`and` or `or` before each term but the first. Neither binds tighter: they are taken from left
+    to right, as a controller evaluates a cross connection."""
 
     def holds(self, read: Callable[[str], float]) -> bool:
         """Whether it is true for the values that `read` gives."""
-        truths = (term.holds(read) for term in self.terms)
-        return any(truths) if self.any_of else all(truths)
+        truth = self.terms[0].holds(read)
+        for joint, term in zip(self.joints, self.terms[1:], strict=True):
+            if truth is (joint == "and"):
+                truth = term.holds(read)
+        return truth
 
     def signals(self) -> tuple[str, ...]:
         """Names of the signals it looks at, as written."""
@@ -73,10 +78,10 @@ def read_condition(text: str) -> Condition:
         ConditionError: If it is none.
     """
     parts = _JOINT.split(text.strip())
-    joints = {word.lower() for word in parts[1::2]}
-    if len(joints) > 1:
+    joints = tuple(word.lower() for word in parts[1::2])
+    if len(set(joints)) > 1:
         raise ConditionError(f"`{text}` joins with `and` and with `or`; use one of them")
-    return Condition(text, tuple(_term(part, text) for part in parts[::2]), joints == {"or"})
+    return Condition(text, tuple(_term(part, text) for part in parts[::2]), joints)
 
 
 def _term(part: str, text: str) -> Term:

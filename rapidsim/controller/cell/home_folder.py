@@ -1,9 +1,10 @@
 """The controller's home folder on our disk, which a program cannot leave.
 
 RAPID names files "HOME:/log/today.txt" or just "today.txt". Both mean a place inside the folder the
-run was given. Other disks, RAMDISK: or the C: of a virtual controller's computer, are folders in it
-that have their names. Whatever would lie outside, through "..", an absolute path or a link, is
-refused, as are devices: a program is untrusted input.
+run was given. Other disks, TEMP: or the C: of a virtual controller's computer, are folders in it
+that have their names; so is RAMDISK:, unless it was given a folder of its own. Whatever would lie
+outside, through "..", an absolute path or a link, is refused, as are devices: a program is
+untrusted input.
 """
 
 from __future__ import annotations
@@ -134,9 +135,10 @@ class HomeFile:
 class HomeFolder:
     """The files a program may use, and a list of those it wrote."""
 
-    def __init__(self, folder: Path | None) -> None:
-        """Confine all paths to `folder`; None means that there is none."""
+    def __init__(self, folder: Path | None, ramdisk: Path | None = None) -> None:
+        """Confine all paths to `folder`, where None means that there is none, and to `ramdisk`."""
         self._folder = folder
+        self._ramdisk = ramdisk
         self._files: list[HomeFile] = []
         """Those that were open when the last one was opened."""
         self._written: dict[Path, None] = {}
@@ -194,10 +196,11 @@ class HomeFolder:
             raise rapid_error(ERR_IOERROR, f"{path}: {reason}") from None
         if len(data) > most:
             raise rapid_error(ERR_PRGMEMFULL, f"{path} has more than {most:g} bytes")
-        root = self._root()
-        assert self._folder is not None
-        assert root is not None
-        return self._folder / place.relative_to(root), data
+        for folder in (self._folder, self._ramdisk):
+            root = _real(folder)
+            if folder is not None and root is not None and place.is_relative_to(root):
+                return folder / place.relative_to(root), data
+        return place, data
 
     def copy(self, old: str, new: str) -> None:
         """Copy a file.
@@ -294,22 +297,21 @@ class HomeFolder:
         return place
 
     def _is_disk(self, place: Path) -> bool:
-        root = self._root()
+        root = _real(self._folder)
         named_so = place.parent == root and _DISK.fullmatch(place.name) is not None
-        return place == root or (named_so and not place.exists())
-
-    def _root(self) -> Path | None:
-        return None if self._folder is None else Path(os.path.realpath(self._folder))
+        return place in (root, _real(self._ramdisk)) or (named_so and not place.exists())
 
     def _place(self, path: str, *, or_root: bool = False) -> Path:
         """The place of a RAPID path on our disk; the home folder itself only where it may be."""
-        root = self._root()
+        root = _real(self._folder)
         if root is None:
             raise RapidError(ERR_FILEOPEN, f"{path}: the run has no home folder (use --home)")
         device, colon, rest = path.replace("\\", "/").rpartition(":")
         disk = device.lstrip("/").upper()
         if not colon and rest.upper().startswith(_HOME_FOLDER):
             rest = rest[len(_HOME_FOLDER) :]
+        elif disk == "RAMDISK" and self._ramdisk is not None:
+            root, disk = Path(os.path.realpath(self._ramdisk)), ""
         elif colon and disk != "HOME":
             if not _DISK.fullmatch(disk):
                 raise RapidError(ERR_FILEOPEN, f"{path}: only disks are simulated, as HOME:")
@@ -324,6 +326,10 @@ class HomeFolder:
         if not place.is_relative_to(root) or (is_whole_disk and not or_root):
             raise RapidError(ERR_FILEOPEN, f"{path} lies outside the home folder")
         return place
+
+
+def _real(folder: Path | None) -> Path | None:
+    return None if folder is None else Path(os.path.realpath(folder))
 
 
 @contextmanager

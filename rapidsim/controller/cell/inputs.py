@@ -34,6 +34,8 @@ class CellInputs:
     """Signals, how they are wired, and what happens to inputs."""
     home: Path | None
     """The folder HOME: stands for; None makes file instructions fail with a clear error."""
+    ramdisk: Path | None
+    """The folder RAMDISK: stands for; None is one in the home folder."""
     network: Network | None
     """What sockets may use of the network; None lets them reach the station's scripts only."""
     tasks: tuple[str, ...]

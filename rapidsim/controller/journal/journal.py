@@ -7,7 +7,7 @@ time until it is; entries refer to it and are dated when the run is over.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from rapidsim.controller.journal.events import Event, EventKind, ExecutedLine, Unsimulated, Wait
@@ -102,6 +102,13 @@ class Journal:
         events = self.events()
         self._events[:] = [one for one in self._events if one.moment.instant.time is None]
         return events
+
+    def put_back(self, events: Iterable[Event]) -> None:
+        """Note again what was taken."""
+        self._events[:0] = [
+            _Entry(e.task, Moment(Instant(e.time_s)), e.kind, e.place, e.message, e.details)
+            for e in events
+        ]
 
     def forget_lines(self) -> None:
         """Forget the statements and waits of this task."""

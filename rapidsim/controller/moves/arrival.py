@@ -171,7 +171,7 @@ class Arrivals:
             MoveImpossible: When the nearest is not to be taken.
         """
         wanted = rounded(stored)
-        if self._stands_as(chosen, wanted) or not self._is_monitored(asked, segment):
+        if not self._is_monitored(asked, segment) or self._stands_as(chosen, wanted):
             return
         key = ("configuration", asked.written)
         if self.takes_nearest and self.journal.has_found(key):

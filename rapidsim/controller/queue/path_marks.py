@@ -12,6 +12,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import ClassVar
 
+import numpy as np
+
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.motion.trajectory.trajectory import Trajectory
@@ -86,22 +88,27 @@ class PathMarks:
             return ()
         key = (self.unit.version, len(self._pending))
         if self._due is None or self._due[:2] != key:
-            preview = self.unit.queue.preview()
             key = (self.unit.version, len(self._pending))
-            self._due = (*key, tuple(self._time(mark, preview) for mark in self._pending))
+            self._due = (*key, self._worked_out(self.unit.queue.preview()))
         return self._due[2]
 
-    def _time(self, mark: PathMark, preview: Trajectory) -> float:
+    def _worked_out(self, preview: Trajectory) -> tuple[float, ...]:
+        """The same, of all marks at once."""
+        places_m = np.array([self._place(mark) for mark in self._pending])
+        comes = places_m <= preview.length + _ROUNDING_M
+        times_s = np.full(len(places_m), math.inf)
+        times_s[comes] = preview.time_at_place(places_m[comes])
+        # A robot that stood at the start came there earlier; the move begins when it leaves.
+        begins_s = [mark.move.command_start_s or 0.0 for mark in self._pending]
+        ahead_s = np.array([mark.ahead_s for mark in self._pending])
+        return tuple((np.maximum(times_s, begins_s) - ahead_s).tolist())
+
+    def _place(self, mark: PathMark) -> float:
+        """Where [m] on the whole run a mark is; infinite where that is not planned."""
         places = self.unit.queue.places_of(mark.move)
         if places is None:
             return math.inf
         start_m, end_m = places
         if mark.from_start:
-            place_m = min(start_m + mark.distance_m, end_m)
-        else:
-            place_m = max(end_m - mark.distance_m, start_m)
-        if place_m > preview.length + _ROUNDING_M:
-            return math.inf
-        # A robot that stood at the start came there earlier; the move begins when it leaves.
-        begins_s = mark.move.command_start_s or 0.0
-        return max(preview.time_at_place(place_m), begins_s) - mark.ahead_s
+            return min(start_m + mark.distance_m, end_m)
+        return max(end_m - mark.distance_m, start_m)

@@ -85,6 +85,8 @@ class Calls:
                 instead = at.constant(self._taken_for(call, value))
                 constant = at.name(self._names.module.constant(value))
                 node = at.call("_stand_in", [place, at.constant(name), instead, constant])
+                if self._program.cell.refers_late:
+                    node = at.call("_unresolved_function", [at.constant(name)])
                 if may_be_loaded(call, self._program):
                     of = at.name(self._names.module.numbered("_type", self._program.type_of[call]))
                     late = self._late_arguments(call, at.constant(name), at)
@@ -108,7 +110,10 @@ class Calls:
             case UnknownSymbol(name=name):
                 if may_be_loaded(call, self._program):
                     late = self._late_arguments(call, at.constant(name), at)
-                    return [at.do(at.call("_loaded", late))]
+                    form = "_late" if self._program.cell.refers_late else "_loaded"
+                    return [at.do(at.call(form, late))]
+                if self._program.cell.refers_late:
+                    return [at.do(at.call("_unresolved_procedure", [at.constant(name)]))]
                 place = at.name(self._place(call, {}))
                 return [at.do(at.call("_skip", [place, at.constant(name)]))]
             case _:

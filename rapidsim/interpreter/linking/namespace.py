@@ -15,7 +15,13 @@ from typing import Any, NoReturn
 from rapidsim.interpreter.linking.argument_names import argument_name
 from rapidsim.interpreter.runtime import arithmetic, arrays, error_recovery, references
 from rapidsim.interpreter.runtime.error_recovery import Recovery
-from rapidsim.interpreter.runtime.late_binding import LateArgument, LateBinding, numbered_name
+from rapidsim.interpreter.runtime.late_binding import (
+    LateArgument,
+    LateBinding,
+    numbered_name,
+    unresolved_function,
+    unresolved_procedure,
+)
 from rapidsim.interpreter.runtime.memory import is_persistent
 from rapidsim.language.controller import CONCERNS, Controller
 from rapidsim.language.error_numbers import ERR_ALRDYCNT, ERR_ARGDUPCND, ERR_EXECPHR, rapid_error
@@ -81,6 +87,8 @@ FUNCTIONS: Mapping[str, object] = MappingProxyType(
         "_subtract_positions": arithmetic.subtract_positions,
         "_too_long": arithmetic.too_long,
         "_unfinished": unfinished,
+        "_unresolved_function": unresolved_function,
+        "_unresolved_procedure": unresolved_procedure,
         "_unwinds": error_recovery.unwinds,
     }
 )

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NoReturn
 
 from rapidsim.analysis.program import ParameterSymbol, RoutineSymbol
 from rapidsim.interpreter.runtime.arrays import copy_array
@@ -271,3 +271,21 @@ def _user_value(parameter: ParameterSymbol, given: tuple[LateArgument, Any] | No
 
 def _mismatch(name: str, reason: str) -> RapidError:
     return rapid_error(ERR_CALLPROC, f'"{name}" cannot be called like this: {reason}')
+
+
+def unresolved_procedure(name: str) -> NoReturn:
+    """Refuse a call in a task that was loaded with references that nothing declares.
+
+    Raises:
+        RapidError: ERR_REFUNKPRC.
+    """
+    raise rapid_error(ERR_REFUNKPRC, f"no procedure is named `{name}`")
+
+
+def unresolved_function(name: str) -> NoReturn:
+    """Refuse a function call in such a task.
+
+    Raises:
+        RapidError: ERR_REFUNKFUN.
+    """
+    raise rapid_error(ERR_REFUNKFUN, f"no function is named `{name}`")

@@ -7,7 +7,7 @@ their digits: a long piece has several, in rows of one table; row 0 is the stand
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -15,6 +15,7 @@ import numpy.typing as npt
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.kinematics.arm import Mask
+from rapidsim.motion.path.joined_paths import JoinedPaths, joined_paths
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.time_scaling import Timing
 from rapidsim.motion.trajectory.time_scalings import Timings, timings_of
@@ -48,7 +49,8 @@ class MotionCommand:
         # Columns: see `_Column`.
         self._table = np.zeros((16, 8))
         self._rows = 1
-        self._joined: _Joined | None = None
+        self._joined_timings: _JoinedTimings | None = None
+        self._joined_paths: _JoinedPaths | None = None
 
     def copy(self) -> MotionCommand:
         """The same, to be added to on its own."""
@@ -116,7 +118,7 @@ class MotionCommand:
 
     def cut(self, time_s: float) -> None:
         """Take back what is commanded after a time [s]."""
-        self._joined = None
+        self._joined_timings = self._joined_paths = None
         kept = self._rows
         while kept > 1 and self._table[kept - 1, _Column.START] >= time_s:
             kept -= 1
@@ -144,12 +146,26 @@ class MotionCommand:
 
     def pieces_of(self, row: Index) -> Index:
         """The numbers of the pieces (k,) that rows (k,) are of; the first one for row 0."""
-        return np.maximum(self._table[row, _Column.PIECE].astype(np.int64), 1)
+        numbers: Index = np.maximum(self._table[row, _Column.PIECE].astype(np.int64), 1)
+        return numbers
 
-    def on_path(self, row: Index, way: Array) -> Array:
-        """Places (k,) [m] on the paths of these pieces, ways (k,) [m] after rows (k,) start."""
-        s: Array = self._table[np.maximum(row, 1), _Column.FROM_S] + way
-        return s
+    def on_paths(self, row: Index, way: Array) -> Iterator[tuple[Path, Array, Index]]:
+        """Where ways (k,) [m] since the start of rows (k,) are.
+
+        Before the first piece the arm stands where that begins.
+
+        Yields:
+            A path, places s on it [m], and which of the k they are.
+        """
+        if not len(row):
+            return
+        row = np.maximum(row, 1)
+        numbers = self.pieces_of(row)
+        joined = self._paths_of(np.unique(numbers))
+        own = np.searchsorted(joined.numbers, numbers)
+        s = self._table[row, _Column.FROM_S] + way + joined.paths.starts[own]
+        for each, at in groups(joined.paths.on[own]):
+            yield joined.paths.paths[each], s[at], at
 
     def starts(self, row: Index) -> tuple[Array, Array]:
         """When rows (k,) start [s], and at which places S [m]."""
@@ -276,10 +292,9 @@ class MotionCommand:
     def joints_at(self, times: Array) -> Array:
         """Joints of the arm, then external axes, (k, n + e) at times (k,) [s]."""
         row = self.row_at(times)
-        s = self.on_path(row, self.state(row, times)[0])
         joints = np.empty((len(times), self.piece(1).path.axis_count))
-        for number, at in groups(self.pieces_of(row)):
-            points = self.piece(number).path.evaluate(s[at])
+        for path, s, at in self.on_paths(row, self.state(row, times)[0]):
+            points = path.evaluate(s)
             joints[at] = np.concatenate([points.joints, points.external], axis=1)
         return joints
 
@@ -294,12 +309,12 @@ class MotionCommand:
             nodes.append(start + np.clip(times, 0.0, duration))
         return np.concatenate(nodes)
 
-    def _timings_of(self, lowest: int, highest: int) -> _Joined:
+    def _timings_of(self, lowest: int, highest: int) -> _JoinedTimings:
         """The timings of some rows, counted from 1.
 
         They are kept, for whoever asks about many rows mostly asks again.
         """
-        joined = self._joined
+        joined = self._joined_timings
         if joined is None or lowest < joined.lowest or highest > joined.highest:
             # Whole pieces, for a long one has several rows.
             all_numbers = self._table[: self._rows, _Column.PIECE]
@@ -311,12 +326,29 @@ class MotionCommand:
             timings = timings_of([piece.timing for piece in self._pieces[first - 1 : last]])
             stretch = timings.begin[numbers - first] + rows[:, _Column.MARK].astype(np.int64)
             before = timings.since_marks(stretch, rows[:, _Column.OFFSET])
-            joined = self._joined = _Joined(timings, lowest, highest, stretch, before)
+            joined = _JoinedTimings(timings, lowest, highest, stretch, before)
+            self._joined_timings = joined
+        return joined
+
+    def _paths_of(self, numbers: Index) -> _JoinedPaths:
+        """The paths of some pieces, numbers increasing; kept as the timings are."""
+        joined = self._joined_paths
+        if joined is None or not np.isin(numbers, joined.numbers).all():
+            paths = joined_paths([self._pieces[number - 1].path for number in numbers.tolist()])
+            joined = self._joined_paths = _JoinedPaths(numbers, paths)
         return joined
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Joined:
+class _JoinedPaths:
+    """The paths of some pieces (k,)."""
+
+    numbers: Index
+    paths: JoinedPaths
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _JoinedTimings:
     """The timings of some rows (m,)."""
 
     timings: Timings

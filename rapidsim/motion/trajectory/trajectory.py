@@ -21,7 +21,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.model import Averages, Smoothing
 from rapidsim.motion.trajectory.axis_smoothing import mean_joints
-from rapidsim.motion.trajectory.command import ROUNDING_M, Index, MotionCommand, Piece, groups
+from rapidsim.motion.trajectory.command import ROUNDING_M, Index, MotionCommand, Piece
 from rapidsim.motion.trajectory.filter_windows import Windows
 from rapidsim.motion.trajectory.zero_crossings import first_crossing
 
@@ -140,10 +140,15 @@ class Trajectory:
     @property
     def travelled_m(self) -> float:
         """TCP travel [m] of the whole run, corners cut."""
-        travel = 0.0
-        for piece in self.pieces:
-            start, end = piece.path.travelled(np.array([piece.from_s, piece.to_s]))
-            travel += float(end - start)
+        row = np.arange(1, self._command.last_row + 1)
+        way = self._command.ways(row)
+        return float(np.sum(self._travelled(row, way) - self._travelled(row, 0.0 * way)))
+
+    def _travelled(self, row: Index, way: Array) -> Array:
+        """TCP travel (k,) [m] on the paths of rows (k,), as far as ways (k,) [m] in them."""
+        travel = np.empty(len(row))
+        for path, s, at in self._command.on_paths(row, way):
+            travel[at] = path.travelled(s)
         return travel
 
     def at(self, times: Array) -> Samples:
@@ -152,7 +157,6 @@ class Trajectory:
         if not self._command.last_row:
             return self._standing(times)
         row, way, speed = self._visible(times)
-        places = self._command.on_path(row, way)
         by_axes = self._smoothing == "axes" and self._windows.filter_time > 0.0
         joints = np.empty((len(times), self._command.piece(1).path.axis_count))
         rates = np.empty(0)
@@ -161,18 +165,16 @@ class Trajectory:
         pose = Transform(np.empty((len(times), 3, 3)), np.empty((len(times), 3)))
         move, tcp_speed = np.empty(len(times), dtype=np.int64), np.empty(len(times))
         # Before the first piece the arm stands where it begins, with the tool it begins with.
-        for number, at in groups(self._command.pieces_of(row)):
-            piece = self._command.piece(number)
-            s = places[at]
+        for path, s, at in self._command.on_paths(row, way):
             if by_axes:
-                tcp, segment, tcp_speed[at] = piece.path.beside(s, joints[at], rates[at])
+                tcp, segment, tcp_speed[at] = path.beside(s, joints[at], rates[at])
             else:
-                points = piece.path.evaluate(s)
+                points = path.evaluate(s)
                 joints[at] = np.concatenate([points.joints, points.external], axis=1)
                 tcp, segment = points.base_from_tcp, points.segment
                 tcp_speed[at] = points.tcp_rate * speed[at]
             pose.rotation[at], pose.translation[at] = tcp.rotation, tcp.translation
-            indices = np.array([one.index for one in piece.path.segments])
+            indices = np.array([one.index for one in path.segments])
             move[at] = indices[segment]
         arm, external = np.split(joints, [len(self._start.joints)], axis=1)
         return Samples(times, move, arm, pose, tcp_speed, external)
@@ -187,10 +189,8 @@ class Trajectory:
         if self._smoothing == "path" or not self._command.last_row:
             return off
         row, way, _ = self._visible(samples.times)
-        places = self._command.on_path(row, way)
-        for number, at in groups(self._command.pieces_of(row)):
-            path = self._command.piece(number).path
-            on_path = path.evaluate(places[at]).base_from_tcp.translation
+        for path, s, at in self._command.on_paths(row, way):
+            on_path = path.evaluate(s).base_from_tcp.translation
             off[at] = np.linalg.norm(samples.base_from_tcp.translation[at] - on_path, axis=1)
         return off
 

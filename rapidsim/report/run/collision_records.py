@@ -111,11 +111,10 @@ def _place(
     """Task, number among all moves, file, line and routine of a move of one robot."""
     one = simulation.robots[robot]
     index = simulation.move_offsets[robot] + move
-    for made in one.moves:
-        if made.index == move:
-            span = made.place.span
-            return one.task, index, span.file, span.line, made.place.routine
-    return one.task, index, None, None, None
+    made = one.move(move)
+    if made is None:
+        return one.task, index, None, None, None
+    return one.task, index, made.place.span.file, made.place.span.line, made.place.routine
 
 
 def _mm(point: Array) -> tuple[float, ...]:

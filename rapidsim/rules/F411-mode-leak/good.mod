@@ -40,6 +40,9 @@ MODULE near_miss
     PDispSet [[0,0,10],[1,0,0,0]];
     MoveL p10,v100,fine,tool0;
     PDispOff;
+    ! A displacement that is none.
+    EOffsSet [0,0,0,0,0,0];
+    PDispSet [[0,0,0],[1,0,0,0]];
     VelSet 100,5000;
     MoveL p20,v100,fine,tool0;
   ENDPROC

@@ -26,6 +26,13 @@ MODULE near_miss
   ENDPROC
   PROC fill(INOUT string s)
     s:="filled";
+    empty;
+  ENDPROC
+  PROC empty()
+    VAR num zeros{3};
+    VAR string nothing;
+    sizes:=zeros;
+    text:=nothing;
   ENDPROC
 ENDMODULE
 ! ---

@@ -10,5 +10,7 @@ MODULE near_miss
   CONST orient flipped:=[0,-1,0,0];
   CONST pos sizes{2}:=[[0.5,0.5,0.7],[1,2,3]];
   CONST num four{4}:=[1,2,3,4];
+  ! What a variable has until it is given a value.
+  VAR orient later:=[0,0,0,0];
   PERS tooldata pen:=[TRUE,[[0,0,120],[1,0,0,0]],[1,[0,0,60],[1,0,0,0],0,0,0]];
 ENDMODULE

@@ -9,10 +9,14 @@ MODULE near_miss
   ! v120 and z7 are not predefined; low and edge are names like any other in a routine.
   CONST speeddata v120:=[120,500,5000,1000];
   CONST zonedata z7:=[FALSE,7,10,10,1,10,1];
+  ! Nobody but this module sees it.
+  LOCAL CONST num pi:=3.14159;
   PROC main()
     VAR num low:=1;
     VAR num edge:=2;
-    WaitTime (low+edge)/v120.v_tcp;
+    ! Type is a function, which is not used here.
+    VAR num type:=3;
+    WaitTime (low+edge+type*pi)/v120.v_tcp;
     WaitTime z7.pzone_tcp/100;
   ENDPROC
 ENDMODULE

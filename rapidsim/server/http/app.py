@@ -24,7 +24,6 @@ from rapidsim.server.http.bodies import (
     xhtml_refusal,
 )
 from rapidsim.server.http.digest import DigestAuthentication
-from rapidsim.server.http.files import FileService
 from rapidsim.server.http.guard import Guard
 from rapidsim.server.http.sessions import Session, Sessions
 from rapidsim.server.link import EngineEndedError, Link
@@ -33,7 +32,6 @@ from rapidsim.server.messages import (
     Change,
     Item,
     Refusal,
-    RefusedRequest,
     Reply,
     Request,
     SessionEnded,
@@ -41,7 +39,7 @@ from rapidsim.server.messages import (
     Told,
     Unsubscribe,
 )
-from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
+from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND
 
 MOST_BYTES: Final = 64 * 2**20
 """Of a body."""
@@ -75,7 +73,6 @@ class Face:
     link: Link
     users: DigestAuthentication
     guard: Guard
-    files: FileService
     most_sessions: int = 70
     idle_s: float = 300.0
     sessions: Sessions = field(init=False)
@@ -139,8 +136,6 @@ class Face:
         path = unquote(request.rel_url.raw_path).strip("/")
         first, _, rest = path.partition("/")
         match first:
-            case "fileservice":
-                return await self._file(request, rest)
             case "poll":
                 return await self._poll(request, rest)
             case "subscription":
@@ -148,37 +143,22 @@ class Face:
             case "logout" if request.method == "GET":
                 self.sessions.end(request[_SESSION])
                 return _shown(request, Answer())
-        form = {key: str(value) for key, value in (await request.post()).items()}
-        asked = Request(
-            request.method, f"/{path}", dict(request.query), form, request[_SESSION].number
-        )
-        return _shown(request, await self.link.ask(asked))
-
-    async def _file(self, request: web.Request, address: str) -> web.StreamResponse:
-        try:
-            match request.method:
-                case "GET":
-                    found = self.files.read(address)
-                    if isinstance(found, bytes):
-                        return web.Response(body=found, content_type="application/octet-stream")
-                    return _shown(request, found)
-                case "PUT":
-                    is_new = self.files.write(address, await request.read())
-                    return web.Response(status=201 if is_new else 200)
-                case "DELETE":
-                    self.files.remove(address)
-                    return web.Response(status=204)
-                case "POST":
-                    form = await request.post()
-                    action, name = form.get("fs-action", ""), form.get("fs-newname", "")
-                    self.files.change(address, str(action), str(name))
-                    return web.Response(status=201)
-                case _:
-                    raise refused(BAD_PARAMETER, f"files have no {request.method}")
-        except RefusedRequest as error:
+        is_file = first == "fileservice"
+        content, form = b"", dict[str, str]()
+        if is_file and request.method == "PUT":
+            content = await request.read()
+        else:
+            form = {key: str(value) for key, value in (await request.post()).items()}
+        session = request[_SESSION].number
+        asked = Request(request.method, f"/{path}", dict(request.query), form, session, content)
+        reply = await self.link.ask(asked)
+        if is_file and isinstance(reply, Refusal):
             # XHTML whatever was asked for, as controllers do.
-            body = xhtml_refusal(error.refusal, _base(request))
-            return web.Response(status=error.refusal.status, text=body, content_type=XHTML)
+            body = xhtml_refusal(reply, _base(request))
+            return web.Response(status=reply.status, text=body, content_type=XHTML)
+        if is_file and request.method != "GET":
+            return web.Response(status=reply.status)
+        return _shown(request, reply)
 
     async def _subscription(self, request: web.Request, rest: str) -> web.StreamResponse:
         match request.method, rest:
@@ -269,6 +249,8 @@ def _shown(request: web.Request, reply: Reply) -> web.Response:
     if isinstance(reply, Refusal):
         write = json_refusal if as_json else xhtml_refusal
         text, status = write(reply, base), reply.status
+    elif reply.content is not None:
+        return web.Response(body=reply.content, content_type="application/octet-stream")
     elif reply.status == 204:
         return web.Response(status=204)
     else:

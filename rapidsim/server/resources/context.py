@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Final, TypeAlias, TypeVar
 
 from rapidsim.controller.cell.message_queues import MessageQueue
 from rapidsim.server.messages import Answer, Fields
 from rapidsim.server.resources.codes import BAD_PARAMETER, HELD_BY_ANOTHER, refused
+from rapidsim.server.resources.disks import FileService
 from rapidsim.simulation.live.controller import LiveController
 
 MASTERSHIPS: Final = ("cfg", "motion", "rapid")
@@ -27,6 +29,13 @@ class Context:
     """The message queues of clients, by their names as they are spelled."""
     owners: dict[str, int] = field(default_factory=dict)
     """The session that made each of them."""
+    files: FileService = field(init=False)
+
+    def __post_init__(self) -> None:
+        """Reach the folders of its programs."""
+        options = self.live.options
+        ramdisk = None if options.ramdisk is None else options.ramdisk.resolve()
+        self.files = FileService((options.home or Path("HOME")).resolve(), ramdisk)
 
     def require_mastership(self, domain: str, session: int) -> None:
         """Refuse what another session has the mastership of; in AUTO it is taken implicitly.

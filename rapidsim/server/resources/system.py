@@ -8,11 +8,10 @@ from rapidsim import __version__
 from rapidsim.server.messages import DONE, Answer, Item, Request
 from rapidsim.server.resources.codes import HELD_BY_ANOTHER, NOT_FOUND, refused
 from rapidsim.server.resources.context import MASTERSHIPS, Context
+from rapidsim.server.resources.disks import DISKS
 
 ROBOTWARE: Final = "6.16.2027"
 ROBOTWARE_NAME: Final = "6.16.02.00"
-DISKS: Final = ("HOME", "TEMP", "RAMDISK", "BACKUP")
-"""The folders that clients reach by `$NAME`; the last three lie in the home folder."""
 
 
 def controller(context: Context, request: Request) -> Answer:

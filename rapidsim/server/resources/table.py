@@ -14,6 +14,7 @@ from typing import Final
 from rapidsim.server.messages import Answer, Request
 from rapidsim.server.resources import (
     event_log,
+    files,
     motion,
     panel,
     programs,
@@ -64,6 +65,7 @@ class Route:
 _SIGNAL: Final = ("rw/iosystem/signals/{name}", "rw/iosystem/signals/{network}/{device}/{name}")
 _UNIT: Final = "rw/motionsystem/mechunits/{unit}"
 _EXECUTION: Final = "rw/rapid/execution"
+_FILE: Final = "fileservice/{address...}"
 _SYMBOL: Final = "rw/rapid/symbol/data/RAPID/{symbol...}"
 
 ROUTES: Final = (
@@ -122,6 +124,10 @@ ROUTES: Final = (
     Route("GET", "rw/dipc/{queue}", queues.queue),
     Route("POST", "rw/dipc/{queue}", queues.send, "dipc-send"),
     Route("POST", "rw/dipc/{queue}", queues.send, "send"),
+    Route("GET", _FILE, files.read),
+    Route("PUT", _FILE, files.write),
+    Route("DELETE", _FILE, files.remove),
+    Route("POST", _FILE, files.change),
     Route("GET", "rw/mastership", system.mastership),
     Route("POST", "rw/mastership", system.take_mastership, "request"),
     Route("POST", "rw/mastership", system.give_mastership, "release"),

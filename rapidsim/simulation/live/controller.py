@@ -14,12 +14,14 @@ from datetime import datetime, timedelta
 from rapidsim.controller.cell.cell import OUTSIDE, Cause, Cell
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind, Status
 from rapidsim.controller.cell.rendezvous import Meetings
+from rapidsim.controller.journal.events import Event
 from rapidsim.controller.journal.journal import Instant, Journal, Moment
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError
 from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents, shared_persistents
 from rapidsim.language.errors import Stopped
 from rapidsim.simulation.board import TurnsBoard
+from rapidsim.simulation.collected import FinishedRun, collected
 from rapidsim.simulation.live import event_log
 from rapidsim.simulation.live.event_log import EventLog, LogEntry
 from rapidsim.simulation.live.live_task import LiveTask
@@ -32,8 +34,8 @@ LEAST_RATIO = 1
 """A speed ratio of 0 % moves the robot at so many percent: standing still is not modelled."""
 
 
-def _untold(entry: LogEntry) -> None:
-    """Nobody hears of entries."""
+def _untold(what: LogEntry | Event) -> None:
+    """Nobody hears of it."""
 
 
 @dataclass(eq=False)
@@ -44,10 +46,14 @@ class LiveController:
     options: RunOptions
     told: Callable[[LogEntry], None] = _untold
     """Hears of each entry of the event log."""
+    happened: Callable[[Event], None] = _untold
+    """Hears of each event of the run, once its time is known."""
     motors: Motors = Motors.ON
     mode: Mode = Mode.AUTO
     cycle: Cycle = Cycle.FOREVER
     speed_ratio: int = 100
+    keeps_all: bool = False
+    """Whether what happened is kept for `finished`; a controller that stays on would fill up."""
     cell: Cell = field(init=False)
     log: EventLog = field(init=False)
     tasks: dict[str, LiveTask] = field(init=False, default_factory=dict)
@@ -56,6 +62,7 @@ class LiveController:
     _journal: Journal = field(init=False)
     _ends_with_cycle: bool = False
     _shows_executing: bool = False
+    _kept: list[Event] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         """Switch on.
@@ -122,7 +129,11 @@ class LiveController:
     def step(self, until_s: float) -> bool:
         """Let one thing happen that is due by a time [s]; whether there was any."""
         stepped = self._turns.step(until_s)
-        self._journal.take()
+        events = self._journal.take()
+        if self.keeps_all:
+            self._kept.extend(events)
+        for event in events:
+            self.happened(event)
         if self.executes is not self._shows_executing:
             self._show_states()
         return stepped
@@ -205,9 +216,19 @@ class LiveController:
         self._show_states()
 
     def switch_off(self) -> None:
-        """Stop the robots, close files and connections."""
+        """Stop the robots, end the programs, close files and connections."""
         self.stop(StopMode.QUICK)
+        for task in self.tasks.values():
+            self._turns.remove(task.run.controller.clock)
         self.cell.close()
+
+    def finished(self) -> FinishedRun:
+        """What the robots did and what happened, if all of it was kept; after `switch_off`."""
+        self._journal.put_back(self._kept)
+        runs = [one.run for one in self.tasks.values()]
+        outcomes = [one.outcome for one in self.tasks.values()]
+        self.cell.end_sharing()
+        return collected(runs, outcomes, self.cell, self.now_s, self.options)
 
     def set_cycle(self, cycle: Cycle) -> None:
         """Say what comes after the end of main."""
@@ -350,7 +371,8 @@ class LiveController:
 
     def cycle_ended(self, task: LiveTask) -> bool:
         """Main has returned; whether it begins again at once."""
-        del task
+        if not self.keeps_all:
+            task.journal.forget_lines()
         return self.cycle is Cycle.FOREVER and not self._ends_with_cycle
 
     def task_failed(self, task: LiveTask, found: tuple[Diagnostic, ...], message: str) -> None:

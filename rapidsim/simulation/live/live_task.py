@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Protocol
 
 from rapidsim.controller.cell.cell import Cell, Listener
+from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
@@ -17,7 +18,8 @@ from rapidsim.language.errors import CycleEnded, Stopped
 from rapidsim.language.moves import Place
 from rapidsim.simulation.live.turns import LiveTurns
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.task_run import TaskRun, TaskSetup, begun, outcome_of
+from rapidsim.simulation.results.simulation import End
+from rapidsim.simulation.task_run import Outcome, TaskRun, TaskSetup, begun, outcome_of
 from rapidsim.station.task_kind import TaskKind
 
 
@@ -61,6 +63,8 @@ class LiveTask:
     """Whether the pointer stands somewhere from which the program can go on."""
     _begun: bool = False
     _own: tuple[Listener, ...] = ()
+    _found: tuple[Diagnostic, ...] = ()
+    _failed_moves: tuple[FailedMove, ...] = ()
 
     @property
     def name(self) -> str:
@@ -81,6 +85,12 @@ class LiveTask:
     def executes(self) -> bool:
         """Whether its program runs."""
         return self._begun and not self.run.controller.execution.stands
+
+    @property
+    def outcome(self) -> Outcome:
+        """How it has ended if the controller is switched off now, with all that has stopped it."""
+        end = End.STOPPED if self.has_pointer else End.ERROR
+        return Outcome(end, self._found, self._failed_moves, self.task)
 
     @property
     def place(self) -> Place:
@@ -175,15 +185,18 @@ class LiveTask:
                 while True:
                     with suppress(CycleEnded):
                         self.task.run(self.entry)
-                    self.journal.forget_lines()
+                    goes_on = self.chief.cycle_ended(self)
                     clock.begin_again()
-                    if not self.is_normal or self.chief.cycle_ended(self):
+                    if goes_on or not self.is_normal:
                         continue
                     with suppress(CycleEnded):
                         self.run.controller.motion.finish()
                     execution.stand()
         except (FatalError, MotionError, Stopped) as error:
-            found = outcome_of(error, self.run).findings
+            ended = outcome_of(error, self.run)
+            found = ended.findings
+            self._found += found
+            self._failed_moves += ended.failed_moves
             message = found[0].message if found else str(error)
         except Exception as error:
             # A defect of ours ends this program, not the controller.

@@ -18,11 +18,11 @@ from rapidsim.interpreter.linking.loader import Task
 from rapidsim.interpreter.linking.saved_text import declared_value
 from rapidsim.library.text import source_text
 
-_LEAF = re.compile(
-    r'(?P<leaf>"(?:[^"]|"")*"|[+-]?\s*(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?|TRUE\b|FALSE\b)'
-    r"|(?P<between>[\[\](),\s]+|![^\r\n]*)",
-    re.IGNORECASE,
-)
+_LITERAL = r'"(?:[^"]|"")*"|[+-]?\s*(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?|TRUE\b|FALSE\b'
+_BETWEEN = r"[\[\](),\s]+|![^\r\n]*"
+_LEAF = re.compile(f"(?P<leaf>{_LITERAL})|(?:{_BETWEEN})", re.IGNORECASE)
+_VALUE = re.compile(rf"{_LITERAL}|[+-]?INF\b|NAN\b", re.IGNORECASE)
+"""What a value may be that a program worked out."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +64,7 @@ def told_once(changes: Iterable[PersistentChange]) -> tuple[PersistentChange, ..
 
 def parts_of(text: str) -> tuple[str, ...]:
     """The numbers, strings and bools of which a value consists, one of a plain value."""
-    return tuple(text[start:end] for start, end in literal_places(text) or ())
+    return tuple(_VALUE.findall(text))
 
 
 def literal_places(text: str) -> tuple[tuple[int, int], ...] | None:

@@ -5,6 +5,7 @@ All of it is immutable and a function of program, robot and inputs alone. Times 
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
@@ -71,6 +72,11 @@ class RobotRun:
     def __repr__(self) -> str:
         """One line."""
         return f"<{self.robot.name[:40]} in {self.task[:40]}: {len(self.moves)} moves>"
+
+    def move(self, index: int) -> ExecutedMove | None:
+        """The move of an index; None where it was not made, as after a limit."""
+        at = bisect_left(self.moves, index, key=lambda made: made.index)
+        return self.moves[at] if at < len(self.moves) and self.moves[at].index == index else None
 
     def sample(self, time_s: float | Array) -> Samples:
         """The arm at one instant or several [s]: joints (k, n), TCP, speed; k is 1 for one."""
@@ -214,6 +220,11 @@ class Simulation:
     def failed_moves(self) -> tuple[FailedMove, ...]:
         """The moves that the only robot could not make."""
         return self.only.failed_moves
+
+    def move(self, index: int) -> ExecutedMove | None:
+        """The move of an index; None where it was not made, as after a limit."""
+        at = bisect_left(self.moves, index, key=lambda made: made.index)
+        return self.moves[at] if at < len(self.moves) and self.moves[at].index == index else None
 
     def sample(self, time_s: float | Array) -> Samples:
         """The only robot at one instant or several [s]."""

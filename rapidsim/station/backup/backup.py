@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from rapidsim.backinfo import listed_tasks
+from rapidsim.backinfo import listed_products, listed_tasks
 from rapidsim.language.equipment import Configured
 from rapidsim.language.robotware import RobotWare, read_robotware
 from rapidsim.station.backup.cfg_file import (
@@ -20,6 +20,7 @@ from rapidsim.station.backup.cfg_file import (
 )
 from rapidsim.station.backup.external_units import UNIT_GROUP, ExternalUnits, external_units
 from rapidsim.station.backup.loaded_modules import is_loaded_into, missing_modules
+from rapidsim.station.backup.options import unknown_options
 from rapidsim.station.backup.robots import backup_robots
 from rapidsim.station.backup.signals import backup_io
 from rapidsim.station.backup.tasks import configured_tasks
@@ -82,7 +83,9 @@ def _tasks_of(
     root: Path, folders: Sequence[Path], labels: Sequence[str | None]
 ) -> tuple[StationTask, ...]:
     """In the order of the folders; none where the backup does not say what its folders are."""
-    listed = listed_tasks(text_in(root, "BACKINFO", "backinfo.txt"))
+    information = text_in(root, "BACKINFO", "backinfo.txt")
+    listed = listed_tasks(information)
+    options = unknown_options(listed_products(information))
     if any(f.name.upper().startswith("TASK") and f.name.lower() not in listed for f in folders):
         return ()
     configuration = read_configuration(text_in(root, "SYSPAR", "SYS.cfg"))
@@ -110,8 +113,9 @@ def _tasks_of(
                 moves,
                 robot_number=number,
                 entry=None if settings is None else settings.entry,
-                unseen=unseen,
+                unseen=(*unseen, *options),
                 queue=None if settings is None else settings.queue,
+                refers_late=settings is not None and settings.refers_late,
                 # The safety controller has its task, which a configuration does not name.
                 is_system=bool(configured) and settings is None,
             )

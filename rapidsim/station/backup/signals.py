@@ -101,20 +101,22 @@ def _crosses(
     instances: Iterable[Instance],
 ) -> tuple[tuple[CrossConnection, ...], tuple[str, ...]]:
     crosses: list[CrossConnection] = []
-    remarks: list[str] = []
     for instance in instances:
         result = instance.get("res", "")
         actors = [n for n in range(1, _MOST_ACTORS + 1) if instance.get(f"act{n}")]
         if not result or not actors:
             continue
-        joints = {instance.get(f"oper{n}", "and").lower() for n in actors[:-1]}
-        if len(joints) > 1:
-            remarks.append(f"EIO.cfg: what `{result}` follows joins with AND and OR: left out")
-            continue
+        joints = tuple(_joint(instance, n) for n in actors[:-1])
         terms = tuple(_term(instance, n) for n in actors)
-        text = f" {''.join(joints)} ".join(("not " if t.negated else "") + t.signal for t in terms)
-        crosses.append(CrossConnection(result, Condition(text, terms, joints == {"or"})))
-    return _without_rings(crosses, remarks)
+        words = [("not " if one.negated else "") + one.signal for one in terms]
+        rest = zip(joints, words[1:], strict=True)
+        text = " ".join((words[0], *(f"{joint} {word}" for joint, word in rest)))
+        crosses.append(CrossConnection(result, Condition(text, terms, joints)))
+    return _without_rings(crosses)
+
+
+def _joint(instance: Instance, number: int) -> str:
+    return "or" if instance.get(f"oper{number}", "").lower() == "or" else "and"
 
 
 def _term(instance: Instance, number: int) -> Term:
@@ -123,12 +125,11 @@ def _term(instance: Instance, number: int) -> Term:
 
 
 def _without_rings(
-    crosses: Sequence[CrossConnection], remarks: list[str]
+    crosses: Sequence[CrossConnection],
 ) -> tuple[tuple[CrossConnection, ...], tuple[str, ...]]:
     kept = tuple(one for one in crosses if not follows_itself(one, crosses))
     left_out = dict.fromkeys(one.result for one in crosses if one not in kept)
-    remarks += [f"EIO.cfg: `{name}` follows itself: left out" for name in left_out]
-    return kept, tuple(remarks)
+    return kept, tuple(f"EIO.cfg: `{name}` follows itself: left out" for name in left_out)
 
 
 def _number(text: str | None) -> float | None:

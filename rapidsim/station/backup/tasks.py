@@ -22,6 +22,8 @@ class TaskSettings:
     group: str | None
     """Its mechanical unit group."""
     queue: QueueSettings
+    refers_late: bool
+    """Whether it is loaded with references that nothing declares: -BindRef 0."""
 
 
 def configured_tasks(configuration: Configuration) -> Mapping[str, TaskSettings]:
@@ -37,6 +39,7 @@ def configured_tasks(configuration: Configuration) -> Mapping[str, TaskSettings]
             task.get("entry"),
             task.get("usemechanicalunitgroup"),
             _queue_of(task),
+            task.get("bindref") == "0",
         )
     return found
 

@@ -34,6 +34,9 @@ class _Setting:
     is_back: bool
 
 
+_NO_DISPLACEMENTS = (((0.0, 0.0, 0.0), (1.0, 0.0, 0.0, 0.0)), (0.0,) * 6)
+"""A pose and offsets of axes that displace nothing."""
+
 _Open = Mapping[str, tree.Call]
 """The modes that may be in force, each with the instruction that set it."""
 
@@ -172,9 +175,18 @@ def _puts_back(call: tree.Call, routine: LibraryRoutine, facts: Facts) -> bool:
         return not given or switches[0].lower() in given
     name, *numbers = re.split("[ ,]", name)
     if not numbers:
-        return routine.name == name
+        return routine.name == name or _displaces_nothing(call, facts)
     required = [one.value for one in call.arguments if isinstance(one, tree.Required)]
     values = [known_value(value, facts) for value in required[: len(numbers)]]
     # The highest speed is another on each robot; what counts is in percent.
     in_percent = [value for value, normal in zip(values, numbers, strict=False) if normal == "100"]
     return None in values or in_percent == [100.0] * numbers.count("100")
+
+
+def _displaces_nothing(call: tree.Call, facts: Facts) -> bool:
+    """Whether a call has one argument, a displacement that is none: `EOffsSet [0,0,0,0,0,0]`."""
+    match call.arguments:
+        case (tree.Required(value=given),):
+            return known_value(given, facts, persistents=False) in _NO_DISPLACEMENTS
+        case _:
+            return False

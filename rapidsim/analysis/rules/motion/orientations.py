@@ -22,9 +22,7 @@ def find_bad_orientations(facts: Facts) -> Iterator[Diagnostic]:
     """Literal quaternions in declarations and in statements, of whatever record they are part."""
     paths: dict[type, tuple[tuple[int, ...], ...]] = {}
     for part in facts.parts:
-        names = {
-            node.value: node.name.text for node in part.all(tree.Data) if node.value is not None
-        }
+        declared = {node.value: node for node in part.all(tree.Data) if node.value is not None}
         inside: set[tree.Node] = set()
         written: list[tree.Aggregate | tree.LiteralAggregate] = [
             *part.all(tree.Aggregate),
@@ -37,14 +35,14 @@ def find_bad_orientations(facts: Facts) -> Iterator[Diagnostic]:
                 continue
             if isinstance(node, tree.Aggregate):
                 inside.update(node.elements)
-            yield from _in_value(node, value, of, names.get(node), part, paths)
+            yield from _in_value(node, value, of, declared.get(node), part, paths)
 
 
 def _in_value(
     node: tree.Node,
     value: object,
     of: Type,
-    name: str | None,
+    declared: tree.Data | None,
     part: Part,
     paths: dict[type, tuple[tuple[int, ...], ...]],
     prefix: tuple[int, ...] = (),
@@ -55,7 +53,7 @@ def _in_value(
         if len(base.dimensions) > 1:
             element = ArrayOf(base.element, base.dimensions[1:])
         for k, inner in enumerate(value if isinstance(value, tuple) else ()):
-            yield from _in_value(node, inner, element, name, part, paths, (*prefix, k))
+            yield from _in_value(node, inner, element, declared, part, paths, (*prefix, k))
         return
     if not isinstance(base, Record):
         return
@@ -69,8 +67,12 @@ def _in_value(
         length = math.hypot(*quaternion)
         if abs(length - 1.0) <= TOLERATED_NORM_ERROR:
             continue
+        if length == 0.0 and declared is not None and declared.storage == "VAR":
+            # What it has anyway until the program gives it a value.
+            continue
         place = part_span(part.module, node, (*prefix, *path))
-        violation = QuaternionNotUnit(name or " ".join(place.text.split()), length)
+        name = " ".join(place.text.split()) if declared is None else declared.name.text
+        violation = QuaternionNotUnit(name, length)
         fix = None
         if abs(length - 1.0) < _TYPO:
             text = ",".join(f"{q / length:.9g}" for q in quaternion)

@@ -87,6 +87,9 @@ def find_bad_loads(facts: Facts) -> Iterator[Diagnostic]:
                 if len(value) != 3 or value[0] is not True:
                     continue
                 value = value[2]
+            elif value[0] == 0.0:
+                # As load0: nothing is carried, or the program weighs the part first.
+                continue
             problem = _load_problem(value)
             if problem is not None:
                 yield part.finding(BadLoadData(node.name.text, problem), node.name)

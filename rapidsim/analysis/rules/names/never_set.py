@@ -28,6 +28,7 @@ def find_never_set(facts: Facts) -> Iterator[Diagnostic]:
     set_somewhere = {symbol for part in facts.parts for symbol in changed_in(part, facts)}
     reported: set[DataSymbol] = set()
     for part in facts.parts:
+        copied = {one.value for one in part.all(tree.Assignment)}
         for node in part.all(tree.Reference):
             symbol = facts.symbol(node)
             if not isinstance(symbol, DataSymbol) or symbol in reported or symbol in set_somewhere:
@@ -36,6 +37,8 @@ def find_never_set(facts: Facts) -> Iterator[Diagnostic]:
             if declared is None or declared.value is not None or not _has_value(symbol):
                 continue
             if symbol.name.lower() in facts.strings or not _all_is_seen(symbol, facts):
+                continue
+            if node in copied and _clears(symbol):
                 continue
             reported.add(symbol)
             place = facts.part_of.get(part.routine, part) if part.routine else part
@@ -52,6 +55,15 @@ def _has_value(symbol: DataSymbol) -> bool:
     if isinstance(of, ArrayOf):
         of = resolved(of.element)
     return isinstance(of, Record) or of in _WITHOUT_START
+
+
+def _clears(symbol: DataSymbol) -> bool:
+    """Whether a copy of data that nothing sets empties others: arrays and texts are so emptied."""
+    of = resolved(symbol.type)
+    if isinstance(of, ArrayOf):
+        of = resolved(of.element)
+        return of in _WITHOUT_START
+    return of == types.STRING
 
 
 def _all_is_seen(symbol: DataSymbol, facts: Facts) -> bool:

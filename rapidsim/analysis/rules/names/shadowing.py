@@ -12,6 +12,7 @@ from rapidsim.syntax import tree
 
 _OF_MOTION = frozenset({"speeddata", "zonedata", "tooldata", "wobjdata", "loaddata"})
 """Types whose predefined data a reader knows by name; `low` and `edge` may well name something."""
+_VOWELS = "aeiou"
 
 
 class ShadowedName(Violation, code="N203"):
@@ -52,14 +53,16 @@ def find_shadowed(facts: Facts) -> Iterator[Diagnostic]:
 def find_redefined(facts: Facts) -> Iterator[Diagnostic]:
     """Declarations of names that the controller predefines."""
     for part in facts.parts:
-        declared: list[tree.Name] = [node.name for node in part.all(tree.Data)]
+        # What one routine or one module alone sees may have the name of what it does not use.
+        declared = [(node.name, node.scope == "LOCAL") for node in part.all(tree.Data)]
         if part.routine is not None:
-            declared.append(part.routine.name)
-        for name in declared:
+            declared = [(name, True) for name, _ in declared]
+            declared.append((part.routine.name, False))
+        for name, is_local in declared:
             match installed_symbol(name.key):
-                case DataSymbol(type=of) if part.routine is None or of.name in _OF_MOTION:
-                    what = f"a {of.name}"
-                case LibrarySymbol(routine=routine):
+                case DataSymbol(type=of) if not is_local or of.name in _OF_MOTION:
+                    what = f"{'an' if of.name[0] in _VOWELS else 'a'} {of.name}"
+                case LibrarySymbol(routine=routine) if not is_local:
                     is_function = routine.signature.result is not None
                     what = "a function" if is_function else "an instruction"
                 case _:

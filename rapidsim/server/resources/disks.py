@@ -1,7 +1,8 @@
 """The files of a controller: folders by `$NAME`, which nobody leaves.
 
 `$HOME` is the home folder; the other disks are folders in it that have their names, as for a
-program. What would lie outside, through `..`, an absolute path or a link, is not there.
+program, unless the RAM disk has a folder of its own. What would lie outside, through `..`, an
+absolute path or a link, is not there.
 """
 
 from __future__ import annotations
@@ -13,11 +14,13 @@ from contextlib import suppress
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
+from typing import Final
 
 from rapidsim.server.messages import Answer, Item, RefusedRequest
 from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
-from rapidsim.server.resources.system import DISKS
 
+DISKS: Final = ("HOME", "TEMP", "RAMDISK", "BACKUP")
+"""The folders that clients reach by `$NAME`."""
 _STAMP = "%Y-%m-%d T %H:%M:%S"
 
 
@@ -26,6 +29,8 @@ class FileService:
     """What lies in the home folder."""
 
     home: Path
+    ramdisk: Path | None = None
+    """None where it lies in the home folder."""
 
     def read(self, address: str) -> bytes | Answer:
         """A file's bytes, or what is in a folder.
@@ -110,7 +115,12 @@ class FileService:
             raise _not_there(address) from None
 
     def _roots(self) -> tuple[Path, ...]:
-        return (self.home, *(self.home / disk for disk in DISKS))
+        return (self.home, *(self._folder(disk) for disk in DISKS))
+
+    def _folder(self, disk: str) -> Path:
+        if disk == "RAMDISK" and self.ramdisk is not None:
+            return self.ramdisk
+        return self.home if disk == "HOME" else self.home / disk
 
     def _place(self, address: str) -> Path:
         """Where an address lies on our disk.
@@ -132,7 +142,7 @@ class FileService:
     def _root(self, disk: str) -> Path | None:
         if disk not in DISKS:
             return None
-        place = self.home if disk == "HOME" else self.home / disk
+        place = self._folder(disk)
         return None if place.is_symlink() else place
 
 

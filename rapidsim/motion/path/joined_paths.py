@@ -1,0 +1,175 @@
+"""Paths laid end to end as one, for places on many short paths cost as much as on one long path.
+
+Between two paths lies a gap in which the arm stands at the end of the one before, so that the end
+of a path and the start of the next stay two places.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, TypeVar
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.geometry.blends import Corners, Limit
+from rapidsim.motion.geometry.joint_mapping import Arms, Index
+from rapidsim.motion.geometry.parameterisation import Layout
+from rapidsim.motion.geometry.wrist_pair import WristPairs
+from rapidsim.motion.path.path import Path
+
+Rows = TypeVar("Rows")
+
+_GAP_M = 1e-3
+_MOST_CURVES = 512
+"""So many are laid end to end: many more would cost digits, and gain nothing."""
+_NO_CORNER = -1
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class JoinedPaths:
+    """Some paths (k,) of one arm, the short ones laid end to end."""
+
+    paths: tuple[Path, ...]
+    on: Index
+    """Shape (k,): the one of `paths` that holds each."""
+    starts: Array
+    """Shape (k,): where each begins on it [m]."""
+
+
+def joined_paths(paths: Sequence[Path]) -> JoinedPaths:
+    """Lay paths of one arm end to end.
+
+    Joints, poses and travel are those of the paths, within the rounding of their common length.
+    What is joined is for evaluation alone.
+    """
+    rows: list[list[Path]] = []
+    size = _MOST_CURVES
+    for path in paths:
+        size += len(path.segments)
+        # What is one robot's part of a synchronised path is told by another parameter.
+        if size > _MOST_CURVES or type(path) is not Path or type(rows[-1][0]) is not Path:
+            rows.append([])
+            size = len(path.segments)
+        rows[-1].append(path)
+    starts = [_starts(row) for row in rows]
+    return JoinedPaths(
+        tuple(_joined(row, at) for row, at in zip(rows, starts, strict=True)),
+        np.repeat(np.arange(len(rows)), [len(row) for row in rows]),
+        np.concatenate(starts),
+    )
+
+
+def _starts(paths: Sequence[Path]) -> Array:
+    lengths = np.array([path.length for path in paths]) + _GAP_M
+    starts: Array = np.cumsum(lengths) - lengths
+    return starts
+
+
+def _joined(paths: Sequence[Path], starts: Array) -> Path:
+    if len(paths) == 1:
+        return paths[0]
+    counts = [len(path.segments) for path in paths]
+    before = np.cumsum(counts) - counts
+    nodes = [
+        dataclasses.replace(path.nodes, place=path.nodes.place + start)
+        for path, start in zip(paths, starts, strict=True)
+    ]
+    return Path(
+        segments=tuple(segment for path in paths for segment in path.segments),
+        kinematics=paths[0].kinematics,
+        layout=_layout([path.layout for path in paths], starts),
+        arms=_arms([path.arms for path in paths]),
+        active=np.concatenate([path.active + n for path, n in zip(paths, before, strict=True)]),
+        nodes=_end_to_end(nodes),
+        model=paths[0].model,
+        lines=None,
+    )
+
+
+def _layout(layouts: Sequence[Layout], starts: Array) -> Layout:
+    last = layouts[-1]
+    rows = [len(layout.curves.length) for layout in layouts]
+    before = np.cumsum(rows) - rows
+    places = [layout.places[:-1] + start for layout, start in zip(layouts, starts, strict=True)]
+    bounds = [layout.bounds + start for layout, start in zip(layouts, starts, strict=True)]
+
+    def pieces(values: Sequence[Index], in_gap: Sequence[int]) -> Index:
+        """What pieces have, and the gap behind each path but the last."""
+        with_gaps = [np.append(*both) for both in zip(values, in_gap, strict=True)]
+        return np.concatenate(with_gaps)[:-1]
+
+    def corners(name: str) -> Index:
+        found: list[Index] = [getattr(layout, name) for layout in layouts]
+        moved = [
+            np.where(corner < 0, _NO_CORNER, corner + n)
+            for corner, n in zip(found, before, strict=True)
+        ]
+        return pieces(moved, [_NO_CORNER] * len(layouts))
+
+    own_rows = [layout.row + n for layout, n in zip(layouts, before, strict=True)]
+    return Layout(
+        curves=_end_to_end([layout.curves for layout in layouts]),
+        corners=_corners([layout.corners for layout in layouts]),
+        corner_shape=last.corner_shape,
+        places=np.append(np.concatenate(places), starts[-1] + last.places[-1]),
+        bounds=np.concatenate(bounds),
+        row=pieces(own_rows, [int(row[-1]) for row in own_rows]),
+        position_corner=corners("position_corner"),
+        orientation_corner=corners("orientation_corner"),
+        joint_corner=corners("joint_corner"),
+    )
+
+
+def _corners(found: Sequence[Corners]) -> Corners:
+    """The corners of paths, and a stop point between each two."""
+    none = np.zeros(1)
+    stop = Corners(none, none, np.zeros(1, dtype=bool), np.full(1, Limit.STOP_POINT))
+    return _end_to_end([part for corners in found for part in (stop, corners)][1:])
+
+
+def _arms(arms: Sequence[Arms]) -> Arms:
+    carriers = [one.carriers or (None,) * len(one.branch) for one in arms]
+    turned = any(one.wrist_rate is not None for one in arms)
+    led = next((one.pairs for one in arms if one.pairs is not None), None)
+    return Arms(
+        arms[0].kinematics,
+        np.concatenate([one.branch for one in arms]),
+        _end_to_end([one.tcp_from_flange for one in arms]),
+        tuple(carrier for each in carriers for carrier in each) if any(map(any, carriers)) else (),
+        np.concatenate([one.wrist_rows for one in arms]) if turned else None,
+        np.concatenate([_wrist_rate(one) for one in arms]) if turned else None,
+        None if led is None else _end_to_end([_pairs(one, led) for one in arms]),
+    )
+
+
+def _wrist_rate(arms: Arms) -> Array:
+    if arms.wrist_rate is not None:
+        return arms.wrist_rate
+    return np.zeros((len(arms.branch), arms.kinematics.joint_count - 3))
+
+
+def _pairs(arms: Arms, like: WristPairs) -> WristPairs:
+    """The pairs of curves; where there are none, rows that say so."""
+    if arms.pairs is not None:
+        return arms.pairs
+    rows = {
+        field.name: np.zeros((len(arms.branch), *getattr(like, field.name).shape[1:]))
+        for field in dataclasses.fields(like)
+    }
+    return WristPairs(**{**rows, "axes": np.full((len(arms.branch), 2), -1)})
+
+
+def _end_to_end(parts: Sequence[Rows]) -> Rows:
+    """Values whose fields have one row each, as one."""
+    values: Sequence[Any] = parts
+    joined: Any
+    if isinstance(values[0], np.ndarray):
+        joined = np.concatenate(values)
+    else:
+        names = [field.name for field in dataclasses.fields(values[0])]
+        joined = type(values[0])(*(_end_to_end([getattr(v, n) for v in values]) for n in names))
+    result: Rows = joined
+    return result

@@ -1,0 +1,225 @@
+"""The journal of a controller: what came from outside and what happened then, in lines of JSON.
+
+Each line has the virtual time `t` at which it took effect, so the same requests at the same times
+give the same lines again, byte for byte. No line knows a clock on the wall, a password or a cookie.
+"""
+
+from __future__ import annotations
+
+import json
+from base64 import b64decode, b64encode
+from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from rapidsim.controller.journal.events import Event
+from rapidsim.files import InputError
+from rapidsim.server.messages import (
+    Message,
+    Refusal,
+    Reply,
+    Request,
+    SessionEnded,
+    Subscribe,
+    Unsubscribe,
+)
+from rapidsim.simulation.live.event_log import LogEntry
+from rapidsim.simulation.live.states import Mode, Motors
+from rapidsim.simulation.results.event_values import event_record, written
+
+_MOST_LINE: Final = 128 * 2**20
+"""Characters of a line: an upload at its largest, in base 64, and room for the rest."""
+
+
+@dataclass(frozen=True, slots=True)
+class SwitchedOnAs:
+    """The state of a controller when it was switched on."""
+
+    motors: Motors
+    mode: Mode
+
+
+@dataclass(frozen=True, slots=True)
+class Recorded:
+    """What came from outside at a virtual time."""
+
+    time_s: float
+    message: Message
+
+
+@dataclass(frozen=True, slots=True)
+class RecordedLife:
+    """A whole journal."""
+
+    began: SwitchedOnAs
+    recorded: tuple[Recorded, ...]
+    end_s: float
+    """When the controller was switched off, or the last line."""
+    lines: tuple[str, ...]
+    """As they were written."""
+
+
+def switched_on_line(motors: Motors, mode: Mode) -> str:
+    """The first line."""
+    return _line(0.0, "event", {"kind": "on", "motors": motors.value, "opmode": mode.value})
+
+
+def switched_off_line(time_s: float) -> str:
+    """The last line."""
+    return _line(time_s, "event", {"kind": "off"})
+
+
+def event_line(event: Event) -> str:
+    """Something that happened in the run."""
+    record = event_record(event)
+    del record["time_s"]
+    return _line(written(event.time_s), "event", record)
+
+
+def log_line(entry: LogEntry) -> str:
+    """An entry of the event log."""
+    what = {
+        "kind": "log",
+        "domain": entry.domain,
+        "type": entry.type,
+        "code": entry.code,
+        "title": entry.title,
+        "message": entry.text,
+    }
+    return _line(written(entry.time_s), "event", what)
+
+
+def request_line(time_s: float, message: Message, reply: Reply) -> str:
+    """What came from outside, and how it was answered."""
+    return _line(time_s, "request", {**_what(message), "status": reply.status, **_code(reply)})
+
+
+def read_journal(lines: Iterable[str], name: str) -> RecordedLife:
+    """Read what was written; a last line that was cut off is left out.
+
+    Args:
+        lines: Of the file.
+        name: Of the file, for messages.
+
+    Raises:
+        InputError: If they are no journal.
+    """
+    began: SwitchedOnAs | None = None
+    recorded, kept, end_s = list[Recorded](), list[str](), 0.0
+    for number, line in enumerate(lines, start=1):
+        if not line.endswith("\n"):
+            break
+        try:
+            if len(line) > _MOST_LINE:
+                raise ValueError("too long")
+            read = json.loads(line)
+            time_s, kind, what = float(read["t"]), read["kind"], read["what"]
+            if not end_s <= time_s < float("inf"):
+                # What happened is told when its time is known; what was asked, at once.
+                if kind == "request":
+                    raise ValueError("time goes back")
+                time_s = end_s
+            if kind == "request":
+                recorded.append(Recorded(time_s, _message(what)))
+            elif what["kind"] == "on" and began is None:
+                began = SwitchedOnAs(Motors(what["motors"]), Mode(what["opmode"]))
+        except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
+            raise InputError(f"{name}, line {number}: this is no line of a journal") from None
+        if kind == "request" or what["kind"] == "off":
+            end_s = time_s
+        kept.append(line)
+    if began is None:
+        raise InputError(
+            f"{name} is no journal of a controller", "`rapidsim serve --journal` writes one"
+        )
+    return RecordedLife(began, tuple(recorded), end_s, tuple(kept))
+
+
+class JournalFile:
+    """Writes a journal line by line, so that whatever ends the process leaves all lines whole."""
+
+    def __init__(self, path: Path, failed: Callable[[str], None]) -> None:
+        """Open it; who watches the controller is told once that no more can be written.
+
+        Raises:
+            InputError: If it cannot be opened.
+        """
+        self._path, self._failed = path, failed
+        try:
+            # Line by line: `buffering=1`.
+            self._file = path.open("w", encoding="utf-8", newline="", buffering=1)
+        except OSError as error:
+            raise InputError(f"--journal: {path}: {error.strerror or error}") from None
+        self._is_whole = True
+
+    def write(self, line: str) -> None:
+        """Append a line."""
+        try:
+            if self._is_whole:
+                self._file.write(line)
+        except OSError as error:
+            self._is_whole = False
+            self._failed(f"error: the journal {self._path} has ended: {error.strerror or error}")
+
+    def close(self) -> None:
+        """Bring the last line to the disk."""
+        with suppress(OSError):
+            self._file.close()
+
+
+def _line(time_s: float, kind: str, what: Mapping[str, object]) -> str:
+    read = {"t": time_s, "kind": kind, "what": what}
+    return json.dumps(read, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _code(reply: Reply) -> dict[str, object]:
+    return {"code": reply.code} if isinstance(reply, Refusal) else {}
+
+
+def _what(message: Message) -> dict[str, object]:
+    match message:
+        case Request():
+            what: dict[str, object] = {
+                "method": message.method,
+                "path": message.path,
+                "query": dict(message.query),
+                "form": dict(message.form),
+                "session": message.session,
+            }
+            if message.content:
+                what["content"] = b64encode(message.content).decode()
+            return what
+        case SessionEnded(session):
+            return {"end_of_session": session}
+        case Subscribe(group, resources):
+            return {"subscribe": list(resources), "group": group}
+        case Unsubscribe(group):
+            return {"unsubscribe": group}
+
+
+def _message(what: Mapping[str, object]) -> Message:
+    """What `_what` wrote; raises what reading a value of another shape raises."""
+    match what:
+        case {"end_of_session": int(session)}:
+            return SessionEnded(session)
+        case {"subscribe": [*resources], "group": int(group)}:
+            return Subscribe(group, tuple(map(str, resources)))
+        case {"unsubscribe": int(group)}:
+            return Unsubscribe(group)
+        case {
+            "method": str(method),
+            "path": str(path),
+            "query": {**query},
+            "form": {**form},
+            "session": int(session),
+        }:
+            content = b64decode(str(what.get("content", "")), validate=True)
+            return Request(method, path, _texts(query), _texts(form), session, content)
+        case _:
+            raise ValueError("no message")
+
+
+def _texts(fields: Mapping[object, object]) -> dict[str, str]:
+    return {str(key): str(value) for key, value in fields.items()}

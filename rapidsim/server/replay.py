@@ -1,0 +1,88 @@
+"""A journal again: the same requests at the same virtual times, without clients or a clock."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from itertools import zip_longest
+from pathlib import Path
+from typing import Final
+
+from rapidsim.files import InputError
+from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
+from rapidsim.server.engine import Engine, LockStep
+from rapidsim.server.journal import RecordedLife, read_journal
+from rapidsim.server.loading import ReadyController
+from rapidsim.simulation.collected import FinishedRun
+from rapidsim.simulation.live.controller import LiveController
+from rapidsim.simulation.results.simulation import End
+
+_SHOWN: Final = 160
+"""Characters of a line that is told."""
+
+
+def read_life(path: Path) -> RecordedLife:
+    """What a controller was asked from its beginning to its end.
+
+    Raises:
+        InputError: If the file is not there or no journal.
+    """
+    try:
+        with path.open(encoding="utf-8", newline="\n") as file:
+            return read_journal(file, str(path))
+    except OSError as error:
+        raise InputError(f"--replay: {path}: {error.strerror or error}") from None
+    except UnicodeDecodeError:
+        raise InputError(f"--replay: {path} is no journal") from None
+
+
+def replayed(made: ReadyController, life: RecordedLife, told: Callable[[str], None]) -> FinishedRun:
+    """Let a controller live a journal again.
+
+    Args:
+        made: The controller's programs and cell.
+        life: What it was asked.
+        told: Told, in a line, where its life departs from the journal, as it does with another
+            program or other files at home.
+
+    Raises:
+        InputError: If an arm cannot be timed, or no task moves one.
+    """
+    began = life.began
+    live = LiveController(
+        made.setups, made.options, motors=began.motors, mode=began.mode, keeps_all=True
+    )
+    lines: list[str] = []
+    # Time comes only as far as it is let below.
+    engine = Engine(live, LockStep(0.0), lambda told: None, lines.append)
+    limit_s = made.options.max_time_s
+    with recursion_limit(RUNNING_DEPTH):
+        for one in life.recorded:
+            if one.time_s > limit_s:
+                break
+            live.advance(one.time_s)
+            engine.reply(one.message)
+        live.advance(min(life.end_s, limit_s))
+        engine.switch_off()
+    if life.end_s <= limit_s:
+        _tell_departure(life.lines, lines, told)
+        return live.finished()
+    told(f"note: --max-time ended it {life.end_s - limit_s:.3f} s before the journal ends")
+    finished = live.finished()
+    return replace(finished, simulation=replace(finished.simulation, end=End.TIME_LIMIT))
+
+
+def _tell_departure(
+    recorded: tuple[str, ...], lived: list[str], told: Callable[[str], None]
+) -> None:
+    for number, (then, now) in enumerate(zip_longest(recorded, lived, fillvalue=""), start=1):
+        # A controller that was killed has no last line.
+        if then != now and then:
+            told(f"note: the run departs from line {number} of the journal: {_cut(then)}")
+            told(f"note: it goes on so: {_cut(now)}" if now else "note: it ends there")
+            return
+
+
+def _cut(line: str) -> str:
+    line = line.strip()
+    return line if len(line) <= _SHOWN else f"{line[:_SHOWN]}..."
