@@ -42,7 +42,8 @@ def command_of(trajectory: Trajectory) -> Trajectory:
 
 def with_smoothed(what: Smoothing, trajectory: Trajectory) -> Trajectory:
     """The same command, smoothed along the path, or each axis by itself."""
-    other = Trajectory(trajectory._start, trajectory._windows.filter_time, what)
+    windows = trajectory._windows
+    other = Trajectory(trajectory._start, windows.filter_time, what, windows.averages)
     for piece in trajectory.pieces:
         other.append(piece)
     return other

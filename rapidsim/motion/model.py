@@ -15,6 +15,7 @@ BlendShape = Literal["abb", "c2", "parabola"]
 OrientationZone = Literal["own", "position", "programmed"]
 Keeper = Literal["command", "motion"]
 Smoothing = Literal["path", "axes"]
+Averages = Literal[1, 2]
 Version = Literal["1", "2"]
 Controller = Literal["virtual", "real"]
 
@@ -54,7 +55,10 @@ class MotionModel:
     """Share of the accelerations that is left with the rated payload, less of it in proportion.
     None: the load counts in the inertia of the arm, where that is known, and else not at all."""
     filter_time: float | None = None
-    """Width [s] of the moving average over the command; 0 switches it off, None is the arm's."""
+    """Width [s] of the smoothing of the command; 0 switches it off, None is the arm's."""
+    filter_averages: Averages = 1
+    """How many moving averages follow one another, together as wide as that. Two come near the bell
+    that was measured; one has the same standard deviation if it is narrower by a factor of 1.41."""
     smoothing: Smoothing = "axes"
     """What is averaged. `axes`: each axis by itself, as controllers do it: the arm rounds corners,
     and what is seen keeps the axis speeds and accelerations that the command keeps. `path`: the

@@ -14,7 +14,7 @@ from motion_programs import LIMITS, Programmer, path_or_fault, programs, zone
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Speed
-from rapidsim.motion.model import MotionModel
+from rapidsim.motion.model import Averages, MotionModel
 from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.timing.planning import plan
 from rapidsim.motion.trajectory.command import Piece
@@ -24,13 +24,15 @@ FILTER = MotionModel().window
 AXES = MotionModel(smoothing="axes")
 
 
-def driven(program: Programmer, speed: float, *, pause: float = 0.1) -> Trajectory | None:
+def driven(
+    program: Programmer, speed: float, *, pause: float = 0.1, averages: Averages = 1
+) -> Trajectory | None:
     """A program at one speed, after a pause; None where the arm cannot follow it."""
     segments = [replace(s, speed=Speed(speed, np.radians(500.0))) for s in program.segments]
     path = path_or_fault(segments, AXES)
     if isinstance(path, PathFault):
         return None
-    trajectory = Trajectory(segments[0].start, FILTER, "axes")
+    trajectory = Trajectory(segments[0].start, FILTER, "axes", averages)
     trajectory.append(Piece(pause, path, plan(path, LIMITS), 0.0, path.length))
     return trajectory
 
@@ -45,25 +47,32 @@ def corner(speed: float, millimetres: float) -> Trajectory:
 
 def on_the_path(trajectory: Trajectory) -> Trajectory:
     """The same command, smoothed along the path."""
-    other = Trajectory(trajectory._start, FILTER)
+    other = Trajectory(trajectory._start, FILTER, averages=trajectory._windows.averages)
     for piece in trajectory.pieces:
         other.append(piece)
     return other
 
 
 def mean_command(trajectory: Trajectory, time: float) -> Array:
-    """The mean of the commanded joints over the window, by brute force."""
-    instants = np.linspace(time - FILTER, time, 20_001)
-    joints = command_of(trajectory).at(instants).joints
-    return np.asarray(np.trapezoid(joints, instants, axis=0)) / FILTER
+    """The mean of the commanded joints over the window, or over two of half its width."""
+    share = np.linspace(0.0, 1.0, 20_001)
+    joints = command_of(trajectory).at(time - FILTER * share).joints
+    of_two = trajectory._windows.averages == 2
+    weights = 2.0 - 4.0 * np.abs(share - 0.5) if of_two else np.ones_like(share)
+    return np.asarray(np.trapezoid(weights[:, None] * joints, share, axis=0))
 
 
 @examples(15)
-@given(program=programs(), speed=st.sampled_from([0.1, 0.5, 2.0]), share=st.floats(0.0, 1.0))
+@given(
+    program=programs(),
+    speed=st.sampled_from([0.1, 0.5, 2.0]),
+    share=st.floats(0.0, 1.0),
+    averages=st.sampled_from([1, 2]),
+)
 def test_each_joint_is_the_mean_of_its_command(
-    program: Programmer, speed: float, share: float
+    program: Programmer, speed: float, share: float, averages: Averages
 ) -> None:
-    trajectory = driven(program, speed)
+    trajectory = driven(program, speed, averages=averages)
     if trajectory is None:
         return
     time = share * trajectory.duration
@@ -72,10 +81,16 @@ def test_each_joint_is_the_mean_of_its_command(
 
 
 @examples(12)
-@given(program=programs(), speed=st.sampled_from([0.1, 0.5, 2.0, 7.0]))
-def test_it_keeps_limits_ends_and_times(program: Programmer, speed: float) -> None:
+@given(
+    program=programs(),
+    speed=st.sampled_from([0.1, 0.5, 2.0, 7.0]),
+    averages=st.sampled_from([1, 2]),
+)
+def test_it_keeps_limits_ends_and_times(
+    program: Programmer, speed: float, averages: Averages
+) -> None:
     """What is seen keeps what the command keeps; blocks end exactly at their point."""
-    trajectory = driven(program, speed)
+    trajectory = driven(program, speed, averages=averages)
     if trajectory is None:
         return
     seen = excess_of(trajectory, LIMITS)

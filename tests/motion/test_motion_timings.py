@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
+import pytest
 from motion_programs import LIMITS, Programmer, path_of, zone
 
 from rapidsim.motion.timing.planning import plan
@@ -24,11 +27,31 @@ def test_all_at_once_is_one_by_one() -> None:
     t[:6], number[:6] = [0.0, 0.0, 0.0, *(one.duration for one in timings)], [0, 1, 2, 0, 1, 2]
     nodes = timings[1].times
     number, t = np.append(number, np.ones(len(nodes), np.int64)), np.append(t, nodes)
-    place, integral = together.place_and_integral(number, t)
+    # Integrals are counted from marks: of one of a single stretch that is its start.
+    assert together.begin.tolist() == [0, 1, 2]
+    way, once, twice = together.since_marks(number, t)
     for k, one in enumerate(timings):
         at = number == k
-        assert np.array_equal(place[at], one.s_at(t[at]))
-        assert np.array_equal(integral[at], one.way_integral(t[at]))
-        alone = timings_of([one]).place_and_integral(np.zeros(at.sum(), np.int64), t[at])
-        assert np.array_equal(alone[0], place[at])
-        assert np.array_equal(alone[1], integral[at])
+        assert way[at] == pytest.approx(one.s_at(t[at]) - one.s[0], abs=1e-15)
+        assert once[at] == pytest.approx(one.way_integral(t[at]), abs=1e-15)
+        alone = timings_of([one]).since_marks(np.zeros(at.sum(), np.int64), t[at])
+        assert np.array_equal(alone, np.array([way[at], once[at], twice[at]]))
+        fine = np.linspace(0.0, one.duration, 20_001)
+        sums = np.cumsum(one.way_integral(fine)) * fine[1]
+        assert np.interp(t[at], fine, sums) == pytest.approx(twice[at], abs=2e-5)
+
+
+def test_marks_are_about_a_second_apart() -> None:
+    slow = plan(path_of(Programmer().line((0.2, 0, 0), z=zone(10)).line((0, 0.2, 0))), LIMITS)
+    long = replace(slow, speed=slow.speed / 10.0)
+    apart = np.diff(long.times[long.marks])
+    assert len(long.marks) > 5
+    assert 0.0 < apart.min() <= apart.max() < 2.5
+    stretches = timings_of([long])
+    ends = long.times[stretches.last]
+    counted = stretches.since_marks(np.arange(len(ends)), ends)
+    before = long.times[long.marks]
+    whole = long.way_integral(ends) - long.way_integral(before)
+    at_mark = (long.s[long.marks] - long.s[0]) * (ends - before)
+    assert counted[0].sum() == pytest.approx(long.s[-1] - long.s[0], abs=1e-12)
+    assert counted[1] == pytest.approx(whole - at_mark, abs=1e-9)

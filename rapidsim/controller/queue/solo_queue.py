@@ -240,7 +240,7 @@ def solo_queue(
         look: Called while it plans; raises to end that.
     """
     model = model_of(robot, model)
-    trajectory = Trajectory(start, model.window, model.smoothing)
+    trajectory = Trajectory(start, model.window, model.smoothing, model.filter_averages)
     build = partial(_path, robot, model, look)
     limits, repeats = limits_of(robot, model), Repeats()
     planner = BlockPlanner(trajectory, model, limits, build, look=look, repeats=repeats)

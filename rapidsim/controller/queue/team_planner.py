@@ -47,7 +47,7 @@ class _TeamTrajectory(Trajectory):
     def __init__(self, robots: Sequence[SoloQueue]) -> None:
         own = robots[0]
         model = own.planner.model
-        super().__init__(own.end, model.window, model.smoothing)
+        super().__init__(own.end, model.window, model.smoothing, model.filter_averages)
         self._robots = robots
 
     def append(self, piece: Piece) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import overload
 
 import numpy as np
@@ -11,6 +12,9 @@ import numpy as np
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.timing.constraints import Limiter
+
+_COUNTED_S = 1.0
+"""Integrals of a motion begin anew about as often, so that they keep their digits."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,6 +129,33 @@ class Timing:
         way, speed = self.s[:-1] - self.s[0], self.speed[:-1]
         parts = step * (way + step * (speed / 2 + step * self.acceleration / 6))
         return np.concatenate([[0.0], np.cumsum(parts)])
+
+    @cached_property
+    def marks(self) -> Index:
+        """The nodes (m,) at which integrals begin anew, the first node among them."""
+        period = np.floor(self.times[:-1] / _COUNTED_S)
+        return np.flatnonzero(np.diff(period, prepend=-1.0))
+
+    @cached_property
+    def since_marks(self) -> Array:
+        """Way [m], its integral [m s] and that one's [m s2] from the last mark to nodes, (3, k).
+
+        The last node counts as a mark.
+        """
+        since = np.zeros((3, len(self.s)))
+        bounds = [*self.marks.tolist(), len(self.s) - 1]
+        for first, last in pairwise(bounds):
+            cells = slice(first, last - 1)
+            step, speed, change = (
+                one[cells] for one in (np.diff(self.times), self.speed, self.acceleration)
+            )
+            way = self.s[first:last] - self.s[first]
+            parts = step * (way[:-1] + step * (speed / 2 + step * change / 6))
+            once = np.concatenate([[0.0], np.cumsum(parts)])
+            cubic = way[:-1] / 2 + step * (speed / 6 + step * change / 24)
+            twice = np.concatenate([[0.0], np.cumsum(step * (once[:-1] + step * cubic))])
+            since[:, first:last] = way, once, twice
+        return since
 
     def _cell(self, t: float | Array) -> tuple[Index, Array]:
         time = np.clip(np.asarray(t, dtype=np.float64), 0.0, self.times[-1])

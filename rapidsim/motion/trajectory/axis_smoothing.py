@@ -1,28 +1,34 @@
-"""Smoothing of each axis by itself: the mean of its commanded angle over the window.
+"""Smoothing of each axis by itself: a weighted mean of its commanded angle over the window.
 
 What is seen then leaves the path a little: it rounds corners, as recorded arms do. A mean is never
 faster and never accelerates more than what it is the mean of, so axes keep the speeds and
 accelerations that the command keeps.
 
-The integral is Gauss's, over parts that end where the command changes its acceleration (the nodes
-of the timing) and in between every few milliseconds. Windows of neighbouring samples overlap, so
-each part is worked out once; the cost is that of the time that all windows cover.
+The integrals are those of polynomials through the command in short parts, which end where it
+changes its acceleration (the nodes of the timing). Parts belong to the command: samples ask for no
+more of them, so the cost is that of the time that all windows cover, however close samples are.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion.trajectory.command import MotionCommand
+from rapidsim.motion.kinematics.arm import Mask
+from rapidsim.motion.trajectory.command import Index, MotionCommand
 from rapidsim.motion.trajectory.filter_windows import Windows
 
 _AT_ONCE = 2_000
 """So many samples share their parts, which bounds the memory."""
+_COVERED_S = 4.0
+"""And so much of the time: integrals of it keep their digits."""
 _LONGEST_PART_S = 0.016
-_PLACES, _WEIGHTS = np.polynomial.legendre.leggauss(3)
-_NOTHING_S = 1e-12
-"""Parts shorter than this come from rounding."""
+_PLACES = ((5, 0.002), (3, 0.00025), (2, 0.0))
+"""At so many places of Gauss parts that are longer than this are looked at; fewer integrate shorter
+ones as well."""
+_MOST = 5
 
 
 def mean_joints(command: MotionCommand, windows: Windows, times: Array) -> tuple[Array, Array]:
@@ -38,52 +44,150 @@ def mean_joints(command: MotionCommand, windows: Windows, times: Array) -> tuple
         tests, and their rates.
     """
     order = np.argsort(times, kind="stable")
+    covered = np.cumsum(np.minimum(np.diff(times[order], prepend=-np.inf), windows.widest))
+    chunk = np.maximum(np.arange(len(order)) // _AT_ONCE, covered // _COVERED_S)
     joints = np.empty((len(times), command.piece(1).path.axis_count))
     rates = np.empty_like(joints)
-    for at in np.array_split(order, len(order) // _AT_ONCE + 1):
-        now = times[at]
-        window, widening, floor = windows.at(now)
-        before = np.maximum(now - window, floor)
-        new, old = command.joints_at(now), command.joints_at(before)
-        mean = _means(command, before, now)
-        # Before the earliest instant that counts the arm stood.
-        mean = old + ((now - before) / window)[:, None] * (mean - old)
-        change = (1.0 - widening)[:, None] * (new - old) + widening[:, None] * (new - mean)
-        # Where the command stands all the while, the arm stands there to the last digit.
-        still = (command.place_at(now) == command.place_at(before))[:, None]
-        joints[at] = np.where(still, new, mean)
-        rates[at] = np.where(still, 0.0, change / window[:, None])
+    for at in np.split(order, np.flatnonzero(np.diff(chunk)) + 1):
+        joints[at], rates[at] = _means(command, windows, times[at])
     return joints, rates
 
 
-def _means(command: MotionCommand, before: Array, times: Array) -> Array:
-    """Means (k, n + e) of the commanded joints between instants (k,) [s], both ascending."""
-    if not len(times):
-        return command.joints_at(times)
+def _means(command: MotionCommand, windows: Windows, times: Array) -> tuple[Array, Array]:
+    """The same for ascending instants (k,) [s]."""
+    width, rate, floor = windows.at(times)
+    before = np.maximum(times - width, floor)
+    place = command.place_at(times)
+    moves = command.place_at(before) != place
+    joints = np.empty((len(times), command.piece(1).path.axis_count))
+    rates = np.zeros_like(joints)
+    # Where the command stands all the while, the arm stands there to the last digit.
+    still, moving = np.flatnonzero(~moves), np.flatnonzero(moves)
+    if len(still):
+        _, first, same = np.unique(place[still], return_index=True, return_inverse=True)
+        joints[still] = command.joints_at(times[still[first]])[same]
+    if len(moving):
+        times, before, width, rate = (one[moving] for one in (times, before, width, rate))
+        parts = _parts(command, before, times)
+        begin = parts.at(before)
+        changes = [
+            _since(parts.at(one), begin, (one - before)[:, None])
+            for one in windows.instants(times, width, before)
+        ]
+        mean, rates[moving] = windows.mean(width[:, None], rate[:, None], changes)
+        joints[moving] = parts.origin + begin[0] + mean
+    return joints, rates
+
+
+def _since(state: Array, begin: Array, step: Array) -> Array:
+    """State (3, k, n) counted from what it was (3, k, n) some steps (k, 1) [s] ago."""
+    old, once, _ = begin
+    since = state - begin
+    since[2] -= step * (once + 0.5 * step * old)
+    since[1] -= step * old
+    return since
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Parts:
+    """The command in short parts (m,), in the order of time."""
+
+    start: Array
+    """Shape (m,) [s]."""
+    width: Array
+    """Shape (m,) [s]."""
+    origin: Array
+    """Joints (n,) from which all are counted, so that those that hardly change lose no digits."""
+    powers: Array
+    """Joints as a polynomial of the share of each part that is over, (m, _MOST, n)."""
+    integrals: Array
+    """The integral and the integral of that where each part begins, (2, m, n)."""
+
+    def at(self, times: Array) -> Array:
+        """Joints, their integral and the integral of that at times (k,) [s], (3, k, n)."""
+        part = np.maximum(np.searchsorted(self.start, times, side="right") - 1, 0)
+        width = self.width[part][:, None]
+        share = np.clip((times - self.start[part]) / width[:, 0], 0.0, 1.0)
+        powers = self.powers[part]
+        terms = share[:, None] ** np.arange(_MOST + 2)
+        once, twice = self.integrals[:, part]
+        value, integral, double = (
+            np.einsum("kp,kpn->kn", terms[:, order : order + _MOST] * _FALLING[order], powers)
+            for order in range(3)
+        )
+        gone = width * share[:, None]
+        return np.stack(
+            [value, once + width * integral, twice + gone * once + width * width * double]
+        )
+
+
+_POWERS = np.arange(_MOST)
+_FALLING = np.array([np.ones(_MOST), 1.0 / (_POWERS + 1), 1.0 / ((_POWERS + 1) * (_POWERS + 2))])
+"""What integrating makes of powers: nothing, once, twice."""
+
+
+def _parts(command: MotionCommand, before: Array, times: Array) -> _Parts:
+    """The parts of the command that windows from and to ascending instants (k,) [s] cover."""
     nodes = command.nodes_between(before[0], times[-1])
-    ends = np.unique(np.concatenate([times, before, nodes]))
-    middle = 0.5 * (ends[1:] + ends[:-1])
-    # The next window to end covers a part, if any does: windows end in the order they start.
-    next_end = np.searchsorted(times, middle)
-    covered = np.flatnonzero(next_end < len(times))
-    covered = covered[before[next_end[covered]] < middle[covered]]
-    covered = covered[np.diff(ends)[covered] > _NOTHING_S]
-    if not len(covered):
-        return command.joints_at(times)
-    width = np.diff(ends)[covered]
-    count = np.maximum(np.ceil(width / _LONGEST_PART_S), 1.0).astype(np.int64)
-    first = np.cumsum(count) - count
-    number = np.arange(count.sum()) - np.repeat(first, count)
-    half = np.repeat(0.5 * width / count, count)
-    centre = np.repeat(ends[covered], count) + half * (2.0 * number + 1.0)
-    joints = command.joints_at((centre[:, None] + half[:, None] * _PLACES).ravel())
-    joints = joints.reshape(len(centre), len(_PLACES), -1)
-    # Less those at the first place, so that angles that hardly change lose no digits.
-    origin = joints[0, 0]
-    parts = half[:, None] * np.einsum("kgn,g->kn", joints - origin, _WEIGHTS)
-    integral = np.zeros((len(ends), parts.shape[1]))
-    np.add.at(integral, np.repeat(covered, count) + 1, parts)
-    integral = np.cumsum(integral, axis=0)
-    over = integral[np.searchsorted(ends, times)] - integral[np.searchsorted(ends, before)]
-    mean: Array = origin + over / np.maximum(times - before, _NOTHING_S)[:, None]
-    return mean
+    # What is beyond the nodes is a standstill; in between, samples do not say where parts end.
+    ends = min(before[0], nodes.min(initial=np.inf)), max(times[-1], nodes.max(initial=-np.inf))
+    edges = np.unique(np.concatenate([nodes, ends]))
+    # Windows begin and end in the same order.
+    change = np.zeros(len(edges), dtype=np.int64)
+    np.add.at(change, np.searchsorted(edges, before, side="right") - 1, 1)
+    np.add.at(change, np.searchsorted(edges, times, side="left"), -1)
+    covered = np.flatnonzero(np.cumsum(change) > 0)
+    place = command.place_at(edges)
+    stands = place[covered + 1] == place[covered]
+    whole = edges[covered + 1] - edges[covered]
+    count = np.where(stands, 1, np.ceil(whole / _LONGEST_PART_S)).astype(np.int64)
+    number = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
+    width = np.repeat(whole / count, count)
+    start = np.repeat(edges[covered], count) + width * number
+    origin, powers = _powers(command, start, width, np.repeat(stands, count))
+    once, twice = np.einsum("op,mpn->omn", _FALLING[1:], powers)
+    integral = _sums_before(width[:, None] * once)
+    double = _sums_before(width[:, None] * (integral + width[:, None] * twice))
+    return _Parts(start, width, origin, powers, np.stack([integral, double]))
+
+
+def _powers(
+    command: MotionCommand, start: Array, width: Array, stands: Mask
+) -> tuple[Array, Array]:
+    """Origin (n,) and polynomials (m, _MOST, n) of parts (m,) of the command."""
+    kinds: list[tuple[int, Index]] = [(1, np.flatnonzero(stands))]
+    longer = np.full(len(start), False)
+    for count, least in _PLACES:
+        of_kind = (width > least) & ~longer
+        longer |= of_kind
+        kinds.append((count, np.flatnonzero(of_kind & ~stands)))
+    instants = [
+        (start[at, None] + width[at, None] * _GAUSS[count][0]).ravel() for count, at in kinds
+    ]
+    joints = command.joints_at(np.concatenate(instants))
+    origin, begin = joints[0], 0
+    powers = np.zeros((len(start), _MOST, len(origin)))
+    for count, at in kinds:
+        values = (joints[begin : begin + count * len(at)] - origin).reshape(
+            len(at), count, len(origin)
+        )
+        begin += count * len(at)
+        first = values[:, :1]
+        powers[at, :count] = np.einsum("pg,mgn->mpn", _GAUSS[count][1], values - first)
+        powers[at, 0] += first[:, 0]
+    return origin, powers
+
+
+def _gauss(count: int) -> tuple[Array, Array]:
+    """Gauss's places in a part as shares of it, and what makes powers of the values there."""
+    places = 0.5 * (np.polynomial.legendre.leggauss(count)[0] + 1.0)
+    powers: Array = np.linalg.inv(places[:, None] ** np.arange(count))
+    return places, powers
+
+
+_GAUSS = {count: _gauss(count) for count in (1, 2, 3, 5)}
+
+
+def _sums_before(parts: Array) -> Array:
+    """The sum of all parts (m, n) before each."""
+    return np.concatenate([np.zeros_like(parts[:1]), np.cumsum(parts[:-1], axis=0)])

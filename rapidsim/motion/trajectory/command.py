@@ -1,18 +1,20 @@
 """What a robot is told over a whole run: pieces of timed paths, with standstill in between.
 
 All their stretches laid end to end give one parameter, the place S [m] of the whole run. Pieces are
-counted from 1; number 0 is the standstill before the first.
+counted from 1. Integrals over time are taken in stretches of about a second, so that they keep
+their digits: a long piece has several, in rows of one table; row 0 is the standstill before all.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
 
 from rapidsim.frames.transform import Array
+from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.path.joined_paths import JoinedPaths, joined_paths
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.time_scaling import Timing
@@ -44,8 +46,8 @@ class MotionCommand:
     def __init__(self) -> None:
         """Nothing is commanded."""
         self._pieces: list[Piece] = []
-        # Row 0 is the standstill before the first piece. Columns: see `_Column`.
-        self._table = np.zeros((16, 6))
+        # Columns: see `_Column`.
+        self._table = np.zeros((16, 8))
         self._rows = 1
         self._joined_timings: _JoinedTimings | None = None
         self._joined_paths: _JoinedPaths | None = None
@@ -64,8 +66,8 @@ class MotionCommand:
         return tuple(self._pieces)
 
     @property
-    def last(self) -> int:
-        """The number of the last piece; 0 without pieces."""
+    def last_row(self) -> int:
+        """The number of the last row; 0 without pieces."""
         return self._rows - 1
 
     @property
@@ -91,149 +93,241 @@ class MotionCommand:
             )
         if piece.to_s < piece.from_s:
             raise ValueError(f"a piece runs backwards, from {piece.from_s} m to {piece.to_s} m")
-        if self._rows == len(self._table):
+        timing, place = piece.timing, self.length
+        start = max(piece.start_time, self.end)
+        began = timing.times[timing.marks]
+        first = max(int(np.searchsorted(began, offset, side="right")) - 1, 0)
+        after = max(int(np.searchsorted(began, end, side="left")), first + 1)
+        marks = np.arange(first, after)
+        times = np.concatenate([[offset], began[marks[1:]], [end]])
+        s = np.concatenate([[piece.from_s], timing.s[timing.marks[marks[1:]]], [piece.to_s]])
+        while self._rows + len(marks) > len(self._table):
             self._table = np.concatenate([self._table, np.zeros_like(self._table)])
-        place, start = self.length, max(piece.start_time, self.end)
-        way = piece.to_s - piece.from_s
         self._pieces.append(piece)
-        self._table[self._rows] = (start, end - offset, place, way, offset, piece.from_s)
-        self._rows += 1
+        rows = self._table[self._rows : self._rows + len(marks)]
+        rows[:, _Column.START] = start + (times[:-1] - offset)
+        rows[:, _Column.DURATION] = np.diff(times)
+        rows[:, _Column.PLACE] = place + (s[:-1] - piece.from_s)
+        rows[:, _Column.WAY] = np.diff(s)
+        rows[:, _Column.OFFSET] = times[:-1]
+        rows[:, _Column.FROM_S] = s[:-1]
+        rows[:, _Column.PIECE] = len(self._pieces)
+        rows[:, _Column.MARK] = marks
+        self._rows += len(marks)
         return place
 
     def cut(self, time_s: float) -> None:
         """Take back what is commanded after a time [s]."""
         self._joined_timings = self._joined_paths = None
-        while self._pieces and self._table[self._rows - 1, _Column.START] >= time_s:
-            self._pieces.pop()
-            self._rows -= 1
-        if not self._pieces or self.end <= time_s:
+        kept = self._rows
+        while kept > 1 and self._table[kept - 1, _Column.START] >= time_s:
+            kept -= 1
+        row = self._table[kept - 1]
+        number = int(row[_Column.PIECE])
+        begun = kept < self._rows and self._table[kept, _Column.PIECE] == number
+        self._rows = kept
+        del self._pieces[number:]
+        if number == 0 or (self.end <= time_s and not begun):
             return
-        row, piece = self._table[self._rows - 1], self._pieces[-1]
-        driven = time_s - float(row[_Column.START])
+        piece = self._pieces[-1]
+        driven = min(time_s - float(row[_Column.START]), float(row[_Column.DURATION]))
         to_s = min(piece.timing.s_at(float(row[_Column.OFFSET]) + driven), piece.to_s)
         self._pieces[-1] = replace(piece, to_s=to_s)
-        row[_Column.DURATION], row[_Column.WAY] = driven, to_s - piece.from_s
+        row[_Column.DURATION], row[_Column.WAY] = driven, to_s - row[_Column.FROM_S]
 
-    def number_at(self, times: Array) -> Index:
-        """The piece (k,) that began last before times (k,) [s]."""
+    def row_at(self, times: Array) -> Index:
+        """The row (k,) that began last before times (k,) [s]."""
         starts = self._table[1 : self._rows, _Column.START]
         return np.searchsorted(starts, times, side="right").astype(np.int64)
 
     def piece(self, number: int) -> Piece:
-        """A piece by its number; the first one stands for the standstill before it."""
-        return self._pieces[max(number, 1) - 1]
+        """A piece by its number."""
+        return self._pieces[number - 1]
 
-    def starts(self, number: Index) -> tuple[Array, Array]:
-        """When pieces (k,) start [s], and at which places S [m]."""
-        return self._table[number, _Column.START], self._table[number, _Column.PLACE]
+    def pieces_of(self, row: Index) -> Index:
+        """The numbers of the pieces (k,) that rows (k,) are of; the first one for row 0."""
+        numbers: Index = np.maximum(self._table[row, _Column.PIECE].astype(np.int64), 1)
+        return numbers
 
-    def ways(self, number: Index) -> Array:
-        """How far S goes on in pieces (k,) [m]."""
-        ways: Array = self._table[number, _Column.WAY]
-        return ways
-
-    def state(self, number: Index, times: Array) -> tuple[Array, Array]:
-        """Way (k,) [m] since the start of pieces (k,), and its integral [m s] from there."""
-        way, integral = np.zeros(len(times)), np.zeros(len(times))
-        at = np.flatnonzero(number > 0)
-        if not len(at):
-            return way, integral
-        numbers = number[at]
-        joined = self._timings_of(int(numbers.min()), int(numbers.max()))
-        start, duration, _, whole, offset, from_s = self._table[numbers].T
-        since = times[at] - start
-        driven = np.clip(since, 0.0, duration)
-        own = numbers - joined.lowest
-        s, now = joined.timings.place_and_integral(own, offset + driven)
-        # At its end the piece is where it says, whatever rounding makes of it.
-        way[at] = np.where(since >= duration, whole, np.clip(s - from_s, 0.0, whole))
-        integral[at] = (
-            now - joined.before[own] - joined.first[own] * driven + whole * (since - driven)
-        )
-        return way, integral
-
-    def speed(self, number: Index, times: Array) -> Array:
-        """Speed dS/dt (k,) [m/s] in pieces (k,)."""
-        speed = np.zeros(len(times))
-        for each, at in groups(number):
-            if each:
-                start, duration, _, _, offset, _ = self._table[each]
-                since = times[at] - start
-                driven = self._pieces[each - 1].timing.speed_at(offset + since)
-                speed[at] = np.where(since <= duration, driven, 0.0)
-        return speed
-
-    def place_at(self, times: Array) -> Array:
-        """Place S (k,) [m] at times (k,) [s]."""
-        number = self.number_at(times)
-        place: Array = self._table[number, _Column.PLACE] + self.state(number, times)[0]
-        return place
-
-    def time_at(self, place: Array) -> Array:
-        """First time (k,) [s] at places S (k,)."""
-        ends = self._table[: self._rows, _Column.PLACE] + self._table[: self._rows, _Column.WAY]
-        row = np.searchsorted(ends, place - ROUNDING_M, side="left")
-        row = np.clip(row, 0, self._rows - 1)
-        times = np.zeros(len(place))
-        for number, at in groups(row):
-            if number == 0:
-                continue
-            piece = self._pieces[number - 1]
-            start, _, before, _, offset, _ = self._table[number]
-            s = piece.from_s + np.clip(place[at] - before, 0.0, piece.to_s - piece.from_s)
-            times[at] = start + piece.timing.time_at(s) - offset
-        return times
-
-    def joints_at(self, times: Array) -> Array:
-        """Joints of the arm, then external axes, (k, n + e) at times (k,) [s]."""
-        number = self.number_at(times)
-        way, _ = self.state(number, times)
-        joints = np.empty((len(times), self.piece(1).path.axis_count))
-        for path, s, at in self.on_paths(number, way):
-            points = path.evaluate(s)
-            joints[at] = np.concatenate([points.joints, points.external], axis=1)
-        return joints
-
-    def on_paths(self, number: Index, way: Array) -> Iterator[tuple[Path, Array, Index]]:
-        """Where ways (k,) [m] since the start of pieces (k,) are.
+    def on_paths(self, row: Index, way: Array) -> Iterator[tuple[Path, Array, Index]]:
+        """Where ways (k,) [m] since the start of rows (k,) are.
 
         Before the first piece the arm stands where that begins.
 
         Yields:
             A path, places s on it [m], and which of the k they are.
         """
-        if not len(number):
+        if not len(row):
             return
-        number = np.maximum(number, 1)
-        joined = self._paths_of(np.unique(number))
-        own = np.searchsorted(joined.numbers, number)
-        s = self._table[number, _Column.FROM_S] + way + joined.paths.starts[own]
+        row = np.maximum(row, 1)
+        numbers = self.pieces_of(row)
+        joined = self._paths_of(np.unique(numbers))
+        own = np.searchsorted(joined.numbers, numbers)
+        s = self._table[row, _Column.FROM_S] + way + joined.paths.starts[own]
         for each, at in groups(joined.paths.on[own]):
             yield joined.paths.paths[each], s[at], at
 
+    def starts(self, row: Index) -> tuple[Array, Array]:
+        """When rows (k,) start [s], and at which places S [m]."""
+        return self._table[row, _Column.START], self._table[row, _Column.PLACE]
+
+    def ways(self, row: Index) -> Array:
+        """How far S goes on in rows (k,) [m]."""
+        ways: Array = self._table[row, _Column.WAY]
+        return ways
+
+    def stands(self, row: Index, times: Array) -> Mask:
+        """Whether rows (k,) are over, or have not begun, at times (k,) [s]."""
+        start, duration = self._table[row, _Column.START], self._table[row, _Column.DURATION]
+        over: Mask = (times - start >= duration) | (row == 0)
+        return over
+
+    def state(self, row: Index, times: Array) -> Array:
+        """Way [m], its integral [m s] and that one's [m s2] since rows (k,) start, (3, k).
+
+        Args:
+            row: Whose state it is.
+            times: When (k,) [s], at the start of the row or later.
+        """
+        state = np.zeros((3, len(times)))
+        at = np.flatnonzero(row > 0)
+        if not len(at):
+            return state
+        rows = row[at]
+        joined = self._timings_of(int(rows.min()), int(rows.max()))
+        start, duration, _, whole, offset, *_ = self._table[rows].T
+        since = times[at] - start
+        driven = np.clip(since, 0.0, duration)
+        own = rows - joined.lowest
+        way, once, twice = joined.before[:, own]
+        now = joined.timings.since_marks(joined.stretch[own], offset + driven)
+        # At its end the row is where it says, whatever rounding makes of it.
+        state[0, at] = np.where(since >= duration, whole, np.clip(now[0] - way, 0.0, whole))
+        state[1, at] = now[1] - once - way * driven
+        state[2, at] = now[2] - twice - driven * (once + 0.5 * way * driven)
+        over = since - driven
+        state[2, at] += over * (state[1, at] + 0.5 * whole * over)
+        state[1, at] += whole * over
+        return state
+
+    def since(
+        self, before: Array, instants: Sequence[Array]
+    ) -> tuple[Index, Array, tuple[Array, ...]]:
+        """How far the command has got since earlier instants.
+
+        Args:
+            before: Those instants (k,) [s].
+            instants: Later ones (k,) [s], once or more often.
+
+        Returns:
+            The row (k,) of the former, and the way [m] since it started (k,); for each of the later
+            ones the way since then [m], its integral [m s] and that one's [m s2], (3, k). Places
+            are counted from there, so neither a long run nor a long standstill costs digits.
+        """
+        row = self.row_at(before)
+        origin, stands = self.state(row, before), self.stands(row, before)
+        since = tuple(self._since(row, before, origin, stands, times) for times in instants)
+        return row, origin[0], since
+
+    def _since(self, row: Index, before: Array, origin: Array, stands: Mask, times: Array) -> Array:
+        """The same for one of the later instants (k,) [s], of rows in a state (3, k)."""
+        last, (way, once, twice) = self.row_at(times), origin
+        end = self._ends(row, last, times)
+        step = end - before
+        since = self.state(row, end)
+        since[2] -= twice + step * (once + 0.5 * way * step)
+        since[1] -= once + way * step
+        since[0] -= way
+        since[:, stands] = 0.0
+        at = np.flatnonzero(row < last)
+        row = row.copy()
+        while len(at):
+            row[at] += 1
+            begin, end[at] = end[at], self._ends(row[at], last[at], times[at])
+            step, change = end[at] - begin, self.state(row[at], end[at])
+            way, integral, _ = since[:, at]
+            since[2, at] += step * (integral + 0.5 * way * step) + change[2]
+            since[1, at] += way * step + change[1]
+            since[0, at] += change[0]
+            at = at[row[at] < last[at]]
+        return since
+
+    def _ends(self, row: Index, last: Index, times: Array) -> Array:
+        """Until when (k,) [s] rows (k,) count up to times (k,) [s] in some last rows (k,)."""
+        ends: Array = np.where(row < last, self.starts(np.minimum(row + 1, last))[0], times)
+        return ends
+
+    def speed(self, row: Index, times: Array) -> Array:
+        """Speed dS/dt (k,) [m/s] in rows (k,)."""
+        speed = np.zeros(len(times))
+        start, duration, offset = self._table[row][
+            :, [_Column.START, _Column.DURATION, _Column.OFFSET]
+        ].T
+        since = times - start
+        for number, at in groups(self.pieces_of(row)):
+            driven = self.piece(number).timing.speed_at(offset[at] + since[at])
+            speed[at] = np.where((since[at] <= duration[at]) & (row[at] > 0), driven, 0.0)
+        return speed
+
+    def place_at(self, times: Array) -> Array:
+        """Place S (k,) [m] at times (k,) [s]."""
+        row = self.row_at(times)
+        place: Array = self._table[row, _Column.PLACE] + self.state(row, times)[0]
+        return place
+
+    def time_at(self, place: Array) -> Array:
+        """First time (k,) [s] at places S (k,)."""
+        ends = self._table[: self._rows, _Column.PLACE] + self._table[: self._rows, _Column.WAY]
+        row = np.searchsorted(ends, place - ROUNDING_M, side="left")
+        row = np.clip(row, 0, self._rows - 1).astype(np.int64)
+        times = np.zeros(len(place))
+        start, _, before, way, offset, from_s, number, _ = self._table[row].T
+        s = from_s + np.clip(place - before, 0.0, way)
+        for each, at in groups(number.astype(np.int64)):
+            if each:
+                driven = self.piece(each).timing.time_at(s[at]) - offset[at]
+                times[at] = start[at] + driven
+        return times
+
+    def joints_at(self, times: Array) -> Array:
+        """Joints of the arm, then external axes, (k, n + e) at times (k,) [s]."""
+        row = self.row_at(times)
+        joints = np.empty((len(times), self.piece(1).path.axis_count))
+        for path, s, at in self.on_paths(row, self.state(row, times)[0]):
+            points = path.evaluate(s)
+            joints[at] = np.concatenate([points.joints, points.external], axis=1)
+        return joints
+
     def nodes_between(self, first_s: float, last_s: float) -> Array:
-        """Where the acceleration of the pieces from one instant to another changes [s]."""
-        first, last = self.number_at(np.array([first_s, last_s])).tolist()
+        """Where the acceleration changes [s], of all rows from one instant to another."""
+        first, last = self.row_at(np.array([first_s, last_s])).tolist()
         nodes = [np.zeros(0)]
-        for number in range(max(first, 1), last + 1):
-            start, duration, _, _, offset, _ = self._table[number]
-            times = self._pieces[number - 1].timing.times - offset
+        for start, duration, _, _, offset, _, number, mark in self._table[max(first, 1) : last + 1]:
+            timing = self.piece(int(number)).timing
+            begin, *after = timing.marks[int(mark) : int(mark) + 2].tolist()
+            times = timing.times[begin : after[0] + 1 if after else None] - offset
             nodes.append(start + np.clip(times, 0.0, duration))
         return np.concatenate(nodes)
 
     def _timings_of(self, lowest: int, highest: int) -> _JoinedTimings:
-        """The timings of some pieces, counted from 1.
+        """The timings of some rows, counted from 1.
 
-        They are kept, for whoever asks about many pieces mostly asks again.
+        They are kept, for whoever asks about many rows mostly asks again.
         """
         joined = self._joined_timings
         if joined is None or lowest < joined.lowest or highest > joined.highest:
-            timings = timings_of([piece.timing for piece in self._pieces[lowest - 1 : highest]])
+            # Whole pieces, for a long one has several rows.
+            all_numbers = self._table[: self._rows, _Column.PIECE]
+            first, last = int(all_numbers[lowest]), int(all_numbers[highest])
+            lowest = int(np.searchsorted(all_numbers, first, side="left"))
+            highest = int(np.searchsorted(all_numbers, last, side="right")) - 1
             rows = self._table[lowest : highest + 1]
-            own = np.arange(len(rows))
-            _, before = timings.place_and_integral(own, rows[:, _Column.OFFSET])
-            first = rows[:, _Column.FROM_S] - timings.s[timings.first]
-            joined = self._joined_timings = _JoinedTimings(timings, lowest, highest, before, first)
+            numbers = rows[:, _Column.PIECE].astype(np.int64)
+            timings = timings_of([piece.timing for piece in self._pieces[first - 1 : last]])
+            stretch = timings.begin[numbers - first] + rows[:, _Column.MARK].astype(np.int64)
+            before = timings.since_marks(stretch, rows[:, _Column.OFFSET])
+            joined = _JoinedTimings(timings, lowest, highest, stretch, before)
+            self._joined_timings = joined
         return joined
 
     def _paths_of(self, numbers: Index) -> _JoinedPaths:
@@ -255,20 +349,20 @@ class _JoinedPaths:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _JoinedTimings:
-    """The timings of some pieces (t,)."""
+    """The timings of some rows (m,)."""
 
     timings: Timings
     lowest: int
-    """The number of the first piece."""
+    """The number of the first row."""
     highest: int
+    stretch: Index
+    """Shape (m,): the stretch of the timings that each row is of."""
     before: Array
-    """What `way_integral` is where each piece starts."""
-    first: Array
-    """How far along its timing each piece starts [m]."""
+    """Shape (3, m): what its state is where each row starts, counted from its mark."""
 
 
 class _Column:
-    """Columns of the table of pieces."""
+    """Columns of the table of rows."""
 
     START = 0
     """Time [s]."""
@@ -282,6 +376,10 @@ class _Column:
     """Time of the timing at its start [s]."""
     FROM_S = 5
     """Place [m] on its path at its start."""
+    PIECE = 6
+    """The number of the piece that it is of."""
+    MARK = 7
+    """Which mark of the timing it is counted from."""
 
 
 def groups(row: Index) -> list[tuple[int, Index]]:

@@ -1,7 +1,9 @@
 """How wide the window of the smoothing is at any time, and how AccSet's ramps widen it.
 
-The arm is seen where the mean of the command is over the window [t - T(t), t]. T is the filter
-time; a ramp of p % makes it 100 / p of that. Nothing was measured of ramps: this is an assumption.
+The arm is seen where a weighted mean of the command is over the window [t - T(t), t]. T is the
+filter time; a ramp of p % makes it 100 / p of that. Nothing was measured of ramps: this is an
+assumption. The weights are those of one moving average of width T, all equal, or of two of width
+T / 2 one after the other: they rise evenly to the middle of the window and fall again.
 
 The mean stays on the way of the command and is never faster than it while 0 <= T' <= 1, so a window
 only widens while the arm moves, evenly and slowly. It becomes narrow again where it is empty, when
@@ -11,11 +13,13 @@ does not look back beyond the new start.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from rapidsim.frames.transform import Array
+from rapidsim.motion.model import Averages
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.time_scaling import Timing
 from rapidsim.motion.trajectory.zero_crossings import first_crossing
@@ -52,9 +56,10 @@ class _Step:
 class Windows:
     """The width of the window over the time of a whole run; it can only be added to."""
 
-    def __init__(self, filter_time: float) -> None:
-        """`filter_time` [s] is the width without ramps."""
+    def __init__(self, filter_time: float, averages: Averages = 1) -> None:
+        """`filter_time` [s] is the width of all moving averages together, without ramps."""
         self.filter_time = filter_time
+        self.averages = averages
         self.widest = filter_time
         """No width [s] is larger."""
         self._steps: list[_Step] = []
@@ -69,7 +74,7 @@ class Windows:
 
     def copy(self) -> Windows:
         """The same, to be added to on its own."""
-        copied = Windows(self.filter_time)
+        copied = Windows(self.filter_time, self.averages)
         copied.widest = self.widest
         copied._steps, copied._table = list(self._steps), self._table.copy()
         return copied
@@ -80,6 +85,37 @@ class Windows:
             count = len(times)
             return np.full(count, self.filter_time), np.zeros(count), np.full(count, -np.inf)
         return _at(self._table[: len(self._steps)], times)
+
+    def instants(self, times: Array, width: Array, before: Array) -> tuple[Array, ...]:
+        """When [s] to look at the command for `mean`: now, and in the middle of the windows.
+
+        Args:
+            times: When windows (k,) end [s].
+            width: Theirs [s].
+            before: When they begin [s]; what is earlier does not count.
+        """
+        if self.averages == 1:
+            return (times,)
+        return times, np.maximum(times - 0.5 * width, before)
+
+    def mean(self, width: Array, rate: Array, changes: Sequence[Array]) -> tuple[Array, Array]:
+        """The mean of what changes over windows, and its rate of change.
+
+        Args:
+            width: Of the windows (k, ...) [s].
+            rate: At which they widen (k, ...).
+            changes: For each of `instants`, what it has changed by since the window's begin, the
+                integral of that and the integral of that one, (3, k, ...).
+        """
+        now = changes[0]
+        if self.averages == 1:
+            mean = now[1] / width
+            return mean, (now[0] - rate * mean) / width
+        # The second difference of the second integral, as a mean over two windows is.
+        middle, scale = changes[1], 4.0 / width**2
+        mean = scale * (now[2] - 2.0 * middle[2])
+        slope = scale * (now[1] - (2.0 - rate) * middle[1])
+        return mean, slope - 2.0 * rate / width * mean
 
     def lag(self, command_s: float) -> float:
         """How long [s] after a command time the arm is seen to have made all of it."""

@@ -21,35 +21,41 @@ _FEW = 4
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Timings:
-    """Timings (t,) with all their nodes (k,); see `Timing`."""
+    """Timings (t,) with all their nodes (k,), in stretches (m,) between marks; see `Timing`."""
 
+    begin: Index
+    """Shape (t,): the first stretch of each timing."""
     first: Index
-    """Shape (t,): the first node of each."""
+    """Shape (m,): the first node of each stretch."""
     last: Index
-    """Shape (t,): the last node of each."""
+    """Shape (m,): the last node of each stretch, from which the next one may go on."""
     s: Array
     speed: Array
     times: Array
     acceleration: Array
     """Shape (k,): in the cell that begins at each node; the last of each timing has none."""
-    integrals: Array
+    since: Array
+    """Shape (3, k): see `Timing.since_marks`."""
 
-    def place_and_integral(self, number: Index, t: Array) -> tuple[Array, Array]:
-        """What `Timing.s_at` and `Timing.way_integral` say of times (k,) [s].
+    def since_marks(self, number: Index, t: Array) -> Array:
+        """Way [m], its integral [m s] and the integral of that [m s2] from marks on, (3, k).
 
         Args:
-            number: Which timing (k,) is asked.
-            t: Times (k,) [s], each counted as that timing does.
+            number: The stretch (k,) whose mark counts.
+            t: Times (k,) [s], each counted as its timing does; outside the stretch its ends count.
         """
-        t = np.clip(t, 0.0, self.times[self.last[number]])
+        t = np.clip(t, self.times[self.first[number]], self.times[self.last[number]])
         k = self._cell(number, t)
-        since = t - self.times[k]
-        begin = self.s[self.first[number]]
-        acceleration = self.acceleration[k]
-        place = self.s[k] + since * (self.speed[k] + 0.5 * since * acceleration)
-        place = np.clip(place, begin, self.s[self.last[number]])
-        cubic = self.s[k] - begin + since * (self.speed[k] / 2 + since * acceleration / 6)
-        return place, self.integrals[k] + since * cubic
+        step, speed, change = t - self.times[k], self.speed[k], self.acceleration[k]
+        way, once, twice = self.since[:, k]
+        whole = self.s[self.last[number]] - self.s[self.first[number]]
+        result = np.empty((3, len(t)))
+        result[0] = np.clip(way + step * (speed + 0.5 * step * change), 0.0, whole)
+        result[1] = once + step * (way + step * (speed / 2 + step * change / 6))
+        result[2] = twice + step * (
+            once + step * (way / 2 + step * (speed / 6 + step * change / 24))
+        )
+        return result
 
     def _cell(self, number: Index, t: Array) -> Index:
         """The node (k,) at which the cell begins that holds each time (k,)."""
@@ -73,13 +79,18 @@ class Timings:
 def timings_of(timings: Sequence[Timing]) -> Timings:
     """Lay timings end to end, at least one."""
     count = np.array([len(one.s) for one in timings])
-    last = np.cumsum(count) - 1
+    marks = np.array([len(one.marks) for one in timings])
+    node, begin = np.cumsum(count) - count, np.cumsum(marks) - marks
+    first = np.concatenate([one.marks for one in timings]) + np.repeat(node, marks)
+    last = np.append(first[1:], 0)
+    last[begin + marks - 1] = node + count - 1
     return Timings(
-        first=last + 1 - count,
+        begin=begin,
+        first=first,
         last=last,
         s=np.concatenate([one.s for one in timings]),
         speed=np.concatenate([one.speed for one in timings]),
         times=np.concatenate([one.times for one in timings]),
         acceleration=np.concatenate([np.append(one.acceleration, 0.0) for one in timings]),
-        integrals=np.concatenate([one.integrals for one in timings]),
+        since=np.concatenate([one.since_marks for one in timings], axis=1),
     )

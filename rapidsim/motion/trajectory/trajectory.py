@@ -19,7 +19,7 @@ import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.segments import Waypoint
-from rapidsim.motion.model import Smoothing
+from rapidsim.motion.model import Averages, Smoothing
 from rapidsim.motion.trajectory.axis_smoothing import mean_joints
 from rapidsim.motion.trajectory.command import ROUNDING_M, Index, MotionCommand, Piece
 from rapidsim.motion.trajectory.filter_windows import Windows
@@ -29,6 +29,8 @@ SAMPLE_STEP_S = 0.012
 """As often as ABB's controllers log positions."""
 _SAMPLES_AT_ONCE = 10_000
 _ROUNDING_S = 1e-11
+_NEAR_S = 1e-10
+"""A place has digits enough to tell times so far apart, and not many more."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -54,7 +56,11 @@ class Trajectory:
     """Where the arm is at any time; it can only be added to."""
 
     def __init__(
-        self, start: Waypoint, filter_time: float = 0.0, smoothing: Smoothing = "path"
+        self,
+        start: Waypoint,
+        filter_time: float = 0.0,
+        smoothing: Smoothing = "path",
+        averages: Averages = 1,
     ) -> None:
         """Stand still at a start.
 
@@ -62,10 +68,11 @@ class Trajectory:
             start: Where the arm stands.
             filter_time: Width [s] of the smoothing without ramps; 0 switches it off.
             smoothing: What is smoothed; see `MotionModel`.
+            averages: By how many moving averages; see there.
         """
         self._start = start
         self._smoothing = smoothing
-        self._windows = Windows(filter_time)
+        self._windows = Windows(filter_time, averages)
         self._command = MotionCommand()
 
     @property
@@ -110,7 +117,7 @@ class Trajectory:
     @property
     def duration(self) -> float:
         """Last instant [s] of visible motion; 0 without pieces."""
-        return self.seen_s(self.command_end) if self._command.last else 0.0
+        return self.seen_s(self.command_end) if self._command.last_row else 0.0
 
     def seen_s(self, command_s: float) -> float:
         """When [s] the arm is seen to have made all that is commanded up to a time [s]."""
@@ -133,23 +140,23 @@ class Trajectory:
     @property
     def travelled_m(self) -> float:
         """TCP travel [m] of the whole run, corners cut."""
-        number = np.arange(1, self._command.last + 1)
-        way = self._command.ways(number)
-        return float(np.sum(self._travelled(number, way) - self._travelled(number, 0.0 * way)))
+        row = np.arange(1, self._command.last_row + 1)
+        way = self._command.ways(row)
+        return float(np.sum(self._travelled(row, way) - self._travelled(row, 0.0 * way)))
 
-    def _travelled(self, number: Index, way: Array) -> Array:
-        """TCP travel (k,) [m] on the paths of pieces (k,), as far as ways (k,) [m] in them."""
-        travel = np.empty(len(number))
-        for path, s, at in self._command.on_paths(number, way):
+    def _travelled(self, row: Index, way: Array) -> Array:
+        """TCP travel (k,) [m] on the paths of rows (k,), as far as ways (k,) [m] in them."""
+        travel = np.empty(len(row))
+        for path, s, at in self._command.on_paths(row, way):
             travel[at] = path.travelled(s)
         return travel
 
     def at(self, times: Array) -> Samples:
         """The arm at some instants (k,) [s], in any order."""
         times = np.atleast_1d(np.asarray(times, dtype=np.float64))
-        if not self._command.last:
+        if not self._command.last_row:
             return self._standing(times)
-        number, way, speed = self._visible(times)
+        row, way, speed = self._visible(times)
         by_axes = self._smoothing == "axes" and self._windows.filter_time > 0.0
         joints = np.empty((len(times), self._command.piece(1).path.axis_count))
         rates = np.empty(0)
@@ -158,7 +165,7 @@ class Trajectory:
         pose = Transform(np.empty((len(times), 3, 3)), np.empty((len(times), 3)))
         move, tcp_speed = np.empty(len(times), dtype=np.int64), np.empty(len(times))
         # Before the first piece the arm stands where it begins, with the tool it begins with.
-        for path, s, at in self._command.on_paths(number, way):
+        for path, s, at in self._command.on_paths(row, way):
             if by_axes:
                 tcp, segment, tcp_speed[at] = path.beside(s, joints[at], rates[at])
             else:
@@ -179,10 +186,10 @@ class Trajectory:
         path that is commanded.
         """
         off = np.zeros(len(samples.times))
-        if self._smoothing == "path" or not self._command.last:
+        if self._smoothing == "path" or not self._command.last_row:
             return off
-        number, way, _ = self._visible(samples.times)
-        for path, s, at in self._command.on_paths(number, way):
+        row, way, _ = self._visible(samples.times)
+        for path, s, at in self._command.on_paths(row, way):
             on_path = path.evaluate(s).base_from_tcp.translation
             off[at] = np.linalg.norm(samples.base_from_tcp.translation[at] - on_path, axis=1)
         return off
@@ -216,8 +223,8 @@ class Trajectory:
 
     def place_at(self, times: Array) -> Array:
         """Visible place S (k,) [m] of the run at times (k,) [s]."""
-        number, way, _ = self._visible(np.atleast_1d(np.asarray(times, dtype=np.float64)))
-        place: Array = self._command.starts(number)[1] + way
+        row, way, _ = self._visible(np.atleast_1d(np.asarray(times, dtype=np.float64)))
+        place: Array = self._command.starts(row)[1] + way
         return place
 
     def speed_at(self, times: Array) -> Array:
@@ -245,51 +252,30 @@ class Trajectory:
                 lambda now, row: self.place_at(now) - wanted[row],
                 times,
                 times + self._windows.widest,
+                within=_NEAR_S,
             )
         return times if np.ndim(place) else float(times[0])
 
     def _visible(self, times: Array) -> tuple[Index, Array, Array]:
-        """Piece (k,), way (k,) [m] since its start and speed dS/dt (k,) [m/s] of the motion."""
-        command = self._command
-        number = command.number_at(times)
-        way, integral = command.state(number, times)
-        if self._windows.filter_time == 0.0:
-            return number, way, command.speed(number, times)
-        width, rate, floor = self._windows.at(times)
+        """Row (k,), way (k,) [m] since its start and speed dS/dt (k,) [m/s] of the motion."""
+        command, windows = self._command, self._windows
+        if windows.filter_time == 0.0:
+            row = command.row_at(times)
+            return row, command.state(row, times)[0], command.speed(row, times)
+        width, rate, floor = windows.at(times)
         before = np.maximum(times - width, floor)
-        oldest = command.number_at(before)
-        old_way, old_integral = command.state(oldest, before)
-        # Places are counted from the start of the oldest piece in the window, so that a long run
-        # costs no digits.
-        _, origin = command.starts(oldest)
-        total = integral - old_integral
-        between = oldest.copy()
-        while True:
-            at = np.flatnonzero(between < number)
-            if not len(at):
-                break
-            # A piece that ended within the window counts up to the start of the next one.
-            passed = between[at]
-            start, place = command.starts(passed)
-            next_start, _ = command.starts(passed + 1)
-            total[at] += command.state(passed, next_start)[1] + (place - origin[at]) * (
-                next_start - start
-            )
-            between[at] += 1
-        start, place = command.starts(number)
-        rise = place - origin
-        total += rise * (times - start)
-        mean = total / width
-        speed = (1.0 - rate) * (rise + way - old_way) / width + rate * (rise + way - mean) / width
-        return *self._piece_of(oldest, mean), speed
+        instants = windows.instants(times, width, before)
+        oldest, way, changes = command.since(before, instants)
+        mean, speed = windows.mean(width, rate, changes)
+        return *self._row_of(oldest, way + mean), speed
 
-    def _piece_of(self, oldest: Index, way: Array) -> tuple[Index, Array]:
-        """Move ways (k,) [m] counted from pieces (k,) on to the pieces that hold them."""
-        number, way = oldest.copy(), np.maximum(way, 0.0)
+    def _row_of(self, oldest: Index, way: Array) -> tuple[Index, Array]:
+        """Move ways (k,) [m] counted from rows (k,) on to the rows that hold them."""
+        row, way = oldest.copy(), np.maximum(way, 0.0)
         while True:
-            whole = self._command.ways(number)
-            past = np.flatnonzero((way > whole + ROUNDING_M) & (number < self._command.last))
+            whole = self._command.ways(row)
+            past = np.flatnonzero((way > whole + ROUNDING_M) & (row < self._command.last_row))
             if not len(past):
-                return number, np.minimum(way, whole)
+                return row, np.minimum(way, whole)
             way[past] -= whole[past]
-            number[past] += 1
+            row[past] += 1

@@ -22,7 +22,11 @@ _MOST_STEPS = 100
 
 
 def first_crossing(
-    function: Callable[[Array, npt.NDArray[np.int64]], Array], early: Array, late: Array
+    function: Callable[[Array, npt.NDArray[np.int64]], Array],
+    early: Array,
+    late: Array,
+    *,
+    within: float = 0.0,
 ) -> Array:
     """Where each function begins not to be negative.
 
@@ -30,10 +34,11 @@ def first_crossing(
         function: Values (m,) at arguments (m,) of the functions that an index (m,) names.
         early: Where the search begins (k,).
         late: Where it ends (k,).
+        within: So near is near enough.
 
     Returns:
-        Shape (k,), to the last digits; `early` where a function is not negative there, `late` where
-        it is negative all the way.
+        Shape (k,), that near or to the last digits; `early` where a function is not negative there,
+        `late` where it is negative all the way.
     """
     everything = np.arange(len(early))
     at_early, at_late = function(early, everything), function(late, everything)
@@ -52,7 +57,7 @@ def first_crossing(
         b, fb = np.where(same, b, a), np.where(same, fb, fa)
         a, fa = x, fx
         found[row] = np.where(fa >= 0.0, a, b)
-        least = _DIGITS * np.abs(a)
+        least = np.maximum(_DIGITS * np.abs(a), 0.5 * within)
         width = np.abs(b - a)
         going = width > 2.0 * least
         row, least = row[going], least[going] / width[going]
