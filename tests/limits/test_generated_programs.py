@@ -67,7 +67,7 @@ def test_a_sample_of_programs(first: int, monkeypatch: pytest.MonkeyPatch) -> No
     for number in range(first, first + AT_ONCE):
         try_program(SEED, number, tally)
     assert not tally.failures
-    assert tally.accepted > 0.5 * tally.programs
+    assert tally.accepted >= tally.programs / 3
 
 
 def test_a_program_follows_from_its_number() -> None:
