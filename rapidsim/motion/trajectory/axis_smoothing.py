@@ -181,8 +181,7 @@ def _powers(
 def _gauss(count: int) -> tuple[Array, Array]:
     """Gauss's places in a part as shares of it, and what makes powers of the values there."""
     places = 0.5 * (np.polynomial.legendre.leggauss(count)[0] + 1.0)
-    powers: Array = np.linalg.inv(places[:, None] ** np.arange(count))
-    return places, powers
+    return places, np.asarray(np.linalg.inv(places[:, None] ** np.arange(count)), np.float64)
 
 
 _GAUSS = {count: _gauss(count) for count in (1, 2, 3, 5)}
