@@ -8,7 +8,10 @@ from rapidsim.language.types import STRING, resolved
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
-_FAILING = (tree.Raise, tree.Index, tree.LateCall, tree.LateFunctionCall, tree.Connect)
+_FAILING = (
+    *(tree.Raise, tree.Index, tree.Connect, tree.Placeholder),
+    *(tree.LateCall, tree.LateFunctionCall),
+)
 _FAILING_OPERATORS = frozenset({"/", "DIV", "MOD"})
 
 
@@ -30,9 +33,5 @@ def _can_fail(node: tree.Node, program: Program) -> bool:
         case tree.Binary(operator=operator):
             of = program.type_of.get(node)
             return operator in _FAILING_OPERATORS or of is None or resolved(of) == STRING
-        case (
-            tree.Raise() | tree.Index() | tree.LateCall() | tree.LateFunctionCall() | tree.Connect()
-        ):
-            return True
         case _:
-            return False
+            return isinstance(node, _FAILING)

@@ -34,6 +34,7 @@ ENDMODULE
         ("x:=Sqrt(x);", True),
         ("other;", True),
         ("RAISE ERR_DIVZERO;", True),
+        ("<SMT>", True),
     ],
 )
 def test_what_only_computes_and_tells_cannot_fail(statement: str, fails: bool) -> None:

@@ -13,6 +13,7 @@ MODULE trigg_speed
     MoveJ p,v500,fine,tool0;
     TriggInt look,100\Start,place;
     TriggL Offs(p,0,200,0),v200,on\T2:=look,fine,tool0;
+    WaitTime 0.1;
     TPWrite "stands "+NumToStr(ao_flow,1);    ! -> stands 0.0
     TriggInt look,20\Start,place;
     TriggL p,v100,off\T2:=look,z10,tool0;
