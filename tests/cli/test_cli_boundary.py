@@ -93,6 +93,8 @@ def test_whatever_is_no_exit_is_a_defect(what: str) -> None:
 ENDED_WHILE_WRITING = """
 import os, signal
 from pathlib import Path
+# Tests that run in the background are deaf to Ctrl-C, and so are their children.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 Path.replace = lambda written, final: os.kill(os.getpid(), signal.{name})
 from rapidsim.cli import main
 main()

@@ -6,6 +6,8 @@ from pathlib import Path
 
 import pytest
 
+# Tests that run in the background are deaf to Ctrl-C, and so are their children.
+HEARS = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
 SENDS_ITSELF_A_SIGNAL = """
 import os, signal, sys
 from rapidsim.cli import main
@@ -31,7 +33,7 @@ ENDMODULE
 def interrupted(instant: int, folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
     (folder / "job.mod").write_text(PROGRAM)
     return subprocess.run(
-        [sys.executable, "-c", SENDS_ITSELF_A_SIGNAL, str(instant), *arguments],
+        [sys.executable, "-c", HEARS + SENDS_ITSELF_A_SIGNAL, str(instant), *arguments],
         cwd=folder,
         capture_output=True,
         text=True,
