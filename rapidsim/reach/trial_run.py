@@ -17,8 +17,10 @@ from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import InputError
 from rapidsim.findings.runs import EndlessWait
 from rapidsim.interpreter.limits import NotExecutableError
+from rapidsim.language import types
 from rapidsim.language.errors import Stopped
 from rapidsim.language.moves import MotionSettings
+from rapidsim.language.types import resolved
 from rapidsim.library.traits import Does
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.dataflow.known_moves import KnownMove, WalkedProgram
@@ -36,10 +38,11 @@ MOST_MOVES = 4000
 """Move instructions in a text beyond which a check does not run it."""
 MOST_MOVES_FOR_ERRORS = 300
 """Likewise, where all moves are known and only an error can be found."""
-LONGEST_WORK_FOR_ERRORS_S = 5.0
+LONGEST_WORK_FOR_ERRORS_S = 2.0
 """Time on the computer's clock that such a run may take."""
 _NOT_THERE = frozenset({"files", "texts", "sockets", "cameras"})
 """Concerns of a controller that give a check something else than a run."""
+_INPUTS = (types.SIGNAL_DI, types.SIGNAL_GI, types.SIGNAL_AI)
 _TOLD_BY_RUN = frozenset({"conf_j", "conf_l"})
 """Settings whose findings the run makes itself."""
 _ENDS = {
@@ -94,17 +97,10 @@ def run_for_moves(
         return _not_run("is left out in a check of so many moves; `rapidsim run` makes it")
     calls = {(module.source.file, call.start): (call, module) for call, module in walked.written}
     with TemporaryDirectory(prefix="rapidsim-") as home:
-        limited = replace(
-            options,
-            home=Path(home),
-            answers=_nobody,
-            nearest_configuration=True,
-            max_cycles=1,
-            max_time_s=min(options.max_time_s, longest_s),
-            max_wall_s=LONGEST_WORK_S,
-        )
+        limited = _limited(options, longest_s, LONGEST_WORK_S)
+        asked = replace(limited, home=Path(home), nearest_configuration=True)
         try:
-            run = simulate(program, robot, options=limited)
+            run = simulate(program, robot, options=asked)
         except (InputError, NotExecutableError) as error:
             return _not_run(f"is not possible: {error}")
     made = [
@@ -133,7 +129,7 @@ def run_for_moves(
         moves,
         tuple(one for one, _ in made),
         frozenset(failed | {call for _, (call, _) in made}),
-        tuple(_as_sure(one, options) for one in run.diagnostics if _is_told(one)),
+        tuple(_as_sure(one, program, options) for one in run.diagnostics if _is_told(one)),
         run.time_s if run.end in (End.ENDED, End.CYCLE_LIMIT) else None,
         f"more than {run.time_s:.0f} s"
         if run.end is End.TIME_LIMIT
@@ -156,20 +152,27 @@ def run_for_error(
         or _asks_outside(program)
     ):
         return ()
-    limited = replace(
-        options,
-        home=None,
-        network=None,
-        max_cycles=1,
-        max_time_s=min(options.max_time_s, LONGEST_RUN_S),
-        max_wall_s=LONGEST_WORK_FOR_ERRORS_S,
-    )
+    limited = _limited(options, LONGEST_RUN_S, LONGEST_WORK_FOR_ERRORS_S)
     try:
-        run = simulate(program, robot, options=limited)
+        run = simulate(program, robot, options=replace(limited, home=None, network=None))
     except (InputError, NotExecutableError):
         return ()
-    errors = (one for one in run.diagnostics if one.severity is Severity.ERROR)
-    return tuple(_as_sure(one, options) for one in errors if one.violation.code.startswith("R"))
+    errors = (one for one in run.diagnostics if one.severity is Severity.ERROR and _of_run(one))
+    found = tuple(_as_sure(one, program, options) for one in errors)
+    # What follows from a move that this arm cannot make is as sure as the arm is.
+    unmade = any(one.failed_moves for one in run.robots)
+    return tuple(replace(one, assumed=one.assumed or unmade) for one in found)
+
+
+def _limited(options: RunOptions, longest_s: float, work_s: float) -> RunOptions:
+    """One cycle that is over after so much virtual time, and so much on the computer's clock."""
+    return replace(
+        options,
+        answers=_nobody,
+        max_cycles=1,
+        max_time_s=min(options.max_time_s, longest_s),
+        max_wall_s=work_s,
+    )
 
 
 def _asks_outside(program: Program) -> bool:
@@ -186,10 +189,18 @@ def _is_told(found: Diagnostic) -> bool:
     return found.violation.code[0] in "CKM" or found.severity is Severity.ERROR
 
 
-def _as_sure(found: Diagnostic, options: RunOptions) -> Diagnostic:
-    """The finding; where nothing says what inputs do, waiting for one in vain is no error."""
-    waits = isinstance(found.violation, EndlessWait) and found.violation.cure is None
-    return replace(found, assumed=True) if waits and not options.io.stimuli else found
+def _of_run(found: Diagnostic) -> bool:
+    return found.violation.code.startswith("R")
+
+
+def _as_sure(found: Diagnostic, program: Program, options: RunOptions) -> Diagnostic:
+    """The finding; where nothing says what inputs do, what may follow from that is no error."""
+    if options.io.stimuli or not _of_run(found):
+        return found
+    if isinstance(found.violation, EndlessWait):
+        return replace(found, assumed=True) if found.violation.cure is None else found
+    looks_at_inputs = any(resolved(one) in _INPUTS for one in program.type_of.values())
+    return replace(found, assumed=True) if looks_at_inputs else found
 
 
 def _nobody(prompt: str) -> str | None:

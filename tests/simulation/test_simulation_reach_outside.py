@@ -58,3 +58,22 @@ def test_what_depends_on_inputs_is_a_warning(statements: str, tmp_path: Path) ->
 def test_what_a_run_tells_without_inputs_is_an_error(tmp_path: Path) -> None:
     move = "by:=GInput(giPlace); MoveJ Offs(near,known(),0,0),v500,fine,tool0;"
     assert severities(tmp_path, move) == [("K601", "error", "Offs")]
+
+
+@pytest.mark.parametrize(
+    ("statement", "told"),
+    [
+        ("by:=place{3};", [("R101", "error")]),
+        ("by:=place{giPlace};", [("R101", "warning")]),
+        ('TPReadNum by,"which?"; by:=place{by};', []),
+    ],
+    ids=["known", "input", "question"],
+)
+def test_an_error_of_main_is_one_unless_it_follows_from_outside(
+    statement: str, told: list[tuple[str, str]], tmp_path: Path
+) -> None:
+    module = "MODULE m\n VAR num by;\n VAR num place{2};\n PROC main()\n {}\n ENDPROC\nENDMODULE\n"
+    (tmp_path / "main.mod").write_text(module.replace("{}", statement))
+    ended = call("check", "main.mod", "--output-format", "json", cwd=tmp_path)
+    found = json.loads(ended.out)["diagnostics"]
+    assert [(one["code"], one["severity"]) for one in found if one["code"][0] == "R"] == told
