@@ -116,7 +116,8 @@ class SocketWire:
     _connections: dict[int, _Connection] = field(default_factory=dict)
     _calls: dict[int, Event] = field(default_factory=dict)
     """Of calls that nobody has answered yet; set where nobody waits any more."""
-    _answers: SimpleQueue[tuple[int, socket.socket]] = field(default_factory=SimpleQueue)
+    _answers: SimpleQueue[tuple[int, str, socket.socket]] = field(default_factory=SimpleQueue)
+    """Number, peer and stream of calls that were answered; a peer may be gone again by now."""
     _lost: list[int] = field(default_factory=list)
     _incoming: count[int] = field(default_factory=lambda: count(-1, -1))
     _bell: tuple[socket.socket, socket.socket] = field(default_factory=socket.socketpair)
@@ -214,7 +215,7 @@ class SocketWire:
             self._bell[0].recv(_AT_ONCE)
         while True:
             try:
-                number, stream = self._answers.get_nowait()
+                number, peer, stream = self._answers.get_nowait()
             except Empty:
                 return
             if self._calls.pop(number, None) is None:
@@ -222,7 +223,7 @@ class SocketWire:
                 continue
             stream.setblocking(False)
             self._connections[number] = _Connection(stream)
-            yield FromNetwork(number, peer=_name(stream.getpeername()))
+            yield FromNetwork(number, peer=peer)
 
     def _accepted(self, port: int, server: socket.socket) -> Iterator[FromNetwork]:
         with suppress(OSError):
@@ -277,7 +278,7 @@ class SocketWire:
             if stream is None:
                 over.wait(_AGAIN_S)
                 continue
-            self._answers.put((number, stream))
+            self._answers.put((number, _name((address, port)), stream))
             self._ring()
             return
 
