@@ -10,12 +10,13 @@ from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.asked import asked_job
 from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
+from rapidsim.cli.tools.findings_text import findings_text
 from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.checked_program import load
 from rapidsim.language.data import IDENTITY_POSE
 from rapidsim.motion.configurations.targets import pose
 from rapidsim.report.findings.merging import merged
-from rapidsim.report.findings.text import full, summary_line
+from rapidsim.report.findings.text import summary_line
 from rapidsim.report.tables.frame_text import frame_json, frame_text
 from rapidsim.report.tables.frame_tree import frame_tree
 from rapidsim.simulation.start_values import start_values
@@ -50,10 +51,7 @@ def frames(
     loaded = load(files, cell=job.cell, unseen=task_files.unseen)
     if loaded.program is None:
         findings = merged(loaded.diagnostics)
-        text = full(
-            findings, terminal.palette, width=terminal.width, headlines=terminal.headline_width
-        )
-        say(text, palette=terminal.palette, nl=False, err=True)
+        say(findings_text(findings, terminal), palette=terminal.palette, nl=False, err=True)
         say(summary_line(findings, files=len(files), seconds=None), err=True)
         return ExitCode.FINDINGS
     place = job.station.world_from_base

@@ -7,9 +7,10 @@ from collections.abc import Sequence
 
 from rapidsim import __version__
 from rapidsim.cli.terminal import Terminal
+from rapidsim.cli.tools.findings_text import findings_text
 from rapidsim.jobs.check_files import CheckResult
 from rapidsim.report.findings.merging import Finding
-from rapidsim.report.findings.text import concise, diagnostic_json, full
+from rapidsim.report.findings.text import concise, diagnostic_json
 
 FORMATS = ("full", "concise", "json", "sarif", "github", "junit")
 SPOKEN_FORMATS = ("full", "concise")
@@ -22,12 +23,7 @@ def checked_text(
     """The findings as text that ends in a line end, where there is any."""
     match format:
         case "full":
-            return full(
-                findings,
-                terminal.palette,
-                width=terminal.width,
-                headlines=terminal.headline_width,
-            )
+            return findings_text(findings, terminal)
         case "concise":
             return concise(findings, terminal.palette)
         case "sarif":

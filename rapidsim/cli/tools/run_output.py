@@ -11,13 +11,14 @@ from typing import TYPE_CHECKING
 
 from rapidsim.cli.options.outputs import VALUES
 from rapidsim.cli.terminal import Terminal, say
+from rapidsim.cli.tools.findings_text import findings_text
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.jobs.choices import RobotChoice
 from rapidsim.jobs.run_files import LoadedJob
 from rapidsim.jobs.task_files import missing_neighbours
 from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.source_frame import printable
-from rapidsim.report.findings.text import full, summary_line
+from rapidsim.report.findings.text import summary_line
 from rapidsim.report.run.figures import Figures
 from rapidsim.report.run.json_report import rejected_json, run_json
 from rapidsim.report.run.summary import ASCII_BARS, BLOCK_BARS, Written, summary
@@ -91,10 +92,7 @@ def _as_text(report: dict[str, object]) -> str:
 def _print_findings(findings: Sequence[Diagnostic], terminal: Terminal) -> None:
     if terminal.quiet:
         findings = [finding for finding in findings if finding.severity is Severity.ERROR]
-    text = full(
-        merged(findings), terminal.palette, width=terminal.width, headlines=terminal.headline_width
-    )
-    say(text, palette=terminal.palette, nl=False)
+    say(findings_text(merged(findings), terminal), palette=terminal.palette, nl=False)
 
 
 def _print_judgement(judgement: Judgement, output_format: str, terminal: Terminal) -> None:
