@@ -28,7 +28,7 @@ from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.planning import plan
 from rapidsim.motion.timing.time_scaling import Timing
-from rapidsim.motion.trajectory.command import Piece
+from rapidsim.motion.trajectory.command import Index, MotionCommand, Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
 FILTER = 0.08
@@ -237,6 +237,33 @@ def test_many_pieces_give_the_same_as_few() -> None:
     # At first the end of the run before is still to be seen.
     times = np.linspace(FILTER, few.duration, 50)
     assert np.abs(trajectory.at(times + late).joints - few.at(times).joints).max() < 1e-9
+
+
+def test_pieces_without_length_change_nothing_and_cost_no_steps(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    plain, crowded = run(0.01, 0.01), Trajectory(START, FILTER)
+    for _ in range(2):
+        crowded.append(whole(crowded.command_end + 0.01))
+        for _ in range(300):
+            crowded.append(Piece(crowded.command_end, PATH, TIMING, PATH.length, PATH.length))
+    asked: list[int] = []
+    state = MotionCommand.state
+
+    def counted(command: MotionCommand, row: Index, times: Array) -> Array:
+        asked.append(len(times))
+        return state(command, row, times)
+
+    monkeypatch.setattr(MotionCommand, "state", counted)
+    times, steps = np.linspace(0.0, plain.duration, 400), []
+    for one in (plain, crowded):
+        asked.clear()
+        one.place_at(times)
+        steps.append(len(asked))
+    assert steps[0] == steps[1]
+    assert np.abs(crowded.place_at(times) - plain.place_at(times)).max() < 1e-12
+    assert np.abs(crowded.speed_at(times) - plain.speed_at(times)).max() < 1e-9
+    assert np.abs(crowded.at(times).joints - plain.at(times).joints).max() < 1e-9
 
 
 def test_pieces_come_in_the_order_of_time() -> None:

@@ -232,30 +232,42 @@ class MotionCommand:
     def _since(self, row: Index, before: Array, origin: Array, stands: Mask, times: Array) -> Array:
         """The same for one of the later instants (k,) [s], of rows in a state (3, k)."""
         last, (way, once, twice) = self.row_at(times), origin
-        end = self._ends(row, last, times)
+        row = row.copy()
+        ahead = self.following(row)
+        end = self._ends(ahead, last, times)
         step = end - before
         since = self.state(row, end)
         since[2] -= twice + step * (once + 0.5 * way * step)
         since[1] -= once + way * step
         since[0] -= way
         since[:, stands] = 0.0
-        at = np.flatnonzero(row < last)
-        row = row.copy()
+        at = np.flatnonzero(ahead <= last)
         while len(at):
-            row[at] += 1
-            begin, end[at] = end[at], self._ends(row[at], last[at], times[at])
+            row[at] = ahead[at]
+            ahead[at] = self.following(row[at])
+            begin, end[at] = end[at], self._ends(ahead[at], last[at], times[at])
             step, change = end[at] - begin, self.state(row[at], end[at])
             way, integral, _ = since[:, at]
             since[2, at] += step * (integral + 0.5 * way * step) + change[2]
             since[1, at] += way * step + change[1]
             since[0, at] += change[0]
-            at = at[row[at] < last[at]]
+            at = at[ahead[at] <= last[at]]
         return since
 
-    def _ends(self, row: Index, last: Index, times: Array) -> Array:
-        """Until when (k,) [s] rows (k,) count up to times (k,) [s] in some last rows (k,)."""
-        ends: Array = np.where(row < last, self.starts(np.minimum(row + 1, last))[0], times)
+    def _ends(self, ahead: Index, last: Index, times: Array) -> Array:
+        """Until when (k,) [s] rows before others (k,) count, up to times (k,) [s] in last rows."""
+        ends: Array = np.where(ahead <= last, self.starts(np.minimum(ahead, last))[0], times)
         return ends
+
+    def following(self, row: Index) -> Index:
+        """The next rows (k,) after rows (k,) that take time or way; behind the last one, none.
+
+        Moves without length leave rows that take neither, thousands of them where a loop makes
+        nothing else.
+        """
+        table = self._table[: self._rows]
+        taking = np.flatnonzero((table[:, _Column.DURATION] > 0.0) | (table[:, _Column.WAY] > 0.0))
+        return np.append(taking, self._rows)[np.searchsorted(taking, row, side="right")]
 
     def speed(self, row: Index, times: Array) -> Array:
         """Speed dS/dt (k,) [m/s] in rows (k,)."""

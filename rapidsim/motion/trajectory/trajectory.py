@@ -278,4 +278,4 @@ class Trajectory:
             if not len(past):
                 return row, np.minimum(way, whole)
             way[past] -= whole[past]
-            row[past] += 1
+            row[past] = np.minimum(self._command.following(row[past]), self._command.last_row)
