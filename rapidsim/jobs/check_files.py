@@ -69,7 +69,7 @@ class CheckResult:
         """One line."""
         count = len(self.diagnostics)
         verdict = "accepted" if self.accepted else "rejected"
-        return f"<check of {len(self.files)} files: {verdict}, {count} findings>"
+        return f"<check: {verdict}, files: {len(self.files)}, findings: {count}>"
 
     def looked_for(self, selector: str) -> bool:
         """Whether all that a selector may mean was looked for.
