@@ -43,6 +43,8 @@ def choose_move_check(job: Job) -> CheckMoves | None:
         from rapidsim.reach.reach import check_reach
 
         number = station.robot_number(task)
+        if station.robots and number >= len(station.robots):
+            return f"{task} moves none of the robots: there are {len(station.robots)}"
         robot = station.robots[number] if station.robots else None
         if robot is not None and robot.unknown and job.asked.robot is None:
             return f"arm unknown: the catalogue has no {robot.unknown}; --robot names another"
