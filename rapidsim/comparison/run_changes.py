@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from difflib import SequenceMatcher
 from typing import Any, TypeAlias
 
 from rapidsim.comparison.changes import OutputChange, RunChange, TimeChange
+from rapidsim.values import dataclass
 
 RunJson: TypeAlias = Mapping[str, Any]
 

@@ -8,7 +8,7 @@ sees, nothing is left to look at.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields, is_dataclass, replace
+from dataclasses import fields, is_dataclass, replace
 from operator import is_
 from typing import Any
 
@@ -19,6 +19,7 @@ from rapidsim.analysis.tree_walk import clauses, descendants, statements
 from rapidsim.diagnostics import Severity, Span
 from rapidsim.jobs.checked_program import Loaded
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

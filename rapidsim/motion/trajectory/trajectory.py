@@ -12,7 +12,7 @@ a cubic, and joints come from the exact pose.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import overload
 
 import numpy as np
@@ -24,6 +24,7 @@ from rapidsim.motion.trajectory.axis_smoothing import mean_joints
 from rapidsim.motion.trajectory.command import ROUNDING_M, Index, MotionCommand, Piece
 from rapidsim.motion.trajectory.filter_windows import Windows
 from rapidsim.motion.trajectory.zero_crossings import first_crossing
+from rapidsim.values import dataclass
 
 SAMPLE_STEP_S = 0.012
 """As often as ABB's controllers log positions."""
