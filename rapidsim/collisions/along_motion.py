@@ -10,8 +10,6 @@ Accelerations are those that the samples show, twofold, the largest of some neig
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 import numpy.typing as npt
 
@@ -22,6 +20,7 @@ from rapidsim.collisions.overlap import TOUCH_M
 from rapidsim.collisions.scene import Poses, Scene
 from rapidsim.collisions.shape import is_inside
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.values import dataclass
 
 STEP_S = 0.016
 SHORTEST_S = 4e-5

@@ -7,7 +7,6 @@ very many parts, such as the triangles of a casting, have spheres around groups 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -15,6 +14,7 @@ from rapidsim.collisions.convex import ConvexPart, Index, Parts
 from rapidsim.collisions.distance import distances
 from rapidsim.collisions.overlap import TOUCH_M, depth, flat_overlap
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.values import dataclass
 
 _GROUPED = 64
 """A body of more parts has them in groups."""

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rapidsim.frames.transform import Array
+from rapidsim.values import dataclass
 
 FARTHEST_M = 0.5
 """Bodies farther apart have no clearance worth a number."""

@@ -8,12 +8,13 @@ farthest point in a direction.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 import numpy.typing as npt
 
 from rapidsim.frames.transform import Array
+from rapidsim.values import dataclass
 
 Index = npt.NDArray[np.int64]
 _FEW = 8

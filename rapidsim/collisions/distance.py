@@ -11,12 +11,11 @@ Source:
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from rapidsim.collisions.convex import Index, Parts
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.values import dataclass
 
 _CLOSE_M = 1e-10
 """Between what is known to be possible and what was found."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import TypeVar
 
 from rapidsim.controller.cell.cell import Cell
@@ -11,6 +10,7 @@ from rapidsim.controller.cell.operator import Answer, Operator
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.journal.journal import Journal
+from rapidsim.values import dataclass
 
 T = TypeVar("T")
 

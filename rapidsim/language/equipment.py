@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Protocol, TypeAlias
+
+from rapidsim.values import dataclass
 
 Configured: TypeAlias = Mapping[str, Mapping[str, Sequence[Mapping[str, str]]]]
 """System parameters: by domain and type in upper case, the instances of each; attributes in lower

@@ -10,7 +10,6 @@ import json
 from base64 import b64decode, b64encode
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
@@ -30,6 +29,7 @@ from rapidsim.server.messages import (
 from rapidsim.simulation.live.event_log import LogEntry
 from rapidsim.simulation.live.states import Mode, Motors
 from rapidsim.simulation.results.event_values import event_record, written
+from rapidsim.values import dataclass
 
 NETWORK: Final = "network"
 """The kind of an event that a peer of a program's socket brings about."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from rapidsim.analysis.names.signal_violations import UnknownSignal
@@ -20,6 +20,7 @@ from rapidsim.server.wire import NotedWire
 from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.task_run import TaskSetup
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

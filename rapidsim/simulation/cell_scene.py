@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from itertools import combinations
 
@@ -20,6 +20,7 @@ from rapidsim.language.data import WobjData
 from rapidsim.motion.configurations.targets import transform
 from rapidsim.simulation.results.signal_history import Changes, signal_changes
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
+from rapidsim.values import dataclass
 
 _LYING_M = 1e-3
 """A part that is so near to something when it is taken or left lies on it."""

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rapidsim.collisions.contact import Clearance, Contact
 from rapidsim.frames.transform import Array
 from rapidsim.report.run.records import PoseRecord
 from rapidsim.simulation.results.simulation import Simulation
+from rapidsim.values import dataclass
 
 _MM = 1000.0
 

@@ -13,11 +13,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from rapidsim.motion.robot.external_axes import LETTERS, ExternalAxis
 from rapidsim.station.backup.cfg_file import SWITCHED_ON, Configuration, Instance
 from rapidsim.station.backup.robots import base_frame, bounds, number
+from rapidsim.values import dataclass
 
 UNIT_GROUP = "MECHANICAL_UNIT_GROUP"
 _SINGLES = 6
