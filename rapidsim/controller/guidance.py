@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import ClassVar, Final
 
 import numpy as np
@@ -44,6 +44,7 @@ from rapidsim.motion.guidance.joint_law import CYCLE_S, GuidedAxes, JointMotion,
 from rapidsim.motion.guidance.sensor import SensorAnswer
 from rapidsim.motion.timing.axis_limits import Limits
 from rapidsim.motion.trajectory.guided_stretch import GuidedStretch
+from rapidsim.values import dataclass
 
 MOST_IDENTITIES: Final = 4
 """So many a task may have at one time; from memory of ABB's documents."""

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Protocol
 
 from rapidsim.motion.guidance.feedback import Feedback
 from rapidsim.motion.guidance.guided_run import GuidedRun
 from rapidsim.motion.guidance.sensor import SensorAnswer
+from rapidsim.values import dataclass
 
 
 class Sensor(Protocol):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum, auto
 
 import numpy as np
@@ -11,6 +10,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.guidance.guided_run import Ended, GuidedRun
 from rapidsim.motion.guidance.sensor import in_degrees, in_millimetres
 from rapidsim.motion.kinematics.arm import Kinematics
+from rapidsim.values import dataclass
 
 
 class Guided(Enum):
