@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from rapidsim.language.equipment import Configured
+from rapidsim.language.equipment import Attributes, Configured
 
 
 class SystemParameters:
@@ -13,7 +13,7 @@ class SystemParameters:
     def __init__(self, configured: Configured) -> None:
         """Begin with what the station says."""
         self._types = {
-            (domain.upper(), of.upper()): [dict(one) for one in found]
+            (domain.upper(), of.upper()): [Attributes(one) for one in found]
             for domain, types in configured.items()
             for of, found in types.items()
         }
@@ -24,4 +24,5 @@ class SystemParameters:
 
     def change(self, domain: str, of: str, number: int, attribute: str, value: str) -> None:
         """Give an instance, by its position, another value of an attribute."""
-        self._types[domain.upper(), of.upper()][number][attribute.lower()] = value
+        instances = self._types[domain.upper(), of.upper()]
+        instances[number] = instances[number].with_value(attribute, value)

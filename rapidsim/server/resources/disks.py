@@ -42,6 +42,8 @@ class FileService:
         try:
             if place.is_dir():
                 return Answer(tuple(_item(one) for one in sorted(place.iterdir())))
+            if place in self._roots() and not place.exists():
+                return Answer()  # A folder for programs is made when the first writes into it.
             return place.read_bytes()
         except OSError:
             raise _not_there(address) from None

@@ -108,6 +108,9 @@ class LiveController:
             task.begin(0.0, self._refresh)
         self._acquaint()
         self._show_states()
+        # A log is never empty: public clients remember the number of its newest entry.
+        self._log_mode()
+        self._log_motors()
         for task in self.tasks.values():
             if not task.is_normal:
                 task.start()
@@ -289,8 +292,7 @@ class LiveController:
         if motors is Motors.OFF:
             self.stop(StopMode.QUICK)
         self.motors = motors
-        code = event_log.MOTORS_ON if motors is Motors.ON else event_log.MOTORS_OFF
-        self.log.operational(code, self.now_s, "")
+        self._log_motors()
         self._show_states()
 
     def set_mode(self, mode: Mode) -> None:
@@ -307,8 +309,7 @@ class LiveController:
         if Mode.AUTO in (mode, self.mode):
             self.set_motors(Motors.OFF)
         self.mode = mode
-        code = event_log.AUTOMATIC if mode is Mode.AUTO else event_log.MANUAL
-        self.log.operational(code, self.now_s, "")
+        self._log_mode()
         self._show_states()
 
     def set_speed_ratio(self, percent: int) -> None:
@@ -422,6 +423,14 @@ class LiveController:
         except Stopped as storm:
             self.stop(StopMode.STOP)
             raise Refused(Why.STATE, storm.reason) from None
+
+    def _log_motors(self) -> None:
+        code = event_log.MOTORS_ON if self.motors is Motors.ON else event_log.MOTORS_OFF
+        self.log.operational(code, self.now_s, "")
+
+    def _log_mode(self) -> None:
+        code = event_log.AUTOMATIC if self.mode is Mode.AUTO else event_log.MANUAL
+        self.log.operational(code, self.now_s, "")
 
     def _show_states(self, failed: str | None = None) -> None:
         """Let the system outputs show what is."""
