@@ -18,6 +18,15 @@ class SystemParameters:
             for of, found in types.items()
         }
 
+    @property
+    def domains(self) -> tuple[str, ...]:
+        """All domains."""
+        return tuple(dict.fromkeys(domain for domain, _ in self._types))
+
+    def types(self, domain: str) -> tuple[str, ...]:
+        """The types of a domain; none where there is no such domain."""
+        return tuple(of for one, of in self._types if one == domain.upper())
+
     def instances(self, domain: str, of: str) -> Sequence[Mapping[str, str]] | None:
         """The instances of a type; None where there is no such type."""
         return self._types.get((domain.upper(), of.upper()))

@@ -148,6 +148,13 @@ class FileService:
         return None if place.is_symlink() else place
 
 
+def path_of_programs(address: str) -> str:
+    """An address as programs write it: `$HOME/a.mod` is their `HOME:/a.mod`."""
+    disk, _, rest = address.partition("/")
+    name = disk.lstrip("$").rstrip(":").upper()
+    return f"{name}:/{rest}" if name in DISKS else address
+
+
 def _leads_away(part: str) -> bool:
     return part in (".", "..") or any(one in part for one in "\\:\0") or part.startswith(".upload-")
 

@@ -14,6 +14,7 @@ from datetime import datetime, timedelta
 from rapidsim.controller.cell.cell import OUTSIDE, Cause, Cell
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind, Status
 from rapidsim.controller.cell.outside_streams import NoWire, OutsideStreams, Wire
+from rapidsim.controller.cell.pendant import Pendant
 from rapidsim.controller.cell.rendezvous import Meetings
 from rapidsim.controller.journal.events import Event
 from rapidsim.controller.journal.journal import Instant, Journal, Moment
@@ -26,6 +27,7 @@ from rapidsim.simulation.collected import FinishedRun, collected
 from rapidsim.simulation.live import event_log
 from rapidsim.simulation.live.event_log import EventLog, LogEntry
 from rapidsim.simulation.live.live_task import LiveTask
+from rapidsim.simulation.live.program_memory import load_module, unload_module
 from rapidsim.simulation.live.states import Cycle, Mode, Motors, Refused, StopMode, TaskState, Why
 from rapidsim.simulation.live.turns import LiveTurns
 from rapidsim.simulation.options import RunOptions
@@ -58,6 +60,8 @@ class LiveController:
     keeps_all: bool = False
     """Whether what happened is kept for `finished`; a controller that stays on would fill up."""
     cell: Cell = field(init=False)
+    pendant: Pendant = field(init=False, default_factory=Pendant)
+    """The questions that wait for an answer."""
     outside: OutsideStreams = field(init=False)
     """Who talks to the programs' sockets."""
     log: EventLog = field(init=False)
@@ -79,6 +83,7 @@ class LiveController:
         self._journal = Journal(self.setups[0].name)
         self.cell = Cell(self.options.cell, self._journal)
         self.cell.outsiders_act = True
+        self.cell.pendant = self.pendant
         self.cell.logbook = lambda task, entry, time_s: self.log.written(entry, time_s)
         self.log = EventLog(lambda entry: self.told(entry))
         self._turns = LiveTurns(self.cell)
@@ -130,6 +135,10 @@ class LiveController:
     def date_at(self, time_s: float) -> datetime:
         """What the controller's clock shows at a virtual time [s]."""
         return self.cell.starts_at + timedelta(seconds=math.floor(time_s))
+
+    def set_date(self, date: datetime) -> None:
+        """Set the controller's clock; virtual time goes on as it was."""
+        self.cell.starts_at = date - timedelta(seconds=math.floor(self.now_s))
 
     @property
     def wants_s(self) -> float:
@@ -240,6 +249,24 @@ class LiveController:
         outcomes = [one.outcome for one in self.tasks.values()]
         self.cell.end_sharing()
         return collected(runs, outcomes, self.cell, self.now_s, self.options)
+
+    def load_module(self, task: str, path: str, *, replace: bool) -> str:
+        """Take a module into a task; see `program_memory.load_module`.
+
+        Raises:
+            Refused: While a program executes, or if it cannot be.
+        """
+        self._require_stopped()
+        return load_module(self.task(task), path, replace=replace)
+
+    def unload_module(self, task: str, name: str) -> None:
+        """Take a module out of a task.
+
+        Raises:
+            Refused: While a program executes, or if it cannot be.
+        """
+        self._require_stopped()
+        unload_module(self.task(task), name)
 
     def set_cycle(self, cycle: Cycle) -> None:
         """Say what comes after the end of main."""
@@ -362,6 +389,16 @@ class LiveController:
             raise Refused(Why.VALUE, f"{signal.name} cannot be {value:.10g}")
         self._change(signal.name, value)
         self.settle()
+
+    def answer(self, task: str, text: str) -> None:
+        """Answer the question of a task.
+
+        Raises:
+            LookupError: If it asks nothing.
+            ValueError: If the text is no answer to it.
+        """
+        self.pendant.answer(task, text)
+        self.tell()
 
     def tell(self) -> None:
         """Let programs look: somebody outside has changed what they may wait for."""
