@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from datetime import datetime, timedelta
 
 from rapidsim.controller.cell.cell import OUTSIDE, Cause, Cell
-from rapidsim.controller.cell.description import SignalDeclaration, SignalKind, Status
+from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.controller.cell.outside_streams import NoWire, OutsideStreams, Wire
 from rapidsim.controller.cell.pendant import Pendant
 from rapidsim.controller.cell.rendezvous import Meetings
@@ -28,6 +28,7 @@ from rapidsim.simulation.live import event_log
 from rapidsim.simulation.live.event_log import EventLog, LogEntry
 from rapidsim.simulation.live.live_task import LiveTask
 from rapidsim.simulation.live.program_memory import load_module, unload_module
+from rapidsim.simulation.live.signal_values import limits, status_value
 from rapidsim.simulation.live.states import Cycle, Mode, Motors, Refused, StopMode, TaskState, Why
 from rapidsim.simulation.live.turns import LiveTurns
 from rapidsim.simulation.options import RunOptions
@@ -383,7 +384,7 @@ class LiveController:
         signal = self.signal(name)
         if signal.status is not None:
             raise Refused(Why.READ_ONLY, f"{signal.name} shows a state of the controller")
-        low, high = _limits(signal)
+        low, high = limits(signal)
         whole = signal.kind in (SignalKind.AI, SignalKind.AO) or value == math.floor(value)
         if not (low <= value <= high and whole):
             raise Refused(Why.VALUE, f"{signal.name} cannot be {value:.10g}")
@@ -478,39 +479,13 @@ class LiveController:
                 self._change(signal.name, value)
 
     def _status_value(self, signal: SignalDeclaration, failed: str | None) -> float | None:
-        """What a system output shows; None for other signals, and where it stays as it is."""
-        match signal.status:
-            case None:
-                return None
-            case Status.TASK_EXECUTING:
-                named = self.tasks.get((signal.task or "").lower())
-                executes = self.executes if named is None else named.executes
-                return float(executes)
-            case Status.CYCLE_ON:
-                return float(self.executes)
-            case Status.ERROR:
-                return 1.0 if failed else float(self._has_failed)
-            case Status.MOTOR_ON | Status.MOTOR_ON_STATE:
-                return float(self.motors is Motors.ON)
-            case Status.MOTOR_OFF | Status.MOTOR_OFF_STATE:
-                return float(self.motors is Motors.OFF)
-            case Status.AUTO_ON:
-                return float(self.mode is Mode.AUTO)
-            case Status.RUN_CHAIN_OK | Status.EMERGENCY_STOP:
-                return None
+        named = self.tasks.get((signal.task or "").lower())
+        executes = self.executes if named is None else named.executes
+        has_failed = failed is not None or self._has_failed
+        return status_value(
+            signal.status, executes=executes, failed=has_failed, motors=self.motors, mode=self.mode
+        )
 
     @property
     def _has_failed(self) -> bool:
         return any(not one.has_pointer for one in self.tasks.values())
-
-
-def _limits(signal: SignalDeclaration) -> tuple[float, float]:
-    """Between what a signal may be set."""
-    low, high = signal.lowest, signal.highest
-    match signal.kind:
-        case SignalKind.DI | SignalKind.DO:
-            return 0.0, 1.0
-        case SignalKind.GI | SignalKind.GO:
-            return 0.0 if low is None else low, 2.0**32 - 1 if high is None else high
-        case _:
-            return -math.inf if low is None else low, math.inf if high is None else high
