@@ -208,6 +208,8 @@ def _what(message: Message) -> dict[str, object]:
                 "form": dict(message.form),
                 "session": message.session,
             }
+            if message.generation != 1:
+                what["generation"] = message.generation
             if message.content:
                 what["content"] = b64encode(message.content).decode()
             return what
@@ -253,7 +255,10 @@ def _message(what: Mapping[str, object]) -> Message:
             "session": int(session),
         }:
             content = b64decode(str(what.get("content", "")), validate=True)
-            return Request(method, path, _texts(query), _texts(form), session, content)
+            generation = int(str(what.get("generation", 1)))
+            if generation not in (1, 2):
+                raise ValueError("no generation")
+            return Request(method, path, _texts(query), _texts(form), session, content, generation)
         case _:
             raise ValueError("no message")
 

@@ -13,6 +13,7 @@ from rapidsim.diagnostics import Diagnostic
 from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.job import job
 from rapidsim.jobs.run_files import LoadedJob, PreparedRun, loaded, prepared
+from rapidsim.server.derived_parameters import with_derived
 from rapidsim.server.engine import Engine, FullPace, LockStep, Pace, WallPace
 from rapidsim.server.messages import Told
 from rapidsim.server.settings import EngineSettings
@@ -60,6 +61,7 @@ def with_cell(found: LoadedJob, made: PreparedRun) -> ReadyController:
     options = replace(
         made.options, io=replace(io, signals=signals), home=home, answers=None, network=None
     )
+    options = replace(options, configured=with_derived(made.setups, options))
     notices = found.robot.notices
     ramdisk = options.ramdisk or home / "RAMDISK"
     return ReadyController(

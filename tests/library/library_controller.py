@@ -275,6 +275,14 @@ class RecordingController:
     def clear_screen(self) -> None:
         self.log.append("clear")
 
+    @property
+    def has_answered(self) -> bool:
+        return False
+
+    def asking(self, instruction: str) -> AbstractContextManager[None]:
+        del instruction
+        return nullcontext()
+
     def ask_number(self, prompt: str, *, ends: bool = False) -> float | None:
         self.log.append(f"number? {prompt}")
         return None if ends and self.nobody else self.number
