@@ -475,14 +475,11 @@ class RecordingController:
     def move_apart(self, name: str, *, max_time: float | None = None) -> bool:
         return True
 
-    def leave_team(self) -> None:
-        pass
+    def leave_team(self) -> None: ...
 
-    def suspend_team(self) -> None:
-        pass
+    def suspend_team(self) -> None: ...
 
-    def resume_team(self) -> None:
-        pass
+    def resume_team(self) -> None: ...
 
     def stop_other_robots(self) -> None:
         self.others_stopped = True
