@@ -9,12 +9,14 @@ from pathlib import Path
 from rapidsim.analysis.names.signal_violations import UnknownSignal
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.controller.cell.outside_streams import NoWire, Wire
+from rapidsim.controller.cell.sensors import NoSensors, Sensors
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.job import job
 from rapidsim.jobs.run_files import LoadedJob, PreparedRun, loaded, prepared
 from rapidsim.server.engine import Engine, FullPace, LockStep, Pace, WallPace
 from rapidsim.server.messages import Told
+from rapidsim.server.sensors import NotedSensors
 from rapidsim.server.settings import EngineSettings
 from rapidsim.server.wire import NotedWire
 from rapidsim.simulation.live.controller import LiveController
@@ -76,6 +78,7 @@ def engine_of(
     told: Callable[[Told], None],
     journal: Callable[[str], None] | None = None,
     wire: Wire | None = None,
+    sensors: Sensors | None = None,
 ) -> Engine:
     """Switch a controller on.
 
@@ -85,6 +88,7 @@ def engine_of(
         told: Told what the engine tells.
         journal: Takes each line of the journal.
         wire: The network of the programs' sockets; None where nobody is there.
+        sensors: Who guides robots; None where nobody is there.
 
     Raises:
         InputError: If an arm cannot be timed, or no task moves one.
@@ -95,6 +99,7 @@ def engine_of(
         motors=settings.motors,
         mode=settings.mode,
         wire=NotedWire(wire or NoWire()),
+        sensors=NotedSensors(sensors or NoSensors()),
     )
     return Engine(live, _pace(settings), told, journal)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import signal
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
 from multiprocessing import get_context
@@ -16,6 +16,8 @@ from queue import SimpleQueue
 from threading import Thread
 from typing import Final, TypeAlias
 
+from rapidsim.egm.devices import sensor_devices
+from rapidsim.egm.udp import PacedSensors, StepSensors
 from rapidsim.files import InputError
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
 from rapidsim.jobs.asked import Asked
@@ -39,6 +41,8 @@ class SwitchedOn:
 
     home: Path
     ramdisk: Path
+    sensors: Mapping[str, str]
+    """Addresses of sensors that guide robots, by the names of their devices."""
 
 
 Start: TypeAlias = SwitchedOn | ProgramRejectedError | InputError
@@ -160,12 +164,16 @@ def _run(connection: Connection, asked: Asked, settings: EngineSettings) -> None
                     settings.journal, lambda text: connection.send((None, Note(text)))
                 )
             wire = SocketWire(settings.hosts)
+            devices = sensor_devices(settings.sensors, made.options.configured, settings.hosts)
+            steps = StepSensors(devices)
+            paced = PacedSensors(devices, waits_full=settings.speed is not None)
             engine = engine_of(
                 made,
                 settings,
                 lambda told: connection.send((None, told)),
                 None if kept is None else kept.write,
                 wire,
+                paced if settings.request_s is None else steps,
             )
             wire.unread = engine.live.outside.unread
         except (ProgramRejectedError, InputError) as error:
@@ -174,11 +182,11 @@ def _run(connection: Connection, asked: Asked, settings: EngineSettings) -> None
         except RobotError as error:
             connection.send(InputError(str(error)))
             return
-        connection.send(SwitchedOn(made.home, made.ramdisk))
+        connection.send(SwitchedOn(made.home, made.ramdisk, devices.shown))
         for note in made.notes:
             connection.send((None, Note(f"note: {note}")))
         with recursion_limit(RUNNING_DEPTH):
-            _serve(connection, engine, wire)
+            _serve(connection, engine, wire, steps)
         engine.switch_off()
         wire.shut()
         if kept is not None:
@@ -186,10 +194,13 @@ def _run(connection: Connection, asked: Asked, settings: EngineSettings) -> None
     sys.stdout.flush()
 
 
-def _serve(connection: Connection, engine: Engine, wire: SocketWire) -> None:
+def _serve(connection: Connection, engine: Engine, wire: SocketWire, sensors: StepSensors) -> None:
     while True:
         wait_s = 0.0 if engine.step() else engine.wait_s()
-        heard = wait([connection, *wire.heard()], wire.patience_s(wait_s))
+        asked = [connection, *wire.heard(), *sensors.heard()]
+        heard = wait(asked, wire.patience_s(wait_s))
+        if passed_s := sensors.came(heard):
+            engine.sensor_answered(passed_s)
         for one in wire.came(heard):
             engine.reply(one)
         while connection.poll():
