@@ -54,8 +54,8 @@ class SensorDevices:
         found = self.configured.get(key, DEFAULT)
         if found.host not in _LOOPBACK and found.host not in self.hosts:
             raise NotAllowed(
-                f"the sensor of `{device}` is on another computer, {found}; `--network-host "
-                f"{found.host}` lets the program talk to it, or `--egm {device}=HOST:PORT` elsewhere"
+                f"the sensor of `{device}` is on another computer, {found}: `--network-host "
+                f"{found.host}` lets the program talk to it"
             )
         return Address(found.host or DEFAULT.host, found.port)
 

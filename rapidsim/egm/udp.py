@@ -7,13 +7,13 @@ from __future__ import annotations
 
 import select
 import socket
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from time import monotonic
 from typing import Final
 
-from rapidsim.controller.cell.sensors import Teller
+from rapidsim.controller.cell.sensors import SilentSensor, Teller
 from rapidsim.egm.codec import DecodeError
 from rapidsim.egm.devices import Address, SensorDevices
 from rapidsim.egm.frames import robot_datagram, sensor_answer
@@ -80,7 +80,7 @@ class SensorSocket:
 
 
 @dataclass(slots=True, eq=False)
-class PacedSensor:
+class PacedSensor(SilentSensor):
     """A sensor whose cycles take their time on the wall; implements `sensors.Sensor`."""
 
     socket: SensorSocket
@@ -107,8 +107,14 @@ class PacedSensor:
         self.socket.hear()
         return self.socket.take()
 
-    def end(self) -> None:
-        """See `Sensor`."""
+    def end(self, feedback: Feedback) -> None:
+        """A last word."""
+        self.socket.send(feedback)
+
+    def tell(self, stream: Sequence[Feedback]) -> None:
+        """Tell each at its time on the wall."""
+        for feedback in stream:
+            self.exchange(feedback)
 
     def close(self) -> None:
         """See `Sensor`."""
@@ -128,7 +134,7 @@ class PacedSensors:
 
 
 @dataclass(slots=True, eq=False)
-class StepSensor:
+class StepSensor(SilentSensor):
     """A sensor that is not waited for: time passes by its answers; implements `sensors.Sensor`."""
 
     socket: SensorSocket
@@ -147,8 +153,14 @@ class StepSensor:
         self.socket.send(feedback)
         return answer
 
-    def end(self) -> None:
-        """See `Sensor`."""
+    def end(self, feedback: Feedback) -> None:
+        """A last word."""
+        self.socket.send(feedback)
+
+    def tell(self, stream: Sequence[Feedback]) -> None:
+        """Tell all of it."""
+        for feedback in stream:
+            self.socket.send(feedback)
 
     def close(self) -> None:
         """See `Sensor`."""

@@ -76,21 +76,22 @@ class WallPace:
     """So many virtual seconds pass in a second on the wall."""
 
     speed: float
-    _began_s: float = 0.0
+    began_s: float = 0.0
+    """When it began [s]."""
 
     def begin(self) -> None:
         """The clock on the wall counts from now."""
-        self._began_s = monotonic()
+        self.began_s = monotonic()
 
     def horizon_s(self) -> float:
         """As far as the clock on the wall has come."""
-        return (monotonic() - self._began_s) * self.speed
+        return (monotonic() - self.began_s) * self.speed
 
     def wait_s(self, virtual_s: float) -> float | None:
         """Until the clock on the wall is there."""
         if math.isinf(virtual_s):
             return None
-        return max(0.0, self._began_s + virtual_s / self.speed - monotonic())
+        return max(0.0, self.began_s + virtual_s / self.speed - monotonic())
 
     def asked(self) -> None:
         """Time passes by itself."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Final
 
 from rapidsim.analysis.names.signal_violations import UnknownSignal
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
@@ -23,6 +24,8 @@ from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.task_run import TaskSetup
 
+_GUIDED: Final = "egmsetupuc"
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ReadyController:
@@ -34,6 +37,12 @@ class ReadyController:
     ramdisk: Path
     notes: tuple[str, ...] = ()
     """What is said of a backup or a robot."""
+
+    @property
+    def is_guided(self) -> bool:
+        """Whether a program knows of sensors that guide its robot."""
+        modules = (module for setup in self.setups for module in setup.program.modules)
+        return any(_GUIDED in module.source.text.lower() for module in modules)
 
 
 def ready(asked: Asked) -> ReadyController:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import count
 
@@ -45,8 +45,18 @@ class _NotedSensor:
         self.all.exchanged(feedback.time_s, answer)
         return answer
 
-    def end(self) -> None:
-        self.sensor.end()
+    @property
+    def looks_ahead(self) -> bool:
+        return self.sensor.looks_ahead
+
+    def stop(self, *, goes_back: bool, ramp_out_s: float) -> None:
+        self.sensor.stop(goes_back=goes_back, ramp_out_s=ramp_out_s)
+
+    def end(self, feedback: Feedback) -> None:
+        self.sensor.end(feedback)
+
+    def tell(self, stream: Sequence[Feedback]) -> None:
+        self.sensor.tell(stream)
 
     def close(self) -> None:
         self.sensor.close()
