@@ -21,7 +21,7 @@ from typing import Final, TypeAlias
 
 from rapidsim.controller.cell.sensors import Teller
 from rapidsim.egm.devices import Address
-from rapidsim.egm.udp import SensorSocket
+from rapidsim.egm.udp import Ports, SensorSocket
 from rapidsim.motion.guidance.feedback import Feedback
 from rapidsim.motion.guidance.guided_run import GuidedRun
 from rapidsim.motion.guidance.joint_law import CYCLE_S
@@ -111,7 +111,7 @@ class _Talk:
 
     number: int
     opened: Opened
-    socket: SensorSocket = field(init=False)
+    socket: SensorSocket
     guidance: _Guidance | None = None
     stream: list[Feedback] = field(default_factory=list)
     """What is to be told, by time."""
@@ -120,10 +120,6 @@ class _Talk:
     held_s: float = 0.0
     """For how long [s] the same has been told."""
     sample_s: float = math.inf
-
-    def __post_init__(self) -> None:
-        """Take a port."""
-        self.socket = SensorSocket(self.opened.address)
 
     def due_s(self) -> float:
         """When it has something to do next, on the wall [s]; infinite if it has not."""
@@ -180,8 +176,6 @@ class _Talk:
                     self.stream = [one for one in self.stream if one.time_s < fresh[0].time_s]
                     self.stream += fresh
                 self.held_s = 0.0
-            case Closed():
-                self.socket.close()
             case _:
                 pass
 
@@ -216,14 +210,13 @@ def guide(connection: Connection) -> None:
 def talk(connection: Connection) -> None:
     """Talk to sensors until the controller is there no more."""
     talks: dict[int, _Talk] = {}
-    told: SimpleQueue[Heard] = SimpleQueue()
+    ports, told = Ports(), SimpleQueue[Heard]()
     # A controller that is busy lets its end of the pipe fill up, for which no sensor waits.
     Thread(target=_send, args=(connection, told), daemon=True).start()
     with suppress(EOFError, OSError):
         while True:
-            _pass(connection, talks, told)
-    for one in talks.values():
-        one.socket.close()
+            _pass(connection, talks, ports, told)
+    ports.close()
 
 
 def _send(connection: Connection, told: SimpleQueue[Heard]) -> None:
@@ -232,7 +225,9 @@ def _send(connection: Connection, told: SimpleQueue[Heard]) -> None:
             connection.send(told.get())
 
 
-def _pass(connection: Connection, talks: dict[int, _Talk], told: SimpleQueue[Heard]) -> None:
+def _pass(
+    connection: Connection, talks: dict[int, _Talk], ports: Ports, told: SimpleQueue[Heard]
+) -> None:
     """Wait for what comes next, and do it."""
     due_s = min((one.due_s() for one in talks.values()), default=math.inf)
     if math.isinf(due_s):
@@ -246,7 +241,7 @@ def _pass(connection: Connection, talks: dict[int, _Talk], told: SimpleQueue[Hea
     while connection.poll():
         number, order = connection.recv()
         if isinstance(order, Opened):
-            talks[number] = _Talk(number, order)
+            talks[number] = _Talk(number, order, ports.to(order.address))
         elif number in talks:
             talks[number].follow(order)
             if isinstance(order, Closed):

@@ -40,6 +40,9 @@ class GuidedSensors:
         self.send(self._last, Opened(address, self.began_s, self.speed))
         return GuidedSensor(self, self._last)
 
+    def close(self) -> None:
+        """See `Sensors`."""
+
     def send(self, number: int, order: Order) -> None:
         """Tell the guide; one that is there no more tells nobody."""
         with suppress(OSError):

@@ -28,22 +28,40 @@ _MOST_AT_ONCE: Final = 100
 
 
 @dataclass(slots=True, eq=False)
+class Ports:
+    """From which a controller talks to its sensors: one for each, as long as it is on.
+
+    A sensor that has kept words of a program before answers to where they came from.
+    """
+
+    _streams: dict[Address, socket.socket] = field(default_factory=dict)
+
+    def to(self, address: Address) -> SensorSocket:
+        """Begin to talk to a sensor."""
+        if address not in self._streams:
+            stream = self._streams[address] = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+            stream.setblocking(False)
+            local = address.host in ("127.0.0.1", "localhost")
+            stream.bind(("127.0.0.1" if local else "", 0))
+        return SensorSocket(address, self._streams[address])
+
+    def close(self) -> None:
+        """Give them back."""
+        for stream in self._streams.values():
+            stream.close()
+        self._streams.clear()
+
+
+@dataclass(slots=True, eq=False)
 class SensorSocket:
     """Datagrams to and from one sensor."""
 
     address: Address
-    stream: socket.socket = field(init=False)
+    stream: socket.socket
     dropped: int = 0
     """Datagrams that were no message."""
     _number: int = 0
     _answer: SensorAnswer | None = None
-
-    def __post_init__(self) -> None:
-        """Take a free port."""
-        self.stream = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        self.stream.setblocking(False)
-        local = self.address.host in ("127.0.0.1", "localhost")
-        self.stream.bind(("127.0.0.1" if local else "", 0))
 
     def send(self, feedback: Feedback) -> None:
         """Tell the sensor where the robot is; whether anybody hears it, nobody knows."""
@@ -73,10 +91,6 @@ class SensorSocket:
         """The last answer, once."""
         answer, self._answer = self._answer, None
         return answer
-
-    def close(self) -> None:
-        """Give the port back."""
-        self.stream.close()
 
 
 @dataclass(slots=True, eq=False)
@@ -116,10 +130,6 @@ class PacedSensor(SilentSensor):
         for feedback in stream:
             self.exchange(feedback)
 
-    def close(self) -> None:
-        """See `Sensor`."""
-        self.socket.close()
-
 
 @dataclass(slots=True, eq=False)
 class PacedSensors:
@@ -127,10 +137,15 @@ class PacedSensors:
 
     devices: SensorDevices
     waits_full: bool = True
+    _ports: Ports = field(default_factory=Ports)
 
     def open(self, device: str) -> PacedSensor:
         """See `Sensors`."""
-        return PacedSensor(SensorSocket(self.devices.address(device)), self.waits_full)
+        return PacedSensor(self._ports.to(self.devices.address(device)), self.waits_full)
+
+    def close(self) -> None:
+        """See `Sensors`."""
+        self._ports.close()
 
 
 @dataclass(slots=True, eq=False)
@@ -139,6 +154,7 @@ class StepSensor(SilentSensor):
 
     socket: SensorSocket
     sample_s: float = CYCLE_S
+    is_open: bool = True
 
     def begin(self, run: GuidedRun, told: Teller) -> None:
         """See `Sensor`."""
@@ -164,7 +180,7 @@ class StepSensor(SilentSensor):
 
     def close(self) -> None:
         """See `Sensor`."""
-        self.socket.close()
+        self.is_open = False
 
 
 @dataclass(slots=True, eq=False)
@@ -174,15 +190,22 @@ class StepSensors:
     devices: SensorDevices
     _open: list[StepSensor] = field(default_factory=list)
 
+    _ports: Ports = field(default_factory=Ports)
+
     def open(self, device: str) -> StepSensor:
         """See `Sensors`."""
-        sensor = StepSensor(SensorSocket(self.devices.address(device)))
+        sensor = StepSensor(self._ports.to(self.devices.address(device)))
         self._open.append(sensor)
         return sensor
 
+    def close(self) -> None:
+        """See `Sensors`."""
+        self._open.clear()
+        self._ports.close()
+
     def heard(self) -> list[socket.socket]:
         """What may have something to say."""
-        self._open = [one for one in self._open if one.socket.stream.fileno() >= 0]
+        self._open = [one for one in self._open if one.is_open]
         return [one.socket.stream for one in self._open]
 
     def came(self, ready: Collection[object]) -> float:

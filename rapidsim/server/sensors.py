@@ -25,6 +25,10 @@ class NotedSensors:
         """See `Sensors`."""
         return _NotedSensor(self, self.sensors.open(device))
 
+    def close(self) -> None:
+        """See `Sensors`."""
+        self.sensors.close()
+
     def exchanged(self, time_s: float, answer: SensorAnswer | None) -> None:
         """A sensor has answered, or has not."""
         number = next(self._numbers)
@@ -73,6 +77,9 @@ class RecordedSensors:
         """See `Sensors`."""
         del device
         return _RecordedSensor(self)
+
+    def close(self) -> None:
+        """See `Sensors`."""
 
     def next(self) -> SensorAnswer | None:
         """What was said next."""

@@ -45,6 +45,9 @@ class Devices:
         self.opened.append(device)
         return self.sensor
 
+    def close(self) -> None:
+        """A run is over."""
+
 
 HEAD = r"""MODULE guided
   VAR egmident id;

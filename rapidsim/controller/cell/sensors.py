@@ -69,6 +69,10 @@ class Sensors(Protocol):
         """
         ...
 
+    def close(self) -> None:
+        """Nobody talks to any of them any more."""
+        ...
+
 
 class SilentSensor:
     """Nobody is there."""
@@ -103,3 +107,6 @@ class NoSensors:
         """See `Sensors`."""
         del device
         return SilentSensor()
+
+    def close(self) -> None:
+        """See `Sensors`."""
