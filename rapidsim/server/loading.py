@@ -24,7 +24,8 @@ from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.task_run import TaskSetup
 
-_GUIDED: Final = "egmsetupuc"
+_GUIDED: Final = "egmident"
+"""The type that every such program uses."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -74,7 +74,7 @@ def test_the_controller_has_the_motion_that_the_sensor_was_told_of() -> None:
     with guided() as (sensors, sensor):
         one = sensors.open("dev")
         one.begin(deepcopy(run), Teller(0.1, 2, feedback))
-        frames = []
+        frames: list[dict[str, Any]] = []
         while not frames or frames[-1]["mciConvergenceMet"] == 0:
             frame, controller = heard(sensor)
             frames.append(frame)
