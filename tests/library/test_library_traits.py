@@ -150,6 +150,7 @@ ELSEWHERE = {
         *("ClearPath", "RestoPath", "StorePath", "SyncMoveOn", "SyncMoveOff", "SyncMoveSuspend"),
         *("SyncMoveResume", "stop", "load", "RMQSendMessage"),
     },
+    "egm": {"type"},
     "interpreter/codegen/special_forms.py": {
         *("argname", "dim", "ispers", "isvar", "present", "strlen", "type"),
     },

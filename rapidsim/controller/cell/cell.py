@@ -269,6 +269,7 @@ class Cell:
     def close(self) -> None:
         """Close the files and connections that the program left open."""
         self.home.close_all()
+        self.sensors.close()
         if self.network is not None:
             self.network.close()
 
