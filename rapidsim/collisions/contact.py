@@ -32,8 +32,8 @@ class Contact:
     second: BodyName
     point: Array
     """Where (3,) [m] in the world."""
-    depth_m: float
-    """How far the bodies overlap at most while that move lasts."""
+    depth_m: float | None
+    """How far the bodies overlap at most while that move lasts; None after many contacts."""
     continued: bool = False
     """Whether they touched at the end of the move before already."""
 

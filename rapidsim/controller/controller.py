@@ -81,9 +81,7 @@ def virtual_controller(
     interrupts = TaskInterrupts(clock, table)
     execution = TaskExecution(clock, unit, cell, table)
     speeds = SpeedOutputs(unit, cell)
-    guidance = TaskGuidance(
-        clock, unit, cell, resolver, state, journal, lambda: unit.own.planner.limits
-    )
+    guidance = TaskGuidance(clock, unit, cell, resolver, state, journal)
     clock.happenings = (execution, cell, guidance, marks, watched, speeds, interrupts)
     solo = SoloMoves(clock, unit, cell, resolver, table, marks, watched, journal, state)
     others = TaskOthers(clock, unit, cell, resolver, state, journal.task, has_robot)

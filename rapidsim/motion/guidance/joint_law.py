@@ -87,10 +87,11 @@ class JointMotion:
             goal: Where to (n,) [rad].
             tuning: How strongly.
             speed: What is added (n,) [rad/s]: how fast the goal itself moves.
-            share: Of what is asked, while the guidance fades in; 0..1.
+            share: Of their greatest speed that axes may have, while the guidance begins; 0..1.
         """
         wanted = self._approach(goal - self.joints, tuning.gain) if tuning.gain else 0.0
-        self.at_speed(np.clip(share * (wanted + speed), -tuning.max_speed, tuning.max_speed))
+        most = share * np.minimum(self.axes.max_speed, tuning.max_speed)
+        self.at_speed(np.clip(wanted + speed, -most, most))
 
     def at_speed(self, wanted: Array) -> None:
         """Go on for a cycle and come as near to a speed (n,) [rad/s] as the axes can."""

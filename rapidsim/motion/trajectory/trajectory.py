@@ -230,6 +230,8 @@ class Trajectory:
         for path, s, at in self._command.on_paths(row, way):
             on_path = path.evaluate(s).base_from_tcp.translation
             off[at] = np.linalg.norm(samples.base_from_tcp.translation[at] - on_path, axis=1)
+        for one in self._guided:
+            off[(one.stretch.start_s <= samples.times) & (samples.times < one.until_s)] = 0.0
         return off
 
     def _standing(self, times: Array) -> Samples:

@@ -48,6 +48,8 @@ class Why(Enum):
     NO_TASK = auto()
     NO_SYMBOL = auto()
     NO_SIGNAL = auto()
+    NO_FILE = auto()
+    NO_MODULE = auto()
     NO_UNIT = auto()
     READ_ONLY = auto()
 

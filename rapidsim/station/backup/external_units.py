@@ -82,7 +82,7 @@ def _owners(system: Configuration, labels: Sequence[str | None]) -> Mapping[str,
         robot = group.get("robot")
         owner = labels.index(robot) if robot in labels else unknown if robot else None
         for key, unit in group.items():
-            if key.startswith("mechanicalunit_"):
+            if key.lower().startswith("mechanicalunit_"):
                 known = [one for one in (owners.get(unit), owner) if one is not None]
                 owners[unit] = min(known, default=None)
     return owners
