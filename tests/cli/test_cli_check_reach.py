@@ -83,6 +83,14 @@ def test_a_wait_at_which_the_run_ends_is_one_finding(folder: Path) -> None:
     assert told("K603,R106") == [("I802", 6), ("I803", 6), ("I803", 7)]
 
 
+def test_a_routine_that_nobody_knows_writes_no_constants(folder: Path) -> None:
+    misspelt = "MovL pDrop,v500,fine,tool0;\n    MoveJ Offs(pDrop,0,0,-2000),v500,fine,tool0;"
+    (folder / "cell.mod").write_text(FAR.replace('TPReadNum height, "How high?";', misspelt))
+    out = rapidsim("check", "cell.mod", "--robot", "irb1600", cwd=folder).out
+    assert "cell.mod:8:11" in out
+    assert "`v500`" not in out
+
+
 def test_without_reach_only_the_text_is_checked(folder: Path) -> None:
     done = rapidsim("check", "cell.mod", "--no-reach", cwd=folder)
     assert "K601" not in done.out

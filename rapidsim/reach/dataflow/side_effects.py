@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import field
 from functools import cached_property
+from typing import TypeGuard
 
 from rapidsim.analysis.program import (
     CounterSymbol,
@@ -244,7 +245,7 @@ class ProgramEffects:
 
     def _root(self, path: tree.DataPath) -> Iterator[Symbol]:
         symbol = self.program.symbol_of.get(root_of(path))
-        if isinstance(symbol, DataSymbol | ParameterSymbol):
+        if isinstance(symbol, ParameterSymbol) or _can_change(symbol):
             yield symbol
 
     @cached_property
@@ -254,8 +255,15 @@ class ProgramEffects:
             for module in self.program.modules
             for item in module.items
             if isinstance(item, tree.Data)
-            and isinstance(symbol := self.program.symbol_of.get(item), DataSymbol)
+            and _can_change(symbol := self.program.symbol_of.get(item))
         )
+
+
+def _can_change(symbol: Symbol | None) -> TypeGuard[DataSymbol]:
+    """Whether it is data, and somebody may write it; nobody writes `v200` or `tool0`."""
+    if not isinstance(symbol, DataSymbol):
+        return False
+    return symbol.node is not None and symbol.storage is not Storage.CONST
 
 
 def root_of(path: tree.DataPath) -> tree.Reference:
