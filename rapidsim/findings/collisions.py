@@ -25,3 +25,12 @@ class LowClearance(Violation, code="C102"):
 
 class NotJudged(Violation, code="C103"):
     what: str
+
+
+class CollisionNotRun(Violation, code="C104"):
+    first: str
+    second: str
+    percent: float
+    deep: str
+    cure: str
+    """Empty where none was found."""

@@ -1,8 +1,9 @@
 """Write the pictures of a run into a folder, each light and dark.
 
-`path.png`, `arm.png`, `joints.png`, `speed.png`, `orientation.png`, `lines.png`, `movej-movel.png`
-and `frames.png`, with `-dark` before the suffix for the dark ones, and the task before the name for
-all robots but the first. The same run gives the same files.
+`path.png`, `arm.png`, `joints.png`, `speed.png`, `orientation.png`, `lines.png`, `movej-movel.png`,
+`frames.png` and, where bodies are judged, `clearance.png`, with `-dark` before the suffix for the
+dark ones, and the task before the name for all robots but the first. The same run gives the same
+files.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from matplotlib.figure import Figure
 from rapidsim.files import InputError
 from rapidsim.output_files import unwritten, whole_file
 from rapidsim.plots.arm_picture import arm_picture
+from rapidsim.plots.clearance_picture import clearance_picture
 from rapidsim.plots.comparison_picture import comparison_picture
 from rapidsim.plots.drawn import drawn
 from rapidsim.plots.frames_picture import frames_picture
@@ -37,6 +39,7 @@ PICTURES: Mapping[str, Callable[[SampledRun, Theme], Figure | None]] = MappingPr
         "lines": lines_picture,
         "movej-movel": comparison_picture,
         "frames": frames_picture,
+        "clearance": clearance_picture,
     }
 )
 """By the name of the file; one that has nothing to show gives no figure."""

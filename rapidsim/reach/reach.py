@@ -18,7 +18,7 @@ from rapidsim.reach.cycle_time_findings import budget_findings, stop_findings
 from rapidsim.reach.dataflow.interpretation import walk_program
 from rapidsim.reach.dataflow.known_moves import WalkedProgram
 from rapidsim.reach.outside_values import moved_by_outside
-from rapidsim.reach.path_findings import WayFinder
+from rapidsim.reach.path_findings import WayFinder, Ways
 from rapidsim.reach.target_findings import (
     configuration_findings,
     margin_findings,
@@ -26,7 +26,7 @@ from rapidsim.reach.target_findings import (
     unreachable_findings,
     wind_up_findings,
 )
-from rapidsim.reach.target_poses import FRAME_WITHOUT_ORIENTATION, posed
+from rapidsim.reach.target_poses import FRAME_WITHOUT_ORIENTATION, PosedMoves, posed
 from rapidsim.reach.trial_run import LONGEST_RUN_S, RunMoves, run_for_error, run_for_moves
 from rapidsim.simulation.options import RunOptions
 
@@ -89,6 +89,8 @@ def check_reach(
         *wind_up_findings(program, placed, ways.stances, robot),
         *(() if told is None else told.diagnostics),
     ]
+    if told is not None and told.scene is not None:
+        found += _unrun_collisions(program, walked, placed, ways, robot, options, told)
     if budget is not None and told is not None:
         found += budget_findings(program, told, budget, options.model.version)
         found += stop_findings(program, placed, ways)
@@ -102,6 +104,41 @@ def check_reach(
         found = list(_not_sure(program, walked, found))
     distinct = tuple(_Places(walked).distinct(found))
     return ReachReport(distinct, _coverage(walked, ends, told, left_out))
+
+
+def _unrun_collisions(
+    program: Program,
+    walked: WalkedProgram,
+    placed: PosedMoves,
+    ways: Ways,
+    robot: Robot,
+    options: RunOptions,
+    told: RunMoves,
+) -> Iterator[Diagnostic]:
+    """What moves would hit that the run did not make, as far as it is known where they lead."""
+    assert told.scene is not None
+    sure = ways.stances.sure
+    rows = [
+        row
+        for row, known in enumerate(walked.known)
+        if known.call not in told.met
+        and known.previous is not None
+        and row not in placed.left_out
+        and sure[row]
+        and sure[known.previous]
+        and (row not in ways.surveyed or not ways.surveyed[row].broken)
+        and row not in ways.circle_faults
+    ]
+    if not rows or len(told.scene.arms) > 1:
+        return
+    # Bodies cost time to import, and few stations have any.
+    from rapidsim.reach.unrun_collisions import MOST_MOVES, UnrunMoves  # noqa: PLC0415
+
+    base_from_world = options.world_from_base.inverse()
+    unrun = UnrunMoves(
+        program, placed, ways.stances, robot, options.model, told.scene, base_from_world
+    )
+    yield from unrun.findings(rows[:MOST_MOVES])
 
 
 def _not_sure(
@@ -119,7 +156,7 @@ def _not_sure(
         inside = span is not None and any(
             file == span.file and start <= span.start < end for file, start, end in unsure
         )
-        is_reach = one.violation.code.startswith("K")
+        is_reach = one.violation.code.startswith("K") or one.violation.code == "C104"
         yield replace(one, assumed=True) if inside and is_reach else one
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
 
 from rapidsim.analysis.program import Program
 from rapidsim.controller.moves.executed_move import ExecutedMove
@@ -27,6 +28,9 @@ from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.simulation.simulate import simulate
 from rapidsim.syntax import tree
 from rapidsim.values import dataclass
+
+if TYPE_CHECKING:
+    from rapidsim.collisions.scene import Scene
 
 LONGEST_RUN_S = 120.0
 """Virtual time after which the run of a check is over."""
@@ -67,6 +71,9 @@ class RunMoves:
     """What is known of its length where it did not."""
     outcome: str
     """Why moves were not met, to follow "a run of main"."""
+    scene: Scene | None = None
+    """The bodies of the cell, and those pairs of which none is ever carried; None where the station
+    says nothing of bodies."""
 
 
 def run_for_moves(
@@ -131,6 +138,7 @@ def run_for_moves(
         if run.end is End.TIME_LIMIT
         else "a time that is not known: its run stopped before the end",
         f"does not tell: {_ENDS[run.end]}",
+        None if run.collisions is None else run.collisions.uncarried,
     )
 
 

@@ -56,6 +56,24 @@ def test_the_summary_says_what_happened_and_what_the_shapes_are_worth(tmp_path: 
     assert "none; nearest 18.8 mm, link 6 and `table`" in " ".join(ended.out.split())
 
 
+def test_a_report_lists_contacts_and_the_nearest_of_each_move(tmp_path: Path) -> None:
+    cell(tmp_path, DOWN.format(-150), f"[collisions]\nclearance = 30\n{TABLE}")
+    shown = ("--no-record", "--report", "run.html", "--plots", "plots")
+    ended = call("run", "cell.mod", *shown, cwd=tmp_path)
+    assert ended.code == 1
+    assert (tmp_path / "plots/clearance-dark.png").is_file()
+    page = (tmp_path / "run.html").read_text(encoding="utf-8")
+    section = page.partition('<section id="collisions">')[2].partition("</section>")[0]
+    assert "link 6 and <code>table</code>" in section
+    assert "cell.mod:6 in main" in section
+    assert "less than the 30 mm to keep" in section
+    assert "likenesses" in section
+    # Nothing of it where the station says nothing of bodies.
+    cell(tmp_path, DOWN.format(-150), "")
+    assert call("run", "cell.mod", "--no-record", "--report", "run.html", cwd=tmp_path).code == 0
+    assert 'id="collisions"' not in (tmp_path / "run.html").read_text(encoding="utf-8")
+
+
 def test_a_check_finds_what_a_run_hits(tmp_path: Path) -> None:
     cell(tmp_path, DOWN.format(-150), TABLE)
     ended = call("check", "cell.mod", cwd=tmp_path)

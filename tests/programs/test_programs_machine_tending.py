@@ -1,4 +1,4 @@
-"""The cell with a machine: a collision that is planted is found on its line, and cured."""
+"""The cells with a machine: a collision that is planted is found on its line, and cured."""
 
 from __future__ import annotations
 
@@ -7,22 +7,38 @@ from pathlib import Path
 
 from command_line import call
 
-FOLDER = Path(__file__).parents[2] / "programs" / "machine_tending"
+PROGRAMS = Path(__file__).parents[2] / "programs"
+FOLDER, SHARED = PROGRAMS / "machine_tending", PROGRAMS / "shared_machine"
 
 
-def found(name: str, code: int, folder: Path) -> list[tuple[str, int]]:
+def found(file: Path, code: int, folder: Path) -> list[tuple[str, int]]:
     """The findings about collisions of a run, by code and line."""
-    ended = call("run", FOLDER / name, "--no-record", "--format", "json", cwd=folder)
+    ended = call("run", file, "--no-record", "--format", "json", cwd=folder)
     assert ended.code == code, ended
     told = json.loads(ended.out)["diagnostics"]
     return [(one["code"], one["line"]) for one in told if one["code"].startswith("C")]
 
 
+def marked(file: Path, mark: str) -> int:
+    """The line of a program that a comment marks."""
+    text = file.read_text(encoding="utf-8").splitlines()
+    (line,) = (number for number, one in enumerate(text, start=1) if mark in one)
+    return line
+
+
 def test_the_way_through_the_door_hits_nothing(tmp_path: Path) -> None:
-    assert not found("Tending.mod", 0, tmp_path)
+    assert not found(FOLDER / "Tending.mod", 0, tmp_path)
 
 
 def test_the_short_way_hits_the_frame_of_the_door(tmp_path: Path) -> None:
-    text = (FOLDER / "Hasty.mod").read_text(encoding="utf-8").splitlines()
-    (line,) = (number for number, one in enumerate(text, start=1) if "! hits the frame" in one)
-    assert found("Hasty.mod", 1, tmp_path) == [("C101", line)]
+    line = marked(FOLDER / "Hasty.mod", "! hits the frame")
+    assert found(FOLDER / "Hasty.mod", 1, tmp_path) == [("C101", line)]
+
+
+def test_two_robots_that_wait_for_each_other_share_a_machine(tmp_path: Path) -> None:
+    assert not found(SHARED / "Load.mod", 0, tmp_path)
+
+
+def test_a_robot_that_does_not_wait_hits_the_other(tmp_path: Path) -> None:
+    line = marked(SHARED / "Eager.mod", "! hits the other robot")
+    assert ("C101", line) in found(SHARED / "Eager.mod", 1, tmp_path)

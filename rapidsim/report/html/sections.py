@@ -11,6 +11,7 @@ from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.report.findings.merging import Finding, merged
+from rapidsim.report.html.collision_section import collision_tile
 from rapidsim.report.html.elements import bar, prose, section, table, text, tile
 from rapidsim.report.run.figures import Figures
 from rapidsim.report.run.json_report import models, of_robots
@@ -78,6 +79,7 @@ def summary(simulation: Simulation, figures: Figures, findings: Sequence[Diagnos
                 f"smallest singular value, {_at(simulation, singularity.move)}; 0 is singular",
             )
         )
+    tiles.append(collision_tile(simulation))
     return section("summary", "Summary", f'<div class="tiles">{"".join(tiles)}</div>')
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from rapidsim.collisions.contact import Clearance, Contact, Found
 from rapidsim.collisions.geometry import CellGeometry, CellObject
@@ -32,6 +33,15 @@ class Collisions:
     def hits(self) -> tuple[Contact, ...]:
         """The contacts that begin in the run: what lies on a table touched it before."""
         return tuple(one for one in self.found.contacts if not one.continued)
+
+    @property
+    def uncarried(self) -> Scene:
+        """The same bodies, judged in those pairs whose places the moves alone say."""
+        carried = {one.object.lower() for one in self.geometry.attachments}
+        loose = {at for at, one in self.objects.items() if one.name.lower() in carried}
+        loose |= {at for at, one in enumerate(self.scene.bodies) if len(one.carried) > 1}
+        pairs = (one for one in self.scene.pairs if not {one.first, one.second} & loose)
+        return replace(self.scene, pairs=tuple(pairs))
 
     @property
     def nearest(self) -> Clearance | None:

@@ -1,0 +1,50 @@
+"""How near the bodies of the cell come in each move, and what each move hits."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from rapidsim.plots.drawn import MM, title_of
+from rapidsim.plots.look import Theme, new_figure, time_axis
+from rapidsim.simulation.results.sampling import SampledRun
+
+
+def clearance_picture(run: SampledRun, theme: Theme) -> Figure | None:
+    """The nearest of each move from its start to its end, contacts at 0; None where none is known.
+
+    Moves that nothing came near have no line.
+    """
+    collisions = run.simulation.collisions
+    if collisions is None:
+        return None
+    number = next(k for k, one in enumerate(run.simulation.robots) if one is run.one)
+    nearest = {one.move: one for one in collisions.found.clearances if one.robot == number}
+    hits = [one for one in collisions.found.contacts if one.robot == number]
+    if not nearest and not hits:
+        return None
+    figure = new_figure(f"Clearance: {title_of(run)}", width=11.0, height=4.2)
+    axes = figure.subplots()
+    touched = {one.move for one in hits}
+    for move in run.one.moves:
+        if move.index not in nearest and move.index not in touched:
+            continue
+        least = 0.0 if move.index in touched else MM * nearest[move.index].distance_m
+        colour = theme.failed if move.index in touched else theme.tcp
+        axes.hlines(least, move.start_s, max(move.end_s, move.start_s), colour, linewidth=2.4)
+    calm = [one for move, one in nearest.items() if move not in touched]
+    for places, colour in (
+        ([(one.time_s, MM * one.distance_m) for one in calm], theme.tcp),
+        ([(one.time_s, 0.0) for one in hits], theme.failed),
+    ):
+        if places:
+            axes.plot(*np.transpose(places), "o", color=colour, markersize=4.0)
+    if collisions.geometry.clearance_m:
+        wanted = MM * collisions.geometry.clearance_m
+        axes.axhline(wanted, color=theme.limit, linestyle="--", linewidth=0.9)
+        axes.annotate("to keep", (run.end_s, wanted), va="bottom", ha="right", color=theme.soft)
+    axes.set_ylim(bottom=-2.0 if hits else 0.0)
+    axes.set_ylabel("nearest of the move [mm]")
+    axes.set_title(f"{len(touched)} moves hit something" if touched else "nothing is hit")
+    time_axis(axes, run.end_s)
+    return figure

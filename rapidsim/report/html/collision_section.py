@@ -1,0 +1,91 @@
+"""What a report says of collisions: contacts, the nearest of each move, what was not judged."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from rapidsim.collisions.contact import FARTHEST_M
+from rapidsim.report.html.elements import prose, section, table, text, tile
+from rapidsim.report.run.collision_records import (
+    ClearanceRecord,
+    ContactRecord,
+    clearance_records,
+    contact_records,
+)
+from rapidsim.report.run.summary import shape_margins
+from rapidsim.simulation.results.simulation import Simulation
+
+_MOST = 100
+"""Rows of either table."""
+
+
+def collision_tile(simulation: Simulation) -> str:
+    """Whether anything was hit, and how near bodies came; empty where nothing is judged."""
+    if simulation.collisions is None:
+        return ""
+    hits = simulation.collisions.hits
+    near = next(iter(clearance_records(simulation)), None)
+    if hits:
+        return tile("Collisions", f"{len(hits)}", f"the first at {hits[0].time_s:.4f} s")
+    if near is None:
+        return tile("Nearest clearance", f"> {1000.0 * FARTHEST_M:g} mm")
+    return tile("Nearest clearance", f"{near.distance_mm:.1f} mm", f"{near.first}, {near.second}")
+
+
+def collision_section(simulation: Simulation) -> str:
+    """The tables; empty where the station says nothing of bodies."""
+    collisions = simulation.collisions
+    if collisions is None:
+        return ""
+    contacts, nearest = contact_records(simulation), clearance_records(simulation)
+    parts = []
+    if contacts:
+        columns = [">time [s]", "bodies", "line", ">deep [mm]", ">at x, y, z [mm]", ""]
+        touching = [
+            (
+                f"{one.time_s:.4f}",
+                prose(f"{one.first} and {one.second}"),
+                text(_line(one)),
+                "" if one.depth_mm is None else f"{one.depth_mm:.1f}",
+                ", ".join(f"{number:.0f}" for number in one.point_mm),
+                "since the move before" if one.continued else "",
+            )
+            for one in contacts[:_MOST]
+        ]
+        parts.append(f"<h3>Contacts</h3>{_scrolled(table(columns, touching, kind='events'))}")
+        parts.append(_left(len(contacts), "contacts"))
+    if nearest:
+        wanted = 1000.0 * collisions.geometry.clearance_m
+        heads = (">nearest [mm]", "bodies", "line", ">time [s]", "")
+        rows = [
+            (
+                f"{one.distance_mm:.1f}",
+                prose(f"{one.first} and {one.second}"),
+                text(_line(one)),
+                f"{one.time_s:.3f}",
+                f"less than the {wanted:g} mm to keep" if one.distance_mm < wanted else "",
+            )
+            for one in nearest[:_MOST]
+        ]
+        parts.append(f"<h3>Nearest of each move</h3>{_scrolled(table(heads, rows, kind='events'))}")
+        parts.append(_left(len(nearest), "moves"))
+    if not parts:
+        parts.append(f"<p>Nothing came within {1000.0 * FARTHEST_M:g} mm of anything.</p>")
+    remarks = [f"not judged: {one}" for one in collisions.remarks]
+    for one in (*shape_margins(simulation, collisions), *remarks):
+        parts.append(f'<p class="aside">{prose(one)}</p>')
+    pairs = len(collisions.scene.pairs)
+    return section("collisions", "Collisions", "".join(parts), f"{pairs} pairs of bodies judged")
+
+
+def _line(one: ContactRecord | ClearanceRecord) -> str:
+    routine = "" if one.routine is None else f" in {one.routine}"
+    return one.task if one.file is None else f"{Path(one.file).name}:{one.line}{routine}"
+
+
+def _left(count: int, what: str) -> str:
+    return f'<p class="aside">and {count - _MOST} more {what}</p>' if count > _MOST else ""
+
+
+def _scrolled(body: str) -> str:
+    return f'<div class="scrolled">{body}</div>'
