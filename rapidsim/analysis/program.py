@@ -7,6 +7,7 @@ interpreter need not check again.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import field
 from enum import Enum
 from typing import TypeAlias
 
@@ -154,5 +155,6 @@ class Program:
     """Whether it may take in other modules while it runs."""
     cell: CellNames = NO_CELL
     """What the configuration declares beside the modules."""
-    missing_data: frozenset[str] = frozenset()
-    """Folded names of data that nothing declares, each called where the text names it."""
+    missing_data: Mapping[str, str | None] = field(default_factory=dict)
+    """By folded name, data that nothing declares, which are called where the text names them: why a
+    run ends there; None is an error of the controller."""

@@ -36,6 +36,10 @@ class EndlessWait(Violation, code="R106"):
         return self.cure or super().help
 
 
+class NotDeclaredHere(Violation, code="R140"):
+    what: str
+
+
 class RoutineNotSimulated(Violation, code="R104"):
     routine: str
     treated_as: str

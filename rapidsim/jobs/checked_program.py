@@ -10,7 +10,7 @@ from rapidsim.analysis.passes.checker import Find, check
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Severity, Source
 from rapidsim.files import SourceFile, TaskFiles
-from rapidsim.jobs.late_references import program_with_late_references
+from rapidsim.jobs.runnable_part import runnable_part
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse
 from rapidsim.values import dataclass
@@ -51,8 +51,8 @@ def load(
     program = checked.program
     if any(d.severity is Severity.ERROR for d in diagnostics):
         program = None
-    elif program is None and refers_late:
-        program = program_with_late_references(trees, diagnostics, names)
+    elif program is None:
+        program = runnable_part(trees, diagnostics, names)
     return Loaded(trees, program, diagnostics)
 
 

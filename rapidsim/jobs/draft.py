@@ -18,6 +18,7 @@ from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.diagnostics import Source
 from rapidsim.files import InputError, SourceFile, TaskFiles, backup_folders, read_tasks
 from rapidsim.jobs.checked_program import load_task
+from rapidsim.motion.robot.catalogue import find_entry
 from rapidsim.reach.dataflow.written_moves import written_moves
 from rapidsim.station.backup.backup import backup_station
 from rapidsim.station.backup.loose_configuration import (
@@ -44,6 +45,8 @@ class DraftFile:
 
     path: Path
     draft: Draft
+    lacks: tuple[str, ...] = ()
+    """What a backup has and a run does not, or cannot be had without, in words."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,7 +107,19 @@ def _of_backup(folders: Sequence[Path], robot: str | None) -> DraftFile:
         why = f"the catalogue has no {unknown}" if unknown else "the backup names no arm"
         robots = (DraftRobot(remark=why),)
     signals = _undeclared(tasks, station)
-    return DraftFile(root / FILE_NAME, Draft(remarks, robots, (), signals))
+    draft = Draft(remarks, robots, (), signals)
+    lacks = station.remarks if robot else (*station.remarks, *_without_speeds(station))
+    return DraftFile(root / FILE_NAME, draft, lacks)
+
+
+def _without_speeds(station: Station) -> Iterator[str]:
+    """What is said of arms that the catalogue has without the speeds of their axes."""
+    for name in dict.fromkeys(one.name for one in station.robots if one.name):
+        if None in find_entry(name).max_speeds:
+            yield (
+                f"no source gives the axis speeds of {name}, which a run needs: "
+                "[motion] axis_speed = [...] in deg/s, one value an axis"
+            )
 
 
 def _of_modules(

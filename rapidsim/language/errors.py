@@ -49,5 +49,9 @@ class NotAllowed(Stopped):
     """A controller stops here with an error that no ERROR clause is asked about."""
 
 
+class NotDeclared(Stopped):
+    """The run comes to what no file given declares; a controller may well have it."""
+
+
 class CycleEnded(Stopped):
     """ExitCycle: the cycle ends here and the next one begins with main."""

@@ -107,3 +107,5 @@ ENUMERATIONS: tuple[tuple[str, int, str], ...] = (
     *_OPTIONS,
 )
 """Type, the number of the first name, the names with numbers from there on."""
+OF_OPTIONS = frozenset(name.lower() for _, _, names in _OPTIONS for name in names.split())
+"""Folded; a controller without the option does not have them."""

@@ -16,7 +16,7 @@ from rapidsim.analysis.program import Program
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import InputError
-from rapidsim.findings.runs import EndlessWait
+from rapidsim.findings.runs import EndlessWait, NotDeclaredHere
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.language.errors import Stopped
 from rapidsim.language.moves import MotionSettings
@@ -181,11 +181,18 @@ def _limited(options: RunOptions, longest_s: float, work_s: float) -> RunOptions
 
 def _is_told(found: Diagnostic) -> bool:
     """Whether a finding of the run is one of the check, too: of moves, or why the program ends."""
+    if _of_text(found):
+        return False
     return found.violation.code[0] in "CKM" or found.severity is Severity.ERROR
 
 
 def _of_run(found: Diagnostic) -> bool:
-    return found.violation.code.startswith("R")
+    return found.violation.code.startswith("R") and not _of_text(found)
+
+
+def _of_text(found: Diagnostic) -> bool:
+    """Whether the text alone tells it, and has."""
+    return isinstance(found.violation, NotDeclaredHere)
 
 
 def _as_sure(

@@ -23,6 +23,7 @@ from rapidsim.findings.runs import (
     BackwardNotExecuted,
     CutOff,
     EndlessWait,
+    NotDeclaredHere,
     ProgramStopped,
     RoutineNotSimulated,
     TrapStorms,
@@ -31,7 +32,7 @@ from rapidsim.findings.runs import (
 )
 from rapidsim.interpreter.runtime.call_stack import FatalError, Frame, rapid_stack
 from rapidsim.language.controller import ACCEPTED
-from rapidsim.language.errors import NotAllowed, Stopped
+from rapidsim.language.errors import NotAllowed, NotDeclared, Stopped
 from rapidsim.language.moves import Place
 from rapidsim.syntax import tree
 
@@ -64,6 +65,12 @@ def not_allowed_finding(stopped: NotAllowed, place: Place) -> Diagnostic:
     """The instruction that a controller stops at, with the call chain as related places."""
     routine, span, callers = _where(rapid_stack(stopped), place)
     return Diagnostic(UncaughtError(stopped.reason), span, callers, routine=routine)
+
+
+def not_declared_finding(stopped: NotDeclared, place: Place) -> Diagnostic:
+    """The instruction that names what is missing, with the call chain as related places."""
+    routine, span, callers = _where(rapid_stack(stopped), place)
+    return Diagnostic(NotDeclaredHere(stopped.reason), span, callers, routine=routine)
 
 
 def impossible_move_finding(stopped: MoveImpossible, place: Place) -> Diagnostic:

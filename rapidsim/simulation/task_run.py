@@ -30,7 +30,7 @@ from rapidsim.files import InputError
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.interpreter.linking.loader import Task, running
 from rapidsim.interpreter.runtime.call_stack import FatalError
-from rapidsim.language.errors import CycleEnded, NotAllowed, Stopped
+from rapidsim.language.errors import CycleEnded, NotAllowed, NotDeclared, Stopped
 from rapidsim.language.moves import Place
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.robot.external_axes import ExternalAxis
@@ -44,6 +44,7 @@ from rapidsim.simulation.run_findings import (
     impossible_move_finding,
     motion_finding,
     not_allowed_finding,
+    not_declared_finding,
     stopped_finding,
     time_limit_finding,
     trap_storm_finding,
@@ -241,6 +242,9 @@ def outcome_of(
         case MoveImpossible():
             controller.motion.abandon()
             return Outcome(End.ERROR, (impossible_move_finding(error, place),))
+        case NotDeclared():
+            controller.motion.abandon()
+            return Outcome(End.ERROR, (not_declared_finding(error, place),))
         case NotAllowed():
             controller.motion.abandon()
             return Outcome(End.ERROR, (not_allowed_finding(error, place),))

@@ -194,3 +194,21 @@ def test_a_backup_says_most_of_it_by_itself(tmp_path: Path, arm: str) -> None:
     assert run.code == 0, run.err
     named = json.loads(run.out)["robot"] == "irb120-3-0.58"
     assert named == (arm == "ROB1_120_0.58_3")
+
+
+def test_what_a_run_lacks_of_a_backup_is_said(tmp_path: Path) -> None:
+    """A positioner whose axes MOC.cfg does not describe, and an arm without axis speeds."""
+    written(
+        tmp_path / "backup",
+        {
+            "BACKINFO/backinfo.txt": ">>TASK1: (T_ROB1,,)\nPROGMOD/m.mod @ \n",
+            "RAPID/TASK1/PROGMOD/m.mod": "MODULE m\n PROC main()\n ENDPROC\nENDMODULE\n",
+            "SYSPAR/MOC.cfg": "MECHANICAL_UNIT:\n\n"
+            '      -name "STN_1" -use_single_0 "S1" -use_single_1 "S2"\n#\n'
+            'ROBOT:\n\n      -name "ROB_1" -use_robot_type "ROB1_1300_0.9_11"\n',
+        },
+    )
+    it = call("init", "backup", cwd=tmp_path)
+    assert it.code == 0, it.err
+    assert "note: the unit STN_1 of the backup is known by its name alone" in it.err
+    assert "note: no source gives the axis speeds of irb1300-11-0.9" in it.err

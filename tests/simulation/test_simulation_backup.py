@@ -137,6 +137,8 @@ def test_a_cross_connection_is_evaluated_from_left_to_right(
         ("ROB1_1300_0.9_11", "irb1300-11-0.9"),
         ("ROB1_CRB_1300_0.9_11", "crb1300-11-0.9"),
         ("ROB1_15000_0.95_5", "crb15000-5-0.95"),
+        ("ROB1_660_180", "irb660-180-3.15"),
+        ("ROB1_1600_6", None),
         ("ROB1_6700_LeanID_2.65_220", None),
         ("ROB1_120_0.58_4", None),
         ("anything", None),

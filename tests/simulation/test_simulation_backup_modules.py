@@ -252,3 +252,34 @@ def test_a_routine_that_nothing_declares_is_an_error_of_the_run_there(backup: Ba
     assert [one.message for one in run.diagnostics if one.violation.code == "R101"] == [
         "no procedure is named `gone`"
     ]
+
+
+@pytest.mark.parametrize(
+    ("statement", "code", "what"),
+    [
+        ("reg1:=secret", "N216", "`secret` is declared in no module that can be read"),
+        ("secret:=1", "N216", "`secret` is declared in no module that can be read"),
+        ("glue.flow:=1", "N215", "`glue` is gluedata, whose declaration is missing"),
+        ("IF glue.flow=1 Stop", "N215", "`glue` is gluedata, whose declaration is missing"),
+    ],
+)
+def test_a_run_goes_on_to_what_a_module_declares_that_cannot_be_read(
+    backup: Backup, statement: str, code: str, what: str
+) -> None:
+    main = MAIN.replace("fromUser", f"RETURN;\n  ENDPROC\n  PROC other()\n    {statement}")
+    main = main.replace("PROC main", "PERS gluedata glue;\n  PROC main")
+    files: dict[str, str | bytes] = {
+        "BACKINFO/backinfo.txt": listed("PROGMOD/MainModule.mod", "PROGMOD/Secret.mod"),
+        "RAPID/TASK1/PROGMOD/MainModule.mod": main,
+        "RAPID/TASK1/PROGMOD/Secret.mod": CODE,
+    }
+    folder = backup(files)
+    assert (code, "warning") in codes(folder)
+    assert "R140" not in {found for found, _ in codes(folder)}
+    assert simulate([folder]).end == "ended"
+    files["RAPID/TASK1/PROGMOD/MainModule.mod"] = main.replace("RETURN", "other")
+    run = simulate([backup(files)])
+    told = [one for one in run.diagnostics if one.violation.code == "R140"]
+    assert [one.message for one in told] == [f"{what}: a run cannot go on from here"]
+    assert texts(folder) == {"main"}
+    assert run.end == "error"

@@ -38,6 +38,8 @@ def init(paths: tuple[str, ...], robot: str | None) -> int:
     read_station(found.path)
     if not current_terminal().quiet:
         say(f"Written: {shown} ({_counted(found.draft)})")
+        for lack in found.lacks:
+            say(f"note: {lack}", err=True)
         if above := find_station([str(found.path.parent.parent)]):
             say(f"{above} no longer applies to what is beside {shown}.")
     return ExitCode.CLEAN

@@ -85,12 +85,12 @@ class Calls:
                 place = at.name(self._place(call, {}))
                 instead = at.constant(self._taken_for(call, value))
                 constant = at.name(self._names.module.constant(value))
-                node = at.call("_stand_in", [place, at.constant(name), instead, constant])
+                node: ast.expr = at.call("_stand_in", [place, at.constant(name), instead, constant])
                 fails = self._program.cell.refers_late
                 if fails:
                     node = at.call("_unresolved_function", [at.constant(name)])
                 if name.lower() in self._program.missing_data:
-                    node = at.call("_unresolved_data", [at.constant(name)])
+                    node, fails = self._missing_data(name, at), True
                 elif may_be_loaded(call, self._program):
                     of = at.name(self._names.module.numbered("_type", self._program.type_of[call]))
                     late = self._late_arguments(call, at.constant(name), at)
@@ -113,7 +113,7 @@ class Calls:
                 return self._instruction(routine, call, at)
             case UnknownSymbol(name=name):
                 if name.lower() in self._program.missing_data:
-                    return [at.do(at.call("_unresolved_data", [at.constant(name)]))]
+                    return [at.do(self._missing_data(name, at))]
                 if may_be_loaded(call, self._program):
                     late = self._late_arguments(call, at.constant(name), at)
                     form = "_late" if self._program.cell.refers_late else "_loaded"
@@ -127,6 +127,10 @@ class Calls:
                     f"a call of `{call.name.text}`, which is not a procedure,",
                     self._expressions.span(call),
                 )
+
+    def _missing_data(self, name: str, at: At) -> ast.expr:
+        why = self._program.missing_data[name.lower()]
+        return at.call("_unresolved_data", [at.constant(name), at.constant(why)])
 
     def late(self, call: tree.LateCall, at: At) -> list[ast.stmt]:
         """A call of a procedure whose name is a string known at run time."""

@@ -27,7 +27,7 @@ from rapidsim.language.error_numbers import (
     ERR_REFUNKTRP,
     rapid_error,
 )
-from rapidsim.language.errors import RapidError
+from rapidsim.language.errors import NotDeclared, RapidError
 from rapidsim.language.moves import Place
 from rapidsim.language.reference import Box
 from rapidsim.language.types import ANYTYPE, ArrayOf, Type, resolved
@@ -292,10 +292,13 @@ def unresolved_function(name: str) -> NoReturn:
     raise rapid_error(ERR_REFUNKFUN, f"no function is named `{name}`")
 
 
-def unresolved_data(name: str) -> NoReturn:
-    """Refuse to go on where a program of such a task names data.
+def unresolved_data(name: str, why: str | None) -> NoReturn:
+    """Refuse to go on where a program names data that nothing declares.
 
     Raises:
-        RapidError: ERR_REFUNKDAT.
+        RapidError: ERR_REFUNKDAT in such a task.
+        NotDeclared: In another, whose controller has them; `why` says what is missing.
     """
+    if why is not None:
+        raise NotDeclared(why)
     raise rapid_error(ERR_REFUNKDAT, f"no data are named `{name}`")

@@ -11,6 +11,11 @@ MODULE near_miss
   CONST zonedata z7:=[FALSE,7,10,10,1,10,1];
   ! Nobody but this module sees it.
   LOCAL CONST num pi:=3.14159;
+  ! Controllers without an option do not have its names.
+  VAR errnum ERR_HAND_FAILEDGRIP:=54;
+  PROC restart()
+    RAISE ERR_HAND_FAILEDGRIP;
+  ENDPROC
   PROC main()
     VAR num low:=1;
     VAR num edge:=2;
@@ -18,5 +23,6 @@ MODULE near_miss
     VAR num type:=3;
     WaitTime (low+edge+type*pi)/v120.v_tcp;
     WaitTime z7.pzone_tcp/100;
+    restart;
   ENDPROC
 ENDMODULE

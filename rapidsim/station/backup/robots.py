@@ -45,14 +45,21 @@ def catalogue_name(type_name: str) -> str | None:
     prefix = _PREFIX.match(type_name)
     if prefix is None:
         return None
-    words = _TYPE_LETTER.sub("", type_name[prefix.end() :]).lower().split("_")
-    if len(words) != 3:
+    model, *figures = _TYPE_LETTER.sub("", type_name[prefix.end() :]).lower().split("_")
+    if len(figures) not in (1, 2):
         return None
-    reach, payload = _figure(words[1]), _figure(words[2])
+    # Palletizers with one reach only, such as ROB1_660_180, are named without it.
+    wanted = [_figure(word) for word in figures]
     found: dict[str, str] = {}
     for name in robot_names():
         parts = _NAME.fullmatch(name)
-        if parts and (parts[2], float(parts[4]), float(parts[3])) == (words[0], reach, payload):
+        if (
+            parts
+            and parts[2] == model
+            and [float(parts[4]), float(parts[3])][-len(wanted) :] == wanted
+        ):
+            if len(wanted) == 1 and parts[1] in found:
+                return None
             found[parts[1]] = name
     # IRB and CRB 1300 have the same numbers; a type that names neither is that of the IRB.
     families = ("crb",) if "crb" in prefix[0].lower() else ("irb", "crb")

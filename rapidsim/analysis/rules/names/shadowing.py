@@ -8,11 +8,14 @@ from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.program import DataSymbol, LibrarySymbol
 from rapidsim.analysis.program_parts import Facts
 from rapidsim.diagnostics import Diagnostic, Related, Violation
+from rapidsim.library.named_numbers import OF_OPTIONS
 from rapidsim.syntax import tree
 
 _OF_MOTION = frozenset({"speeddata", "zonedata", "tooldata", "wobjdata", "loaddata"})
 """Types whose predefined data a reader knows by name; `low` and `edge` may well name something."""
 _VOWELS = "aeiou"
+_OF_GRIPPER = "err_hand_"
+"""How the error names of an option begin whose modules declare them."""
 
 
 class ShadowedName(Violation, code="N203"):
@@ -59,6 +62,8 @@ def find_redefined(facts: Facts) -> Iterator[Diagnostic]:
             declared = [(name, True) for name, _ in declared]
             declared.append((part.routine.name, False))
         for name, is_local in declared:
+            if name.key in OF_OPTIONS or name.key.startswith(_OF_GRIPPER):
+                continue
             match installed_symbol(name.key):
                 case DataSymbol(type=of) if not is_local or of.name in _OF_MOTION:
                     what = f"{'an' if of.name[0] in _VOWELS else 'a'} {of.name}"

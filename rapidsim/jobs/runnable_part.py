@@ -1,7 +1,8 @@
-"""A program that names data which nothing declares, as a controller runs it with -BindRef 0.
+"""A program that names data which no file given declares, so that it runs up to them.
 
 In place of each statement that names such data, or of the condition, stands a call of what nobody
-knows: a run fails where it comes there.
+knows: a run ends where it comes there. A controller that was told not to check references
+(-BindRef 0) does so too; others have the modules that are missing here.
 """
 
 from __future__ import annotations
@@ -10,19 +11,23 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from rapidsim.analysis.cell_names import CellNames
-from rapidsim.analysis.names.name_violations import UnresolvedReference
+from rapidsim.analysis.names.name_violations import (
+    ComponentOfUnknownType,
+    UnresolvedReference,
+    UnseenName,
+)
 from rapidsim.analysis.passes.checker import check
 from rapidsim.analysis.program import Program
 from rapidsim.analysis.replaced_nodes import rebuilt
 from rapidsim.analysis.tree_walk import clauses, descendants, statements
-from rapidsim.diagnostics import Diagnostic, Span
+from rapidsim.diagnostics import Diagnostic, Span, Violation
 from rapidsim.syntax import tree
 
 _SIMPLE = (tree.Assignment, tree.Call, tree.LateCall, tree.Return, tree.Raise, tree.Connect)
 _PATHS = (tree.Reference, tree.Index, tree.Component)
 
 
-def program_with_late_references(
+def runnable_part(
     files: Sequence[tree.File], found: Sequence[Diagnostic], cell: CellNames
 ) -> Program | None:
     """The program that runs up to the names of its findings.
@@ -35,19 +40,34 @@ def program_with_late_references(
         cell: What the configuration declares beside the modules.
     """
     instead: dict[int, tree.Node] = {}
-    missing: set[str] = set()
+    missing: dict[str, str | None] = {}
     for one in found:
-        violation, span = one.violation, one.span
-        if isinstance(violation, UnresolvedReference) and span is not None:
+        lacks, span = _missing(one.violation), one.span
+        if lacks is not None and span is not None:
+            name, why = lacks
             node = _failing_at(files, span)
             if node is None:
                 return None
-            instead[id(node)] = _call_in_place_of(node, violation.undefined)
-            missing.add(violation.undefined.lower())
+            instead[id(node)] = _call_in_place_of(node, name)
+            missing[name.lower()] = why
     if not missing:
         return None
     program = check(tuple(rebuilt(file, instead) for file in files), (), cell=cell).program
-    return program and replace(program, missing_data=frozenset(missing))
+    return program and replace(program, missing_data=missing)
+
+
+def _missing(violation: Violation) -> tuple[str, str | None] | None:
+    """What a finding says is not there and why a run ends at it; None is the controller's error."""
+    match violation:
+        case UnresolvedReference(undefined=name):
+            return name, None
+        case UnseenName(undefined=name):
+            return name, violation.message
+        case ComponentOfUnknownType(record=record, type_name=type_name, component=component):
+            why = f"`{record}` is {type_name}, whose declaration is missing"
+            return f"{record}.{component}", why
+        case _:
+            return None
 
 
 def _failing_at(files: Sequence[tree.File], span: Span) -> tree.Node | None:
