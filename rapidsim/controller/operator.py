@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from typing import TypeVar
 
 from rapidsim.controller.cell.cell import Cell
@@ -13,6 +12,7 @@ from rapidsim.controller.cell.pendant import AnswerValue, Pendant
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.journal.journal import Journal
+from rapidsim.values import dataclass
 
 T = TypeVar("T")
 

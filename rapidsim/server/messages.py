@@ -6,9 +6,11 @@ All of it can be pickled, and knows neither HTTP's headers nor how bodies are wr
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from types import MappingProxyType
 from typing import TypeAlias
+
+from rapidsim.values import dataclass
 
 Fields: TypeAlias = Mapping[str, str]
 NOTHING: Fields = MappingProxyType({})

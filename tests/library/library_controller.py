@@ -278,7 +278,6 @@ class RecordingController:
     has_answered = False
 
     def asking(self, instruction: str) -> AbstractContextManager[None]:
-        del instruction
         return nullcontext()
 
     def ask_number(self, prompt: str, *, ends: bool = False) -> float | None:
@@ -473,14 +472,11 @@ class RecordingController:
     def move_apart(self, name: str, *, max_time: float | None = None) -> bool:
         return True
 
-    def leave_team(self) -> None:
-        pass
+    def leave_team(self) -> None: ...
 
-    def suspend_team(self) -> None:
-        pass
+    def suspend_team(self) -> None: ...
 
-    def resume_team(self) -> None:
-        pass
+    def resume_team(self) -> None: ...
 
     def stop_other_robots(self) -> None:
         self.others_stopped = True

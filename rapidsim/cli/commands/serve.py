@@ -65,6 +65,13 @@ _MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
     type=POSITIVE,
     help="In lock-step, the virtual time before each request; else 0.05.",
 )
+@click.option(
+    "--egm",
+    "sensors",
+    metavar="NAME=HOST:PORT",
+    multiple=True,
+    help="Where the sensor behind a UDPUC device is; counts over SIO.cfg.",
+)
 @click.option("--home", metavar="DIR", help="The folder for HOME:; else <program>.home.")
 @click.option("--ramdisk", metavar="DIR", help="The folder for RAMDISK:; else one in HOME:.")
 @click.option(
@@ -129,6 +136,7 @@ def serve(
     speed: str,
     lock_step: bool,
     request_time: float | None,
+    sensors: tuple[str, ...],
     home: str | None,
     ramdisk: str | None,
     opmode: str,
@@ -150,6 +158,7 @@ def serve(
     ports = _port("--rws1-port", rws1_port), _port("--rws2-port", rws2_port)
     if ports[1] is not None:
         require("cryptography", "--rws2-port")
+    from rapidsim.egm.devices import read_device
     from rapidsim.jobs.run_files import ProgramRejectedError
     from rapidsim.server.http.guard import is_loopback
     from rapidsim.server.process import started
@@ -185,6 +194,7 @@ def serve(
         motors=Motors.ON if motors == "on" else Motors.OFF,
         mode=Mode(_MODES[opmode]),
         hosts=frozenset(network_hosts),
+        sensors=tuple(map(read_device, sensors)),
         journal=None if journal is None else Path(journal),
     )
     server_settings = ServerSettings(
@@ -208,6 +218,7 @@ def serve(
             "ready": True,
             "rws1": where.rws1,
             "rws2": where.rws2,
+            "egm": dict(engine.there.sensors),
             "home": str(engine.there.home),
             "ramdisk": str(engine.there.ramdisk),
             "pid": os.getpid(),

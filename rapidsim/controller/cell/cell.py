@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from typing import Protocol
 
 from rapidsim.controller.cell.camera_scripts import CameraState
@@ -33,6 +32,7 @@ from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.journal.journal import Instant, Journal, Moment
 from rapidsim.language.error_log import LoggedError
 from rapidsim.language.moves import Place
+from rapidsim.values import dataclass
 
 OUTSIDE = "cell"
 """Stands for a task's name at events that no task causes."""
@@ -269,6 +269,7 @@ class Cell:
     def close(self) -> None:
         """Close the files and connections that the program left open."""
         self.home.close_all()
+        self.sensors.close()
         if self.network is not None:
             self.network.close()
 

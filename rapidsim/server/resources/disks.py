@@ -11,13 +11,13 @@ import os
 import shutil
 import tempfile
 from contextlib import suppress
-from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 from typing import Final
 
 from rapidsim.server.messages import Answer, Item, RefusedRequest
 from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
+from rapidsim.values import dataclass
 
 DISKS: Final = ("HOME", "TEMP", "RAMDISK", "BACKUP")
 """The folders that clients reach by `$NAME`."""

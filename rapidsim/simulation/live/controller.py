@@ -16,6 +16,7 @@ from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.controller.cell.outside_streams import NoWire, OutsideStreams, Wire
 from rapidsim.controller.cell.pendant import Pendant
 from rapidsim.controller.cell.rendezvous import Meetings
+from rapidsim.controller.cell.sensors import NoSensors, Sensors
 from rapidsim.controller.journal.events import Event
 from rapidsim.controller.journal.journal import Instant, Journal, Moment
 from rapidsim.diagnostics import Diagnostic
@@ -58,6 +59,8 @@ class LiveController:
     speed_ratio: int = 100
     wire: Wire = field(default_factory=NoWire)
     """The network of the programs' sockets."""
+    sensors: Sensors = field(default_factory=NoSensors)
+    """Who guides robots."""
     keeps_all: bool = False
     """Whether what happened is kept for `finished`; a controller that stays on would fill up."""
     cell: Cell = field(init=False)
@@ -91,6 +94,7 @@ class LiveController:
         self.cell.share(self._turns)
         self.outside = OutsideStreams(self.wire)
         self.cell.sockets.outside = self.outside
+        self.cell.sensors = self.sensors
         arms = [setup.robot for setup in self.setups if setup.robot is not None]
         if not arms:
             raise InputError("no task moves a robot", "give one of them `motion = true`")
@@ -241,6 +245,7 @@ class LiveController:
         for task in self.tasks.values():
             self._turns.remove(task.run.controller.clock)
             task.run.controller.sockets.close_all(self.now_s)
+            task.run.controller.guidance.forget_all()
         self.cell.close()
 
     def finished(self) -> FinishedRun:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum, StrEnum, auto
+
+from rapidsim.values import dataclass
 
 
 class Motors(StrEnum):
