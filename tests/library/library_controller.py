@@ -278,7 +278,6 @@ class RecordingController:
     has_answered = False
 
     def asking(self, instruction: str) -> AbstractContextManager[None]:
-        del instruction
         return nullcontext()
 
     def ask_number(self, prompt: str, *, ends: bool = False) -> float | None:
