@@ -81,7 +81,7 @@ class MotionModel:
     at the price of times that no controller was seen to need."""
     cycle: float = INTERPOLATION_CYCLE_S
     """The command takes at least so long [s] through a zone."""
-    zone_share: float = 0.65
+    zone_share: float = 0.64
     """Share of torques and accelerations that is used in a narrow zone; in wide ones it is more."""
     zone_cycles: float = 0.45
     """In that a zone counts as wider by so many times the way in a cycle at the speed there."""
