@@ -188,8 +188,11 @@ class Violation:
     """A mistake of the user; a subclass has the facts as fields, and the code of its rule."""
 
     rule: ClassVar[Rule]
-    is_told_once: ClassVar[bool] = False
-    """Whether all of them, in all files, are one finding where findings are merged."""
+
+    @property
+    def is_told_once(self) -> bool:
+        """Whether all of them, in all files, are one finding where findings are merged."""
+        return False
 
     def with_others(self, others: Sequence[Violation]) -> Violation:
         """One violation that says this and others of its rule; for those that are told once."""

@@ -154,3 +154,5 @@ class Program:
     """Whether it may take in other modules while it runs."""
     cell: CellNames = NO_CELL
     """What the configuration declares beside the modules."""
+    missing_data: frozenset[str] = frozenset()
+    """Folded names of data that nothing declares, each called where the text names it."""

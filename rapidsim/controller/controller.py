@@ -15,6 +15,7 @@ from rapidsim.controller.cyclic_bools import TaskCyclicBools
 from rapidsim.controller.equipment import TaskEquipment
 from rapidsim.controller.execution import TaskExecution
 from rapidsim.controller.files import TaskFiles, TaskTexts
+from rapidsim.controller.guidance import TaskGuidance
 from rapidsim.controller.interrupt_table import InterruptTable
 from rapidsim.controller.interrupts import TaskErrorNumbers, TaskInterrupts
 from rapidsim.controller.journal.journal import Journal
@@ -50,6 +51,7 @@ class VirtualController:
     motion: TaskMotion
     others: TaskOthers
     sockets: TaskSockets
+    guidance: TaskGuidance
     concerns: Controller
 
 
@@ -80,7 +82,10 @@ def virtual_controller(
     interrupts = TaskInterrupts(clock, table)
     execution = TaskExecution(clock, unit, cell, table)
     speeds = SpeedOutputs(unit, cell)
-    clock.happenings = (execution, cell, marks, watched, speeds, interrupts)
+    guidance = TaskGuidance(
+        clock, unit, cell, resolver, state, journal, lambda: unit.own.planner.limits
+    )
+    clock.happenings = (execution, cell, guidance, marks, watched, speeds, interrupts)
     solo = SoloMoves(clock, unit, cell, resolver, table, marks, watched, journal, state)
     others = TaskOthers(clock, unit, cell, resolver, state, journal.task, has_robot)
     team = TaskTeam(
@@ -112,5 +117,6 @@ def virtual_controller(
         cyclic_bools=TaskCyclicBools(clock, cell),
         cameras=TaskCameras(clock, cell),
         messages=TaskMessages(clock, cell, table, journal, own_queue),
+        guidance=guidance,
     )
-    return VirtualController(clock, execution, motion, others, sockets, concerns)
+    return VirtualController(clock, execution, motion, others, sockets, guidance, concerns)

@@ -23,6 +23,7 @@ from rapidsim.controller.queue.zone_table import WorldZoneTable
 from rapidsim.findings.ramps import RampWaits
 from rapidsim.language.error_log import CORNER_PATH_FAILURE
 from rapidsim.language.error_numbers import ERR_CONC_MAX, rapid_error
+from rapidsim.language.errors import NotAllowed
 from rapidsim.language.moves import Move
 
 MAX_CONCURRENT_MOVES = 5
@@ -68,6 +69,10 @@ class SoloMoves:
         self.clock.note_line()
         self._count_concurrent(move)
         queue = self.unit.own
+        if queue.guided is not None:
+            raise NotAllowed(
+                f"{move.instruction}: a sensor guides the robot; EGMStop, or EGMWaitCond, ends that"
+            )
         queued = self.resolver.resolve(
             move, self.clock.place, queue.end, self.state.settings, index=len(queue.moves)
         )

@@ -22,6 +22,7 @@ from rapidsim.language.data import JointTarget, Pos, RobTarget, ToolData, WobjDa
 from rapidsim.language.equipment import Equipment
 from rapidsim.language.error_log import LoggedError
 from rapidsim.language.files import Files
+from rapidsim.language.guidance import Guidance
 from rapidsim.language.messages import Messages
 from rapidsim.language.modules import Modules
 from rapidsim.language.moves import (
@@ -392,6 +393,7 @@ class Controller:
     cyclic_bools: CyclicBools
     cameras: Cameras
     messages: Messages
+    guidance: Guidance
     symbols: Symbols = field(init=False)
     """The data of the program by name; the interpreter sets it."""
     modules: Modules = field(init=False)
@@ -421,6 +423,7 @@ CONCERNS: Mapping[type, str] = MappingProxyType(
         CyclicBools: "cyclic_bools",
         Cameras: "cameras",
         Messages: "messages",
+        Guidance: "guidance",
     }
 )
 """Under which name a `Controller` has the concern of each protocol."""

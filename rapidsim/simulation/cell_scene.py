@@ -315,6 +315,7 @@ def _arm(one: RobotRun) -> Arm:
     end_s = one.trajectory.duration
     if busy:
         busy = (*busy, (busy[-1][1], max(end_s, busy[-1][1])))
+    busy += tuple((stretch.start_s, stretch.end_s) for stretch in one.trajectory.guided)
     return Arm(one.robot, one.world_from_base, one.trajectory.at, _together(busy))
 
 

@@ -37,6 +37,7 @@ from rapidsim.language.error_numbers import (
 )
 from rapidsim.language.errors import Stopped
 from rapidsim.language.files import FileMode
+from rapidsim.language.guidance import Guidance
 from rapidsim.language.messages import Messages
 from rapidsim.language.modules import Modules
 from rapidsim.language.moves import Flank, MotionSettings, Move, Place, SearchStop
@@ -108,6 +109,8 @@ class RecordingController:
             *(self, self, self, self, self, self, self, self, self, self, self, self, self),
             # Messages go between tasks, and here is one: the book of the language has them.
             cast(Messages, self),
+            # A sensor guides what moves: programs have that.
+            cast(Guidance, self),
         )
         for name in ("symbols", "modules"):
             if hasattr(self, name):

@@ -136,7 +136,8 @@ def check(
         against = read_baseline(known_file)
         outdated = against.outdated(model, result.diagnostics)
         result = result.against(against.known)
-    findings = merged(result.diagnostics, merge=not no_merge)
+    spoken = output_format in SPOKEN_FORMATS
+    findings = merged(result.diagnostics, merge=not no_merge, spoken=spoken)
     if counted:
         say(statistics(result.diagnostics, terminal.palette), palette=terminal.palette, nl=False)
     else:

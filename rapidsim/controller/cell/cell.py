@@ -22,6 +22,7 @@ from rapidsim.controller.cell.inputs import CellInputs
 from rapidsim.controller.cell.message_queues import MessageQueues
 from rapidsim.controller.cell.operator import Operator
 from rapidsim.controller.cell.rendezvous import Meetings
+from rapidsim.controller.cell.sensors import NoSensors, Sensors
 from rapidsim.controller.cell.signals import SignalTable
 from rapidsim.controller.cell.streams import SocketTable
 from rapidsim.controller.cell.system_parameters import SystemParameters
@@ -149,6 +150,10 @@ class Cell:
         self.sockets = SocketTable(inputs.io.sockets, self.happen)
         self.network = inputs.network
         """None where sockets may not use the network."""
+        self.sensors: Sensors = NoSensors()
+        """Who guides robots."""
+        if inputs.network is not None and inputs.network.sensors is not None:
+            self.sensors = inputs.network.sensors
         self.starts_at = inputs.starts_at
         """Date and time of day at time zero."""
         self.cameras = {one.name.lower(): CameraState(one, one.name) for one in inputs.io.cameras}

@@ -19,6 +19,7 @@ class EventKind(StrEnum):
     FILE = "file"
     SOCKET = "socket"
     MESSAGE = "message"
+    GUIDANCE = "guidance"
     CORNER = "corner"
     LIMIT = "limit"
 

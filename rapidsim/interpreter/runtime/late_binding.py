@@ -289,3 +289,12 @@ def unresolved_function(name: str) -> NoReturn:
         RapidError: ERR_REFUNKFUN.
     """
     raise rapid_error(ERR_REFUNKFUN, f"no function is named `{name}`")
+
+
+def unresolved_data(name: str) -> NoReturn:
+    """Refuse to go on where a program of such a task names data.
+
+    Raises:
+        RapidError: ERR_REFUNKDAT.
+    """
+    raise rapid_error(ERR_REFUNKDAT, f"no data are named `{name}`")

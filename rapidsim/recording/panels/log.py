@@ -24,6 +24,7 @@ _EVENT_LEVELS = {
     EventKind.FILE: "DEBUG",
     EventKind.SOCKET: "DEBUG",
     EventKind.MESSAGE: "DEBUG",
+    EventKind.GUIDANCE: "INFO",
     EventKind.CORNER: "WARN",
     EventKind.LIMIT: "WARN",
     EventKind.ERROR: "ERROR",
