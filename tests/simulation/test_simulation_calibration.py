@@ -30,8 +30,8 @@ SHORT_STOPS = """
       MoveL Offs(home, 0, 30*i, 0), v200, fine, tool0;
     ENDFOR"""
 SWINGS = """
-    MoveAbsJ [[40,-20,20,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], vmax, fine, tool0;
-    MoveAbsJ [[-40,20,-20,60,60,0],[9E9,9E9,9E9,9E9,9E9,9E9]], vmax, fine, tool0;"""
+    MoveAbsJ [[25,-20,20,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], vmax, fine, tool0;
+    MoveAbsJ [[-25,20,-20,60,60,0],[9E9,9E9,9E9,9E9,9E9,9E9]], vmax, fine, tool0;"""
 FAST_CORNERS = """
     FOR i FROM 1 TO 1 DO
       MoveL Offs(home, 0, 60*i, 60), vmax, z5, tool0;
