@@ -159,7 +159,8 @@ class BlockPlanner:
         if self.trajectory.has_ramps:
             dwell_s = max(dwell_s, lag_s)
         self.ready_s = end_s + max(dwell_s, pause_s)
-        self.settled_s = end_s + lag_s
+        # Where nothing moved, nothing is left to come to rest.
+        self.settled_s = end_s + lag_s if tentative.timing.braking_s > 0.0 else -math.inf
         self.block.is_closed = True
         self.block.plan = None
         return end_s
