@@ -1,4 +1,4 @@
-"""From the logger of the docs to a station file: a controller's motion is found from what it logs."""
+"""From the logger of the docs to a station: a controller's motion is found from what it logs."""
 
 from __future__ import annotations
 
