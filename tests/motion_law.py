@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -42,10 +42,14 @@ def command_of(trajectory: Trajectory) -> Trajectory:
 
 def with_smoothed(what: Smoothing, trajectory: Trajectory) -> Trajectory:
     """The same command, smoothed along the path, or each axis by itself."""
-    windows = trajectory._windows
+    windows, late = trajectory._windows, 0.0
     other = Trajectory(trajectory._start, windows.filter_time, what, windows.averages)
     for piece in trajectory.pieces:
-        other.append(piece)
+        begin = piece.start_time + late
+        # After a slow stop the command may go on before the arm has come to rest.
+        if what == "path" and begin > other.command_end + 1e-9:
+            late += max(0.0, other.duration - begin)
+        other.append(replace(piece, start_time=piece.start_time + late))
     return other
 
 

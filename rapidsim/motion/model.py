@@ -25,8 +25,8 @@ INTERPOLATION_CYCLE_S = 0.004032
 """How often an IRC5 gives its axes new positions."""
 _BRIEF_S = 4.0 * INTERPOLATION_CYCLE_S
 """Stops that brake for less than this cost less time."""
-_SHORTER_S = 0.060
-"""How much less a stop costs at next to no speed: 57 ms at v50 where it is 102 ms from v300 on.
+_SHORTER = 0.59
+"""Share by which a stop is shorter at next to no speed: 57 ms at v50 where it is 102 from v300 on.
 
 Seen in steps of 24 ms, which nobody can predict; this is their mean."""
 REAL_STOP_S = 0.018
@@ -58,7 +58,7 @@ class MotionModel:
     None: the load counts in the inertia of the arm, where that is known, and else not at all."""
     filter_time: float | None = None
     """Width [s] of the smoothing of the command; 0 switches it off, None is the arm's."""
-    filter_averages: Averages = 1
+    filter_averages: Averages = 2
     """How many moving averages follow one another, together as wide as that. Two come near the bell
     that was measured; one has the same standard deviation if it is narrower by a factor of 1.41."""
     smoothing: Smoothing = "axes"
@@ -83,14 +83,14 @@ class MotionModel:
     at the price of times that no controller was seen to need."""
     cycle: float = INTERPOLATION_CYCLE_S
     """The command takes at least so long [s] through a zone."""
-    zone_share: float = 0.65
+    zone_share: float = 0.64
     """Share of torques and accelerations that is used in a narrow zone; in wide ones it is more."""
     zone_cycles: float = 0.45
     """In that a zone counts as wider by so many times the way in a cycle at the speed there."""
 
     @property
     def window(self) -> float:
-        """Width [s] of the moving average over the command."""
+        """Width [s] of the smoothing of the command."""
         return _FILTER_S if self.filter_time is None else self.filter_time
 
     @property
@@ -100,11 +100,17 @@ class MotionModel:
         return dwell + (REAL_STOP_S if self.controller == "real" else 0.0)
 
     def dwell_after(self, braking_s: float) -> float:
-        """The same after a command that braked for so long [s]; the arm stands at least."""
+        """The same after a command that braked for so long [s].
+
+        The arm comes to rest in that time, but for slow moves, of which next to nothing is left to
+        do then: logs of a controller do not show them at rest either. Smoothed along the path the
+        arm would take speed into the next move, so there it always comes to rest.
+        """
         if self.version == "1":
             return self.dwell
         missing = max(0.0, 1.0 - braking_s / _BRIEF_S)
-        return max(self.dwell - _SHORTER_S * missing, min(self.dwell, self.window))
+        dwell = max(self.dwell, self.window) * (1.0 - _SHORTER * missing)
+        return max(dwell, self.window) if self.smoothing == "path" else dwell
 
     @property
     def slows_for_bends(self) -> bool:
@@ -123,7 +129,7 @@ class MotionModel:
         )
 
 
-_FILTER_S, _DWELL_S = 0.067, 0.102
+_FILTER_S, _DWELL_S = 0.094, 0.102
 """Of the arm that was measured, for arms of which nothing is known."""
 MODELS: Mapping[Version, MotionModel] = MappingProxyType(
     {
@@ -131,6 +137,7 @@ MODELS: Mapping[Version, MotionModel] = MappingProxyType(
             version="1",
             payload_acceleration=1.0,
             filter_time=0.080,
+            filter_averages=1,
             smoothing="path",
             fine_dwell=0.105,
             corner="c2",

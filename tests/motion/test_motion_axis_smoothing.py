@@ -25,7 +25,7 @@ AXES = MotionModel(smoothing="axes")
 
 
 def driven(
-    program: Programmer, speed: float, *, pause: float = 0.1, averages: Averages = 1
+    program: Programmer, speed: float, *, pause: float = 0.1, averages: Averages = 2
 ) -> Trajectory | None:
     """A program at one speed, after a pause; None where the arm cannot follow it."""
     segments = [replace(s, speed=Speed(speed, np.radians(500.0))) for s in program.segments]
@@ -116,7 +116,7 @@ def test_samples_do_not_depend_on_each_other() -> None:
     assert np.abs(at_once - alone).max() < 1e-12
     assert np.abs(at_once[::-1] - trajectory.at(times[::-1]).joints).max() < 1e-12
     (whole,) = trajectory.pieces
-    parts = Trajectory(trajectory._start, FILTER, "axes")
+    parts = Trajectory(trajectory._start, FILTER, "axes", 2)
     for begin, end in ((0.0, 0.1), (0.1, 0.149), (0.149, whole.path.length)):
         start = whole.start_time + whole.timing.time_at(begin)
         parts.append(Piece(start, whole.path, whole.timing, begin, end))

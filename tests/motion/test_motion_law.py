@@ -31,7 +31,7 @@ def driven(program: Programmer, speed: float, model: MotionModel) -> Trajectory 
     path = path_or_fault(segments, model)
     if isinstance(path, PathFault):
         return None
-    trajectory = Trajectory(segments[0].start, model.window, model.smoothing)
+    trajectory = Trajectory(segments[0].start, model.window, model.smoothing, model.filter_averages)
     trajectory.append(Piece(0.0, path, plan(path, LIMITS), 0.0, path.length))
     return trajectory
 

@@ -19,7 +19,7 @@ from rapidsim.motion.timing.planning import plan
 from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
-MODEL = MotionModel(smoothing="path", filter_time=0.08)
+MODEL = MotionModel(smoothing="path", filter_time=0.08, filter_averages=1)
 FILTER = MODEL.window
 
 

@@ -134,7 +134,7 @@ def test_who_says_nothing_is_an_error_where_the_program_waits() -> None:
         lambda told: None,
     )
     assert it.texts == ["silent in state 1"]
-    assert end_s(it) == pytest.approx(0.556, abs=0.01)
+    assert end_s(it) == pytest.approx(0.577, abs=0.01)
 
 
 def test_an_unhandled_silence_names_the_line() -> None:

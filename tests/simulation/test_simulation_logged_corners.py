@@ -34,7 +34,7 @@ NEAR_M = 5e-3
 STEP_S = 4e-3
 ELASTIC_S2 = np.array([[2.5e-4, -0.9e-4, -0.5e-4], [0.2e-4, 3.3e-4, 1.0e-4]])
 """Motor angle less link angle of axes 1 and 2 for each unit of acceleration of axes 1 to 3."""
-PERCENT, OF_SPEED = 1.7, 0.13
+PERCENT, OF_SPEED = 1.7, 0.145
 """How far durations may be off, and the speed in the corner as a share of the controller's."""
 
 

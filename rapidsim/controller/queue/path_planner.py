@@ -11,6 +11,7 @@ corner has become a stop (corner path failure).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -39,6 +40,7 @@ LOOK_AHEAD_SLACK_S = 0.01
 """The program may think this long at a fly-by point before it makes a difference to the path."""
 TOLERATED_EXCESS = 0.01
 """Share of the path speed by which a re-planned start may be too fast to brake for a new corner."""
+_AT_ONCE_S = 1e-9
 
 Build: TypeAlias = Callable[[Sequence[QueuedMove], int | None], Path]
 """The geometry of moves, one of which, by its number, may stop where it has a zone; raises a
@@ -67,6 +69,8 @@ class BlockPlanner:
     """Where plans that are made again are kept; None where nobody looks for them."""
     ready_s: float = 0.0
     """Earliest command time at which the next block may start."""
+    settled_s: float = -math.inf
+    """When the arm is seen to stand at the end of the last block."""
     moves: list[QueuedMove] = field(default_factory=list)
     """All that were ever put on the path."""
     block: Block = field(default_factory=Block)
@@ -110,7 +114,10 @@ class BlockPlanner:
         self.advance(now_s)
         self.version += 1
         if not self.is_open:
-            start_s = max(now_s, self.ready_s)
+            # A program that says the next move when the arm stands has run ahead of a slow stop:
+            # there the command goes on before the arm is quite at rest.
+            at_once = abs(now_s - self.settled_s) < _AT_ONCE_S
+            start_s = self.ready_s if at_once else max(now_s, self.ready_s)
             commit = Commit(start_s, 0, 0.0, 0.0)
             self.block = Block(commit=commit, is_halted=self.block.is_halted)
             queued.started.time = start_s
@@ -146,9 +153,14 @@ class BlockPlanner:
         stop = self.block.moves[-1].move.stop
         lag_s = self.trajectory.lag_s(end_s)
         pause_s = lag_s + stop.seconds if stop else 0.0
-        # A window that a ramp has widened takes longer to run empty; the standstill stays as long.
+        # A window that a ramp has widened takes longer to run empty; the standstill stays as
+        # long, and the next move waits until it is empty.
         dwell_s = self.model.dwell_after(tentative.timing.braking_s) + (lag_s - self.model.window)
+        if self.trajectory.has_ramps:
+            dwell_s = max(dwell_s, lag_s)
         self.ready_s = end_s + max(dwell_s, pause_s)
+        # Where nothing moved, nothing is left to come to rest.
+        self.settled_s = end_s + lag_s if tentative.timing.braking_s > 0.0 else -math.inf
         self.block.is_closed = True
         self.block.plan = None
         return end_s

@@ -6,6 +6,7 @@ end, until the next one begins, so that its rest can be planned again.
 
 from __future__ import annotations
 
+import math
 from contextlib import suppress
 from dataclasses import replace
 
@@ -122,6 +123,8 @@ def clear(planner: BlockPlanner) -> None:
     if block.is_open:
         block.is_closed, block.plan = True, None
         planner.ready_s = trajectory.command_end
+        # The next move waits for the arm to come to rest.
+        planner.settled_s = -math.inf
         for queued in block.moves:
             if queued.started.time is None:
                 # The program waits for it no longer.

@@ -60,7 +60,7 @@ class Torques:
     wrist: tuple[float, float, float]
     """Accelerations of axes 4 to 6 [rad/s2]."""
     filter_time: float
-    """Width [s] of the moving average over the command."""
+    """Width [s] of the smoothing of the command."""
     fine_dwell: float
     """Time [s] at a stop point from the end of the command to the start of the next."""
     measured: bool
@@ -208,7 +208,7 @@ def prior(geometry: OpwGeometry, speeds: tuple[float, ...], reach: float) -> Tor
         kappa=0.46,
         n33=0.087 * reach**0.55 / speeds[2],
         wrist=(speeds[3] / 0.10, speeds[4] / 0.10, speeds[5] / 0.10),
-        filter_time=0.048 * reach**0.35,
+        filter_time=0.068 * reach**0.35,
         fine_dwell=0.058 * reach**0.35 + 0.025,
         measured=False,
     )

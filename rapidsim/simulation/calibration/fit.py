@@ -245,7 +245,7 @@ def _parameters(robot: Robot, model: MotionModel) -> tuple[_Parameter, ...]:
         )
     own = model_of(robot, model)
     found += [
-        _time("filter_time", own.window, 0.03, _with_filter_time),
+        _time("filter_time", own.window, 0.042, _with_filter_time),
         _time("fine_dwell", own.fine_dwell or 0.0, 0.05, _with_fine_dwell),
     ]
     if model.version != "1":

@@ -1,10 +1,10 @@
 ! RAPID Instructions, AccSet: how quickly accelerations rise. A ramp of p % is taken to smooth the
-! motion over 100/p of 0.08 s; it is later at rest by what that is more than 0.08 s.
+! motion over 100/p of that; it is later at rest by the difference.
 MODULE acc_set_ramps
   CONST robtarget p:=[[850,-350,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
   CONST num wide:=0.0015;
   ! Width of the smoothing of this arm, in seconds.
-  CONST num smoothing:=0.05116;
+  CONST num smoothing:=0.07248;
   VAR clock watch;
   VAR num full;
 

@@ -13,7 +13,8 @@ MODULE speed_refresh
     TPWrite ValToStr(seconds(home)>2*full); ! -> TRUE
     TPWrite ValToStr(C_MOTSET.vel.oride);   ! -> 100
     SpeedRefresh 100;
-    TPWrite ValToStr(Abs(seconds(aside)-full)<0.01); ! -> TRUE
+    ! A stop after a slow move costs less.
+    TPWrite ValToStr(Abs(seconds(aside)-full)<0.06); ! -> TRUE
   ENDPROC
 
   FUNC num seconds(jointtarget there)
