@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.interrupts import TaskInterrupts
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.path_marks import PathMarks
 from rapidsim.language.error_numbers import (
@@ -18,6 +19,7 @@ from rapidsim.language.error_numbers import (
     ERR_PATHDIST,
     rapid_error,
 )
+from rapidsim.language.errors import RapidError
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +29,7 @@ class TaskPathControl:
     clock: TaskClock
     unit: MechanicalUnit
     marks: PathMarks
+    interrupts: TaskInterrupts
 
     @property
     def path_level(self) -> float:
@@ -40,6 +43,16 @@ class TaskPathControl:
         if not self.unit.queue.is_halted:
             rest_s = self.unit.queue.halt(now_s)
             self.clock.pass_time(max(now_s, self.unit.queue.trajectory.seen_s(rest_s)))
+
+    def fail(self, error: RapidError) -> None:
+        """Stop the robot and raise an error where the program waits for it.
+
+        Called by a trap, it is raised at the statement that the trap interrupts.
+        """
+        self.stop_move()
+        if not self.interrupts.in_trap:
+            raise error
+        self.clock.fail_later(error)
 
     def start_move(self) -> None:
         """Let the robot go on, and with it those that move together with it.

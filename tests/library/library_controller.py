@@ -35,7 +35,7 @@ from rapidsim.language.error_numbers import (
     ERR_OUTSIDE_REACH,
     rapid_error,
 )
-from rapidsim.language.errors import Stopped
+from rapidsim.language.errors import RapidError, Stopped
 from rapidsim.language.files import FileMode
 from rapidsim.language.messages import Messages
 from rapidsim.language.modules import Modules
@@ -63,6 +63,7 @@ class RecordingController:
 
     time_s: float = 0.0
     left: int = 0
+    watches: bool = False
     deeds: int = 0
     errno: float = 0.0
     retries: int = 0
@@ -117,6 +118,12 @@ class RecordingController:
     def now(self) -> float:
         return self.time_s
 
+    def stays_until(self, time_s: float) -> None:
+        pass
+
+    def look_at_persistents(self) -> None:
+        pass
+
     def wait(self, seconds: float, *, in_position: bool = False) -> None:
         self.time_s += seconds
         self.log.append(f"wait {seconds:g}{' in position' if in_position else ''}")
@@ -142,6 +149,9 @@ class RecordingController:
 
     def stop_move(self) -> None:
         self.log.append("stop")
+
+    def fail(self, error: RapidError) -> None:
+        raise error
 
     def start_move(self) -> None:
         self.log.append("start")
