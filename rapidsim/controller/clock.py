@@ -324,10 +324,13 @@ class TaskClock:
         """
         next_s = self.next_due_s()
         until_s = deadline_s if next_s is None else min(next_s, deadline_s)
-        until_s = self._cell.turns.until(self, until_s)
-        if math.isinf(until_s):
+        happenings = self._cell.happenings
+        comes_s = self._cell.turns.until(self, until_s)
+        if math.isinf(comes_s):
             return False
-        self.pass_time(until_s)
+        if comes_s < until_s or self._cell.happenings != happenings:
+            self._look_aside(comes_s)
+        self.pass_time(comes_s)
         return True
 
     def next_due_s(self) -> float | None:
@@ -435,7 +438,8 @@ class TaskClock:
             self.go_to(0.0)
             # A trap on the way may stop the robot, or clear its path: then the end comes sooner.
             while not self._unit.queue.is_open and self._time.known_s < reached_s:
-                self.await_event(reached_s)
+                due_s = self.next_due_s()
+                self.pass_time(reached_s if due_s is None else min(due_s, reached_s))
                 reached_s = min(reached_s, self._unit.queue.trajectory.duration)
 
     def come_to_rest(self) -> None:

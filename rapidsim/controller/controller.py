@@ -82,7 +82,10 @@ def virtual_controller(
     execution = TaskExecution(clock, unit, cell, table)
     speeds = SpeedOutputs(unit, cell)
     clock.happenings = (execution, cell, marks, watched, speeds, interrupts)
-    solo = SoloMoves(clock, unit, cell, resolver, table, marks, watched, journal, state)
+    numbers = TaskErrorNumbers()
+    solo = SoloMoves(
+        *(clock, unit, cell, resolver, table, marks, watched, journal, state, interrupts, numbers)
+    )
     reader = PositionReader(unit, resolver)
     others = TaskOthers(clock, unit, cell, resolver, state, reader, journal.task, has_robot)
     team = TaskTeam(
@@ -96,9 +99,9 @@ def virtual_controller(
         clock=clock,
         execution=execution,
         motion=motion,
-        path_control=TaskPathControl(clock, unit, marks, interrupts),
+        path_control=TaskPathControl(clock, unit, marks, interrupts, state),
         path_recorder=TaskPathRecorder(clock, unit, resolver, state, team.put),
-        searches=TaskSearch(clock, unit, cell, resolver, team.put),
+        searches=TaskSearch(clock, unit, cell, resolver, team.put, state),
         world_zones=TaskZones(clock, unit, cell, journal, watched),
         operator=TaskOperator(clock, cell, journal),
         files=TaskFiles(clock, cell),
@@ -106,7 +109,7 @@ def virtual_controller(
         sockets=sockets,
         interrupts=interrupts,
         signals=TaskSignals(clock, unit, cell, table, marks, watched),
-        error_numbers=TaskErrorNumbers(),
+        error_numbers=numbers,
         tasks=others,
         sync_moves=team,
         honesty=TaskHonesty(clock, journal),

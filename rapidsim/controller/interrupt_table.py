@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from rapidsim.controller.journal.stop_reasons import TrapStorm
 from rapidsim.language.error_log import LoggedError
 from rapidsim.language.error_numbers import ERR_INOISSAFE, ERR_UNKINO, rapid_error
-from rapidsim.language.errors import RapidError
+from rapidsim.language.errors import NotAllowed, RapidError
 from rapidsim.language.messages import Message, MessageKind
 from rapidsim.language.reference import Reference
 
@@ -107,17 +107,13 @@ class InterruptTable:
         """Raise an interrupt once, or every so many seconds.
 
         Raises:
-            RapidError: If the interrupt is not connected, has an order already, or the time is too
-                short.
+            RapidError: If the interrupt is not connected or has an order already.
+            NotAllowed: If the time is too short.
         """
         connection = self._find_free(number)
         shortest = MIN_TIMER_SINGLE_S if single else MIN_TIMER_PERIOD_S
         if seconds < shortest:
-            raise RapidError(
-                ERR_INOISSAFE,
-                f"a timer of {seconds:g} s is too short; the least is {shortest:g} s",
-                cf="ABB 40622",
-            )
+            raise NotAllowed(f"a timer of {seconds:g} s is too short; the least is {shortest:g} s")
         connection.next_s = now_s + seconds
         connection.period_s = None if single else seconds
 

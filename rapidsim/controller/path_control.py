@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.interrupts import TaskInterrupts
+from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.path_marks import PathMarks
 from rapidsim.language.error_numbers import (
@@ -19,7 +20,7 @@ from rapidsim.language.error_numbers import (
     ERR_PATHDIST,
     rapid_error,
 )
-from rapidsim.language.errors import RapidError
+from rapidsim.language.errors import NotAllowed, RapidError
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +31,7 @@ class TaskPathControl:
     unit: MechanicalUnit
     marks: PathMarks
     interrupts: TaskInterrupts
+    state: MotionState
 
     @property
     def path_level(self) -> float:
@@ -98,6 +100,8 @@ class TaskPathControl:
             RapidError: ERR_PATH, while the robot moves.
         """
         self.clock.note_line()
+        if self.state.searches and not self.unit.own.stored:
+            raise NotAllowed("StorePath in a trap while the robot searches; ISleep the interrupt")
         self._require_standstill("StorePath")
         self.unit.queue.store()
 

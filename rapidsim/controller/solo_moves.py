@@ -10,6 +10,7 @@ from typing import Protocol
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.interrupt_table import InterruptTable
+from rapidsim.controller.interrupts import TaskErrorNumbers, TaskInterrupts
 from rapidsim.controller.journal.events import THE_TIME
 from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.motion_state import MotionState
@@ -20,9 +21,11 @@ from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.path_marks import PathMarks
 from rapidsim.controller.queue.path_planner import MAX_OPEN_MOVES
 from rapidsim.controller.queue.zone_table import WorldZoneTable
+from rapidsim.findings.levels import MoveWithoutStorePath
 from rapidsim.findings.ramps import RampWaits
 from rapidsim.language.error_log import CORNER_PATH_FAILURE
-from rapidsim.language.error_numbers import ERR_CONC_MAX, rapid_error
+from rapidsim.language.error_numbers import ERR_CONC_MAX, IN_ERROR, rapid_error
+from rapidsim.language.errors import NotAllowed
 from rapidsim.language.moves import Move
 
 MAX_CONCURRENT_MOVES = 5
@@ -62,11 +65,14 @@ class SoloMoves:
     zones: WorldZoneTable
     journal: Journal
     state: MotionState
+    interrupts: TaskInterrupts
+    numbers: TaskErrorNumbers
 
     def put(self, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True) -> None:
         """Put a move on the path; see `Put`."""
         self.clock.note_line()
         self._count_concurrent(move)
+        self._note_level(move)
         queue = self.unit.own
         queued = self.resolver.resolve(
             move, self.clock.place, queue.end, self.state.settings, index=len(queue.moves)
@@ -126,6 +132,16 @@ class SoloMoves:
             found = RampWaits(wanted, 100.0 * kept)
             self.journal.finding(found, self.clock.place, once=RampWaits)
 
+    def _note_level(self, move: Move) -> None:
+        """Tell of a move that a controller wants on a path of its own."""
+        place = self.clock.place
+        in_clause = self.numbers.handler == IN_ERROR
+        if not (in_clause or self.interrupts.in_trap) or self.unit.own.stored:
+            return
+        where = "an ERROR clause" if in_clause else "a trap"
+        found = MoveWithoutStorePath(move.instruction, where)
+        self.journal.finding(found, place, once=(MoveWithoutStorePath, place.span))
+
     def _count_concurrent(self, move: Move) -> None:
         r"""Refuse more moves with \Conc in succession than a controller takes.
 
@@ -133,6 +149,10 @@ class SoloMoves:
             RapidError: ERR_CONC_MAX.
         """
         state = self.state
+        if move.concurrent and self.unit.own.stored:
+            raise NotAllowed(
+                rf"{move.instruction} \Conc between StorePath and RestoPath is not allowed"
+            )
         state.concurrent = state.concurrent + 1 if move.concurrent else 0
         if state.concurrent > MAX_CONCURRENT_MOVES:
             state.concurrent = 0

@@ -15,11 +15,11 @@ from __future__ import annotations
 from rapidsim.language.annotations import Bool, Num, SignalDo, Switch, Var
 from rapidsim.language.controller import Controller
 from rapidsim.language.error_numbers import (
-    ERR_ARGVALERR,
     ERR_PATH_STOP,
     ERR_PROCSIGNAL_OFF,
     rapid_error,
 )
+from rapidsim.language.errors import NotAllowed
 from rapidsim.language.path_control import PathControl
 from rapidsim.library.honesty import ignored
 from rapidsim.library.table import routine, table
@@ -32,6 +32,7 @@ def stop_move(
     """Stop the robot on its path; the program goes on when it stands."""
     ignored(controller.honesty, "StopMove", {r"\Quick": quick})
     if all_motion_tasks:
+        _require_no_robot(controller, "StopMove")
         controller.tasks.stop_other_robots()
     controller.path_control.stop_move()
 
@@ -39,6 +40,7 @@ def stop_move(
 def start_move(controller: Controller, *, all_motion_tasks: Switch = False) -> None:
     """Let the robot go on."""
     if all_motion_tasks:
+        _require_no_robot(controller, "StartMove")
         controller.tasks.start_other_robots()
     controller.path_control.start_move()
 
@@ -51,6 +53,7 @@ def start_move_retry(controller: PathControl) -> None:
 def stop_move_reset(controller: Controller, *, all_motion_tasks: Switch = False) -> None:
     """Take a StopMove back: the robot goes on."""
     if all_motion_tasks:
+        _require_no_robot(controller, "StopMoveReset")
         controller.tasks.start_other_robots()
     if controller.path_control.is_stopped():
         controller.path_control.start_move()
@@ -65,14 +68,19 @@ def procerr_recovery(
 ) -> None:
     """Stop the robot as a failing process does: ERR_PATH_STOP, and StartMoveRetry goes on."""
     if not (sync_org_move_inst or sync_last_move_inst):
-        raise rapid_error(
-            ERR_ARGVALERR, r"ProcerrRecovery needs \SyncOrgMoveInst or \SyncLastMoveInst"
-        )
+        raise NotAllowed(r"ProcerrRecovery needs \SyncOrgMoveInst or \SyncLastMoveInst")
     if proc_signal is not None and not controller.signals.read_signal(proc_signal.value.name):
         raise rapid_error(ERR_PROCSIGNAL_OFF, f"`{proc_signal.value.name}` is 0: no process runs")
     controller.path_control.fail(
         rapid_error(ERR_PATH_STOP, "ProcerrRecovery stopped the robot on its path")
     )
+
+
+def _require_no_robot(controller: Controller, instruction: str) -> None:
+    if controller.tasks.robot_number:
+        raise NotAllowed(
+            rf"{instruction} \AllMotionTasks in the task of a robot; it is for tasks that watch"
+        )
 
 
 def clear_path(controller: PathControl) -> None:

@@ -87,8 +87,7 @@ class RecordingController:
     number: float = 0.0
     choice: int = 0
     text: str = ""
-    nobody: bool = False
-    """Whether nobody answers a question that ends by itself."""
+    nobody: bool = False  # answers a question that ends by itself
     booked: float = 20500.0
     in_reach: bool = True
 
@@ -121,9 +120,6 @@ class RecordingController:
     def stays_until(self, time_s: float) -> None:
         pass
 
-    def look_at_persistents(self) -> None:
-        pass
-
     def wait(self, seconds: float, *, in_position: bool = False) -> None:
         self.time_s += seconds
         self.log.append(f"wait {seconds:g}{' in position' if in_position else ''}")
@@ -139,6 +135,8 @@ class RecordingController:
 
     def service(self) -> None:
         raise AssertionError("nothing is due here")
+
+    look_at_persistents = service
 
     def move(self, move: Move, triggers: tuple[Trigger, ...] = ()) -> None:
         self.moves.append(move)
