@@ -10,12 +10,13 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 from functools import cache, cached_property
 from typing import TYPE_CHECKING, ClassVar, dataclass_transform
 
 from rapidsim.shipped import shipped
+from rapidsim.values import dataclass
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -188,8 +189,11 @@ class Violation:
     """A mistake of the user; a subclass has the facts as fields, and the code of its rule."""
 
     rule: ClassVar[Rule]
-    is_told_once: ClassVar[bool] = False
-    """Whether all of them, in all files, are one finding where findings are merged."""
+
+    @property
+    def is_told_once(self) -> bool:
+        """Whether all of them, in all files, are one finding where findings are merged."""
+        return False
 
     def with_others(self, others: Sequence[Violation]) -> Violation:
         """One violation that says this and others of its rule; for those that are told once."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +83,10 @@ class RunChange:
     outputs: tuple[OutputChange, ...] = ()
     motion_models: tuple[str, str] = ("", "")
     """Versions of the motion model; "" where nothing names it."""
+    robots: tuple[str, str] = ("", "")
+    """The arms."""
+    errors: tuple[str | None, str | None] = (None, None)
+    """What stopped them, where an error did."""
 
     @property
     def other_model(self) -> str:
@@ -95,7 +99,11 @@ class RunChange:
     @property
     def is_same(self) -> bool:
         """Whether they are the same but for rounding."""
-        return not (self.routines or self.lines or self.outputs) and self.ends[0] == self.ends[1]
+        return (
+            not (self.routines or self.lines or self.outputs)
+            and self.ends[0] == self.ends[1]
+            and self.robots[0] == self.robots[1]
+        )
 
 
 @dataclass(frozen=True, slots=True)

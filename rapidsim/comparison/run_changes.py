@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from difflib import SequenceMatcher
 from typing import Any, TypeAlias
 
 from rapidsim.comparison.changes import OutputChange, RunChange, TimeChange
+from rapidsim.diagnostics import Severity
+from rapidsim.motion.robot.catalogue import aliases
+from rapidsim.simulation.results.simulation import End
+from rapidsim.values import dataclass
 
 RunJson: TypeAlias = Mapping[str, Any]
 
@@ -51,7 +54,24 @@ def run_changes(old: RanProgram, new: RanProgram) -> RunChange:
         tuple(sorted(_line_changes(a, b), key=lambda one: -abs(one.delta_s))),
         tuple(_output_changes(old, new)),
         (_motion_model(old.report), _motion_model(new.report)),
+        (_robot(old.report), _robot(new.report)),
+        (_error(old.report), _error(new.report)),
     )
+
+
+def _robot(report: RunJson) -> str:
+    """The arm, by the same name whatever alias it was named by."""
+    name = str(report.get("robot", ""))
+    return aliases().get(name.lower(), name)
+
+
+def _error(report: RunJson) -> str | None:
+    """What stopped a run; of several the last is what nothing came after."""
+    if report["end"] != End.ERROR.value:
+        return None
+    found = report.get("diagnostics", ())
+    errors = [one for one in found if one["severity"] == Severity.ERROR.value]
+    return f"{errors[-1]['code']}: {errors[-1]['message']}" if errors else None
 
 
 def _motion_model(report: RunJson) -> str:

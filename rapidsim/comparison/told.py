@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from pathlib import Path
 
 from rapidsim.comparison.changes import (
@@ -14,6 +14,7 @@ from rapidsim.comparison.changes import (
     RunChange,
     TimeChange,
 )
+from rapidsim.values import dataclass
 
 _MOST_LINES = 20
 _SHOWN_S = 0.001
@@ -71,6 +72,8 @@ def as_json(comparison: Comparison) -> dict[str, object]:
             "before_s": run.before_s,
             "after_s": run.after_s,
             "ends": list(run.ends),
+            "errors": list(run.errors),
+            "robots": list(run.robots),
             "motion_models": list(run.motion_models),
             "routines": [asdict(change) for change in run.routines],
             "lines": [asdict(change) for change in run.lines],
@@ -111,10 +114,14 @@ def blocks(comparison: Comparison) -> Iterator[Block]:
     """What is told, a block a subject."""
     if comparison.is_same:
         yield Block(SAME)
+    run = comparison.run
+    if run is not None and run.robots[0] != run.robots[1]:
+        yield Block("Cell", (f"robot: {run.robots[0]} -> {run.robots[1]}",))
     if comparison.changes:
         yield Block("Program", tuple(map(_change_line, comparison.changes)))
-    run = comparison.run
     if run is not None and not run.is_same:
+        if run.ends[0] != run.ends[1]:
+            yield Block("End of the run", (_ends_line(run),))
         yield from _time_blocks(run)
         if run.outputs:
             yield Block("Outputs", tuple(f"{one.signal}: {one.message}" for one in run.outputs))
@@ -124,10 +131,16 @@ def blocks(comparison: Comparison) -> Iterator[Block]:
         yield Block(f"No times: {comparison.why_no_run}.")
 
 
+def _ends_line(run: RunChange) -> str:
+    before, after = (
+        f"{end} ({error})" if error else end
+        for end, error in zip(run.ends, run.errors, strict=True)
+    )
+    return f"{before} -> {after}"
+
+
 def _time_blocks(run: RunChange) -> Iterator[Block]:
     notes = [run.other_model] if run.other_model else []
-    if run.ends[0] != run.ends[1]:
-        notes.append(f"it ended otherwise: {run.ends[0]} -> {run.ends[1]}")
     whole = TimeChange("", "all", "", run.before_s, run.after_s)
     shown, left = _worth_telling(run.routines, len(run.routines))
     yield Block("Time by routine", (*notes, *left), (whole, *shown))

@@ -5,8 +5,6 @@ Each concern has its file here and is given what it uses; what tasks share is th
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rapidsim.controller.cameras import TaskCameras
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.cell.message_queues import QueueSettings
@@ -15,6 +13,7 @@ from rapidsim.controller.cyclic_bools import TaskCyclicBools
 from rapidsim.controller.equipment import TaskEquipment
 from rapidsim.controller.execution import TaskExecution
 from rapidsim.controller.files import TaskFiles, TaskTexts
+from rapidsim.controller.guidance import TaskGuidance
 from rapidsim.controller.interrupt_table import InterruptTable
 from rapidsim.controller.interrupts import TaskErrorNumbers, TaskInterrupts
 from rapidsim.controller.journal.journal import Journal
@@ -40,6 +39,7 @@ from rapidsim.controller.triggers import Triggers
 from rapidsim.controller.zones import TaskZones
 from rapidsim.language.controller import Controller
 from rapidsim.language.moves import Place
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +51,7 @@ class VirtualController:
     motion: TaskMotion
     others: TaskOthers
     sockets: TaskSockets
+    guidance: TaskGuidance
     concerns: Controller
 
 
@@ -81,7 +82,8 @@ def virtual_controller(
     interrupts = TaskInterrupts(clock, table)
     execution = TaskExecution(clock, unit, cell, table)
     speeds = SpeedOutputs(unit, cell)
-    clock.happenings = (execution, cell, marks, watched, speeds, interrupts)
+    guidance = TaskGuidance(clock, unit, cell, resolver, state, journal)
+    clock.happenings = (execution, cell, guidance, marks, watched, speeds, interrupts)
     numbers = TaskErrorNumbers()
     solo = SoloMoves(
         *(clock, unit, cell, resolver, table, marks, watched, journal, state, interrupts, numbers)
@@ -117,5 +119,6 @@ def virtual_controller(
         cyclic_bools=TaskCyclicBools(clock, cell),
         cameras=TaskCameras(clock, cell),
         messages=TaskMessages(clock, cell, table, journal, own_queue),
+        guidance=guidance,
     )
-    return VirtualController(clock, execution, motion, others, sockets, concerns)
+    return VirtualController(clock, execution, motion, others, sockets, guidance, concerns)

@@ -74,7 +74,8 @@ class TaskMotion:
     def is_moving(self) -> bool:
         """Whether the robot has moves under way."""
         queue = self.unit.queue
-        return queue.is_open or queue.trajectory.duration > self.clock.observe()
+        is_guided = self.unit.own.guided is not None
+        return is_guided or queue.is_open or queue.trajectory.duration > self.clock.observe()
 
     def current_target(self, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
         """Where the TCP is now; None takes the tool or work object of the last move."""
@@ -130,6 +131,7 @@ class TaskMotion:
 
     def finish(self) -> None:
         """Let the robot come to rest after the last statement."""
+        self.unit.own.end_guidance()
         queue = self.unit.queue
         if queue.is_open and not queue.is_halted:
             self.clock.observe()
@@ -138,6 +140,7 @@ class TaskMotion:
 
     def abandon(self) -> None:
         """Let the robot make the moves it has before the program stopped with an error."""
+        self.unit.own.end_guidance()
         queue = self.unit.queue
         if queue.is_open and not queue.is_halted:
             with self.unit.ending():

@@ -7,8 +7,6 @@ is our reading of the examples, which ask for the position right after it.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.interrupts import TaskInterrupts
 from rapidsim.controller.motion_state import MotionState
@@ -21,6 +19,7 @@ from rapidsim.language.error_numbers import (
     rapid_error,
 )
 from rapidsim.language.errors import NotAllowed, RapidError
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

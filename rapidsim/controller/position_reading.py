@@ -62,6 +62,10 @@ class PositionReader:
         if self._version != self.unit.version:
             self._version, self._last = self.unit.version, None
             self._ahead.clear()
+        if self.unit.own.guided is not None:
+            # Only the sensor knows where it will be.
+            self._step_s = math.inf
+            self._ahead.clear()
         last = self._last
         if last is None or not 0.0 <= now_s - last.time_s < HOLDS_S - _SAME_S:
             step_s = math.inf if last is None else now_s - last.time_s
@@ -74,6 +78,7 @@ class PositionReader:
         """Until when [s] nobody gets another reading, if nothing else happens."""
         queue = self.unit.queue
         waits = queue.is_open and not queue.is_halted
+        waits |= self.unit.own.guided is not None
         still = not waits and queue.trajectory.duration <= reading.time_s
         return math.inf if still else reading.time_s + HOLDS_S
 

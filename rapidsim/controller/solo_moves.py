@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Protocol
 
 from rapidsim.controller.cell.cell import Cell
@@ -27,6 +26,7 @@ from rapidsim.language.error_log import CORNER_PATH_FAILURE
 from rapidsim.language.error_numbers import ERR_CONC_MAX, IN_ERROR, rapid_error
 from rapidsim.language.errors import NotAllowed
 from rapidsim.language.moves import Move
+from rapidsim.values import dataclass
 
 MAX_CONCURRENT_MOVES = 5
 r"""So many moves with \Conc may follow each other."""
@@ -74,6 +74,10 @@ class SoloMoves:
         self._count_concurrent(move)
         self._note_level(move)
         queue = self.unit.own
+        if queue.guided is not None:
+            raise NotAllowed(
+                f"{move.instruction}: a sensor guides the robot; EGMStop, or EGMWaitCond, ends that"
+            )
         queued = self.resolver.resolve(
             move, self.clock.place, queue.end, self.state.settings, index=len(queue.moves)
         )

@@ -5,10 +5,13 @@ The facts come from motion; whoever knows the source line binds them to it. Unit
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from rapidsim.diagnostics import Violation
 
 _LISTED_CONFIGURATIONS = 4
 """A pose has up to 32, most of them whole turns of axes away."""
+_NAME_IT = "name yours with --robot or as `model` under [robot] in rapidsim.toml"
 
 
 class UnreachableTarget(Violation, code="K601"):
@@ -16,10 +19,33 @@ class UnreachableTarget(Violation, code="K601"):
     robot: str
     why: str
     cure: str | None = None
+    taken_by_default: bool = False
+    """Whether nothing names the arm: then all targets out of its reach are one finding."""
+    others: int = 0
+    """How many more are told with it."""
+
+    @property
+    def is_told_once(self) -> bool:
+        """Where the arm is a guess, what is wrong is the guess."""
+        return self.taken_by_default
+
+    def with_others(self, others: Sequence[Violation]) -> UnreachableTarget:
+        """This one, and how many more there are."""
+        return UnreachableTarget(self.target, self.robot, self.why, self.cure, True, len(others))
+
+    @property
+    def message(self) -> str:
+        """The first target, and how many more."""
+        if not self.others:
+            return super().message
+        more = f"{self.others} more target{'s' if self.others > 1 else ''}"
+        return super().message.replace("cannot be", f"and {more} cannot be", 1)
 
     @property
     def help(self) -> str | None:
         """What would bring it into reach, when that is known."""
+        if self.taken_by_default:
+            return f"nothing names the arm, {self.robot} is only the default: {_NAME_IT}"
         return self.cure
 
 

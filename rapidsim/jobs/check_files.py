@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from os import PathLike
 from typing import TYPE_CHECKING
 
@@ -17,6 +17,7 @@ from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import TaskFiles
+from rapidsim.findings.runs import EndlessWait
 from rapidsim.jobs.baseline import Key, read_baseline, told_apart
 from rapidsim.jobs.checked_program import Loaded, load_task
 from rapidsim.jobs.faultless_part import faultless_part
@@ -25,11 +26,13 @@ from rapidsim.jobs.job import Job, job
 from rapidsim.jobs.misspelt_signals import misspelt_in
 from rapidsim.jobs.move_checks import CheckMoves, choose_move_check
 from rapidsim.jobs.selection import choose_selection
-from rapidsim.jobs.undriven_inputs import find_never_driven
+from rapidsim.jobs.undriven_inputs import find_never_driven, not_told
 from rapidsim.reach.checked_moves import Coverage, ReachReport, UncheckedMove
 from rapidsim.reach.dataflow.written_moves import written_moves
 from rapidsim.station.tasks import DEFAULT_TASK
 from rapidsim.syntax import tree
+from rapidsim.syntax.collection import seldom_collected
+from rapidsim.values import dataclass
 
 if TYPE_CHECKING:
     from rapidsim.motion.robot.robot import Robot
@@ -68,7 +71,7 @@ class CheckResult:
         """One line."""
         count = len(self.diagnostics)
         verdict = "accepted" if self.accepted else "rejected"
-        return f"<check of {len(self.files)} files: {verdict}, {count} findings>"
+        return f"<check: {verdict}, files: {len(self.files)}, findings: {count}>"
 
     def looked_for(self, selector: str) -> bool:
         """Whether all that a selector may mean was looked for.
@@ -109,6 +112,7 @@ def check(
     return result if baseline is None else result.against(read_baseline(baseline).known)
 
 
+@seldom_collected()
 def check_job(job: Job) -> CheckResult:
     """Check what is to be checked, with the rules that are asked for and those of the settings."""
     asked, station = job.asked, job.station
@@ -121,6 +125,8 @@ def check_job(job: Job) -> CheckResult:
         cell=job.cell,
     )
     undriven = find_never_driven(result.trees, station.io)
+    if selection.is_looked_for(EndlessWait.rule.code):
+        undriven = not_told(undriven, result.diagnostics)
     unsuppressed = without_suppressed(
         (*result.diagnostics, *undriven, *misspelt_in(job, result.diagnostics)),
         result.trees,

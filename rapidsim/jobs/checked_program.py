@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.passes.checker import Find, check
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Severity, Source
 from rapidsim.files import SourceFile, TaskFiles
+from rapidsim.jobs.late_references import program_with_late_references
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -46,8 +48,12 @@ def load(
     names = replace(cell, unseen=tuple(unseen), refers_late=refers_late)
     checked = check(trees, rules, cell=names)
     diagnostics = (*(d for one in parsed for d in one.diagnostics), *checked.diagnostics)
-    accepted = all(d.severity is not Severity.ERROR for d in diagnostics)
-    return Loaded(trees, checked.program if accepted else None, diagnostics)
+    program = checked.program
+    if any(d.severity is Severity.ERROR for d in diagnostics):
+        program = None
+    elif program is None and refers_late:
+        program = program_with_late_references(trees, diagnostics, names)
+    return Loaded(trees, program, diagnostics)
 
 
 def load_task(task: TaskFiles, cell: CellNames, rules: Sequence[Find] = ()) -> Loaded:

@@ -7,18 +7,17 @@ sees, nothing is left to look at.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields, is_dataclass, replace
-from operator import is_
-from typing import Any
+from collections.abc import Sequence
 
 from rapidsim.analysis.cell_names import CellNames
 from rapidsim.analysis.passes.checker import check
 from rapidsim.analysis.program import Program
+from rapidsim.analysis.replaced_nodes import rebuilt
 from rapidsim.analysis.tree_walk import clauses, descendants, statements
 from rapidsim.diagnostics import Severity, Span
 from rapidsim.jobs.checked_program import Loaded
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -43,7 +42,7 @@ def faultless_part(loaded: Loaded, cell: CellNames) -> FaultlessPart | None:
         faulty[id(found)] = found
         replaced.append(Span(one.span.source, found.start, found.end))
     instead = {key: _unknown_call(statement) for key, statement in faulty.items()}
-    files = tuple(_rebuilt(file, instead) for file in loaded.files)
+    files = tuple(rebuilt(file, instead) for file in loaded.files)
     checked = check(files, (), cell=cell)
     if checked.program is None:
         return None
@@ -75,18 +74,3 @@ def _unknown_call(statement: tree.Statement) -> tree.LateCall:
     """A call of what only a run would know, in the place of a statement."""
     start, end = statement.start, statement.end
     return tree.LateCall(start, end, tree.String(start, end, ""), ())
-
-
-def _rebuilt(part: Any, instead: Mapping[int, tree.Node]) -> Any:
-    """A part of a tree with some of its nodes replaced, by the identity of the old ones."""
-    if isinstance(part, tuple):
-        parts = tuple(_rebuilt(one, instead) for one in part)
-        return part if all(map(is_, part, parts)) else parts
-    if not is_dataclass(part) or isinstance(part, type):
-        return part
-    if id(part) in instead:
-        return instead[id(part)]
-    old = {one.name: getattr(part, one.name) for one in fields(part) if one.init}
-    new = {name: _rebuilt(value, instead) for name, value in old.items()}
-    changed = {name: value for name, value in new.items() if value is not old[name]}
-    return replace(part, **changed) if changed else part

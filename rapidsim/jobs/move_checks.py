@@ -43,6 +43,8 @@ def choose_move_check(job: Job) -> CheckMoves | None:
         from rapidsim.reach.reach import check_reach
 
         number = station.robot_number(task)
+        if station.robots and number >= len(station.robots):
+            return f"{task} moves none of the robots: there are {len(station.robots)}"
         robot = station.robots[number] if station.robots else None
         if robot is not None and robot.unknown and job.asked.robot is None:
             return f"arm unknown: the catalogue has no {robot.unknown}; --robot names another"
@@ -63,7 +65,14 @@ def choose_move_check(job: Job) -> CheckMoves | None:
         )
         budget_s = station.check.cycle_budget_s
         trial_run = job.asked.trial_run and runs
-        report = check_reach(program, arm, options, run=trial_run, cycle_budget_s=budget_s)
+        report = check_reach(
+            program,
+            arm,
+            options,
+            run=trial_run,
+            cycle_budget_s=budget_s,
+            by_default=not job.is_arm_named,
+        )
         # What a run of main has found stands at the instruction.
         pointed = pointed_at_targets(report.diagnostics, (program,))
         report = replace(report, diagnostics=pointed)

@@ -9,6 +9,7 @@ from rapidsim.analysis.program import does
 from rapidsim.analysis.tree_walk import clauses, statements
 from rapidsim.controller.cell.description import CellIo, SignalKind
 from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.findings.runs import EndlessWait
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
@@ -44,6 +45,17 @@ def find_never_driven(files: Iterable[tree.File], io: CellIo) -> Iterator[Diagno
                         violation = NeverDrivenInput(name.text, value.text)
                         span = module.span(name)
                         yield Diagnostic(violation, span, routine=routine.name.text)
+
+
+def not_told(undriven: Iterable[Diagnostic], told: Iterable[Diagnostic]) -> Iterator[Diagnostic]:
+    """The waits that no run has been seen to end at, which says more of the same."""
+    ends = [one.span for one in told if isinstance(one.violation, EndlessWait) and one.span]
+    for one in undriven:
+        span = one.span
+        if span is None or not any(
+            end.file == span.file and end.start <= span.start < end.end for end in ends
+        ):
+            yield one
 
 
 def _wait(statement: tree.Statement) -> tuple[tree.Name, tree.Number] | None:

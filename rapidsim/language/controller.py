@@ -22,6 +22,7 @@ from rapidsim.language.data import JointTarget, Pos, RobTarget, ToolData, WobjDa
 from rapidsim.language.equipment import Equipment
 from rapidsim.language.error_log import LoggedError
 from rapidsim.language.files import Files
+from rapidsim.language.guidance import Guidance
 from rapidsim.language.messages import Messages
 from rapidsim.language.modules import Modules
 from rapidsim.language.moves import (
@@ -191,6 +192,15 @@ class Operator(Protocol):
 
     def clear_screen(self) -> None:
         """Remove all lines."""
+        ...
+
+    def asking(self, instruction: str) -> AbstractContextManager[None]:
+        """While an instruction asks; afterwards its question stands no longer."""
+        ...
+
+    @property
+    def has_answered(self) -> bool:
+        """Whether somebody came since None was answered: the same question has an answer now."""
         ...
 
     def ask_number(self, prompt: str, *, ends: bool = False) -> float | None:
@@ -408,6 +418,7 @@ class Controller:
     cyclic_bools: CyclicBools
     cameras: Cameras
     messages: Messages
+    guidance: Guidance
     symbols: Symbols = field(init=False)
     """The data of the program by name; the interpreter sets it."""
     modules: Modules = field(init=False)
@@ -437,6 +448,7 @@ CONCERNS: Mapping[type, str] = MappingProxyType(
         CyclicBools: "cyclic_bools",
         Cameras: "cameras",
         Messages: "messages",
+        Guidance: "guidance",
     }
 )
 """Under which name a `Controller` has the concern of each protocol."""

@@ -24,6 +24,7 @@ from rapidsim.library.file_system import FILE_SYSTEM
 from rapidsim.library.files import FILES
 from rapidsim.library.fits import FITS
 from rapidsim.library.flow import FLOW
+from rapidsim.library.guidance import GUIDANCE
 from rapidsim.library.interrupts import INTERRUPTS
 from rapidsim.library.io_devices import IO_DEVICES
 from rapidsim.library.loading import LOADING
@@ -100,6 +101,7 @@ CHAPTERS: Mapping[str, Mapping[str, LibraryRoutine]] = MappingProxyType(
         "I/O devices": IO_DEVICES,
         "Mechanical units": MECHANICAL_UNITS,
         "Path correction": CORRECTIONS,
+        "Externally guided motion": GUIDANCE,
         "Cyclic bools": CYCLIC_BOOLS,
         "Cameras": CAMERAS,
         "Conveyors": CONVEYORS,

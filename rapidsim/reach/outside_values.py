@@ -15,16 +15,44 @@ from rapidsim.analysis.tree_walk import descendants
 from rapidsim.analysis.types.data_paths import root_of
 from rapidsim.interpreter.runtime.values import is_signal
 from rapidsim.language.annotations import Mode
+from rapidsim.language.types import SIGNAL_AI, SIGNAL_DI, SIGNAL_GI, resolved
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
 _OUTSIDE = frozenset({"signals", "sockets", "operator", "files", "cameras", "messages"})
 """Concerns of a controller that give such values."""
+_NOT_THERE = frozenset({"files", "texts", "sockets", "cameras"})
+"""Concerns of a controller that give a check something else than a run."""
+_INPUTS = (SIGNAL_DI, SIGNAL_GI, SIGNAL_AI)
 _PATHS = (tree.Reference, tree.Index, tree.Component)
 
 
 def moved_by_outside(program: Program) -> frozenset[tree.Call]:
     """The calls of installed instructions whose arguments depend on values from outside."""
     return _Search(program).calls()
+
+
+def looks_at_inputs(program: Program) -> bool:
+    """Whether a program names an input."""
+    return any(resolved(one) in _INPUTS for one in program.type_of.values())
+
+
+def asks_outside(program: Program) -> bool:
+    """Whether a program calls what a check cannot give it: files, clients, cameras, modules."""
+    installed = (one for one in program.symbol_of.values() if isinstance(one, LibrarySymbol))
+    return any(
+        one.routine.signature.concern in _NOT_THERE or Does.LOAD in one.routine.does
+        for one in installed
+    )
+
+
+def is_given_values(program: Program) -> bool:
+    """Whether others give it persistents: it declares some that say no value of their own."""
+    return any(
+        isinstance(item, tree.Data) and item.storage == "PERS" and item.value is None
+        for module in program.modules
+        for item in module.items
+    )
 
 
 class _Search:

@@ -44,6 +44,7 @@ def check_reach(
     *,
     run: bool = True,
     cycle_budget_s: float | None = None,
+    by_default: bool = False,
 ) -> ReachReport:
     """Check the moves of a program.
 
@@ -53,6 +54,7 @@ def check_reach(
         options: How main is run, where it is: where the arm starts, signals, motion model.
         run: Whether main is run, for the moves that only a run can tell and for its error.
         cycle_budget_s: How long one cycle of main may take; then needless stops are told, too.
+        by_default: Whether the arm is taken by default, because nothing names one.
     """
     options = options or RunOptions()
     walked = walk_program(program)
@@ -75,7 +77,7 @@ def check_reach(
             known += told.moves
             placed = posed(known, robot, base_from_world, options.external_axes)
     ends = ends_of(placed, robot)
-    cures = Cures(program, placed, ends, robot, base_from_world)
+    cures = None if by_default else Cures(program, placed, ends, robot, base_from_world)
     finder = WayFinder(program, placed, ends, robot, options.model, joints)
     ways = finder.survey()
     found = [

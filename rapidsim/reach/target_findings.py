@@ -44,9 +44,12 @@ LOW_MARGIN = np.radians(5.0)
 
 
 def unreachable_findings(
-    program: Program, posed: PosedMoves, ends: Ends, robot: Robot, cures: Cures
+    program: Program, posed: PosedMoves, ends: Ends, robot: Robot, cures: Cures | None
 ) -> Iterator[Diagnostic]:
-    """K601 and K602: ends that no configuration reaches, and axis positions past their limits."""
+    """K601 and K602: ends that no configuration reaches, and axis positions past their limits.
+
+    No cures: the arm is taken by default, and who names the right one needs none.
+    """
     for row in np.flatnonzero(ends.looked_at & ~ends.reachable).tolist():
         known = posed.moves[row]
         name, span = target_text(program, known), target_span(program, known)
@@ -62,7 +65,8 @@ def unreachable_findings(
         why = reason_with_lengths(robot, pose, reason)
         wobj = data_of(program, known, "wobj")
         related = declared(wobj, "`{name}`, the work object, is declared here")
-        unreachable = UnreachableTarget(name, robot.title, why, cures.of(row))
+        cure = None if cures is None else cures.of(row)
+        unreachable = UnreachableTarget(name, robot.title, why, cure, cures is None)
         yield Diagnostic(unreachable, span, related, routine=known.routine)
 
 

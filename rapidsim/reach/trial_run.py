@@ -7,27 +7,26 @@ on, but not at a stored configuration that cannot be had: the moves after it are
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from rapidsim.analysis.program import LibrarySymbol, Program
+from rapidsim.analysis.program import Program
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import InputError
 from rapidsim.findings.runs import EndlessWait
 from rapidsim.interpreter.limits import NotExecutableError
-from rapidsim.language import types
 from rapidsim.language.errors import Stopped
 from rapidsim.language.moves import MotionSettings
-from rapidsim.language.types import resolved
-from rapidsim.library.traits import Does
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.dataflow.known_moves import KnownMove, WalkedProgram
+from rapidsim.reach.outside_values import asks_outside, is_given_values, looks_at_inputs
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.results.simulation import End
+from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.simulation.simulate import simulate
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 LONGEST_RUN_S = 120.0
 """Virtual time after which the run of a check is over."""
@@ -40,9 +39,6 @@ MOST_MOVES_FOR_ERRORS = 300
 """Likewise, where all moves are known and only an error can be found."""
 LONGEST_WORK_FOR_ERRORS_S = 2.0
 """Time on the computer's clock that such a run may take."""
-_NOT_THERE = frozenset({"files", "texts", "sockets", "cameras"})
-"""Concerns of a controller that give a check something else than a run."""
-_INPUTS = (types.SIGNAL_DI, types.SIGNAL_GI, types.SIGNAL_AI)
 _TOLD_BY_RUN = frozenset({"conf_j", "conf_l"})
 """Settings whose findings the run makes itself."""
 _ENDS = {
@@ -129,7 +125,7 @@ def run_for_moves(
         moves,
         tuple(one for one, _ in made),
         frozenset(failed | {call for _, (call, _) in made}),
-        tuple(_as_sure(one, program, options) for one in run.diagnostics if _is_told(one)),
+        tuple(_as_sure(one, run, program, options) for one in run.diagnostics if _is_told(one)),
         run.time_s if run.end in (End.ENDED, End.CYCLE_LIMIT) else None,
         f"more than {run.time_s:.0f} s"
         if run.end is End.TIME_LIMIT
@@ -149,7 +145,7 @@ def run_for_error(
         program.routines.get(options.entry.lower()) is None
         or len(walked.written) > MOST_MOVES_FOR_ERRORS
         or len(options.cell_tasks) > 1
-        or _asks_outside(program)
+        or asks_outside(program)
     ):
         return ()
     limited = _limited(options, LONGEST_RUN_S, LONGEST_WORK_FOR_ERRORS_S)
@@ -158,7 +154,7 @@ def run_for_error(
     except (InputError, NotExecutableError):
         return ()
     errors = (one for one in run.diagnostics if one.severity is Severity.ERROR and _of_run(one))
-    found = tuple(_as_sure(one, program, options) for one in errors)
+    found = tuple(_as_sure(one, run, program, options) for one in errors)
     # What follows from a move that this arm cannot make is as sure as the arm is.
     unmade = any(one.failed_moves for one in run.robots)
     return tuple(replace(one, assumed=one.assumed or unmade) for one in found)
@@ -175,15 +171,6 @@ def _limited(options: RunOptions, longest_s: float, work_s: float) -> RunOptions
     )
 
 
-def _asks_outside(program: Program) -> bool:
-    """Whether a program calls what a check cannot give it."""
-    installed = (one for one in program.symbol_of.values() if isinstance(one, LibrarySymbol))
-    return any(
-        one.routine.signature.concern in _NOT_THERE or Does.LOAD in one.routine.does
-        for one in installed
-    )
-
-
 def _is_told(found: Diagnostic) -> bool:
     """Whether a finding of the run is one of the check, too: of moves, or why the program ends."""
     return found.violation.code[0] in "CKM" or found.severity is Severity.ERROR
@@ -193,14 +180,23 @@ def _of_run(found: Diagnostic) -> bool:
     return found.violation.code.startswith("R")
 
 
-def _as_sure(found: Diagnostic, program: Program, options: RunOptions) -> Diagnostic:
-    """The finding; where nothing says what inputs do, what may follow from that is no error."""
-    if options.io.stimuli or not _of_run(found):
+def _as_sure(
+    found: Diagnostic, run: Simulation, program: Program, options: RunOptions
+) -> Diagnostic:
+    """The finding; what may follow from what a check does not have is no error."""
+    if not _of_run(found):
         return found
-    if isinstance(found.violation, EndlessWait):
-        return replace(found, assumed=True) if found.violation.cure is None else found
-    looks_at_inputs = any(resolved(one) in _INPUTS for one in program.type_of.values())
-    return replace(found, assumed=True) if looks_at_inputs else found
+    guesses = (
+        bool(run.unsimulated)
+        or len(options.cell_tasks) > 1
+        or program.cell.refers_late
+        or is_given_values(program)
+        or asks_outside(program)
+    )
+    if not options.io.stimuli:
+        in_vain = isinstance(found.violation, EndlessWait) and found.violation.cure is None
+        guesses = guesses or in_vain or looks_at_inputs(program)
+    return replace(found, assumed=True) if guesses else found
 
 
 def _nobody(prompt: str) -> str | None:

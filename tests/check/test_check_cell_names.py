@@ -16,7 +16,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from laws import examples
 
-from rapidsim.analysis.cell_names import CellNames
+from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.installed import (
     installed_data_names,
     installed_routine_names,
@@ -220,6 +220,14 @@ def test_a_prefix_of_its_kind_and_an_underscore_make_a_signal(
     )
     ended = call("check", str(file), "--output-format", "json", cwd=tmp_path)
     assert [one["code"] for one in json.loads(ended.out)["diagnostics"]] == [code]
+
+
+@pytest.mark.parametrize(
+    ("name", "codes"), [("DIPLC_Service", {"I801"}), ("DISTANCE_1", {"I801", "N201"})]
+)
+def test_a_name_that_begins_like_a_signal_of_the_program_is_one(name: str, codes: set[str]) -> None:
+    text = module("WaitDI DIPLC_Ready,1;", f"IF {name}=1 Stop;")
+    assert {one.violation.code for one in found_in(text, NO_CELL)} == codes
 
 
 @pytest.mark.parametrize("kind", KINDS)

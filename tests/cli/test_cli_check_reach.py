@@ -53,6 +53,36 @@ def test_an_arm_that_nobody_named_is_said(folder: Path) -> None:
     assert "checked on irb1600-6-1.2 (by default; --robot names another): 1 by value." in done.out
 
 
+def test_targets_out_of_reach_of_an_arm_that_nobody_named_are_one_finding(folder: Path) -> None:
+    far = FAR.replace('TPReadNum height, "How high?"', "MoveL Offs(pDrop,0,0,50),v500,fine,tool0")
+    (folder / "cell.mod").write_text(far)
+    done = rapidsim("check", "cell.mod", cwd=folder)
+    text = " ".join(done.out.split())
+    assert text.count("K601") == 1
+    assert "`pDrop` and 1 more target cannot be reached by ABB IRB 1600-6/1.2" in text
+    assert "name yours with --robot or as `model` under [robot] in rapidsim.toml" in text
+    told = json.loads(rapidsim("check", "cell.mod", "--output-format", "json", cwd=folder).out)
+    assert [one["line"] for one in told["diagnostics"] if one["code"] == "K601"] == [6, 7]
+    named = rapidsim("check", "cell.mod", "--robot", "irb1600", cwd=folder)
+    assert named.out.count("K601") == 2
+
+
+def test_a_wait_at_which_the_run_ends_is_one_finding(folder: Path) -> None:
+    waits = "WaitDI diPart,1;\n    WaitDI diDoor,1\\MaxTime:=9;\n    MoveJ p"
+    (folder / "cell.mod").write_text(STALE.replace("MoveJ p", waits))
+    signals = '[signals]\ndiPart = { type = "di" }\ndiDoor = { type = "di" }\n'
+    (folder / "rapidsim.toml").write_text(signals)
+
+    def told(ignored: str) -> list[tuple[str, int]]:
+        arguments = ("check", "cell.mod", "--ignore", ignored, "--output-format", "json")
+        report = json.loads(rapidsim(*arguments, cwd=folder).out)
+        return [(one["code"], one["line"]) for one in report["diagnostics"]]
+
+    # The run ends in line 6, and does not come to line 7.
+    assert told("K603") == [("I802", 6), ("R106", 6), ("I803", 7)]
+    assert told("K603,R106") == [("I802", 6), ("I803", 6), ("I803", 7)]
+
+
 def test_without_reach_only_the_text_is_checked(folder: Path) -> None:
     done = rapidsim("check", "cell.mod", "--no-reach", cwd=folder)
     assert "K601" not in done.out

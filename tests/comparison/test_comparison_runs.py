@@ -85,3 +85,16 @@ def test_a_program_with_errors_is_compared_by_its_text(sides: Path) -> None:
     assert "argument in main: place: i -> unknown (Main.mod:13)" in ended.out
     assert "new  error[N201] `unknown` is not declared (Main.mod:13)" in ended.out
     assert "No times: new does not run: `unknown` is not declared." in ended.out
+
+
+def test_another_arm_and_an_error_are_told_first(sides: Path) -> None:
+    program = (sides / "new" / "Main.mod").read_text()
+    (sides / "new" / "Main.mod").write_text(program.replace("place i;", "place i/(i-i);"))
+    for side, arm in (("old", "irb1600"), ("new", "irb1600-8-1.45")):
+        (sides / side / "rapidsim.toml").write_text(f'[robot]\nmodel = "{arm}"\n')
+    told = call("diff", "old", "new", cwd=sides).out
+    assert told.startswith("Cell\n  robot: irb1600-6-1.2 -> irb1600-8-1.45\n\nProgram\n")
+    assert "End of the run\n  ended -> error (R101: " in told
+    report = json.loads(call("diff", "old", "new", "--format", "json", cwd=sides).out)
+    assert report["run"]["robots"] == ["irb1600-6-1.2", "irb1600-8-1.45"]
+    assert report["run"]["errors"][0] is None

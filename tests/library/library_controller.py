@@ -9,6 +9,7 @@ from datetime import datetime, timedelta
 from typing import Any, cast
 
 from memory_file import MemoryFile
+from undisturbed import Undisturbed
 
 from rapidsim.diagnostics import Source, Span
 from rapidsim.language.cameras import Camera
@@ -35,8 +36,9 @@ from rapidsim.language.error_numbers import (
     ERR_OUTSIDE_REACH,
     rapid_error,
 )
-from rapidsim.language.errors import RapidError, Stopped
+from rapidsim.language.errors import Stopped
 from rapidsim.language.files import FileMode
+from rapidsim.language.guidance import Guidance
 from rapidsim.language.messages import Messages
 from rapidsim.language.modules import Modules
 from rapidsim.language.moves import Flank, MotionSettings, Move, Place, SearchStop
@@ -58,13 +60,10 @@ def call(name: str, *arguments: Any, **options: Any) -> Any:
 
 
 @dataclass
-class RecordingController:
+class RecordingController(Undisturbed):
     """Implements all protocols of `language.controller` with nothing behind it."""
 
     time_s: float = 0.0
-    left: int = 0
-    watches: bool = False
-    deeds: int = 0
     errno: float = 0.0
     retries: int = 0
     handler: float = 0.0
@@ -87,7 +86,8 @@ class RecordingController:
     number: float = 0.0
     choice: int = 0
     text: str = ""
-    nobody: bool = False  # answers a question that ends by itself
+    nobody: bool = False
+    """Whether nobody answers a question that ends by itself."""
     booked: float = 20500.0
     in_reach: bool = True
 
@@ -108,6 +108,8 @@ class RecordingController:
             *(self, self, self, self, self, self, self, self, self, self, self, self, self),
             # Messages go between tasks, and here is one: the book of the language has them.
             cast(Messages, self),
+            # A sensor guides what moves: programs have that.
+            cast(Guidance, self),
         )
         for name in ("symbols", "modules"):
             if hasattr(self, name):
@@ -116,9 +118,6 @@ class RecordingController:
 
     def now(self) -> float:
         return self.time_s
-
-    def stays_until(self, time_s: float) -> None:
-        pass
 
     def wait(self, seconds: float, *, in_position: bool = False) -> None:
         self.time_s += seconds
@@ -136,8 +135,6 @@ class RecordingController:
     def service(self) -> None:
         raise AssertionError("nothing is due here")
 
-    look_at_persistents = service
-
     def move(self, move: Move, triggers: tuple[Trigger, ...] = ()) -> None:
         self.moves.append(move)
         self.triggers += triggers
@@ -147,9 +144,6 @@ class RecordingController:
 
     def stop_move(self) -> None:
         self.log.append("stop")
-
-    def fail(self, error: RapidError) -> None:
-        raise error
 
     def start_move(self) -> None:
         self.log.append("start")
@@ -279,6 +273,14 @@ class RecordingController:
 
     def clear_screen(self) -> None:
         self.log.append("clear")
+
+    @property
+    def has_answered(self) -> bool:
+        return False
+
+    def asking(self, instruction: str) -> AbstractContextManager[None]:
+        del instruction
+        return nullcontext()
 
     def ask_number(self, prompt: str, *, ends: bool = False) -> float | None:
         self.log.append(f"number? {prompt}")
@@ -472,14 +474,11 @@ class RecordingController:
     def move_apart(self, name: str, *, max_time: float | None = None) -> bool:
         return True
 
-    def leave_team(self) -> None:
-        pass
+    def leave_team(self) -> None: ...
 
-    def suspend_team(self) -> None:
-        pass
+    def suspend_team(self) -> None: ...
 
-    def resume_team(self) -> None:
-        pass
+    def resume_team(self) -> None: ...
 
     def stop_other_robots(self) -> None:
         self.others_stopped = True

@@ -21,7 +21,7 @@ QUESTIONS = {"ask_number", "ask_choice", "ask_text"}
 WAITS = {
     *("wait", "wait_until", "wait_for_signal", "accept_client", "connect_socket", "await_bytes"),
     *("meet", "move_together", "move_apart", "leave_team", "suspend_team", "resume_team"),
-    *("await_message", "await_answer"),
+    *("await_message", "await_answer", "guide", "await_condition", "end_guidance", "give_back"),
 }
 """What of the protocols lets time pass, apart from moves and questions."""
 ASKED = {
@@ -150,6 +150,7 @@ ELSEWHERE = {
         *("ClearPath", "RestoPath", "StorePath", "SyncMoveOn", "SyncMoveOff", "SyncMoveSuspend"),
         *("SyncMoveResume", "stop", "load", "RMQSendMessage"),
     },
+    "egm": {"type"},
     "interpreter/codegen/special_forms.py": {
         *("argname", "dim", "ispers", "isvar", "present", "strlen", "type"),
     },
@@ -160,7 +161,7 @@ ELSEWHERE = {
     "plots": {"round"},
     "recording": {"clear"},
     "report": {"dim", "distance", "stop"},
-    "server": {"type", "opmode", "stop", "set", "continue", "dim", "clear"},
+    "server": {"type", "Type", "opmode", "stop", "set", "continue", "dim", "clear", "min"},
     "simulation": {"stop"},
     "station": {"type", "set", "close", "max", "min", "stop"},
     "syntax": {"EXP", "open", "close"},

@@ -221,3 +221,22 @@ def test_an_arm_on_a_unit_that_is_not_known_is_not_judged(tmp_path: Path) -> Non
     assert not [one for one in result.diagnostics if one.violation.code[0] == "K"]
     assert result.coverage.unchecked[0].reason == "ROB_1 stands on GANTRY, whose axes are not known"
     assert any("ROB_1 stands on GANTRY" in remark for remark in said(folder).remarks)
+
+
+def test_a_task_that_moves_a_unit_alone_is_said_and_its_moves_are_not_checked(
+    tmp_path: Path,
+) -> None:
+    folder = backup(tmp_path)
+    for name, text in {
+        "SYSPAR/SYS.cfg": TWO.replace(' -Robot "ROB_2"', ""),
+        "BACKINFO/backinfo.txt": ">>TASK1: (T_ROB1,,)\n\n>>TASK2: (T_ROB2,,)\n",
+        "RAPID/TASK1/m.mod": MAIN.replace("100", "10").replace("9E9,0,", "9E9,9E9,"),
+        "RAPID/TASK2/second.mod": SECOND.format("9E9"),
+    }.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    assert any(remark.startswith("T_ROB2 moves none") for remark in said(folder).remarks)
+    result = check([folder])
+    reasons = [one.reason for one in result.coverage.unchecked]
+    assert reasons[-1] == "T_ROB2 moves none of the robots: there are 1"
+    assert simulate([folder]).end == "ended"

@@ -77,3 +77,33 @@ def test_an_error_of_main_is_one_unless_it_follows_from_outside(
     ended = call("check", "main.mod", "--output-format", "json", cwd=tmp_path)
     found = json.loads(ended.out)["diagnostics"]
     assert [(one["code"], one["severity"]) for one in found if one["code"][0] == "R"] == told
+
+
+WAITS_FOR_CLIENT = """VAR socketdev server; VAR socketdev client;
+    SocketCreate server; SocketBind server,"127.0.0.1",5000; SocketListen server;
+    SocketAccept server,client\\Time:=WAIT_MAX;"""
+ONLY_A_RUN_TELLS = " WHILE by<3 DO Incr by; MoveJ Offs(p,by,0,0),v500,z10,t; ENDWHILE"
+
+
+@pytest.mark.parametrize(
+    ("data", "statements"),
+    [
+        ("VAR iodev file;", r'Open "HOME:"\File:="job.bin",file\Read;' + ONLY_A_RUN_TELLS),
+        ("", WAITS_FOR_CLIENT + ONLY_A_RUN_TELLS),
+        ("PERS num chosen;", "by:=place{chosen};"),
+        ("", "NobodysOwn by; by:=place{by};" + ONLY_A_RUN_TELLS),
+    ],
+    ids=["file", "client", "persistent", "add-in"],
+)
+def test_what_a_check_cannot_have_makes_no_error(
+    data: str, statements: str, tmp_path: Path
+) -> None:
+    (tmp_path / "main.mod").write_text(
+        "MODULE m\n PERS tooldata t:=[TRUE,[[0,0,0],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];\n"
+        f" {NEAR.replace('near', 'p')}\n VAR num by;\n VAR num place{{2}};\n {data}\n"
+        f" PROC main()\n {statements}\n ENDPROC\nENDMODULE\n"
+    )
+    ended = call("check", "main.mod", "--output-format", "json", cwd=tmp_path)
+    found = json.loads(ended.out)["diagnostics"]
+    assert [one["severity"] for one in found if one["code"] in ("R101", "R106")] == ["warning"]
+    assert not [one for one in found if one["severity"] == "error"]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import ClassVar
 
 from rapidsim.diagnostics import Violation
 
@@ -12,14 +11,17 @@ _NAMED = 4
 
 
 class UnknownSignal(Violation, code="I801"):
-    is_told_once: ClassVar[bool] = True
-
     signal: str
     type: str
     others: tuple[UnknownSignal, ...] = ()
     """Those that are told with it."""
     nearest: str | None = None
     """The signal of the cell that is spelt most like it."""
+
+    @property
+    def is_told_once(self) -> bool:
+        """They are one block to paste."""
+        return True
 
     def with_others(self, others: Sequence[Violation]) -> UnknownSignal:
         """All in one: they are one table of a station file."""

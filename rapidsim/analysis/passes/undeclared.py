@@ -7,7 +7,7 @@ from rapidsim.analysis.names.names import evident_signal, report_undefined
 from rapidsim.analysis.names.signal_violations import UnknownSignal
 from rapidsim.analysis.suggestions import closest
 from rapidsim.analysis.types.assignability import agrees, report_mismatch
-from rapidsim.language.types import BOOL, DNUM, NUM, resolved
+from rapidsim.language.types import BOOL, DNUM, NUM, Type, resolved
 
 
 def decide_undeclared(analysis: Analysis) -> None:
@@ -18,7 +18,11 @@ def decide_undeclared(analysis: Analysis) -> None:
     reported: set[str] = set()
     for reference, context in analysis.undeclared:
         name = reference.name
-        of = analysis.signals.get(name.key) or evident_signal(name, context)
+        of = (
+            analysis.signals.get(name.key)
+            or evident_signal(name, context)
+            or _of_siblings(name.key, analysis)
+        )
         wanted = analysis.wanted_of_undeclared.get(reference)
         if of is None:
             is_value = wanted is None or resolved(wanted.type) in (NUM, DNUM, BOOL)
@@ -34,3 +38,17 @@ def decide_undeclared(analysis: Analysis) -> None:
         analysis.type_of.setdefault(reference, of)
         if wanted is not None and not agrees(of, wanted.type):
             report_mismatch(reference, of, wanted, context)
+
+
+def _of_siblings(key: str, analysis: Analysis) -> Type | None:
+    """The kind of the signals whose names begin with the same word, if it is spelt in front.
+
+    Where `WaitDI DIPLC_Ready,1` stands, `DIPLC_Service` is a signal, too.
+    """
+    word, underscore, _ = key.partition("_")
+    if not underscore:
+        return None
+    for sibling, of in analysis.signals.items():
+        if sibling.startswith(f"{word}_") and word.startswith(of.name[-2:]):
+            return of
+    return None

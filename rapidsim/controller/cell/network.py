@@ -11,6 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TypeVar
 
+from rapidsim.controller.cell.sensors import Sensors
 from rapidsim.language.error_numbers import (
     ERR_SOCK_ADDR_INUSE,
     ERR_SOCK_CLOSED,
@@ -97,6 +98,8 @@ class Network:
 
     hosts: frozenset[str] = frozenset()
     """Addresses beside this computer that sockets may be bound to or connect to."""
+    sensors: Sensors | None = None
+    """Who guides robots; None where nobody does."""
     _opened: list[NetworkConnection | NetworkPort] = field(default_factory=list)
 
     def listen(self, address: str, port: int) -> NetworkPort:

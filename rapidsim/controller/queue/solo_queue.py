@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import partial
+from typing import Protocol
 
 import numpy as np
 
@@ -23,7 +24,9 @@ from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.path.path import Path, build_path
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.timing.axis_limits import limits_of, model_of
+from rapidsim.motion.trajectory.guided_stretch import GuidedStretch
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+from rapidsim.values import dataclass
 
 REGAINED_M = 0.010
 """So far [m] from where it left its path the TCP may be to go back by itself."""
@@ -43,6 +46,19 @@ class _Stored:
     """Where the arm stood."""
 
 
+class GuidedMotion(Protocol):
+    """A robot in the hand of a sensor."""
+
+    @property
+    def stretch(self) -> GuidedStretch:
+        """Its motion, which grows."""
+        ...
+
+    def let_go(self) -> None:
+        """Let the robot brake and stand, at once and to the end of the stretch."""
+        ...
+
+
 @dataclass(slots=True, eq=False)
 class SoloQueue:
     """Implements `MotionQueue` for a robot that moves alone."""
@@ -52,6 +68,8 @@ class SoloQueue:
     end: Waypoint
     """Where the last queued move ends."""
     _stored: list[_Stored] = field(default_factory=list)
+    guided: GuidedMotion | None = None
+    """What moves the robot meanwhile; None where it is on its path."""
     _left_at: Waypoint | None = None
     """Where the path was left that was taken up again."""
 
@@ -141,8 +159,24 @@ class SoloQueue:
         return self.trajectory.at(np.array([time_s]))
 
     def halt(self, now_s: float) -> float:
-        """Stop on the path; see `stopping.halt`."""
+        """Stop on the path, or whoever guides the robot; see `stopping.halt`."""
+        if self.guided is not None:
+            self.end_guidance()
+            now_s = max(now_s, self.trajectory.duration)
         return stopping.halt(self.planner, now_s)
+
+    def guide(self, guided: GuidedMotion) -> None:
+        """Let something else than the path move a robot that stands."""
+        self.guided = guided
+        self.trajectory.guide(guided.stretch)
+
+    def end_guidance(self) -> None:
+        """The robot comes to rest where it is; the next move begins there."""
+        guided, self.guided = self.guided, None
+        if guided is not None:
+            guided.let_go()
+            self.continue_from(guided.stretch.end_s)
+            self.end = self.standing()
 
     def resume(self, now_s: float) -> None:
         """Let the robot go on from where it was stopped, back from where it has got to since."""

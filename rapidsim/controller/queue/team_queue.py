@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.controller.queue import stopping
@@ -13,6 +11,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.language.error_numbers import ERR_PATH, rapid_error
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from rapidsim.analysis.program import LibrarySymbol, ParameterSymbol, RoutineSymbol, UnknownSymbol
 from rapidsim.interpreter.codegen.ast_builder import At
@@ -29,6 +28,7 @@ from rapidsim.library.table import LibraryRoutine, Parameter, Signature
 from rapidsim.library.text import value_text
 from rapidsim.library.traits import ONLY_LOOKS, Does
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,13 +85,16 @@ class Calls:
                 instead = at.constant(self._taken_for(call, value))
                 constant = at.name(self._names.module.constant(value))
                 node = at.call("_stand_in", [place, at.constant(name), instead, constant])
-                if self._program.cell.refers_late:
+                fails = self._program.cell.refers_late
+                if fails:
                     node = at.call("_unresolved_function", [at.constant(name)])
-                if may_be_loaded(call, self._program):
+                if name.lower() in self._program.missing_data:
+                    node = at.call("_unresolved_data", [at.constant(name)])
+                elif may_be_loaded(call, self._program):
                     of = at.name(self._names.module.numbered("_type", self._program.type_of[call]))
                     late = self._late_arguments(call, at.constant(name), at)
-                    node = at.call("_loaded_function", [*late, of, at.deferred(node)])
-                return Code(node, calls=True)
+                    node, fails = at.call("_loaded_function", [*late, of, at.deferred(node)]), True
+                return Code(node, may_raise=fails, calls=True)
             case _:
                 raise NotExecutableError(
                     f"a call of `{call.name.text}`, which is not a function,",
@@ -108,6 +111,8 @@ class Calls:
             case LibrarySymbol(routine=routine):
                 return self._instruction(routine, call, at)
             case UnknownSymbol(name=name):
+                if name.lower() in self._program.missing_data:
+                    return [at.do(at.call("_unresolved_data", [at.constant(name)]))]
                 if may_be_loaded(call, self._program):
                     late = self._late_arguments(call, at.constant(name), at)
                     form = "_late" if self._program.cell.refers_late else "_loaded"

@@ -19,6 +19,7 @@ from rapidsim.interpreter.runtime.late_binding import (
     LateArgument,
     LateBinding,
     numbered_name,
+    unresolved_data,
     unresolved_function,
     unresolved_procedure,
 )
@@ -87,6 +88,7 @@ FUNCTIONS: Mapping[str, object] = MappingProxyType(
         "_subtract_positions": arithmetic.subtract_positions,
         "_too_long": arithmetic.too_long,
         "_unfinished": unfinished,
+        "_unresolved_data": unresolved_data,
         "_unresolved_function": unresolved_function,
         "_unresolved_procedure": unresolved_procedure,
         "_unwinds": error_recovery.unwinds,

@@ -9,7 +9,7 @@ Source: Technical reference manual RAPID Overview, "Procedure calls with late bi
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, NoReturn
 
 from rapidsim.analysis.program import ParameterSymbol, RoutineSymbol
@@ -35,6 +35,7 @@ from rapidsim.library.catalogue import ROUTINES
 from rapidsim.library.table import LibraryRoutine, Parameter
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)
@@ -289,3 +290,12 @@ def unresolved_function(name: str) -> NoReturn:
         RapidError: ERR_REFUNKFUN.
     """
     raise rapid_error(ERR_REFUNKFUN, f"no function is named `{name}`")
+
+
+def unresolved_data(name: str) -> NoReturn:
+    """Refuse to go on where a program of such a task names data.
+
+    Raises:
+        RapidError: ERR_REFUNKDAT.
+    """
+    raise rapid_error(ERR_REFUNKDAT, f"no data are named `{name}`")

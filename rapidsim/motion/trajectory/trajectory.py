@@ -8,14 +8,17 @@ tells how far the arm has got.
 
 Nothing is sampled or interpolated: within a cell of a timing S is a parabola of time and its mean
 a cubic, and joints come from the exact pose.
+
+While somebody outside guides the robot there is no path: joints are those of a `GuidedStretch`.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field, replace
 from typing import overload
 
 import numpy as np
+import numpy.typing as npt
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.segments import Waypoint
@@ -23,7 +26,9 @@ from rapidsim.motion.model import Averages, Smoothing
 from rapidsim.motion.trajectory.axis_smoothing import mean_joints
 from rapidsim.motion.trajectory.command import ROUNDING_M, Index, MotionCommand, Piece
 from rapidsim.motion.trajectory.filter_windows import Windows
+from rapidsim.motion.trajectory.guided_stretch import GuidedStretch
 from rapidsim.motion.trajectory.zero_crossings import first_crossing
+from rapidsim.values import dataclass
 
 SAMPLE_STEP_S = 0.012
 """As often as ABB's controllers log positions."""
@@ -52,6 +57,13 @@ class Samples:
     """Shape (k, e) [m or rad]: the external axes."""
 
 
+@dataclass(frozen=True, slots=True)
+class _Guided:
+    stretch: GuidedStretch
+    until_s: float = np.inf
+    """When the next move begins; up to then the arm stands where the stretch ends."""
+
+
 class Trajectory:
     """Where the arm is at any time; it can only be added to."""
 
@@ -74,6 +86,18 @@ class Trajectory:
         self._smoothing = smoothing
         self._windows = Windows(filter_time, averages)
         self._command = MotionCommand()
+        self._guided: list[_Guided] = []
+
+    @property
+    def guided(self) -> tuple[GuidedStretch, ...]:
+        """Stretches on which the robot was guided from outside, in the order of time."""
+        return tuple(one.stretch for one in self._guided)
+
+    def guide(self, stretch: GuidedStretch) -> None:
+        """Let a robot that stands be guided; the next piece begins where that ends."""
+        if self._guided:
+            self._guided[-1] = replace(self._guided[-1], until_s=stretch.start_s)
+        self._guided.append(_Guided(stretch))
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
@@ -91,6 +115,9 @@ class Trajectory:
             ValueError: If the piece starts before the last one ends, or ends before it starts.
         """
         empty = piece.start_time >= self.duration - _ROUNDING_S
+        if self._guided:
+            last = self._guided[-1]
+            self._guided[-1] = replace(last, until_s=min(last.until_s, piece.start_time))
         place = self._command.append(piece)
         self._windows.follow(
             piece.start_time, piece.path, piece.timing, piece.from_s, piece.to_s, empty=empty
@@ -101,11 +128,14 @@ class Trajectory:
         """Take back what is commanded after a time [s]."""
         self._windows.cut(time_s)
         self._command.cut(time_s)
+        if self._guided and time_s <= self._guided[-1].until_s:
+            self._guided[-1] = replace(self._guided[-1], until_s=np.inf)
 
     def extended(self, piece: Piece) -> Trajectory:
         """A copy with one more piece; this one stays as it is."""
         longer = Trajectory(self._start, smoothing=self._smoothing)
         longer._windows, longer._command = self._windows.copy(), self._command.copy()
+        longer._guided = self._guided.copy()
         longer.append(piece)
         return longer
 
@@ -117,7 +147,8 @@ class Trajectory:
     @property
     def duration(self) -> float:
         """Last instant [s] of visible motion; 0 without pieces."""
-        return self.seen_s(self.command_end) if self._command.last_row else 0.0
+        planned_s = self.seen_s(self.command_end) if self._command.last_row else 0.0
+        return max(planned_s, self._guided[-1].stretch.end_s) if self._guided else planned_s
 
     def seen_s(self, command_s: float) -> float:
         """When [s] the arm is seen to have made all that is commanded up to a time [s]."""
@@ -154,8 +185,15 @@ class Trajectory:
     def at(self, times: Array) -> Samples:
         """The arm at some instants (k,) [s], in any order."""
         times = np.atleast_1d(np.asarray(times, dtype=np.float64))
-        if not self._command.last_row:
-            return self._standing(times)
+        samples = self._planned(times) if self._command.last_row else self._standing(times)
+        for one in self._guided:
+            held = (one.stretch.start_s <= times) & (times < one.until_s)
+            if held.any():
+                _guide(samples, one.stretch, held)
+        return samples
+
+    def _planned(self, times: Array) -> Samples:
+        """The arm on its path."""
         row, way, speed = self._visible(times)
         by_axes = self._smoothing == "axes" and self._windows.filter_time > 0.0
         joints = np.empty((len(times), self._command.piece(1).path.axis_count))
@@ -192,6 +230,8 @@ class Trajectory:
         for path, s, at in self._command.on_paths(row, way):
             on_path = path.evaluate(s).base_from_tcp.translation
             off[at] = np.linalg.norm(samples.base_from_tcp.translation[at] - on_path, axis=1)
+        for one in self._guided:
+            off[(one.stretch.start_s <= samples.times) & (samples.times < one.until_s)] = 0.0
         return off
 
     def _standing(self, times: Array) -> Samples:
@@ -279,3 +319,14 @@ class Trajectory:
                 return row, np.minimum(way, whole)
             way[past] -= whole[past]
             row[past] = np.minimum(self._command.following(row[past]), self._command.last_row)
+
+
+def _guide(samples: Samples, stretch: GuidedStretch, held: npt.NDArray[np.bool_]) -> None:
+    """Let samples, of which a stretch decides some, say what that says."""
+    times = samples.times[held]
+    joints = stretch.joints_at(times)
+    pose = stretch.tcp_at(joints)
+    samples.joints[held], samples.external[held] = joints, stretch.external
+    samples.base_from_tcp.rotation[held] = pose.rotation
+    samples.base_from_tcp.translation[held] = pose.translation
+    samples.tcp_speed[held] = stretch.tcp_speed_at(times)

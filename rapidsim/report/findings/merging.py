@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from rapidsim.diagnostics import Diagnostic
+from rapidsim.values import dataclass
 
 _MOST_OF_A_RULE = 20
 """Findings of one rule in one file that are shown one by one."""
@@ -19,11 +20,14 @@ class Finding:
     repeats: tuple[Diagnostic, ...] = ()
 
 
-def merged(diagnostics: Iterable[Diagnostic], *, merge: bool = True) -> tuple[Finding, ...]:
+def merged(
+    diagnostics: Iterable[Diagnostic], *, merge: bool = True, spoken: bool = True
+) -> tuple[Finding, ...]:
     """Findings in order of file and place; equal messages of one rule in one file become one.
 
     So do all beyond the twentieth of one rule in one file, whatever they say: who moves a work
     object wants to know that 5,000 targets are out of reach, and not to read 5,000 findings.
+    Programs that read findings, which are not `spoken`, get what is assumed one by one.
     """
     ordered = sorted(diagnostics, key=_order)
     if not merge:
@@ -32,7 +36,7 @@ def merged(diagnostics: Iterable[Diagnostic], *, merge: bool = True) -> tuple[Fi
     for diagnostic in ordered:
         violation = diagnostic.violation
         key = (diagnostic.order[0], violation.code, violation.message)
-        if violation.is_told_once:
+        if violation.is_told_once and (spoken or not diagnostic.assumed):
             key = ("", violation.code, "")
         alike.setdefault(key, []).append(diagnostic)
     shown: dict[tuple[str, str], list[list[Diagnostic]]] = {}

@@ -136,6 +136,8 @@ class LiveTask:
         clock = self.run.controller.clock
         self.turns.remove(clock)
         self.run.controller.sockets.close_all(now_s)
+        self.unit.own.end_guidance()
+        self.run.controller.guidance.forget_all()
         self.cell.watchdog.forget(clock)
         # By identity: two tables without interrupts are equal.
         own, self._own = {id(one) for one in self._own}, ()

@@ -55,16 +55,22 @@ def backup_station(folders: Sequence[Path]) -> Station:
         replace(one, carried_by=None) if one.carried_by in known else one for one in robots
     )
     io, remarks = backup_io(read_configuration(text_in(root, "SYSPAR", "EIO.cfg")))
+    tasks = _tasks_of(root, folders, [robot.label for robot in robots])
     return Station(
         robots=robots,
         external_axes=first,
         other_units=units.others,
         robot_source="the backup's MOC.cfg" if robots else None,
-        tasks=_tasks_of(root, folders, [robot.label for robot in robots]),
+        tasks=tasks,
         io=io,
         configured=_configured_in(root),
         robotware=_robotware(root),
-        remarks=(*remarks, *_not_simulated(units), *_carried(robots)),
+        remarks=(
+            *remarks,
+            *_not_simulated(units),
+            *_carried(robots),
+            *_without_robot(tasks, robots),
+        ),
     )
 
 
@@ -97,6 +103,16 @@ def _carried(robots: Sequence[StationRobot]) -> Iterator[str]:
             yield (
                 f"{robot.label} stands on {robot.carried_by}, of whose axes MOC.cfg does not say "
                 "enough: its moves are not checked, and a run has it stand still"
+            )
+
+
+def _without_robot(tasks: Sequence[StationTask], robots: Sequence[StationRobot]) -> Iterator[str]:
+    """What is said of tasks that move units alone."""
+    for task in tasks:
+        if robots and task.robot_number is not None and task.robot_number >= len(robots):
+            yield (
+                f"{task.name} moves none of the robots of the backup, but a unit that is not "
+                "simulated: a run gives it an arm of its own, and its moves are not checked"
             )
 
 

@@ -16,7 +16,7 @@ from rapidsim.station.robot import StationRobot
 
 _PREFIX = re.compile(r"ROB\d*_(?:[LR]_)?(?:IRB|CRB)?_?", re.IGNORECASE)
 _TYPE_LETTER = re.compile(r"_Type\w+$", re.IGNORECASE)
-_NAME = re.compile(r"[ic]rb(\w+)-([\d.]+)-([\d.]+)")
+_NAME = re.compile(r"([ic]rb)(\w+)-([\d.]+)-([\d.]+)")
 _JOINTS = 7
 
 
@@ -49,11 +49,14 @@ def catalogue_name(type_name: str) -> str | None:
     if len(words) != 3:
         return None
     reach, payload = _figure(words[1]), _figure(words[2])
+    found: dict[str, str] = {}
     for name in robot_names():
         parts = _NAME.fullmatch(name)
-        if parts and (parts[1], float(parts[3]), float(parts[2])) == (words[0], reach, payload):
-            return name
-    return None
+        if parts and (parts[2], float(parts[4]), float(parts[3])) == (words[0], reach, payload):
+            found[parts[1]] = name
+    # IRB and CRB 1300 have the same numbers; a type that names neither is that of the IRB.
+    families = ("crb",) if "crb" in prefix[0].lower() else ("irb", "crb")
+    return next((found[family] for family in families if family in found), None)
 
 
 def _figure(word: str) -> float | None:

@@ -1,10 +1,21 @@
-! RAPID Instructions, EGMWaitCond: known, and not simulated (RobotWare 7).
+! RAPID Instructions, EGMWaitCond (RobotWare 7): where no sensor answers, the time-out ends it.
 MODULE egm_waits
   VAR egmident guide;
+  CONST egm_minmax near:=[-0.1,0.1];
 
   PROC main()
-    EGMRunJoint guide,EGM_STOP_HOLD\NoWaitCond\J1\CondTime:=5; ! warning: R104
-    EGMWaitCond guide;                      ! warning: R104
-    TPWrite "on";                           ! -> on
+    EGMGetId guide;
+    EGMSetupUC ROB_1,guide,"default","UCdevice"\Joint\CommTimeout:=1;
+    EGMActJoint guide\J1:=near;
+    EGMRunJoint guide,EGM_STOP_HOLD\NoWaitCond\J1\CondTime:=5;
+    TPWrite "guided "+ValToStr(EGMGetState(guide)=EGM_STATE_RUNNING);  ! -> guided TRUE
+    EGMWaitCond guide;                       ! warning: R150
+    TPWrite "after it";                      ! -> after it
+  ERROR
+    IF ERRNO=ERR_UDPUC_COMM THEN
+      TPWrite "nobody guides";               ! -> nobody guides
+      EGMReset guide;
+      TRYNEXT;
+    ENDIF
   ENDPROC
 ENDMODULE

@@ -1,0 +1,378 @@
+"""Externally guided motion of one task: identities, and the robot in the hand of a sensor.
+
+A guidance goes on by a cycle at a time, whatever the program does meanwhile, and takes what the
+sensor has said at instants of virtual time. Who the sensor is, `cell.sensors` knows.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import field
+from typing import ClassVar, Final
+
+from rapidsim.controller.cell.cell import Cell
+from rapidsim.controller.cell.sensors import Sensor, Teller
+from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.journal.events import EventKind
+from rapidsim.controller.journal.journal import Journal
+from rapidsim.controller.journal.stop_reasons import WaitsForever
+from rapidsim.controller.motion_state import MotionState
+from rapidsim.controller.moves.guidance_start import (
+    DEFAULT_DATA,
+    AskedGuidance,
+    ExternalMotionData,
+    external_motion_data,
+    started,
+)
+from rapidsim.controller.moves.resolve import Resolver
+from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.controller.sensor_streams import SensorStream
+from rapidsim.findings.guidance import NobodyGuides
+from rapidsim.language.error_numbers import ERR_UDPUC_COMM, rapid_error
+from rapidsim.language.errors import NotAllowed, RapidError
+from rapidsim.language.guidance import (
+    CONNECTED,
+    DISCONNECTED,
+    RUNNING,
+    Activation,
+    GuidanceTerms,
+    Purpose,
+    SensorSetup,
+)
+from rapidsim.motion.guidance.feedback import Guided
+from rapidsim.motion.guidance.guided_run import Ended, GuidedRun
+from rapidsim.motion.guidance.joint_law import CYCLE_S
+from rapidsim.motion.guidance.sensor import SensorAnswer
+from rapidsim.motion.trajectory.guided_stretch import GuidedStretch
+from rapidsim.values import dataclass
+
+MOST_IDENTITIES: Final = 4
+"""So many a task may have at one time; from memory of ABB's documents."""
+
+
+@dataclass(slots=True, eq=False)
+class _Identity:
+    state: float = DISCONNECTED
+    setup: SensorSetup | None = None
+    data: ExternalMotionData = DEFAULT_DATA
+    sensor: Sensor | None = None
+    activation: Activation | None = None
+    stream: SensorStream | None = None
+
+
+@dataclass(slots=True, eq=False)
+class _UnderWay:
+    """A guidance; implements `solo_queue.GuidedMotion`."""
+
+    identity: _Identity
+    run: GuidedRun
+    told: Teller
+    stretch: GuidedStretch
+    waits: bool
+    is_let_go: Callable[[], None]
+    """Told when nobody guides the robot any more."""
+    cycles: int = 0
+
+    @property
+    def next_s(self) -> float:
+        """Of its next cycle [s]."""
+        return self.told.first_s + self.cycles * CYCLE_S
+
+    def step(self, answer: SensorAnswer | None) -> None:
+        """Go on by a cycle."""
+        self.cycles += 1
+        self.run.step(answer)
+        self.stretch.append(self.run.motion.joints, self.run.motion.speed)
+
+    def let_go(self) -> None:
+        """The robot brakes and stands; nobody guides it any more."""
+        self.run.stop(goes_back=False, ramp_out_s=0.0)
+        self.run.give_up_way_back()
+        while not self.run.is_over:
+            self.step(None)
+        self.is_let_go()
+
+
+@dataclass(slots=True, eq=False)
+class TaskGuidance:
+    """Implements `language.guidance.Guidance`; its cycles are a `happening.Happening`."""
+
+    on_path: ClassVar = False
+    clock: TaskClock
+    unit: MechanicalUnit
+    cell: Cell
+    resolver: Resolver
+    state_of_motion: MotionState
+    journal: Journal
+    _identities: dict[int, _Identity] = field(default_factory=dict)
+    _under_way: _UnderWay | None = None
+    _last: tuple[_Identity, Ended] | None = None
+    """Whose guidance has ended last, and how, until somebody has asked."""
+
+    # What a program asks.
+
+    def connect(self) -> int:
+        """A new identity."""
+        number = next(n for n in range(1, MOST_IDENTITIES + 2) if n not in self._identities)
+        if number > MOST_IDENTITIES:
+            raise NotAllowed(
+                f"EGMGetId: all {MOST_IDENTITIES} identities of the task are used; EGMReset first"
+            )
+        self._identities[number] = _Identity()
+        return number
+
+    def set_up(self, identity: int, setup: SensorSetup) -> None:
+        """Connect an identity with a sensor."""
+        one = self._of(identity)
+        if one.state == RUNNING:
+            raise NotAllowed("EGMSetupUC: the sensor guides the robot; EGMStop ends that")
+        self.clock.come_up()
+        data = external_motion_data(self.cell.parameters, setup.configuration)
+        self._close(one)
+        one.setup, one.data, one.activation = setup, data, None
+        one.sensor, one.state = self.cell.sensors.open(setup.device), CONNECTED
+
+    def activate(self, identity: int, activation: Activation) -> None:
+        """Say what the sensor's goals mean."""
+        purpose = Purpose.JOINT if activation.frames is None else Purpose.POSE
+        one, setup = self._connected(identity)
+        if setup.purpose is not purpose:
+            wanted = purpose.name.capitalize()
+            raise NotAllowed(rf"EGMSetupUC has not set this EGM identity up with \{wanted}")
+        if one.state == RUNNING:
+            raise NotAllowed("the sensor guides the robot; EGMStop ends that")
+        one.activation = activation
+        if activation.streams:
+            self._stream(one, activation.sample_s)
+
+    def guide(self, identity: int, terms: GuidanceTerms) -> None:
+        """Let the sensor guide the robot."""
+        one, _ = self._connected(identity)
+        if one.activation is None:
+            raise NotAllowed("EGMRunJoint or EGMRunPose: EGMActJoint or EGMActPose comes first")
+        if self._under_way is not None:
+            raise NotAllowed("a sensor guides the robot already; EGMStop ends that")
+        if self.unit.seat is not None:
+            raise NotAllowed("robots that move together cannot be guided by a sensor")
+        if len(terms.chosen) != len(one.activation.bands):
+            raise NotAllowed("EGMRunJoint follows EGMActJoint, and EGMRunPose EGMActPose")
+        self.clock.note_line()
+        self.clock.come_to_rest()
+        self.clock.await_restart()
+        self._begin(one, terms)
+        if terms.waits:
+            self._await(one)
+
+    def await_condition(self, identity: int) -> None:
+        """Wait until the robot that is guided is there."""
+        one, _ = self._connected(identity)
+        self.clock.note_line()
+        self.clock.come_up()
+        if self._under_way is not None and self._under_way.identity is one:
+            self._under_way.waits = True
+        self._await(one)
+
+    def end_guidance(self, identity: int, *, goes_back: bool, ramp_out_s: float) -> None:
+        """End the guidance."""
+        one, _ = self._connected(identity)
+        self.clock.note_line()
+        self.clock.come_up()
+        under_way = self._under_way
+        if under_way is None or under_way.identity is not one:
+            return
+        under_way.run.stop(goes_back=goes_back, ramp_out_s=ramp_out_s)
+        assert one.sensor is not None
+        one.sensor.stop(goes_back=goes_back, ramp_out_s=ramp_out_s)
+        while self._under_way is under_way:
+            self.clock.await_event(math.inf)
+
+    def stream(self, identity: int, sample_s: float | None) -> None:
+        """Tell the sensor where the robot is."""
+        one, _ = self._connected(identity)
+        self.clock.come_up()
+        self._stream(one, sample_s)
+
+    def give_back(self, identity: int) -> None:
+        """End all of it and give the identity back."""
+        one = self._identities.get(identity)
+        if one is None:
+            return
+        self.clock.come_up()
+        if self._under_way is not None and self._under_way.identity is one:
+            self.unit.own.end_guidance()
+            self._settle()
+            self.clock.come_to_rest()
+        self._close(one)
+        del self._identities[identity]
+
+    def state(self, identity: int) -> float:
+        """The state of an identity."""
+        self.clock.come_up()
+        self._settle()
+        one = self._identities.get(identity)
+        return DISCONNECTED if one is None else one.state
+
+    def forget_all(self) -> None:
+        """The program is taken off: no sensor is talked to any more."""
+        self._settle()
+        for one in self._identities.values():
+            self._close(one)
+        self._identities.clear()
+
+    # Its cycles: implements `happening.Happening`.
+
+    def next_s(self) -> float | None:
+        """When the next cycle is [s]."""
+        self._settle()
+        streams = (stream.next_s for _, stream in self._streams())
+        under_way_s = math.inf if self._under_way is None else self._under_way.next_s
+        next_s = min(under_way_s, min(streams, default=math.inf))
+        return None if math.isinf(next_s) else next_s
+
+    def pass_next(self, passed_s: float, until_s: float) -> float:
+        """Go on by a cycle, or tell a sensor where the robot is."""
+        del passed_s, until_s
+        under_way = self._under_way
+        for one, stream in self._streams():
+            if under_way is None or stream.next_s <= under_way.next_s:
+                now_s, activation = stream.next_s, one.activation
+                tool = None if activation is None else activation.tool
+                wobj = None if activation is None else activation.wobj
+                stream.tell(self.unit, self.resolver, self.state_of_motion, tool, wobj)
+                return now_s
+        assert under_way is not None
+        return self._cycle(under_way)
+
+    def look_from(self, time_s: float) -> None:
+        """Cycles keep their times."""
+
+    # Within.
+
+    def _streams(self) -> list[tuple[_Identity, SensorStream]]:
+        """Who is told where the robot is, the earliest first; a sensor that guides hears it so."""
+        guides = None if self._under_way is None else self._under_way.identity
+        found = [
+            (one, one.stream)
+            for one in self._identities.values()
+            if one.stream is not None and one is not guides
+        ]
+        return sorted(found, key=lambda item: item[1].next_s)
+
+    def _stream(self, one: _Identity, sample_s: float | None) -> None:
+        assert one.sensor is not None
+        one.stream = None
+        if sample_s is not None:
+            one.stream = SensorStream(one.sensor, sample_s, self.clock.observe())
+            self.clock.grant()
+
+    def _cycle(self, under_way: _UnderWay) -> float:
+        """Go on by a cycle; its time [s]."""
+        now_s, answer = under_way.next_s, None
+        identity, run = under_way.identity, under_way.run
+        assert identity.sensor is not None
+        if under_way.cycles % under_way.told.samples == 0:
+            answer = identity.sensor.exchange(under_way.told.feedback(run, now_s))
+        assert identity.activation is not None
+        values = identity.activation.values
+        if answer is not None and values is not None:
+            values[: len(answer.values)] = answer.values[: len(values)]
+        under_way.step(answer)
+        if run.is_over:
+            self.unit.own.end_guidance()
+            self._settle()
+            failed = run.ended in (Ended.SILENT, Ended.OUT_OF_REACH)
+            if failed and not under_way.waits:
+                error = self._failure(identity, run.ended)
+                raise NotAllowed(str(error))
+        return now_s
+
+    def _begin(self, one: _Identity, terms: GuidanceTerms) -> None:
+        assert one.activation is not None
+        assert one.setup is not None
+        assert one.sensor is not None
+        queue = self.unit.own
+        asked = AskedGuidance(one.setup, one.data, one.activation, terms)
+        run, told, stretch = started(
+            asked,
+            self.resolver,
+            self.state_of_motion,
+            queue.planner.limits,
+            queue.standing(),
+            self.clock.observe(),
+        )
+        self._under_way = _UnderWay(one, run, told, stretch, terms.waits, self._settle)
+        self._last = None
+        queue.guide(self._under_way)
+        one.state = RUNNING
+        one.sensor.begin(run, told)
+        device = one.setup.device
+        self.clock.event(EventKind.GUIDANCE, f"guided by {device}", device=device)
+        self.clock.tell()
+        self.clock.grant()
+
+    def _await(self, one: _Identity) -> None:
+        """Wait until the guidance of an identity has ended."""
+        with self.clock.waiting("the sensor that guides the robot") as wait:
+            while self._guides(one):
+                if not self.clock.await_event(math.inf):
+                    raise WaitsForever("a sensor guides the robot, and nothing ends that")
+            wait.ended_by = "the sensor that guides the robot"
+        last, self._last = self._last, None
+        if last is None or last[0] is not one or last[1] in (Ended.CONVERGED, Ended.STOPPED):
+            return
+        raise self._failure(one, last[1])
+
+    def _guides(self, one: _Identity) -> bool:
+        self._settle()
+        return self._under_way is not None and self._under_way.identity is one
+
+    def _settle(self) -> None:
+        """Take note that the guidance has ended, here or because somebody has stopped the robot."""
+        under_way = self._under_way
+        if under_way is None or self.unit.own.guided is under_way:
+            return
+        identity, ended = under_way.identity, under_way.run.ended or Ended.STOPPED
+        assert identity.sensor is not None
+        identity.sensor.end(under_way.told.feedback(under_way.run, under_way.next_s))
+        if identity.stream is not None:
+            failed = ended in (Ended.SILENT, Ended.OUT_OF_REACH)
+            identity.stream.guided = Guided.FAILED if failed else Guided.STOPPED
+            identity.stream.next_s = under_way.next_s
+        if ended is Ended.SILENT and not under_way.run.has_heard:
+            assert identity.setup is not None
+            told = NobodyGuides(identity.setup.device)
+            self.journal.finding(told, self.clock.place, once=told)
+        self._under_way, self._last = None, (identity, ended)
+        identity.state = CONNECTED
+        self.cell.happenings += 1
+
+    def _failure(self, one: _Identity, ended: Ended | None) -> RapidError | NotAllowed:
+        assert one.setup is not None
+        device = one.setup.device
+        if ended is Ended.SILENT:
+            return rapid_error(
+                ERR_UDPUC_COMM,
+                f"the sensor of `{device}` has said nothing for {one.setup.silence_s:g} s",
+            )
+        return NotAllowed(
+            f"the sensor of `{device}` wants the robot where it cannot get: out of reach, or in "
+            "another configuration"
+        )
+
+    def _of(self, identity: int) -> _Identity:
+        one = self._identities.get(identity)
+        if one is None:
+            raise NotAllowed("the EGM identity is not there; EGMGetId makes it")
+        return one
+
+    def _connected(self, identity: int) -> tuple[_Identity, SensorSetup]:
+        one = self._of(identity)
+        if one.setup is None:
+            raise NotAllowed("no sensor is connected with the EGM identity; EGMSetupUC comes first")
+        return one, one.setup
+
+    def _close(self, one: _Identity) -> None:
+        if one.sensor is not None:
+            one.sensor.close()
+        one.sensor, one.stream, one.state = None, None, DISCONNECTED

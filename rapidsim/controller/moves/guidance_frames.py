@@ -1,0 +1,149 @@
+"""Where the frames of a guidance are: EGMActJoint, EGMActPose."""
+
+from __future__ import annotations
+
+import math
+from types import MappingProxyType
+
+import numpy as np
+
+from rapidsim.controller.motion_state import MotionState
+from rapidsim.controller.moves.resolve import Resolver
+from rapidsim.controller.moves.target_checks import require_orientation
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.language.data import Pose, ToolData, WobjData
+from rapidsim.language.errors import NotAllowed
+from rapidsim.language.guidance import Activation
+from rapidsim.motion.configurations import targets
+from rapidsim.motion.geometry.segments import Waypoint
+from rapidsim.motion.guidance.aims import Band, Chosen, PoseAim
+from rapidsim.motion.guidance.feedback import Frames
+
+_BASE, _TOOL, _WOBJ, _WORLD = 0.0, 1.0, 2.0, 3.0
+_FRAME_NAMES = MappingProxyType({4.0: "EGM_FRAME_JOINT"})
+
+
+def frames_of(
+    resolver: Resolver, state: MotionState, activation: Activation, stands: Waypoint
+) -> Frames:
+    """In which frame the sensor is told where the TCP is: its own for poses, else the work object.
+
+    Raises:
+        NotAllowed: Where tool and work object are not plain.
+    """
+    if activation.frames is None:
+        return told_frames(resolver, state, activation.tool, activation.wobj, stands.external)
+    tool, wobj = activation.tool or state.tool, activation.wobj or state.wobj
+    frames = activation.frames
+    base_from_told = _frame(resolver, stands, tool, wobj, frames.sensor, frames.sensor_type)
+    return Frames(resolver.robot.kinematics, _tool(tool), base_from_told.inverse())
+
+
+def told_frames(
+    resolver: Resolver,
+    state: MotionState,
+    tool: ToolData | None,
+    wobj: WobjData | None,
+    external: Array,
+) -> Frames:
+    """The TCP in the work object; None takes the tool or work object of the last move.
+
+    Raises:
+        NotAllowed: Where tool and work object are not plain.
+    """
+    base_from_object = _work_object(resolver, wobj or state.wobj, external)
+    tcp_from_flange = _tool(tool or state.tool)
+    return Frames(resolver.robot.kinematics, tcp_from_flange, base_from_object.inverse())
+
+
+def pose_aim(
+    resolver: Resolver,
+    stands: Waypoint,
+    state: MotionState,
+    activation: Activation,
+    offset: Pose | None,
+    bands: Array,
+    chosen: Chosen,
+    filters_hz: tuple[float, ...],
+) -> PoseAim:
+    """What poses of a sensor aim at.
+
+    Args:
+        resolver: Of the robot.
+        stands: Where it stands.
+        state: Of the task's motion.
+        activation: What the program has said.
+        offset: Behind each goal.
+        bands: Shape (6, 2) [mm, deg]: x, y, z, rx, ry, rz.
+        chosen: Which of these count.
+        filters_hz: Of the goal.
+
+    Raises:
+        NotAllowed: Where frames are none.
+    """
+    tool, wobj = activation.tool or state.tool, activation.wobj or state.wobj
+    assert activation.frames is not None
+    frames = activation.frames
+    limits = bands * np.array([targets.MM] * 3 + [np.pi / 180.0] * 3)[:, None]
+    return PoseAim(
+        resolver.robot.kinematics,
+        _tool(tool),
+        _frame(resolver, stands, tool, wobj, frames.sensor, frames.sensor_type),
+        _frame(resolver, stands, tool, wobj, frames.correction, frames.correction_type),
+        Transform.identity() if offset is None else _pose("the offset", offset),
+        Band(chosen, limits[:, 0], limits[:, 1]),
+        filters_hz,
+        stands.joints,
+    )
+
+
+def _frame(
+    resolver: Resolver, stands: Waypoint, tool: ToolData, wobj: WobjData, frame: Pose, of: float
+) -> Transform:
+    """base_from_frame of a frame that is given in one of the type `of`."""
+    if of == _BASE:
+        base_from_type = Transform.identity()
+    elif of == _TOOL:
+        base_from_type = resolver.robot.forward(stands.joints) @ _tool(tool).inverse()
+    elif of == _WOBJ:
+        base_from_type = _work_object(resolver, wobj, stands.external)
+    elif of == _WORLD:
+        base_from_type = _world(resolver, stands.external)
+    else:
+        name = _FRAME_NAMES.get(of, f"{of:g}")
+        raise NotAllowed(f"EGMActPose: {name} is no frame that a pose can be given in")
+    return base_from_type @ _pose("a frame", frame)
+
+
+def _tool(tool: ToolData) -> Transform:
+    if not tool.robhold:
+        raise NotAllowed("a robot with a stationary tool, guided by a sensor, is not simulated")
+    require_orientation("the frame of the tool", tool.tframe.rot)
+    return targets.tcp_from_flange(tool)
+
+
+def _world(resolver: Resolver, external: Array) -> Transform:
+    """base_from_world where external axes (e,) [m or rad] stand."""
+    axes, world_from_base = resolver.robot.external, resolver.base_from_world.inverse()
+    if not axes:
+        return resolver.base_from_world
+    return targets.world_from_base_at(axes, world_from_base, external[None])[0].inverse()
+
+
+def _work_object(resolver: Resolver, wobj: WobjData, external: Array) -> Transform:
+    if wobj.robhold or targets.unit_of(wobj, resolver.robot.external):
+        raise NotAllowed(
+            "a robot guided by a sensor in a work object that something moves is not simulated"
+        )
+    return (
+        _world(resolver, external)
+        @ _pose("the user frame", wobj.uframe)
+        @ _pose("the object frame", wobj.oframe)
+    )
+
+
+def _pose(name: str, pose: Pose) -> Transform:
+    require_orientation(name, pose.rot)
+    if not all(map(math.isfinite, pose.trans)):
+        raise NotAllowed(f"{name} is infinitely far away")
+    return targets.transform(pose)

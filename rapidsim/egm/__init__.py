@@ -1,0 +1,1 @@
+"""Externally guided motion on the wire: messages, datagrams, and who answers them."""

@@ -1,0 +1,186 @@
+"""Protocol buffers as far as EGM needs them: messages that tables describe, as nested dicts.
+
+A library for it exists and is kept well, but generated code of clients wants a certain generation
+of it in the same environment, and EGM uses a small, frozen part of the format: numbers, doubles,
+messages in messages. What comes from the network is distrusted: unknown fields are skipped, and
+whatever is no message of its table is a `DecodeError`.
+
+Source: Protocol Buffers documentation, "Encoding".
+"""
+
+from __future__ import annotations
+
+import math
+import struct
+from collections.abc import Iterator, Mapping
+from enum import Enum
+from types import MappingProxyType
+from typing import Any, Final, TypeAlias
+
+from rapidsim.values import dataclass
+
+Fields: TypeAlias = Mapping[str, Any]
+"""A message: values by the names of its fields; what is not there was not sent."""
+
+
+class Kind(Enum):
+    """What a field holds."""
+
+    NUMBER = 0
+    """A whole number that is not negative, a choice, or whether something is so."""
+    DOUBLE = 1
+    DOUBLES = 2
+    """Any number of them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Field:
+    """A field of a message."""
+
+    name: str
+    holds: Kind | Message
+    required: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Message:
+    """A message by the numbers of its fields."""
+
+    fields: Mapping[int, Field]
+
+
+class DecodeError(Exception):
+    """Bytes are no message of a table."""
+
+
+_VARINT: Final = 0
+_EIGHT_BYTES: Final = 1
+_BLOCK: Final = 2
+_FOUR_BYTES: Final = 5
+_MOST_NUMBER: Final = 2**64
+_DOUBLE: Final = struct.Struct("<d")
+_DEEPEST: Final = 8
+
+
+def message(**fields: tuple[int, Kind | Message] | tuple[int, Kind | Message, bool]) -> Message:
+    """A message by its fields: number, what it holds, whether it must be there."""
+    return Message(
+        MappingProxyType({given[0]: Field(name, *given[1:]) for name, given in fields.items()})
+    )
+
+
+def encode(of: Message, fields: Fields) -> bytes:
+    """A message as bytes; fields that are None or missing are left out."""
+    out = bytearray()
+    for number, field in of.fields.items():
+        value = fields.get(field.name)
+        if value is None:
+            continue
+        match field.holds:
+            case Kind.NUMBER:
+                _put_varint(out, number << 3 | _VARINT)
+                _put_varint(out, int(value))
+            case Kind.DOUBLE:
+                _put_varint(out, number << 3 | _EIGHT_BYTES)
+                out += _DOUBLE.pack(value)
+            case Kind.DOUBLES:
+                for one in value:
+                    _put_varint(out, number << 3 | _EIGHT_BYTES)
+                    out += _DOUBLE.pack(one)
+            case Message() as inner:
+                block = encode(inner, value)
+                _put_varint(out, number << 3 | _BLOCK)
+                _put_varint(out, len(block))
+                out += block
+    return bytes(out)
+
+
+def decode(of: Message, data: bytes) -> dict[str, Any]:
+    """Read a message.
+
+    Raises:
+        DecodeError: If it is none of this table: cut off, of another shape, with numbers that are
+            not finite, or without a field that must be there.
+    """
+    return _decoded(of, data, 0)
+
+
+def _decoded(of: Message, data: bytes, depth: int) -> dict[str, Any]:
+    if depth > _DEEPEST:
+        raise DecodeError("messages in messages in messages")
+    read: dict[str, Any] = {}
+    for number, wire, value in _records(data):
+        field = of.fields.get(number)
+        if field is None:
+            continue
+        match field.holds, wire:
+            case Kind.NUMBER, 0:
+                read[field.name] = value
+            case Kind.DOUBLE, 1:
+                read[field.name] = _double(value)
+            case Kind.DOUBLES, 1:
+                read.setdefault(field.name, []).append(_double(value))
+            case Kind.DOUBLES, 2:
+                # Packed, as writers of later generations do.
+                if len(value) % 8:
+                    raise DecodeError(f"{field.name}: {len(value)} bytes are no doubles")
+                parts = (value[at : at + 8] for at in range(0, len(value), 8))
+                read.setdefault(field.name, []).extend(map(_double, parts))
+            case Message() as inner, 2:
+                # Parts of one message may come one after the other.
+                read[field.name] = read.get(field.name, {}) | _decoded(inner, value, depth + 1)
+            case _:
+                raise DecodeError(f"{field.name} is of another type")
+    for field in of.fields.values():
+        if field.required and field.name not in read:
+            raise DecodeError(f"{field.name} is missing")
+    return read
+
+
+def _double(data: bytes) -> float:
+    (value,) = _DOUBLE.unpack(data)
+    if not math.isfinite(value):
+        raise DecodeError("a number is not finite")
+    return float(value)
+
+
+def _records(data: bytes) -> Iterator[tuple[int, int, Any]]:
+    """Number, type and value of each field."""
+    at = 0
+    while at < len(data):
+        key, at = _varint(data, at)
+        number, wire = key >> 3, key & 7
+        if wire == _VARINT:
+            value, at = _varint(data, at)
+            yield number, wire, value
+            continue
+        if wire == _BLOCK:
+            size, at = _varint(data, at)
+        elif wire in (_EIGHT_BYTES, _FOUR_BYTES):
+            size = 8 if wire == _EIGHT_BYTES else 4
+        else:
+            raise DecodeError(f"type {wire} of a field")
+        if at + size > len(data):
+            raise DecodeError("cut off")
+        yield number, wire, data[at : at + size]
+        at += size
+
+
+def _varint(data: bytes, at: int) -> tuple[int, int]:
+    """A number and where what follows it begins."""
+    value = shift = 0
+    while True:
+        if at >= len(data) or shift > 63:
+            raise DecodeError("cut off")
+        byte = data[at]
+        value |= (byte & 0x7F) << shift
+        at, shift = at + 1, shift + 7
+        if byte < 0x80:
+            return value % _MOST_NUMBER, at
+
+
+def _put_varint(out: bytearray, value: int) -> None:
+    while value > 0x7F:
+        out.append(value & 0x7F | 0x80)
+        value >>= 7
+    out.append(value)

@@ -1,0 +1,129 @@
+"""Externally guided motion: what a program asks of the controller.
+
+Everything is in RAPID's units: mm, degrees, seconds.
+"""
+
+from __future__ import annotations
+
+from enum import Enum, auto
+from typing import Final, Protocol
+
+from rapidsim.language.data import EgmMinMax, Pose, ToolData, WobjData
+from rapidsim.values import dataclass
+
+DISCONNECTED: Final = 0.0
+CONNECTED: Final = 1.0
+RUNNING: Final = 2.0
+"""The states of an EGM identity: EGM_STATE_DISCONNECTED and its like."""
+RAMP_DOWN: Final = 1.0
+"""EGM_STOP_RAMP_DOWN."""
+
+
+class Purpose(Enum):
+    """What an identity is set up for."""
+
+    STREAM = auto()
+    """Only to tell where the robot is."""
+    JOINT = auto()
+    POSE = auto()
+    PATH_CORRECTION = auto()
+
+
+@dataclass(frozen=True, slots=True)
+class SensorSetup:
+    """EGMSetupUC: who guides."""
+
+    device: str
+    configuration: str
+    purpose: Purpose
+    silence_s: float
+    """So long it may say nothing."""
+
+
+@dataclass(frozen=True, slots=True)
+class PoseFrames:
+    """Where poses are meant; types are those of egmframetype."""
+
+    correction: Pose
+    correction_type: float
+    sensor: Pose
+    sensor_type: float
+
+
+@dataclass(frozen=True, slots=True)
+class Activation:
+    """EGMActJoint and EGMActPose: what the sensor says, and when the robot is there."""
+
+    bands: tuple[EgmMinMax | None, ...]
+    """J1..J7 or x..rz [deg, mm]; None where the call says nothing."""
+    tool: ToolData | None
+    wobj: WobjData | None
+    filter_hz: float
+    sample_s: float
+    max_speed: float
+    """[deg/s]"""
+    frames: PoseFrames | None = None
+    """Of poses; None for joints."""
+    values: list[float] | None = None
+    """Takes the numbers that the sensor sends along."""
+    streams: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class GuidanceTerms:
+    """EGMRunJoint and EGMRunPose: which axes, how strongly, until when."""
+
+    chosen: tuple[bool, ...]
+    """J1..J7 or x..rz; none of them means all."""
+    goes_back: bool
+    waits: bool
+    condition_s: float
+    ramp_in_s: float
+    ramp_out_s: float
+    gain: float
+    """PosCorrGain, 0..1."""
+    offset: Pose | None = None
+
+
+class Guidance(Protocol):
+    """The EGM identities of a task; each is a number."""
+
+    def connect(self) -> int:
+        """A new identity."""
+        ...
+
+    def set_up(self, identity: int, setup: SensorSetup) -> None:
+        """Connect an identity with a sensor."""
+        ...
+
+    def activate(self, identity: int, activation: Activation) -> None:
+        """Say what the sensor's goals mean."""
+        ...
+
+    def guide(self, identity: int, terms: GuidanceTerms) -> None:
+        """Let the sensor guide the robot; returns when it is there, or at once.
+
+        Raises:
+            RapidError: ERR_UDPUC_COMM, if the sensor says nothing for too long.
+        """
+        ...
+
+    def await_condition(self, identity: int) -> None:
+        """Wait until the robot that is guided is there; raises as `guide` does."""
+        ...
+
+    def end_guidance(self, identity: int, *, goes_back: bool, ramp_out_s: float) -> None:
+        """End the guidance; returns when the robot stands."""
+        ...
+
+    def stream(self, identity: int, sample_s: float | None) -> None:
+        """Tell the sensor where the robot is, every so many seconds; None ends it."""
+        ...
+
+    def give_back(self, identity: int) -> None:
+        """End all of it and give the identity back."""
+        ...
+
+    def state(self, identity: int) -> float:
+        """The state of an identity."""
+        ...

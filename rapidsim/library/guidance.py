@@ -1,0 +1,400 @@
+r"""Externally guided motion (EGM): a sensor moves the robot, every few milliseconds.
+
+Who the sensor is, the controller knows: a program over the network where a run may use it, signals,
+or nobody. Correcting a path that is programmed (EGMActMove, EGMMoveL) is only declared.
+
+Source: Application manual Externally Guided Motion; Technical reference manual RAPID Instructions,
+Functions and Data types, "EGMActJoint" and its like.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Annotated, Final, TypedDict, Unpack
+
+from rapidsim.language import types
+from rapidsim.language.annotations import (
+    Dnum,
+    MecUnit,
+    Mode,
+    Num,
+    Pers,
+    String,
+    Switch,
+    Var,
+)
+from rapidsim.language.controller import Controller
+from rapidsim.language.data import EgmMinMax, LoadData, Pose, ToolData, WobjData
+from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
+from rapidsim.language.errors import NotAllowed
+from rapidsim.language.guidance import (
+    RAMP_DOWN,
+    Activation,
+    Guidance,
+    GuidanceTerms,
+    PoseFrames,
+    Purpose,
+    SensorSetup,
+)
+from rapidsim.language.reference import Reference
+from rapidsim.library.honesty import ignored
+from rapidsim.library.table import routine, table
+from rapidsim.library.traits import Does
+
+EgmIdent = Annotated[int | None, next(one for one in types.OPAQUE if one.name == "egmident")]
+"""The number of an identity; None before EGMGetId."""
+EgmFrameType = Annotated[float, types.Alias("egmframetype", types.NUM)]
+EgmState = Annotated[float, types.Alias("egmstate", types.NUM)]
+EgmStopMode = Annotated[float, types.Alias("egmstopmode", types.NUM)]
+
+LP_FILTER_HZ: Final = 20.0
+SAMPLE_MS: Final = 4.0
+MAX_SPEED_DEVIATION: Final = 1.0
+TIMEOUT_S: Final = 1.0
+CONDITION_S: Final = 1.0
+RAMP_S: Final = 1.0
+_LONGEST_SAMPLE_MS: Final = 1e6
+_JOINTS: Final = ("j1", "j2", "j3", "j4", "j5", "j6", "j7")
+_POSE_AXES: Final = ("x", "y", "z", "rx", "ry", "rz")
+
+
+class _Purposes(TypedDict):
+    joint: Switch
+    pose: Switch
+    path_corr: Switch
+    aptr: Switch
+    latr: Switch
+
+
+class _JointBands(TypedDict, total=False):
+    j1: EgmMinMax
+    j2: EgmMinMax
+    j3: EgmMinMax
+    j4: EgmMinMax
+    j5: EgmMinMax
+    j6: EgmMinMax
+    j7: EgmMinMax
+
+
+class _PoseBands(TypedDict, total=False):
+    x: EgmMinMax
+    y: EgmMinMax
+    z: EgmMinMax
+    rx: EgmMinMax
+    ry: EgmMinMax
+    rz: EgmMinMax
+
+
+class _JointSwitches(TypedDict, total=False):
+    j1: Switch
+    j2: Switch
+    j3: Switch
+    j4: Switch
+    j5: Switch
+    j6: Switch
+    j7: Switch
+
+
+class _PoseSwitches(TypedDict, total=False):
+    x: Switch
+    y: Switch
+    z: Switch
+    rx: Switch
+    ry: Switch
+    rz: Switch
+
+
+def egm_get_id(controller: Guidance, egmid: Var[EgmIdent]) -> None:
+    """Make an identity."""
+    egmid.value = controller.connect()
+
+
+def egm_reset(controller: Guidance, egmid: Var[EgmIdent]) -> None:
+    """End what an identity does and give it back."""
+    if egmid.value is not None:
+        controller.give_back(egmid.value)
+        egmid.value = None
+
+
+def egm_get_state(controller: Guidance, egmid: Var[EgmIdent]) -> EgmState:
+    """The state of an identity: disconnected, connected or running."""
+    return 0.0 if egmid.value is None else controller.state(egmid.value)
+
+
+def egm_setup_uc(
+    controller: Guidance,
+    mec_unit: Var[MecUnit],
+    egmid: Var[EgmIdent],
+    ext_config_name: String,
+    uc_device: String,
+    *,
+    joint: Switch = False,
+    pose: Switch = False,
+    path_corr: Switch = False,
+    aptr: Switch = False,
+    latr: Switch = False,
+    comm_timeout: Num | None = None,
+) -> None:
+    """Connect an identity with a sensor that talks UDP; without a switch it is only told."""
+    del mec_unit, aptr, latr
+    silence_s = TIMEOUT_S if comm_timeout is None else _positive("CommTimeout", comm_timeout)
+    setup = SensorSetup(
+        uc_device.rstrip(":"),
+        ext_config_name,
+        _purpose(joint=joint, pose=pose, path_corr=path_corr),
+        silence_s,
+    )
+    controller.set_up(_known(egmid, "EGMSetupUC"), setup)
+
+
+def egm_act_joint(
+    controller: Controller,
+    egmid: Var[EgmIdent],
+    *,
+    stream_start: Switch = False,
+    tool: Pers[ToolData] | None = None,
+    wobj: Pers[WobjData] | None = None,
+    tload: Pers[LoadData] | None = None,
+    data_from_sensor: Annotated[list[Dnum], Mode.INOUT] | None = None,
+    lp_filter: Num | None = None,
+    sample_rate: Num | None = None,
+    max_pos_deviation: Num | None = None,
+    max_speed_deviation: Num | None = None,
+    **bands: Unpack[_JointBands],
+) -> None:
+    """Say that the sensor's goals are joints, and how near to them the robot is there."""
+    del tload
+    _tell_no_deviation(controller, "EGMActJoint", max_pos_deviation)
+    controller.guidance.activate(
+        _known(egmid, "EGMActJoint"),
+        Activation(
+            tuple(bands.get(name) for name in _JOINTS),  # type: ignore[misc]
+            tool.value if tool else None,
+            wobj.value if wobj else None,
+            LP_FILTER_HZ if lp_filter is None else _positive("LpFilter", lp_filter),
+            _sample_s(sample_rate),
+            MAX_SPEED_DEVIATION
+            if max_speed_deviation is None
+            else _positive("MaxSpeedDeviation", max_speed_deviation),
+            values=data_from_sensor,
+            streams=stream_start,
+        ),
+    )
+
+
+def egm_act_pose(
+    controller: Controller,
+    egmid: Var[EgmIdent],
+    corr_frame: Pose,
+    corr_fr_type: EgmFrameType,
+    sensor_frame: Pose,
+    sensor_fr_type: EgmFrameType,
+    *,
+    stream_start: Switch = False,
+    tool: Pers[ToolData] | None = None,
+    wobj: Pers[WobjData] | None = None,
+    tload: Pers[LoadData] | None = None,
+    data_from_sensor: Annotated[list[Dnum], Mode.INOUT] | None = None,
+    lp_filter: Num | None = None,
+    sample_rate: Num | None = None,
+    max_pos_deviation: Num | None = None,
+    max_speed_deviation: Num | None = None,
+    **bands: Unpack[_PoseBands],
+) -> None:
+    """Say that the sensor's goals are poses of the TCP, in which frames, and how near is there."""
+    del tload
+    _tell_no_deviation(controller, "EGMActPose", max_pos_deviation)
+    controller.guidance.activate(
+        _known(egmid, "EGMActPose"),
+        Activation(
+            tuple(bands.get(name) for name in _POSE_AXES),  # type: ignore[misc]
+            tool.value if tool else None,
+            wobj.value if wobj else None,
+            LP_FILTER_HZ if lp_filter is None else _positive("LpFilter", lp_filter),
+            _sample_s(sample_rate),
+            MAX_SPEED_DEVIATION
+            if max_speed_deviation is None
+            else _positive("MaxSpeedDeviation", max_speed_deviation),
+            frames=PoseFrames(corr_frame, corr_fr_type, sensor_frame, sensor_fr_type),
+            values=data_from_sensor,
+            streams=stream_start,
+        ),
+    )
+
+
+def egm_run_joint(
+    controller: Guidance,
+    egmid: Var[EgmIdent],
+    mode: EgmStopMode,
+    *,
+    no_wait_cond: Switch = False,
+    cond_time: Num | None = None,
+    ramp_in_time: Num | None = None,
+    ramp_out_time: Num | None = None,
+    pos_corr_gain: Num | None = None,
+    **chosen: Unpack[_JointSwitches],
+) -> None:
+    """Let the sensor move the joints until they are where it wants them."""
+    terms = _terms(
+        [bool(chosen.get(name)) for name in _JOINTS],
+        mode,
+        not no_wait_cond,
+        (cond_time, ramp_in_time, ramp_out_time),
+        pos_corr_gain,
+        None,
+    )
+    controller.guide(_known(egmid, "EGMRunJoint"), terms)
+
+
+def egm_run_pose(
+    controller: Guidance,
+    egmid: Var[EgmIdent],
+    mode: EgmStopMode,
+    *,
+    no_wait_cond: Switch = False,
+    cond_time: Num | None = None,
+    ramp_in_time: Num | None = None,
+    ramp_out_time: Num | None = None,
+    offset: Pose | None = None,
+    pos_corr_gain: Num | None = None,
+    **chosen: Unpack[_PoseSwitches],
+) -> None:
+    """Let the sensor move the TCP until it is where it wants it."""
+    terms = _terms(
+        [bool(chosen.get(name)) for name in _POSE_AXES],
+        mode,
+        not no_wait_cond,
+        (cond_time, ramp_in_time, ramp_out_time),
+        pos_corr_gain,
+        offset,
+    )
+    controller.guide(_known(egmid, "EGMRunPose"), terms)
+
+
+def egm_wait_cond(controller: Guidance, egmid: Var[EgmIdent]) -> None:
+    r"""Wait until the robot is where the sensor wants it, after a run with \NoWaitCond."""
+    controller.await_condition(_known(egmid, "EGMWaitCond"))
+
+
+def egm_stop(
+    controller: Guidance,
+    egmid: Var[EgmIdent],
+    mode: EgmStopMode,
+    *,
+    ramp_out_time: Num | None = None,
+) -> None:
+    """End the guidance: the robot stays where it is, or goes back to where it began."""
+    ramp_s = RAMP_S if ramp_out_time is None else _positive("RampOutTime", ramp_out_time)
+    controller.end_guidance(
+        _known(egmid, "EGMStop"), goes_back=mode == RAMP_DOWN, ramp_out_s=ramp_s
+    )
+
+
+def egm_stream_start(
+    controller: Guidance, egmid: Var[EgmIdent], *, sample_rate: Num | None = None
+) -> None:
+    """Tell the sensor from now on where the robot is."""
+    controller.stream(_known(egmid, "EGMStreamStart"), _sample_s(sample_rate))
+
+
+def egm_stream_stop(controller: Guidance, egmid: Var[EgmIdent]) -> None:
+    """Tell it nothing more."""
+    controller.stream(_known(egmid, "EGMStreamStop"), None)
+
+
+def _known(egmid: Reference[int | None], instruction: str) -> int:
+    if egmid.value is None:
+        raise NotAllowed(f"{instruction}: the EGM identity is not there; EGMGetId makes it")
+    return egmid.value
+
+
+def _purpose(*, joint: bool, pose: bool, path_corr: bool) -> Purpose:
+    if joint:
+        return Purpose.JOINT
+    if pose:
+        return Purpose.POSE
+    return Purpose.PATH_CORRECTION if path_corr else Purpose.STREAM
+
+
+def _terms(
+    chosen: Sequence[bool],
+    mode: float,
+    waits: bool,
+    times: tuple[float | None, float | None, float | None],
+    gain: float | None,
+    offset: Pose | None,
+) -> GuidanceTerms:
+    condition, ramp_in, ramp_out = times
+    gain = 1.0 if gain is None else _positive("PosCorrGain", gain)
+    if gain > 1.0:
+        raise rapid_error(ERR_ARGVALERR, f"PosCorrGain is {gain:g}; 0..1 is possible")
+    return GuidanceTerms(
+        tuple(chosen),
+        mode == RAMP_DOWN,
+        waits,
+        CONDITION_S if condition is None else _positive("CondTime", condition),
+        RAMP_S if ramp_in is None else _positive("RampInTime", ramp_in),
+        RAMP_S if ramp_out is None else _positive("RampOutTime", ramp_out),
+        gain,
+        offset,
+    )
+
+
+def _sample_s(milliseconds: float | None) -> float:
+    value = SAMPLE_MS if milliseconds is None else milliseconds
+    if not SAMPLE_MS <= value <= _LONGEST_SAMPLE_MS or value % SAMPLE_MS:
+        raise rapid_error(
+            ERR_ARGVALERR, f"SampleRate is {value:g} ms; it must be a multiple of {SAMPLE_MS:g} ms"
+        )
+    return value / 1000.0
+
+
+def _positive(name: str, value: float) -> float:
+    if not value >= 0.0:
+        raise rapid_error(ERR_ARGVALERR, f"{name} is {value:g}; it cannot be negative")
+    return value
+
+
+def _tell_no_deviation(controller: Controller, name: str, most: float | None) -> None:
+    ignored(controller.honesty, name, {r"\MaxPosDeviation": most})
+
+
+_ACT = r"\StreamStart \Tool \WObj \TLoad \DataFromSensor"
+_LIMITS = r"\LpFilter \SampleRate \MaxPosDeviation \MaxSpeedDeviation"
+_TIMES = r"\CondTime \RampInTime \RampOutTime"
+_SEVEN = r"\J1 \J2 \J3 \J4 \J5 \J6 \J7"
+_SIX = r"\x \y \z \rx \ry \rz"
+_GUIDES = Does.WAIT | Does.LEAVE_PATH
+
+GUIDANCE = table(
+    routine("EGMGetId", egm_get_id, "EGMid"),
+    routine("EGMReset", egm_reset, "EGMid", does=_GUIDES),
+    routine("EGMGetState", egm_get_state, "EGMid", does=Does.READ_TASK),
+    routine(
+        "EGMSetupUC",
+        egm_setup_uc,
+        r"MecUnit EGMid ExtConfigName UCDevice \Joint|\Pose|\PathCorr \APTR|\LATR \CommTimeout",
+    ),
+    routine("EGMActJoint", egm_act_joint, rf"EGMid {_ACT} {_SEVEN} {_LIMITS}"),
+    routine(
+        "EGMActPose",
+        egm_act_pose,
+        rf"EGMid {_ACT} CorrFrame CorrFrType SensorFrame SensorFrType {_SIX} {_LIMITS}",
+    ),
+    routine(
+        "EGMRunJoint",
+        egm_run_joint,
+        rf"EGMid Mode \NoWaitCond {_SEVEN} {_TIMES} \PosCorrGain",
+        does=_GUIDES,
+    ),
+    routine(
+        "EGMRunPose",
+        egm_run_pose,
+        rf"EGMid Mode \NoWaitCond {_SIX} {_TIMES} \Offset \PosCorrGain",
+        does=_GUIDES,
+    ),
+    routine("EGMWaitCond", egm_wait_cond, "EGMid", does=_GUIDES),
+    routine("EGMStop", egm_stop, r"EGMid Mode \RampOutTime", does=_GUIDES),
+    routine("EGMStreamStart", egm_stream_start, r"EGMid \SampleRate"),
+    routine("EGMStreamStop", egm_stream_stop, "EGMid"),
+)

@@ -1,0 +1,105 @@
+"""What a sensor is told of the robot that it guides, in its units."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from enum import Enum, auto
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.guidance.guided_run import Ended, GuidedRun
+from rapidsim.motion.guidance.sensor import in_degrees, in_millimetres
+from rapidsim.motion.kinematics.arm import Kinematics
+from rapidsim.values import dataclass
+
+
+class Guided(Enum):
+    """What is told of the guidance."""
+
+    NOT_YET = auto()
+    RUNNING = auto()
+    STOPPED = auto()
+    FAILED = auto()
+
+
+@dataclass(frozen=True, slots=True)
+class Feedback:
+    """The robot at a time."""
+
+    time_s: float
+    joints: tuple[float, ...]
+    """The arm's axes [deg]."""
+    external: tuple[float, ...]
+    """External axes [deg, mm]."""
+    position: tuple[float, ...]
+    """x, y, z [mm]."""
+    orientation: tuple[float, ...]
+    """q1..q4."""
+    guided: Guided
+    is_met: bool
+    utilisation: float
+    """How fast the fastest axis is, in percent of what it can."""
+    executes: bool = True
+    """Whether the program does."""
+    motors_on: bool = True
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Frames:
+    """In which frame the TCP is told."""
+
+    kinematics: Kinematics
+    tcp_from_flange: Transform
+    told_from_base: Transform
+
+    def pose(self, joints: Array) -> tuple[tuple[float, ...], tuple[float, ...]]:
+        """Position [mm] and q1..q4 of joints (n,) [rad]."""
+        flange = self.kinematics.forward(joints)
+        return in_millimetres(self.told_from_base @ flange @ self.tcp_from_flange.inverse())
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class GuidedFeedback:
+    """What is told while the robot is guided."""
+
+    frames: Frames
+    external: tuple[float, ...]
+
+    def __call__(self, run: GuidedRun, time_s: float) -> Feedback:
+        """At a time [s]."""
+        motion = run.motion
+        share = np.max(np.abs(motion.speed) / motion.axes.max_speed, initial=0.0)
+        told = _told(run.ended, is_over=run.is_over)
+        there = standing_feedback(
+            self.frames, time_s, motion.joints, self.external, told, float(100.0 * share)
+        )
+        return replace(there, is_met=run.is_met)
+
+
+def standing_feedback(
+    frames: Frames,
+    time_s: float,
+    joints: Array,
+    external: tuple[float, ...],
+    guided: Guided,
+    utilisation: float,
+) -> Feedback:
+    """What is told of joints (n,) [rad] at a time [s]; see `Feedback`."""
+    position, orientation = frames.pose(joints)
+    return Feedback(
+        time_s,
+        in_degrees(joints),
+        external,
+        position,
+        orientation,
+        guided,
+        is_met=False,
+        utilisation=utilisation,
+    )
+
+
+def _told(ended: Ended | None, *, is_over: bool) -> Guided:
+    if ended in (Ended.SILENT, Ended.OUT_OF_REACH):
+        return Guided.FAILED
+    return Guided.STOPPED if is_over else Guided.RUNNING

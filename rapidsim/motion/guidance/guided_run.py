@@ -1,0 +1,138 @@
+"""A guidance from its start to its end, a cycle at a time: a function of what the sensor says.
+
+Whoever has the cycles and the answers has the motion: the engine that lets the robot move, the
+process beside it that talks to the sensor, and a journal that is lived again, all to the last bit.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import field
+from enum import Enum, auto
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.guidance.aims import Aim
+from rapidsim.motion.guidance.joint_law import CYCLE_S, JointMotion, Tuning
+from rapidsim.motion.guidance.sensor import SensorAnswer
+from rapidsim.motion.guidance.way_back import WayBack, way_back
+from rapidsim.values import dataclass
+
+
+class Ended(Enum):
+    """What has ended the guidance."""
+
+    CONVERGED = auto()
+    STOPPED = auto()
+    """The program has."""
+    SILENT = auto()
+    """The sensor has said nothing for too long."""
+    OUT_OF_REACH = auto()
+    """The arm cannot get where the sensor wants it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Terms:
+    """When and how a guidance ends."""
+
+    condition_s: float
+    """So long [s] the goal must be near."""
+    ramp_in_s: float
+    """So long [s] the guidance takes to have its full strength."""
+    silence_s: float
+    """So long [s] the sensor may say nothing."""
+    goes_back: bool
+    """Whether the robot ends where it began."""
+    ramp_out_s: float
+    """In so long [s], if it can."""
+    ends_by_itself: bool = True
+    """Whether to be near ends it."""
+
+
+@dataclass(slots=True, eq=False)
+class GuidedRun:
+    """The motion of a robot under guidance; `step` goes on by a cycle."""
+
+    motion: JointMotion
+    aim: Aim
+    tuning: Tuning
+    terms: Terms
+    ended: Ended | None = None
+    """What has ended it; the robot may still come to rest, or be on its way back."""
+    is_met: bool = False
+    """Whether the condition of the goal has held long enough."""
+    has_heard: bool = False
+    """Whether the sensor has said anything."""
+    is_over: bool = False
+    """Whether the robot stands, and will not move any more."""
+    start: Array = field(init=False)
+    _cycles: int = 0
+    _silent: int = 0
+    """Cycles since the sensor has said something."""
+    _near: int = 0
+    """Cycles for which the goal has been near."""
+    _goes_back: bool = False
+    _ramp_out_s: float = 0.0
+    _back: WayBack | None = None
+    _back_cycles: int = 0
+
+    def __post_init__(self) -> None:
+        """Begin where the arm stands."""
+        self.start = self.motion.joints
+
+    def step(self, answer: SensorAnswer | None) -> None:
+        """Go on for a cycle with what the sensor has said since the last one."""
+        self._cycles += 1
+        if self.ended is None:
+            self._guide(answer)
+        if self.ended is not None:
+            self._come_to_rest()
+
+    def stop(self, *, goes_back: bool, ramp_out_s: float) -> None:
+        """End the guidance: the robot comes to rest, or goes back to where it began."""
+        if self.ended is None:
+            self._end(Ended.STOPPED, goes_back=goes_back, ramp_out_s=ramp_out_s)
+
+    def give_up_way_back(self) -> None:
+        """Come to rest where the robot is."""
+        self._goes_back, self._back = False, None
+
+    def _guide(self, answer: SensorAnswer | None) -> None:
+        if answer is not None and self.aim.hear(answer):
+            self.has_heard, self._silent = True, 0
+        else:
+            self._silent += 1
+            if self._silent * CYCLE_S > self.terms.silence_s:
+                self._end(Ended.SILENT, goes_back=False)
+                return
+        goal = self.aim.goal(self.motion.joints)
+        if goal is None or not all(np.isfinite(part).all() for part in goal):
+            self._end(Ended.OUT_OF_REACH, goes_back=False)
+            return
+        ramp_s = self.terms.ramp_in_s
+        share = 1.0 if ramp_s <= 0.0 else min(1.0, self._cycles * CYCLE_S / ramp_s)
+        self.motion.towards(goal[0], self.tuning, goal[1], share)
+        is_near = self.has_heard and self.aim.is_met(self.motion.joints)
+        self._near = self._near + 1 if is_near else 0
+        self.is_met = is_near and self._near * CYCLE_S >= self.terms.condition_s
+        if self.is_met and self.terms.ends_by_itself:
+            self._end(Ended.CONVERGED, goes_back=self.terms.goes_back)
+
+    def _end(self, why: Ended, *, goes_back: bool, ramp_out_s: float | None = None) -> None:
+        self.ended, self._goes_back = why, goes_back
+        self._ramp_out_s = self.terms.ramp_out_s if ramp_out_s is None else ramp_out_s
+
+    def _come_to_rest(self) -> None:
+        motion = self.motion
+        if self._back is not None:
+            self._back_cycles += 1
+            motion.joints, motion.speed = self._back.at(self._back_cycles * CYCLE_S)
+        elif not motion.stands:
+            motion.at_speed(np.zeros_like(motion.speed))
+            return
+        elif self._goes_back:
+            ramp_s = self._ramp_out_s if math.isfinite(self._ramp_out_s) else 0.0
+            self._back = way_back(motion.axes, motion.joints, self.start, max(0.0, ramp_s))
+            return
+        self.is_over = motion.stands

@@ -1,0 +1,126 @@
+"""How joints follow a goal that comes every few milliseconds: filter, gain, limits.
+
+ABB publishes what its parameters mean, not its control law. This is ours: the goal passes a
+low-pass, the speed is proportional to what is left and never more than lets the axis brake in time,
+and each axis keeps its limits of speed and acceleration by itself.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import field
+from typing import Final
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.values import dataclass
+
+CYCLE_S: Final = 0.004
+"""The controller's cycle [s]."""
+BRAKING_SHARE: Final = 0.9
+"""Of its acceleration an axis counts on so much when it brakes for a goal or an end."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class GuidedAxes:
+    """What axes (n,) can do [rad, s]."""
+
+    lower: Array
+    upper: Array
+    max_speed: Array
+    max_acceleration: Array
+
+
+@dataclass(frozen=True, slots=True)
+class Tuning:
+    """How strongly the axes are drawn to their goal."""
+
+    gain: float
+    """Speed [rad/s] per rad that is left: Kp times PosCorrGain; 0 leaves them to speeds alone."""
+    max_speed: float = math.inf
+    """No axis is faster [rad/s]."""
+
+
+@dataclass(slots=True, eq=False)
+class LowPass:
+    """Filters of first order in a row, at rest at a start."""
+
+    frequencies_hz: tuple[float, ...]
+    """0 is none."""
+    start: Array
+    shares: tuple[float, ...] = field(init=False)
+    """Of what is left, what each stage goes in a cycle."""
+    _stages: list[Array] = field(init=False)
+
+    def __post_init__(self) -> None:
+        """Rest."""
+        self.shares = tuple(map(_share, self.frequencies_hz))
+        self._stages = [self.start for _ in self.shares]
+
+    def follow(self, goal: Array) -> Array:
+        """The filtered goal, a cycle later."""
+        for number, share in enumerate(self.shares):
+            stage = self._stages[number]
+            goal = self._stages[number] = stage + share * (goal - stage)
+        return goal
+
+
+def _share(hertz: float) -> float:
+    return 1.0 - math.exp(-2.0 * math.pi * hertz * CYCLE_S) if hertz > 0.0 else 1.0
+
+
+@dataclass(slots=True, eq=False)
+class JointMotion:
+    """Axes that move in steps of a cycle, with constant accelerations in between."""
+
+    axes: GuidedAxes
+    joints: Array
+    """Shape (n,) [rad]."""
+    speed: Array
+    """Shape (n,) [rad/s]."""
+
+    def towards(self, goal: Array, tuning: Tuning, speed: Array, share: float = 1.0) -> None:
+        """Go on for a cycle.
+
+        Args:
+            goal: Where to (n,) [rad].
+            tuning: How strongly.
+            speed: What is added (n,) [rad/s]: how fast the goal itself moves.
+            share: Of their greatest speed that axes may have, while the guidance begins; 0..1.
+        """
+        wanted = self._approach(goal - self.joints, tuning.gain) if tuning.gain else 0.0
+        most = share * np.minimum(self.axes.max_speed, tuning.max_speed)
+        self.at_speed(np.clip(wanted + speed, -most, most))
+
+    def at_speed(self, wanted: Array) -> None:
+        """Go on for a cycle and come as near to a speed (n,) [rad/s] as the axes can."""
+        axes = self.axes
+        wanted = np.clip(wanted, -axes.max_speed, axes.max_speed)
+        brakes = 2.0 * BRAKING_SHARE * axes.max_acceleration
+        # An axis is never faster than it can stop before its end.
+        ahead = np.maximum(axes.upper - self.joints, 0.0)
+        behind = np.maximum(self.joints - axes.lower, 0.0)
+        wanted = np.minimum(wanted, np.minimum(np.sqrt(brakes * ahead), ahead / CYCLE_S))
+        wanted = np.maximum(wanted, -np.minimum(np.sqrt(brakes * behind), behind / CYCLE_S))
+        step = axes.max_acceleration * CYCLE_S
+        speed = np.clip(wanted, self.speed - step, self.speed + step)
+        joints = self.joints + 0.5 * CYCLE_S * (self.speed + speed)
+        kept = np.clip(joints, axes.lower, axes.upper)
+        self.joints, self.speed = kept, np.where(kept == joints, speed, 0.0)
+
+    @property
+    def stands(self) -> bool:
+        """Whether no axis moves."""
+        return not self.speed.any()
+
+    def _approach(self, left: Array, gain: float) -> Array:
+        """The speed (n,) [rad/s] that is proportional near the goal and can be braked further off.
+
+        The two meet where they are equally fast and equally steep.
+        """
+        brakes = BRAKING_SHARE * self.axes.max_acceleration
+        gain = min(gain, 0.5 / CYCLE_S)
+        far = np.sqrt(2.0 * brakes * np.maximum(np.abs(left) - brakes / (2.0 * gain**2), 0.0))
+        near = np.abs(left) <= brakes / gain**2
+        return np.sign(left) * np.where(near, gain * np.abs(left), far)

@@ -1,0 +1,66 @@
+"""What a sensor answers, as it says it: in mm and degrees; and the same in m and rad.
+
+The one place beside `configurations/targets.py` where a program's units become those of the arm.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform, matrix_from_quaternion
+from rapidsim.values import dataclass
+
+MM = 1e-3
+_LEAST_NORM = 1e-6
+
+
+@dataclass(frozen=True, slots=True)
+class SensorAnswer:
+    """The last word of a sensor; what it does not say is empty."""
+
+    joints: tuple[float, ...] = ()
+    """Goal of the arm's axes, the external ones behind them [deg]."""
+    position: tuple[float, ...] = ()
+    """Goal of the TCP, x, y, z [mm]."""
+    orientation: tuple[float, ...] = ()
+    """Goal of the TCP, q1..q4."""
+    joint_speed: tuple[float, ...] = ()
+    """[deg/s]"""
+    tcp_speed: tuple[float, ...] = ()
+    """x, y, z [mm/s], rx, ry, rz [deg/s]."""
+    values: tuple[float, ...] = ()
+    r"""For \DataFromSensor."""
+
+
+def radians(degrees: tuple[float, ...], count: int) -> Array | None:
+    """The first of so many axes [rad]; None if they are not all there."""
+    return None if len(degrees) < count else np.radians(np.array(degrees[:count]))
+
+
+def pose_of(answer: SensorAnswer) -> tuple[Array | None, Array | None]:
+    """Position (3,) [m] and rotation (3, 3) of the goal; None for what it does not say."""
+    position = MM * np.array(answer.position) if len(answer.position) == 3 else None
+    rotation = None
+    if len(answer.orientation) == 4:
+        quaternion = np.array(answer.orientation)
+        if (norm := float(np.linalg.norm(quaternion))) > _LEAST_NORM:
+            rotation = matrix_from_quaternion(quaternion / norm)
+    return position, rotation
+
+
+def twist_of(answer: SensorAnswer) -> Array | None:
+    """Speed of the TCP (6,) [m/s, rad/s]; None if it says none."""
+    if len(answer.tcp_speed) != 6:
+        return None
+    twist = np.array(answer.tcp_speed)
+    return np.concatenate([MM * twist[:3], np.radians(twist[3:])])
+
+
+def in_degrees(joints: Array) -> tuple[float, ...]:
+    """Axes (n,) [rad] as they are told [deg]."""
+    return tuple(np.degrees(joints).tolist())
+
+
+def in_millimetres(pose: Transform) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """A pose as it is told: x, y, z [mm] and q1..q4."""
+    return tuple((pose.translation / MM).tolist()), tuple(pose.quaternion.tolist())

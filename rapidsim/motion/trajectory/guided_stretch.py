@@ -1,0 +1,85 @@
+"""Motion that was not planned: joints a cycle apart, as somebody outside wanted them.
+
+Between two cycles accelerations are constant, so nothing is interpolated here either.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+
+_STEP_S = 0.001
+"""[s]; from an instant to the two beside it, by which the speed of the TCP is found."""
+_FIRST_ROOM = 256
+
+
+@dataclass(eq=False)
+class GuidedStretch:
+    """It can only be added to."""
+
+    start_s: float
+    cycle_s: float
+    forward: Callable[[Array], Transform]
+    """base_from_flange of joints (k, n) [rad]."""
+    tcp_from_flange: Transform
+    external: Array
+    """Where external axes (e,) stand meanwhile [m or rad]."""
+    start: Array
+    """Joints (n,) [rad] of an arm that stands."""
+    _count: int = 0
+    _joints: Array = field(init=False)
+    """Joints, then speeds, at the end of each cycle, the start first; with room for more."""
+
+    def __post_init__(self) -> None:
+        """Stand."""
+        self._joints = np.zeros((_FIRST_ROOM, 2, len(self.start)))
+        self._joints[0, 0] = self.start
+
+    @property
+    def end_s(self) -> float:
+        """Up to when [s] it is known."""
+        return self.start_s + self._count * self.cycle_s
+
+    @property
+    def end(self) -> Array:
+        """Joints (n,) [rad] where it ends so far."""
+        end: Array = self._joints[self._count, 0].copy()
+        return end
+
+    def append(self, joints: Array, speed: Array) -> None:
+        """Go on by a cycle.
+
+        Args:
+            joints: Where it ends (n,) [rad].
+            speed: How fast the axes are then (n,) [rad/s].
+        """
+        self._count += 1
+        if self._count == len(self._joints):
+            self._joints = np.concatenate([self._joints, np.zeros_like(self._joints)])
+        self._joints[self._count] = joints, speed
+
+    def joints_at(self, times: Array) -> Array:
+        """Joints (k, n) [rad] at instants (k,) [s]; it stands before and after."""
+        way = np.clip((times - self.start_s) / self.cycle_s, 0.0, self._count)
+        before = np.minimum(way.astype(np.int64), max(self._count - 1, 0))
+        after = np.minimum(before + 1, self._count)
+        share = (way - before)[:, None]
+        joints, speed = self._joints[before, 0], self._joints[before, 1]
+        gained = self._joints[after, 1] - speed
+        moved: Array = joints + self.cycle_s * share * (speed + 0.5 * share * gained)
+        return np.where(share >= 1.0, self._joints[after, 0], moved)
+
+    def tcp_at(self, joints: Array) -> Transform:
+        """base_from_tcp (k,) of joints (k, n) [rad]."""
+        return self.forward(joints) @ self.tcp_from_flange.inverse()[None]
+
+    def tcp_speed_at(self, times: Array) -> Array:
+        """How fast (k,) [m/s] the TCP is in base."""
+        before, after = self.joints_at(times - _STEP_S), self.joints_at(times + _STEP_S)
+        way = self.tcp_at(after).translation - self.tcp_at(before).translation
+        speed: Array = np.linalg.norm(way, axis=1) / (2.0 * _STEP_S)
+        return speed
