@@ -16,9 +16,10 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, replace
 from datetime import datetime, timedelta
-from typing import Protocol, TypeVar
+from typing import TypeVar
 
 from rapidsim.controller.cell.cell import Cause, Cell
+from rapidsim.controller.happening import Happening
 from rapidsim.controller.interrupt_table import InterruptTable
 from rapidsim.controller.journal.events import CUT_OFF, THE_TIME, EventKind, Wait
 from rapidsim.controller.journal.journal import Instant, Journal, Moment
@@ -33,39 +34,11 @@ from rapidsim.controller.polling import Polling
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.path_planner import LOOK_AHEAD_SLACK_S
 from rapidsim.language.error_log import LoggedError
+from rapidsim.language.errors import RapidError
 from rapidsim.language.moves import Place
 
 T = TypeVar("T")
 _ROUNDING_S = 1e-9
-
-
-class Happening(Protocol):
-    """Something that falls due while a task lets time pass."""
-
-    @property
-    def on_path(self) -> bool:
-        """Whether asking for the next plans the path of the robot."""
-        ...
-
-    def next_s(self) -> float | None:
-        """When the next falls due [s]; None if none does."""
-        ...
-
-    def pass_next(self, passed_s: float, until_s: float) -> float:
-        """Let the next happen.
-
-        Args:
-            passed_s: Nothing happens before this time [s] any more.
-            until_s: It is due by then.
-
-        Returns:
-            When it has ended [s]: a trap takes time.
-        """
-        ...
-
-    def look_from(self, time_s: float) -> None:
-        """Take note that time has passed up to here [s]."""
-        ...
 
 
 @dataclass(slots=True)
@@ -108,10 +81,21 @@ class TaskClock:
         """The place of the last call that did more than look, as a round begins with it."""
         self._passed_s = 0.0
         """Up to here everything has happened; nothing happens before it any more."""
+        self._serves = False
+        """Whether what falls due is served between two statements."""
+        self._interludes = 0
+        """How many traps and the like run, one within the other."""
+        self._failure: RapidError | None = None
+        """What a trap wants the statement to end with that it interrupts."""
         self._looks_at_s: float | None = None
         """The time [s] at which it looks aside; None while it does not."""
         cell.listeners.append(table)
         cell.watchdog.watch(self)
+
+    @property
+    def watches(self) -> bool:
+        """Whether an interrupt waits for a change of a persistent."""
+        return self._table.watches
 
     @property
     def is_known(self) -> bool:
@@ -138,9 +122,16 @@ class TaskClock:
         self.times_told += 1
         return self.observe()
 
+    def stays_until(self, time_s: float) -> None:
+        """What the statement that runs tells the program stays as it is until a time [s]."""
+        self.take_back_deed()
+        self._polling.told(time_s)
+
     def date_and_time(self) -> datetime:
         """What the controller's clock shows."""
-        return self._cell.starts_at + timedelta(seconds=math.floor(self.now()))
+        seconds = math.floor(self.now())
+        self.stays_until(seconds + 1.0)
+        return self._cell.starts_at + timedelta(seconds=seconds)
 
     def wait(self, seconds: float, *, in_position: bool = False) -> None:
         """Let virtual time pass; with `in_position`, first let the robot come to rest."""
@@ -180,7 +171,7 @@ class TaskClock:
         """
         self._cell.watchdog.look()
         if self._table.watches:
-            self._look_at_persistents()
+            self.look_at_persistents()
         time = self._time
         time.settle(self.left)
         if not time.is_known and time.offset_s > LOOK_AHEAD_SLACK_S:
@@ -189,8 +180,12 @@ class TaskClock:
             due_s = self.next_due_s()
             # Ticks add up to a rounding less: what is due in this very tick is due now.
             is_now = due_s is not None and 0.0 < due_s - time.known_s < _ROUNDING_S
-            self.pass_time(due_s if is_now and due_s is not None else time.known_s)
-            self._skip_rounds()
+            self._serves = True
+            try:
+                self._go(due_s if is_now and due_s is not None else time.known_s)
+                self._skip_rounds()
+            finally:
+                self._serves = False
         self.grant()
 
     def _skip_rounds(self) -> None:
@@ -208,17 +203,20 @@ class TaskClock:
         if ticks is None:
             return
         due_s = self.next_due_s()
-        until_s = min(math.inf if due_s is None else due_s, self._cell.turns.next_s(self))
+        until_s = math.inf if due_s is None else due_s
+        until_s = min(until_s, self._cell.turns.next_s(self), self._polling.stays_s)
         if math.isinf(until_s) and self._cell.turns.rest(self):
             raise PollsForever(
                 "the program loops forever here: nothing that it looks at ever changes"
             )
-        self._polling.again()
         round_s = ticks * self._time.tick_s
         # The last round before it is made: in which tick of it the program looks, it may tell.
         rounds = math.ceil((min(until_s, self._cell.max_time_s) - now_s) / round_s - 1e-6) - 1
         if rounds > 0:
-            self.pass_time(now_s + rounds * round_s)
+            self._polling.again(used, ticks)
+            self._go(now_s + rounds * round_s)
+        else:
+            self._polling.in_vain(used)
 
     def end_time_s(self) -> float:
         """When everything is over [s]: the program pointer and the arm."""
@@ -302,6 +300,11 @@ class TaskClock:
         Raises:
             TimeLimitReached: When the time limit comes first.
         """
+        self._go(until_s)
+        self.grant()
+
+    def _go(self, until_s: float) -> None:
+        """Pass time without granting any."""
         limit_s = self._cell.max_time_s
         reached_s = min(until_s, limit_s)
         served_s = self.serve_due(reached_s)
@@ -312,7 +315,6 @@ class TaskClock:
             one.look_from(self._passed_s)
         if until_s > limit_s:
             raise TimeLimitReached(f"the time limit of {limit_s:g} s was reached")
-        self.grant()
 
     def await_event(self, deadline_s: float) -> bool:
         """Let time pass until something happens that a program may notice, or a deadline [s].
@@ -322,10 +324,13 @@ class TaskClock:
         """
         next_s = self.next_due_s()
         until_s = deadline_s if next_s is None else min(next_s, deadline_s)
-        until_s = self._cell.turns.until(self, until_s)
-        if math.isinf(until_s):
+        happenings = self._cell.happenings
+        comes_s = self._cell.turns.until(self, until_s)
+        if math.isinf(comes_s):
             return False
-        self.pass_time(until_s)
+        if comes_s < until_s or self._cell.happenings != happenings:
+            self._look_aside(comes_s)
+        self.pass_time(comes_s)
         return True
 
     def next_due_s(self) -> float | None:
@@ -370,12 +375,15 @@ class TaskClock:
         if instant.time is not None:
             start_s = max(start_s, instant.time + offset_s)
         self._time.set(start_s)
+        around, self._interludes = self._interludes, self._interludes + 1
         try:
             run()
         except Exception:
             # An error of it goes on where an ERROR clause of what was interrupted lists it.
             self._passed_s = max(self._passed_s, self.observe())
             raise
+        finally:
+            self._interludes = around
         ended_s = self.observe()
         self._passed_s = max(self._passed_s, ended_s)
         self.place = place
@@ -383,7 +391,23 @@ class TaskClock:
             self._time.instant, self._time.offset_s = instant, offset_s
         else:
             self._time.set(max(ended_s, instant.time + offset_s))
+        if not self._serves:
+            self._fail()
         return ended_s
+
+    def fail_later(self, error: RapidError) -> None:
+        """Raise an error at the statement that a trap interrupts, once the trap has ended.
+
+        Where that is none that can fail, as in a loop that computes, it is the next that can.
+        """
+        self._failure = error
+
+    def _fail(self) -> None:
+        if self._interludes:
+            return
+        failure, self._failure = self._failure, None
+        if failure is not None:
+            raise failure
 
     def await_restart(self) -> None:
         """While StopMove keeps the robot where it is, a program that needs it to move waits.
@@ -411,7 +435,12 @@ class TaskClock:
                 self.await_restart()
                 continue
             reached_s = self._unit.queue.trajectory.seen_s(self._unit.queue.close(corner))
-            self.go_to(reached_s)
+            self.go_to(0.0)
+            # A trap on the way may stop the robot, or clear its path: then the end comes sooner.
+            while not self._unit.queue.is_open and self._time.known_s < reached_s:
+                due_s = self.next_due_s()
+                self.pass_time(reached_s if due_s is None else min(due_s, reached_s))
+                reached_s = min(reached_s, self._unit.queue.trajectory.duration)
 
     def come_to_rest(self) -> None:
         """End an open block and wait until the arm stands still."""
@@ -420,7 +449,7 @@ class TaskClock:
             self.drive_to_stop(CornerKind.STOP_CORNER_PATH_FAILURE)
         self.pass_time(max(self.observe(), self._unit.queue.trajectory.duration))
 
-    def _look_at_persistents(self) -> None:
+    def look_at_persistents(self) -> None:
         """Serve the interrupts of persistents that the program has changed since."""
         now_s = self.observe()
         self._table.look(now_s)
@@ -453,7 +482,8 @@ class TaskClock:
         for look in self.observers:
             look()
         if self._table.watches:
-            self._look_at_persistents()
+            self.look_at_persistents()
+        self._fail()
         self.deeds += 1
         self._journal.line(self.moment(), self.place)
 

@@ -25,6 +25,7 @@ from rapidsim.controller.operator import TaskHonesty, TaskOperator
 from rapidsim.controller.other_tasks import TaskOthers
 from rapidsim.controller.path_control import TaskPathControl
 from rapidsim.controller.path_recorder import TaskPathRecorder
+from rapidsim.controller.position_reading import PositionReader
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.path_marks import PathMarks
 from rapidsim.controller.queue.speed_outputs import SpeedOutputs
@@ -83,22 +84,23 @@ def virtual_controller(
     speeds = SpeedOutputs(unit, cell)
     guidance = TaskGuidance(clock, unit, cell, resolver, state, journal)
     clock.happenings = (execution, cell, guidance, marks, watched, speeds, interrupts)
-    solo = SoloMoves(clock, unit, cell, resolver, table, marks, watched, journal, state)
-    others = TaskOthers(clock, unit, cell, resolver, state, journal.task, has_robot)
+    solo = SoloMoves(clock, unit, cell, resolver, table, marks, watched, journal, state, interrupts)
+    reader = PositionReader(unit, resolver)
+    others = TaskOthers(clock, unit, cell, resolver, state, reader, journal.task, has_robot)
     team = TaskTeam(
         clock, unit, cell, resolver, table, marks, watched, journal, state, solo, others
     )
     triggers = Triggers(clock, unit, cell, marks, interrupts, speeds)
-    motion = TaskMotion(clock, unit, cell, resolver, state, triggers, team.put)
+    motion = TaskMotion(clock, unit, cell, resolver, state, triggers, team.put, reader)
     own_queue = cell.messages.open_for(journal.task, queue or QueueSettings())
     sockets = TaskSockets(clock, cell, journal)
     concerns = Controller(
         clock=clock,
         execution=execution,
         motion=motion,
-        path_control=TaskPathControl(clock, unit, marks),
+        path_control=TaskPathControl(clock, unit, marks, interrupts, state),
         path_recorder=TaskPathRecorder(clock, unit, resolver, state, team.put),
-        searches=TaskSearch(clock, unit, cell, resolver, team.put),
+        searches=TaskSearch(clock, unit, cell, resolver, team.put, state),
         world_zones=TaskZones(clock, unit, cell, journal, watched),
         operator=TaskOperator(clock, cell, journal),
         files=TaskFiles(clock, cell),

@@ -35,7 +35,7 @@ class _Asked:
 
 @dataclass(eq=False)
 class TaskExecution:
-    """Implements `language.controller.Execution`; a stop asked for is a `clock.Happening`."""
+    """Implements `language.controller.Execution`; a stop asked for is a `happening.Happening`."""
 
     on_path: ClassVar = False
     clock: TaskClock
@@ -70,11 +70,11 @@ class TaskExecution:
         self.stands, self._asked = False, None
 
     def next_s(self) -> float | None:
-        """When the program stops [s]; see `clock.Happening`."""
+        """When the program stops [s]; see `happening.Happening`."""
         return None if self._asked is None else self._asked.at_s
 
     def pass_next(self, passed_s: float, until_s: float) -> float:
-        """Stop and stand; see `clock.Happening`."""
+        """Stop and stand; see `happening.Happening`."""
         del passed_s, until_s
         assert self._asked is not None
         asked, self._asked = self._asked, None

@@ -96,7 +96,7 @@ class _UnderWay:
 
 @dataclass(slots=True, eq=False)
 class TaskGuidance:
-    """Implements `language.guidance.Guidance`; its cycles are a `clock.Happening`."""
+    """Implements `language.guidance.Guidance`; its cycles are a `happening.Happening`."""
 
     on_path: ClassVar = False
     clock: TaskClock
@@ -220,7 +220,7 @@ class TaskGuidance:
             self._close(one)
         self._identities.clear()
 
-    # Its cycles: implements `clock.Happening`.
+    # Its cycles: implements `happening.Happening`.
 
     def next_s(self) -> float | None:
         """When the next cycle is [s]."""

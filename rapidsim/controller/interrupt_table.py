@@ -14,7 +14,7 @@ from dataclasses import field
 from rapidsim.controller.journal.stop_reasons import TrapStorm
 from rapidsim.language.error_log import LoggedError
 from rapidsim.language.error_numbers import ERR_INOISSAFE, ERR_UNKINO, rapid_error
-from rapidsim.language.errors import RapidError
+from rapidsim.language.errors import NotAllowed, RapidError
 from rapidsim.language.messages import Message, MessageKind
 from rapidsim.language.reference import Reference
 from rapidsim.values import dataclass
@@ -86,6 +86,8 @@ class InterruptTable:
 
     held: bool = False
     """IDisable: interrupts wait until IEnable."""
+    watches: bool = False
+    """Whether any persistent must be looked at."""
     _connections: dict[float, _Connection] = field(default_factory=dict)
     _queue: list[Due] = field(default_factory=list)
     _last_number: int = 0
@@ -106,17 +108,13 @@ class InterruptTable:
         """Raise an interrupt once, or every so many seconds.
 
         Raises:
-            RapidError: If the interrupt is not connected, has an order already, or the time is too
-                short.
+            RapidError: If the interrupt is not connected or has an order already.
+            NotAllowed: If the time is too short.
         """
         connection = self._find_free(number)
         shortest = MIN_TIMER_SINGLE_S if single else MIN_TIMER_PERIOD_S
         if seconds < shortest:
-            raise RapidError(
-                ERR_INOISSAFE,
-                f"a timer of {seconds:g} s is too short; the least is {shortest:g} s",
-                cf="ABB 40622",
-            )
+            raise NotAllowed(f"a timer of {seconds:g} s is too short; the least is {shortest:g} s")
         connection.next_s = now_s + seconds
         connection.period_s = None if single else seconds
 
@@ -141,6 +139,7 @@ class InterruptTable:
         connection = self._find_free(number)
         connection.watched, connection.seen = data, _frozen(data.value)
         connection.single = single
+        self.watches = True
 
     def order_logged(self, number: float, wanted: Callable[[LoggedError], bool]) -> None:
         """Raise an interrupt when an entry that is wanted comes into the event log.
@@ -197,11 +196,6 @@ class InterruptTable:
                 connection.seen = value
                 self._raise(number, connection, now_s)
 
-    @property
-    def watches(self) -> bool:
-        """Whether any persistent must be looked at."""
-        return any(c.watched is not None for c in self._connections.values())
-
     def raise_now(self, number: float, now_s: float) -> None:
         """Make one interrupt due.
 
@@ -217,6 +211,7 @@ class InterruptTable:
     def delete(self, number: float) -> None:
         """Forget an interrupt; one that is not connected is no mistake."""
         self._connections.pop(number, None)
+        self._note_watched()
         self._queue = [due for due in self._queue if due.number != number]
 
     def sleep(self, number: float, *, asleep: bool) -> None:
@@ -291,6 +286,7 @@ class InterruptTable:
                 connection.next_s = next_s + missed * period_s
             elif next_s > since_s:
                 connection.withdraw()
+        self._note_watched()
 
     def _take(self, time_s: float) -> Due:
         """The interrupt that is due at a time: one that was raised before a timer."""
@@ -314,6 +310,7 @@ class InterruptTable:
             return
         if connection.single:
             connection.withdraw()
+            self._note_watched()
         due = Due(number, now_s, connection.trap, connection.trap_name, cause=cause)
         self._queue.append(due)
         if len(self._queue) > LONGEST_QUEUE:
@@ -321,6 +318,9 @@ class InterruptTable:
                 f"more than {LONGEST_QUEUE} interrupts wait for their traps, the last for "
                 f"{connection.trap_name}"
             )
+
+    def _note_watched(self) -> None:
+        self.watches = any(c.watched is not None for c in self._connections.values())
 
     def _count(self, due: Due) -> None:
         """Watch for traps that raise themselves."""

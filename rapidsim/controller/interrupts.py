@@ -20,7 +20,7 @@ def _no_procedure(name: str) -> None:
 
 @dataclass(eq=False)
 class TaskInterrupts:
-    """Implements `language.controller.Interrupts`; those that are due are a `clock.Happening`."""
+    """Implements `language.controller.Interrupts`; those due are a `happening.Happening`."""
 
     on_path: ClassVar = False
     clock: TaskClock
@@ -39,7 +39,7 @@ class TaskInterrupts:
         return None if self.in_trap else self.table.next_due_s()
 
     def pass_next(self, passed_s: float, until_s: float) -> float:
-        """Run the trap of the next; see `clock.Happening`."""
+        """Run the trap of the next; see `happening.Happening`."""
         due = self.table.take_due(until_s)
         return passed_s if due is None else self.clock.interlude(due.time_s, lambda: self._run(due))
 

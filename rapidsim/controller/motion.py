@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.resolve import Resolver
+from rapidsim.controller.position_reading import PositionReader, Reading
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.solo_moves import Put
 from rapidsim.controller.triggers import Triggers
-from rapidsim.frames.transform import Array
 from rapidsim.frames.vectors import length, minus
 from rapidsim.language.data import JointTarget, Pos, RobTarget, ToolData, WobjData
 from rapidsim.language.moves import MotionSettings, Move
@@ -34,6 +36,7 @@ class TaskMotion:
     state: MotionState
     triggers: Triggers
     put: Put
+    reader: PositionReader
 
     @property
     def corrections(self) -> dict[int, Pos]:
@@ -56,16 +59,16 @@ class TaskMotion:
     def current_joints(self) -> JointTarget:
         """Where the axes are now."""
         self.clock.note_line()
-        joints, external = self._stand_now()
-        return JointTarget(rob_joint(joints), self.resolver.ext_joint(external))
+        reading = self._reading()
+        return JointTarget(rob_joint(reading.joints), self.resolver.ext_joint(reading.external))
 
     def current_speeds(self) -> JointTarget:
         """How fast the axes are now [deg/s or mm/s]: their change in the last millisecond."""
         self.clock.note_line()
         now_s, queue = self.clock.observe(), self.unit.queue
-        before, now = queue.samples_at(max(0.0, now_s - _LOOKS_BACK_S)), queue.samples_at(now_s)
-        joints = (now.joints[0] - before.joints[0]) / _LOOKS_BACK_S
-        external = (now.external[0] - before.external[0]) / _LOOKS_BACK_S
+        seen = queue.seen(now_s, np.array([max(0.0, now_s - _LOOKS_BACK_S), now_s]))
+        joints = (seen.joints[1] - seen.joints[0]) / _LOOKS_BACK_S
+        external = (seen.external[1] - seen.external[0]) / _LOOKS_BACK_S
         return JointTarget(rob_joint(joints), self.resolver.ext_joint(external))
 
     def is_moving(self) -> bool:
@@ -77,9 +80,8 @@ class TaskMotion:
     def current_target(self, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
         """Where the TCP is now; None takes the tool or work object of the last move."""
         self.clock.note_line()
-        joints, external = self._stand_now()
         tool, wobj = tool or self.state.tool, wobj or self.state.wobj
-        return self.resolver.target(joints, external, tool, wobj, self.clock.place)
+        return self.reader.target(self._reading(), tool, wobj, self.clock.place)
 
     def active_tool(self) -> ToolData:
         """The tool of the last move, tool0 before the first."""
@@ -154,8 +156,8 @@ class TaskMotion:
             with self.unit.ending():
                 queue.halt(limit_s)
 
-    def _stand_now(self) -> tuple[Array, Array]:
-        """Joints (n,) [rad] and external axes (e,) [m or rad] while the statement runs."""
-        now_s = self.clock.observe()
-        samples = self.unit.queue.samples_at(now_s)
-        return samples.joints[0], samples.external[0]
+    def _reading(self) -> Reading:
+        """Where the robot is while the statement runs, which is no more than a look."""
+        reading = self.reader.read(self.clock.observe())
+        self.clock.stays_until(self.reader.stays_until(reading))
+        return reading

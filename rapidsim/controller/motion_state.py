@@ -19,6 +19,9 @@ class MotionState:
     concurrent: int = 0
     r"""Moves with \Conc since the last without."""
 
+    searches: bool = False
+    """Whether a search is under way."""
+
     corrections: dict[int, Pos] = field(default_factory=dict)
     """What each correction generator that is connected adds to the path [mm]."""
     tool_name: str = "tool0"

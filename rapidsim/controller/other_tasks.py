@@ -18,8 +18,8 @@ from rapidsim.controller.journal.events import MAX_TIME
 from rapidsim.controller.journal.stop_reasons import WaitsForever
 from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.resolve import Resolver
+from rapidsim.controller.position_reading import PositionReader
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
-from rapidsim.frames.transform import Array
 from rapidsim.language.data import JointTarget, RobTarget, ToolData, WobjData
 from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_TASKNAME, rapid_error
 from rapidsim.motion.configurations.targets import rob_joint
@@ -34,6 +34,7 @@ class TaskOthers:
     cell: Cell
     resolver: Resolver
     state: MotionState
+    reader: PositionReader
     task_name: str
     has_robot: bool = True
     neighbours: Mapping[str, TaskOthers] = field(default_factory=dict)
@@ -88,8 +89,8 @@ class TaskOthers:
             RapidError: ERR_TASKNAME, if there is no such task or it has no robot.
         """
         other = self._robot_of(task)
-        joints, external = other.stand_at(self.clock.come_up())
-        return JointTarget(rob_joint(joints), other.resolver.ext_joint(external))
+        reading = other.reader.read(self.clock.come_up())
+        return JointTarget(rob_joint(reading.joints), other.resolver.ext_joint(reading.external))
 
     def target_of(self, task: str, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
         """Where the TCP of a task's robot is now; None takes what its last move used.
@@ -98,9 +99,9 @@ class TaskOthers:
             RapidError: See `joints_of`.
         """
         other = self._robot_of(task)
-        joints, external = other.stand_at(self.clock.come_up())
+        reading = other.reader.read(self.clock.come_up())
         tool, wobj = tool or other.state.tool, wobj or other.state.wobj
-        return other.resolver.target(joints, external, tool, wobj, self.clock.place)
+        return other.reader.target(reading, tool, wobj, self.clock.place)
 
     def frames_of(self, task: str) -> tuple[ToolData, WobjData]:
         """Tool and work object of the last move of a task's robot.
@@ -111,11 +112,6 @@ class TaskOthers:
         other = self._robot_of(task)
         self.clock.come_up()
         return other.state.tool, other.state.wobj
-
-    def stand_at(self, time_s: float) -> tuple[Array, Array]:
-        """Joints (n,) [rad] and external axes (e,) [m or rad] at a time [s] that has come."""
-        samples = self.unit.queue.samples_at(time_s)
-        return samples.joints[0], samples.external[0]
 
     def stop_other_robots(self) -> None:
         """Stop the robots of all other tasks on their paths."""

@@ -8,6 +8,8 @@ is our reading of the examples, which ask for the position right after it.
 from __future__ import annotations
 
 from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.interrupts import TaskInterrupts
+from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.path_marks import PathMarks
 from rapidsim.language.error_numbers import (
@@ -16,6 +18,7 @@ from rapidsim.language.error_numbers import (
     ERR_PATHDIST,
     rapid_error,
 )
+from rapidsim.language.errors import NotAllowed, RapidError
 from rapidsim.values import dataclass
 
 
@@ -26,6 +29,8 @@ class TaskPathControl:
     clock: TaskClock
     unit: MechanicalUnit
     marks: PathMarks
+    interrupts: TaskInterrupts
+    state: MotionState
 
     @property
     def path_level(self) -> float:
@@ -39,6 +44,16 @@ class TaskPathControl:
         if not self.unit.queue.is_halted:
             rest_s = self.unit.queue.halt(now_s)
             self.clock.pass_time(max(now_s, self.unit.queue.trajectory.seen_s(rest_s)))
+
+    def fail(self, error: RapidError) -> None:
+        """Stop the robot and raise an error where the program waits for it.
+
+        Called by a trap, it is raised at the statement that the trap interrupts.
+        """
+        self.stop_move()
+        if not self.interrupts.in_trap:
+            raise error
+        self.clock.fail_later(error)
 
     def start_move(self) -> None:
         """Let the robot go on, and with it those that move together with it.
@@ -84,6 +99,8 @@ class TaskPathControl:
             RapidError: ERR_PATH, while the robot moves.
         """
         self.clock.note_line()
+        if self.state.searches and not self.unit.own.stored:
+            raise NotAllowed("StorePath in a trap while the robot searches; ISleep the interrupt")
         self._require_standstill("StorePath")
         self.unit.queue.store()
 

@@ -3,10 +3,14 @@
 A program whose state is the same at the same place a few ticks later, and which has asked nothing
 of the controller meanwhile but to look, will be there again after as many ticks, and again, until
 something happens that it may notice.
+
+What it looks at may change by itself, as a clock does: whoever tells the program such a value says
+how long it stays as it is.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from itertools import zip_longest
@@ -26,14 +30,22 @@ class Polling:
     state: Callable[[], Iterable[object]]
     """All that decides what the program does next, in parts to be compared; it ends with None where
     it is too much."""
+    _watched: int = 0
+    """Ticks at which watching began."""
     _since: int = 0
-    """Ticks at which the round that is watched began."""
+    """Ticks of the state that later ones are compared with."""
     _seen: tuple[object, tuple[object, ...]] | None = None
-    """What the program had done by then, and its state; None while nothing is watched."""
+    """What the program had done by then, and that state; None while nothing is watched."""
     _pause: int = FIRST_LOOK
     _next: int = FIRST_LOOK
     _done: object = None
     """What it had done when it was last looked at."""
+    stays_s: float = math.inf
+    """Until then [s] all that the program was told in the round that is watched stays so."""
+
+    def told(self, until_s: float) -> None:
+        """Take note that the program was told what stays as it is until a time [s]."""
+        self.stays_s = min(self.stays_s, until_s)
 
     def ticks_left(self, used: int) -> int:
         """How many ticks may go by before `look` is asked, given those that were used so far."""
@@ -54,23 +66,37 @@ class Polling:
         if done == begun:
             if all(a == b for a, b in zip_longest(state, self.state())):
                 return used - self._since
-            if used - self._since < LONGEST_ROUND:
+            if used - self._watched < LONGEST_ROUND:
+                # Rounds may begin later: compare with a state ever further on.
+                # Source: Brent (1980), An improved Monte Carlo factorization algorithm.
+                if used - self._since >= self._since - self._watched:
+                    self._keep(used, done)
                 return None
+        self.in_vain(used)
+        return None
+
+    def again(self, used: int, ticks: int) -> None:
+        """Rounds of so many ticks have been made; look after the next whether there are more."""
+        # What ends the wait falls into the next, and what is seen of it stands after that.
+        self._seen, self._next, self._pause = None, used + 2 * ticks, FIRST_LOOK
+
+    def in_vain(self, used: int) -> None:
+        """Nothing was found, or nothing comes of it; look later, and ever more seldom."""
         self._seen = None
         self._pause = min(2 * self._pause, SELDOM)
         self._next = used + self._pause
-        return None
-
-    def again(self) -> None:
-        """The rounds have been made; look from here on whether there are more."""
-        self._seen, self._next, self._pause = None, 0, FIRST_LOOK
 
     def _begin(self, used: int, done: object) -> None:
         if done != self._done:
             self._pause = FIRST_LOOK
-        self._done = done
+        self._done, self._watched = done, used
+        self._keep(used, done)
+
+    def _keep(self, used: int, done: object) -> None:
+        """Compare with what is now."""
+        self.stays_s = math.inf
         state = tuple(self.state())
         if state[-1:] == (None,):
-            self._next = used + SELDOM
+            self._seen, self._next = None, used + SELDOM
         else:
             self._since, self._seen = used, (done, state)

@@ -13,6 +13,7 @@ from dataclasses import field, replace
 
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.solo_moves import Put
@@ -63,6 +64,7 @@ class TaskSearch:
     cell: Cell
     resolver: Resolver
     put: Put
+    state: MotionState
 
     def search(
         self,
@@ -103,10 +105,12 @@ class TaskSearch:
         self.clock.go_to(self.unit.queue.commit_last_start())
         self._refuse_at_start(move, found, flank)
         self.cell.listeners.append(watch)
+        self.state.searches = True
         try:
             self._watch(watch, found, stop)
         finally:
             self.cell.listeners.remove(watch)
+            self.state.searches = False
         if stop is SearchStop.GO_ON_ONCE and len(watch.hits) > 1:
             raise rapid_error(
                 ERR_WHLSEARCH, f"{move.instruction} found {len(watch.hits)} hits, and one is wanted"

@@ -9,6 +9,7 @@ from typing import Protocol
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.interrupt_table import InterruptTable
+from rapidsim.controller.interrupts import TaskInterrupts
 from rapidsim.controller.journal.events import THE_TIME
 from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.motion_state import MotionState
@@ -19,6 +20,7 @@ from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.path_marks import PathMarks
 from rapidsim.controller.queue.path_planner import MAX_OPEN_MOVES
 from rapidsim.controller.queue.zone_table import WorldZoneTable
+from rapidsim.findings.levels import MoveWithoutStorePath
 from rapidsim.findings.ramps import RampWaits
 from rapidsim.language.error_log import CORNER_PATH_FAILURE
 from rapidsim.language.error_numbers import ERR_CONC_MAX, rapid_error
@@ -63,11 +65,13 @@ class SoloMoves:
     zones: WorldZoneTable
     journal: Journal
     state: MotionState
+    interrupts: TaskInterrupts
 
     def put(self, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True) -> None:
         """Put a move on the path; see `Put`."""
         self.clock.note_line()
         self._count_concurrent(move)
+        self._note_level(move)
         queue = self.unit.own
         if queue.guided is not None:
             raise NotAllowed(
@@ -131,6 +135,14 @@ class SoloMoves:
             found = RampWaits(wanted, 100.0 * kept)
             self.journal.finding(found, self.clock.place, once=RampWaits)
 
+    def _note_level(self, move: Move) -> None:
+        """Tell of a move that a controller wants on a path of its own."""
+        if not self.interrupts.in_trap or self.unit.own.stored:
+            return
+        place = self.clock.place
+        found = MoveWithoutStorePath(move.instruction)
+        self.journal.finding(found, place, once=(MoveWithoutStorePath, place.span))
+
     def _count_concurrent(self, move: Move) -> None:
         r"""Refuse more moves with \Conc in succession than a controller takes.
 
@@ -138,6 +150,10 @@ class SoloMoves:
             RapidError: ERR_CONC_MAX.
         """
         state = self.state
+        if move.concurrent and self.unit.own.stored:
+            raise NotAllowed(
+                rf"{move.instruction} \Conc between StorePath and RestoPath is not allowed"
+            )
         state.concurrent = state.concurrent + 1 if move.concurrent else 0
         if state.concurrent > MAX_CONCURRENT_MOVES:
             state.concurrent = 0

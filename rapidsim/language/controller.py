@@ -55,6 +55,15 @@ class ClockService(Protocol):
     """All that decides what the program does next, in parts to be compared; the last is None where
     it is too much. The interpreter sets it."""
 
+    @property
+    def watches(self) -> bool:
+        """Whether an interrupt waits for a change of a persistent."""
+        ...
+
+    def look_at_persistents(self) -> None:
+        """Serve the interrupts of persistents that the program has changed since."""
+        ...
+
     def service(self) -> None:
         """Do what is due (traps, other tasks, limits) and grant the next slice.
 
@@ -65,6 +74,13 @@ class ClockService(Protocol):
 
     def now(self) -> float:
         """Virtual time [s] of the statement that runs."""
+        ...
+
+    def stays_until(self, time_s: float) -> None:
+        """What the statement that runs tells the program stays as it is until a time [s].
+
+        A loop that does nothing but look at such values is taken to where one changes.
+        """
         ...
 
     def date_and_time(self) -> datetime:

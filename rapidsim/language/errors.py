@@ -46,7 +46,10 @@ class CutOff(Stopped):
 
 
 class NotAllowed(Stopped):
-    """A controller stops here with an error that no ERROR clause is asked about."""
+    """A controller stops here with an error that no ERROR clause is asked about.
+
+    Source: the event log messages of RobotWare 5.15; those that name no recovery.
+    """
 
 
 class NotDeclared(Stopped):

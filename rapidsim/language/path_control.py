@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Protocol
 
 from rapidsim.language.data import JointTarget, Pos, RobTarget, SpeedData
+from rapidsim.language.errors import RapidError
 from rapidsim.language.moves import Flank, Move, SearchStop
 from rapidsim.language.path_events import ZoneShape
 
@@ -20,6 +21,10 @@ class PathControl(Protocol):
 
     def stop_move(self) -> None:
         """Stop the robot on its path; returns when it stands."""
+        ...
+
+    def fail(self, error: RapidError) -> None:
+        """Stop the robot; the error is raised where the program waits for it."""
         ...
 
     def start_move(self) -> None:

@@ -12,6 +12,7 @@ from __future__ import annotations
 from rapidsim.language.annotations import ErrDomain, ErrType, IntNum, Num, String, TrapData, Var
 from rapidsim.language.controller import Interrupts
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
+from rapidsim.language.errors import NotAllowed
 from rapidsim.library.table import routine, table
 
 
@@ -31,6 +32,8 @@ def i_error(
 
 def get_trap_data(controller: Interrupts, trap_event: Var[TrapData]) -> None:
     """Keep what made the trap run."""
+    if not controller.in_trap:
+        raise NotAllowed("GetTrapData can be used in a trap only")
     trap_event.value = controller.trap_cause()
 
 

@@ -16,6 +16,7 @@ from rapidsim.language.error_numbers import (
     ERR_SPEED_REFRESH_LIM,
     rapid_error,
 )
+from rapidsim.language.errors import NotAllowed
 from rapidsim.language.moves import LEAST_RAMP_PERCENT, CirclePathMode, SingularArea
 from rapidsim.library.table import routine, table
 
@@ -26,6 +27,8 @@ LEAST_REFRESH_PERCENT = 1.0
 
 def vel_set(controller: Motion, override: Num, max_: Num) -> None:
     """Scale programmed speeds [%] and limit the TCP speed [mm/s]."""
+    if override <= 0.0 or max_ <= 0.0:
+        raise NotAllowed(f"VelSet {override:g},{max_:g}: both must be greater than 0")
     if not 0.0 <= override <= 100.0:
         raise rapid_error(ERR_ARGVALERR, f"a speed override of {override:g} %; 0..100 are possible")
     controller.settings = replace(
@@ -38,6 +41,8 @@ def acc_set(controller: Motion, acc: Num, ramp: Num, *, fine_point_ramp: Num | N
 
     At stop points the rise is that of both ramps together, Ramp times FinePointRamp.
     """
+    if not (0.0 < acc <= 100.0 and 0.0 < ramp <= 100.0):
+        raise NotAllowed(f"AccSet {acc:g},{ramp:g}: both must be greater than 0 and at most 100")
     fine_ramp = 100.0 if fine_point_ramp is None else fine_point_ramp
     controller.settings = replace(
         controller.settings,

@@ -13,6 +13,7 @@ from typing import Unpack
 from rapidsim.language.annotations import Bool, Dnum, InOut, Num, String
 from rapidsim.language.controller import Controller, Operator
 from rapidsim.language.data import Orient, Pos
+from rapidsim.language.errors import NotAllowed
 from rapidsim.language.records import record_of
 from rapidsim.language.reference import Reference
 from rapidsim.library.questions import BREAKS, Breaks, answered
@@ -73,6 +74,8 @@ def tp_read_fk(
 ) -> None:
     """Ask for one of five keys; the answer is its number."""
     keys = (tpfk1, tpfk2, tpfk3, tpfk4, tpfk5)
+    if not any(keys):
+        raise NotAllowed("TPReadFK has no text for any key, so nobody could answer")
 
     def ask(ends: bool) -> int | None:
         return controller.operator.ask_choice(tp_text, keys, ends=ends)

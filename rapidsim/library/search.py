@@ -16,12 +16,20 @@ from typing import Unpack
 from rapidsim.language.annotations import Bool, InOut, Pers, SignalDi, Switch
 from rapidsim.language.controller import Controller, Honesty
 from rapidsim.language.data import FINE, JointTarget, RobTarget, Signal, SpeedData, ToolData
-from rapidsim.language.moves import Flank, Interpolation, SearchStop
+from rapidsim.language.errors import NotAllowed
+from rapidsim.language.moves import Flank, Interpolation, Move, SearchStop
 from rapidsim.language.reference import Reference
 from rapidsim.library.displacement import in_program, with_axis_offsets, without_axis_offsets
 from rapidsim.library.motion import MoveOptions, asked, each_way
 from rapidsim.library.table import routine, table
 from rapidsim.library.traits import Does
+
+STIFF_STOP_MM_S = 100.0
+r"""The fastest search [mm/s] that \Stop may end.
+
+Source: event 41539 of RobotWare 5.15 stops the program above a speed; the number is from memory of
+"SearchL", unverified.
+"""
 
 
 class SearchOptions(MoveOptions, total=False):
@@ -50,6 +58,7 @@ def _search(name: str, way: Interpolation) -> Callable[..., None]:
     ) -> None:
         move = asked(controller, name, way, to_point, speed, FINE, tool, options)
         stop = _stop(controller.honesty, name, options)
+        _require_slow(name, move, options)
         found = controller.searches.search(move, _watched(signal), _flank(options), stop)
         search_point.value = in_program(controller.motion, found)
 
@@ -89,6 +98,15 @@ def _flank(options: SearchOptions) -> Flank:
     if options.get("neg_flank"):
         return Flank.ONLY_FALLING
     return Flank.FALLING if options.get("low_level") else Flank.RISING
+
+
+def _require_slow(name: str, move: Move, options: SearchOptions) -> None:
+    """A stop that leaves the path is for slow searches."""
+    if options.get("stop") and move.speed.v_tcp > STIFF_STOP_MM_S:
+        raise NotAllowed(
+            rf"{name} \Stop at {move.speed.v_tcp:g} mm/s: at most {STIFF_STOP_MM_S:g} are allowed; "
+            r"\PStop and \SStop stop on the path"
+        )
 
 
 def _stop(controller: Honesty, name: str, options: SearchOptions) -> SearchStop:

@@ -1,5 +1,8 @@
 r"""Stopping the robot on its path and starting it again; other paths meanwhile.
 
+ProcerrRecovery in a trap raises its error at the statement that the trap interrupts, or at the next
+that can fail where that is a loop that computes: \SyncOrgMoveInst and \SyncLastMoveInst are one.
+
 Every stop keeps to the path and brakes as fast as the axes can: \Quick is ignored, and the run says
 so.
 
@@ -9,8 +12,14 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 
 from __future__ import annotations
 
-from rapidsim.language.annotations import Bool, Num, Switch
+from rapidsim.language.annotations import Bool, Num, SignalDo, Switch, Var
 from rapidsim.language.controller import Controller
+from rapidsim.language.error_numbers import (
+    ERR_PATH_STOP,
+    ERR_PROCSIGNAL_OFF,
+    rapid_error,
+)
+from rapidsim.language.errors import NotAllowed
 from rapidsim.language.path_control import PathControl
 from rapidsim.library.honesty import ignored
 from rapidsim.library.table import routine, table
@@ -23,6 +32,7 @@ def stop_move(
     """Stop the robot on its path; the program goes on when it stands."""
     ignored(controller.honesty, "StopMove", {r"\Quick": quick})
     if all_motion_tasks:
+        _require_no_robot(controller, "StopMove")
         controller.tasks.stop_other_robots()
     controller.path_control.stop_move()
 
@@ -30,6 +40,7 @@ def stop_move(
 def start_move(controller: Controller, *, all_motion_tasks: Switch = False) -> None:
     """Let the robot go on."""
     if all_motion_tasks:
+        _require_no_robot(controller, "StartMove")
         controller.tasks.start_other_robots()
     controller.path_control.start_move()
 
@@ -42,9 +53,34 @@ def start_move_retry(controller: PathControl) -> None:
 def stop_move_reset(controller: Controller, *, all_motion_tasks: Switch = False) -> None:
     """Take a StopMove back: the robot goes on."""
     if all_motion_tasks:
+        _require_no_robot(controller, "StopMoveReset")
         controller.tasks.start_other_robots()
     if controller.path_control.is_stopped():
         controller.path_control.start_move()
+
+
+def procerr_recovery(
+    controller: Controller,
+    *,
+    sync_org_move_inst: Switch = False,
+    sync_last_move_inst: Switch = False,
+    proc_signal: Var[SignalDo] | None = None,
+) -> None:
+    """Stop the robot as a failing process does: ERR_PATH_STOP, and StartMoveRetry goes on."""
+    if not (sync_org_move_inst or sync_last_move_inst):
+        raise NotAllowed(r"ProcerrRecovery needs \SyncOrgMoveInst or \SyncLastMoveInst")
+    if proc_signal is not None and not controller.signals.read_signal(proc_signal.value.name):
+        raise rapid_error(ERR_PROCSIGNAL_OFF, f"`{proc_signal.value.name}` is 0: no process runs")
+    controller.path_control.fail(
+        rapid_error(ERR_PATH_STOP, "ProcerrRecovery stopped the robot on its path")
+    )
+
+
+def _require_no_robot(controller: Controller, instruction: str) -> None:
+    if controller.tasks.robot_number:
+        raise NotAllowed(
+            rf"{instruction} \AllMotionTasks in the task of a robot; it is for tasks that watch"
+        )
 
 
 def clear_path(controller: PathControl) -> None:
@@ -82,6 +118,13 @@ STOP_START = table(
     routine("StartMove", start_move, back="StartMove"),
     routine("StartMoveRetry", start_move_retry, does=Does.LEAVE | Does.RETRY, back="StartMove"),
     routine("StopMoveReset", stop_move_reset),
+    routine(
+        "ProcerrRecovery",
+        procerr_recovery,
+        r"\SyncOrgMoveInst|\SyncLastMoveInst \ProcSignal",
+        does=Does.HOLD_ROBOT,
+        back="StartMove",
+    ),
     routine("ClearPath", clear_path, does=Does.LEAVE_PATH),
     routine("StorePath", store_path, does=Does.LEAVE_PATH),
     routine("RestoPath", resto_path, does=Does.LEAVE_PATH),

@@ -137,8 +137,13 @@ def clk_stop(controller: ClockService, clock: Var[Clock]) -> None:
 def clk_read(controller: ClockService, clock: Var[Clock], *, high_res: Switch = False) -> Num:
     """What a clock shows [s]."""
     resolution = FINE_CLOCK_RESOLUTION_S if high_res else CLOCK_RESOLUTION_S
+    state = clock.value
     # Half a digit of num above the last step, so that WaitTime 1.234 still shows 1.234.
-    steps = math.floor(_clock_time(controller, clock.value) * (1.0 + 6e-8) / resolution + 1e-6)
+    above = (1.0 + 6e-8) / resolution
+    steps = math.floor(_clock_time(controller, state) * above + 1e-6)
+    if state.started_s is not None:
+        next_step_s = (steps + 1 - 1e-6) / above
+        controller.stays_until(state.started_s + next_step_s - state.counted_s)
     return steps * resolution
 
 

@@ -31,6 +31,7 @@ class RecordingController:
     raise_at_service: list[float] = field(default_factory=list)
     """Interrupt numbers to raise, one at each service."""
     left: int = TICKS
+    watches: bool = False
     deeds: int = 0
     settings: MotionSettings = field(default_factory=MotionSettings)
     place: Place = field(default_factory=lambda: Place(Span(Source("", ""), 0, 0), ""))
@@ -64,6 +65,9 @@ class RecordingController:
 
     def now(self) -> float:
         return self.waited_s
+
+    def stays_until(self, time_s: float) -> None:
+        pass
 
     def wait(self, seconds: float, *, in_position: bool = False) -> None:
         self.waited_s += seconds

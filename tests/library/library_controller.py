@@ -9,6 +9,7 @@ from datetime import datetime, timedelta
 from typing import Any, cast
 
 from memory_file import MemoryFile
+from undisturbed import Undisturbed
 
 from rapidsim.diagnostics import Source, Span
 from rapidsim.language.cameras import Camera
@@ -59,12 +60,10 @@ def call(name: str, *arguments: Any, **options: Any) -> Any:
 
 
 @dataclass
-class RecordingController:
+class RecordingController(Undisturbed):
     """Implements all protocols of `language.controller` with nothing behind it."""
 
     time_s: float = 0.0
-    left: int = 0
-    deeds: int = 0
     errno: float = 0.0
     retries: int = 0
     handler: float = 0.0

@@ -201,10 +201,11 @@ def test_a_program_that_is_stopped_keeps_the_robot_where_it_is(tmp_path: Path) -
         assert not guided(controller)
         live = controller.engine.live
         task = live.task("T_ROB1")
-        stands, _ = task.run.controller.others.stand_at(live.now_s + 1.0)
+        queue = task.unit.queue
+        stands = queue.at_past(live.now_s + 1.0).joints[0]
         controller.ask("resetpp")
         controller.value("rounds")
-        again, _ = task.run.controller.others.stand_at(live.now_s)
+        again = queue.at_past(live.now_s).joints[0]
         assert (stands == again).all()
         assert 0.0 < stands[0] < 0.087
         controller.end()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from rapidsim.controller.cell.description import CellIo, SignalDeclaration, SignalKind, Status
 from rapidsim.files import SourceFile
 from rapidsim.jobs.checked_program import load
@@ -54,8 +56,9 @@ class Live:
     def axis_1(self) -> float:
         """Where axis 1 is now [rad]."""
         task = self.controller.task("T_ROB1")
-        joints, _ = task.run.controller.others.stand_at(self.controller.now_s)
-        return float(joints[0])
+        now_s = self.controller.now_s
+        samples = task.unit.queue.seen(now_s, np.array([now_s]))
+        return float(samples.joints[0, 0])
 
     @property
     def line(self) -> int:

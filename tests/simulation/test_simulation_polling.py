@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from rapidsim.controller import position_reading
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.polling import Polling
 from rapidsim.jobs.check_files import check
@@ -38,6 +39,13 @@ LOOPS = {
     ),
     "a loop that counts its rounds": "WHILE n<40000 DO\nIncr n;\nENDWHILE",
     "a loop that reads a clock": "ClkStart watch;\nWHILE ClkRead(watch)<0.3 DO\nENDWHILE",
+    "a loop that remembers what a clock shows": (
+        "ClkStart watch;\nWHILE diPart=0 DO\nlast:=ClkRead(watch);\nENDWHILE\nn:=last;"
+    ),
+    "a loop that remembers where the robot is": (
+        "MoveAbsJ\\Conc,[[20,0,0,0,30,0],none],v100,fine,tool0;\n"
+        "WHILE diOther=0 DO\nlast:=where();\nENDWHILE\nn:=last;"
+    ),
     "one loop after the other": (
         "WHILE diOther=0 DO\nENDWHILE\nSetDO doBusy,1;\nWHILE diOther=1 DO\nENDWHILE"
     ),
@@ -53,7 +61,7 @@ LOOPS = {
         "WHILE diPart=0 DO\nENDWHILE"
     ),
     "outputs that are set as they are": (
-        "WHILE diPart=0 DO\nReset doBusy;\nSetDO doBusy,0;\nIF diOther=1 n:=5;\nENDWHILE"
+        "WHILE diOther=0 DO\nReset doBusy;\nSetDO doBusy,0;\nIF diPart=1 n:=5;\nENDWHILE"
     ),
     "outputs between settings": (
         "WHILE n<300 DO\nReset doBusy;\nConfL\\Off;\nReset doBusy;\nIncr n;\nENDWHILE"
@@ -86,6 +94,11 @@ PROGRAM = """MODULE polls
   ERROR
     RETURN 5;
   ENDFUNC
+  FUNC num where()
+    VAR pos here;
+    here:=CPos(\\Tool:=tool0\\WObj:=wobj0);
+    RETURN here.y;
+  ENDFUNC
   TRAP tick
     Incr n;
   ENDTRAP
@@ -115,6 +128,49 @@ def test_a_run_that_skips_rounds_is_the_run_that_makes_them(
     assert told(skipped) == told(made)
     assert skipped.time_s == pytest.approx(made.time_s, abs=1e-9)
     assert [move.end_s for move in skipped.moves] == [move.end_s for move in made.moves]
+
+
+FOLLOWS = """MoveAbsJ\\Conc,[[40,0,0,0,30,0],none],v200,z10,tool0;
+WHILE where()<0.5 DO
+{between}
+ENDWHILE
+TPWrite "at "\\Num:=where();"""
+
+
+@pytest.mark.parametrize("between", ["", "WaitTime 0.0003;"])
+def test_a_position_is_seen_as_turn_by_turn_within_a_millisecond(
+    between: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    loop = FOLLOWS.format(between=between)
+    often = ran(tmp_path, loop)
+    monkeypatch.setattr(position_reading, "HOLDS_S", 0.0)
+    each_turn = ran(tmp_path, loop)
+    texts = [
+        [event for event in run.events if event.message.startswith("at")]
+        for run in (often, each_turn)
+    ]
+    assert 0.0 <= texts[0][0].time_s - texts[1][0].time_s <= 1e-3
+    shown = [float(text.message.removeprefix("at ")) for (text, *_) in texts]
+    assert 0.5 <= shown[1] <= shown[0] <= shown[1] + 200.0 * 1e-3
+    # The same arm, to the last move: to look at it does not change how it moves.
+    assert [move.end_s for move in often.moves] == [move.end_s for move in each_turn.moves]
+
+
+def test_readings_made_ahead_are_those_made_one_by_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    loop = (
+        "MoveAbsJ\\Conc,[[20,0,0,0,30,0],none],v100,fine,tool0;\n"
+        "FOR i FROM 1 TO 40 DO\nTPWrite NumToStr(where(),6);\nWaitTime 0.01;\nENDFOR"
+    )
+    ahead = ran(tmp_path, loop)
+    monkeypatch.setattr(position_reading, "_AT_ONCE", 1)
+    assert told(ahead) == told(ran(tmp_path, loop))
+
+
+def test_a_position_that_nothing_changes_is_not_looked_at_for_ever(tmp_path: Path) -> None:
+    run = ran(tmp_path, "WHILE where()<150 DO\nENDWHILE")
+    assert [one.violation.code for one in run.diagnostics] == ["R106"]
 
 
 def test_rounds_that_are_skipped_cost_nothing(

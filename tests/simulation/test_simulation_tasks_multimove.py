@@ -268,8 +268,9 @@ def test_stopmove_for_all_stops_the_robots_of_other_tasks_too() -> None:
     it = ran(
         {
             "T_ROB1": f"PROC main()\n{far}\nENDPROC",
-            "T_ROB2": f"PROC main()\n{statements}\nENDPROC",
-        }
+            "T_WATCH": f"PROC main()\n{statements}\nENDPROC",
+        },
+        robots=("T_ROB1",),
     )
     times = np.array([1.9, 2.5, 3.0, 4.0])
     turned = it.run.robot_of("T_ROB1").trajectory.at(times).joints[:, 0]

@@ -135,7 +135,7 @@ class _Coming:
 class Cell:
     """The signals, the world around the robot, and who waits for what.
 
-    Changes that are to come are a `clock.Happening` of every task.
+    Changes that are to come are a `happening.Happening` of every task.
     """
 
     on_path = False
@@ -291,7 +291,7 @@ class Cell:
         return min(times, default=None)
 
     def pass_next(self, passed_s: float, until_s: float) -> float:
-        """Let the earliest change happen whose time is known; see `clock.Happening`."""
+        """Let the earliest change happen whose time is known; see `happening.Happening`."""
         del passed_s, until_s
         known = [one for one in self._coming if one.moment.instant.time is not None]
         coming = min(known, key=lambda one: one.moment.time_s)

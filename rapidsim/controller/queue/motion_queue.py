@@ -6,6 +6,7 @@ from typing import Protocol
 
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import QueuedMove
+from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 
@@ -80,8 +81,11 @@ class MotionQueue(Protocol):
         """Where a move of the current block starts and ends [m] on the preview; None for others."""
         ...
 
-    def samples_at(self, now_s: float) -> Samples:
-        """The arm now, one sample, which fixes the path up to now."""
+    def seen(self, now_s: float, times: Array) -> Samples:
+        """The arm at times (k,) [s] in order, those to come if nothing more is said.
+
+        A block that it is too late to go on with now [s] ends with a stop.
+        """
         ...
 
     def at_past(self, time_s: float) -> Samples:

@@ -40,7 +40,7 @@ class PathMark:
 
 @dataclass(slots=True)
 class PathMarks:
-    """The marks of one robot's path that it has not passed: a `clock.Happening`."""
+    """The marks of one robot's path that it has not passed: a `happening.Happening`."""
 
     on_path: ClassVar = True
     unit: MechanicalUnit
@@ -72,7 +72,7 @@ class PathMarks:
         return None if math.isinf(earliest_s) else earliest_s
 
     def pass_next(self, passed_s: float, until_s: float) -> float:
-        """Let happen what the next mark stands for; see `clock.Happening`."""
+        """Let happen what the next mark stands for; see `happening.Happening`."""
         del until_s
         times = self._times()
         index = min(range(len(times)), key=times.__getitem__)

@@ -328,18 +328,9 @@ class BlockPlanner:
         Raises:
             MotionError: See `append`.
         """
-        if not self.is_open or self.block.is_halted:
-            return
-        if now_s <= self.block.commit.time_s + slack_s:
+        if not self._goes_on(now_s, slack_s):
             return
         tentative = self._to_travel()
-        last = self.block.moves[-1].segment
-        radius = last.zone.position if last.zone else 0.0
-        length = tentative.path.length - tentative.start_of(len(self.block.moves) - 1)
-        entry = tentative.path.length - min(radius, length / 2.0)
-        if now_s >= tentative.time_at(entry):
-            self.close(CornerKind.STOP_CORNER_PATH_FAILURE)
-            return
         s = tentative.timing.s_at(now_s - tentative.start_s)
         starts = tentative.path.segment_starts
         index = tentative.first + int(np.searchsorted(starts, s, side="right")) - 1
@@ -349,6 +340,30 @@ class BlockPlanner:
         spent_s = self._spent_s(index, now_s)
         self.block.commit = Commit(now_s, index, s - tentative.start_of(index), speed, spent_s)
         self.block.plan = None
+
+    def end_if_late(self, now_s: float) -> None:
+        """End the block if it is too late for a corner now [s]; the rest stays as open as it was.
+
+        Raises:
+            MotionError: See `append`.
+        """
+        self._goes_on(now_s, 0.0)
+
+    def _goes_on(self, now_s: float, slack_s: float) -> bool:
+        """Whether the block is still open so long after what is fixed; too late, and it ends."""
+        if not self.is_open or self.block.is_halted:
+            return False
+        if now_s <= self.block.commit.time_s + slack_s:
+            return False
+        tentative = self._to_travel()
+        last = self.block.moves[-1].segment
+        radius = last.zone.position if last.zone else 0.0
+        length = tentative.path.length - tentative.start_of(len(self.block.moves) - 1)
+        entry = tentative.path.length - min(radius, length / 2.0)
+        if now_s >= tentative.time_at(entry):
+            self.close(CornerKind.STOP_CORNER_PATH_FAILURE)
+            return False
+        return True
 
     def _spent_s(self, index: int, now_s: float) -> float | None:
         """Time [s] that a move of the block has taken up to now; None if it was stopped."""

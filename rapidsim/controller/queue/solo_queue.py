@@ -148,10 +148,11 @@ class SoloQueue:
         """Where a move of the current block starts and ends [m] on the preview."""
         return self.planner.places_of(queued)
 
-    def samples_at(self, now_s: float) -> Samples:
-        """The arm now, one sample, which fixes the path up to now."""
-        self.planner.advance(now_s)
-        return self.at_past(now_s)
+    def seen(self, now_s: float, times: Array) -> Samples:
+        """The arm at times (k,) [s] around now; see `MotionQueue.seen`."""
+        self.planner.end_if_late(now_s)
+        is_decided = float(times[-1]) <= self.trajectory.command_end
+        return (self.trajectory if is_decided else self.preview()).at(times)
 
     def at_past(self, time_s: float) -> Samples:
         """The arm at a time [s] that is past, one sample."""

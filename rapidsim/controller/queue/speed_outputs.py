@@ -28,7 +28,7 @@ class _Follower:
 
 @dataclass(slots=True)
 class SpeedOutputs:
-    """The outputs that follow one robot: a `clock.Happening`.
+    """The outputs that follow one robot: a `happening.Happening`.
 
     They are written while time passes and no further move can come, so the preview of the motion
     is what will be.
@@ -57,7 +57,7 @@ class SpeedOutputs:
         return min(self._written_s + STEP_S, ends_s) if self._written_s < ends_s else None
 
     def pass_next(self, passed_s: float, until_s: float) -> float:
-        """Write all outputs; see `clock.Happening`."""
+        """Write all outputs; see `happening.Happening`."""
         del until_s
         time_s = self.next_s()
         assert time_s is not None

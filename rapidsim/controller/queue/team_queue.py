@@ -7,6 +7,7 @@ from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.controller.queue import stopping
 from rapidsim.controller.queue.solo_queue import SoloQueue
 from rapidsim.controller.queue.team_planner import TeamPlanner
+from rapidsim.frames.transform import Array
 from rapidsim.language.error_numbers import ERR_PATH, rapid_error
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
@@ -87,10 +88,10 @@ class TeamQueue:
         del queued
         return None
 
-    def samples_at(self, now_s: float) -> Samples:
-        """The robot now, which fixes the path of the team up to now."""
-        self.team.planner.advance(now_s)
-        return self.own.at_past(now_s)
+    def seen(self, now_s: float, times: Array) -> Samples:
+        """The robot at times (k,) [s] around now; see `MotionQueue.seen`."""
+        self.team.planner.end_if_late(now_s)
+        return self.preview().at(times)
 
     def at_past(self, time_s: float) -> Samples:
         """The robot at a time [s] that is past."""

@@ -39,7 +39,7 @@ class Zone:
 
 @dataclass(slots=True)
 class WorldZoneTable:
-    """The zones that are watched while one robot moves: a `clock.Happening`."""
+    """The zones that are watched while one robot moves: a `happening.Happening`."""
 
     on_path: ClassVar = True
     unit: MechanicalUnit
@@ -98,7 +98,7 @@ class WorldZoneTable:
         return self._next[1]
 
     def pass_next(self, passed_s: float, until_s: float) -> float:
-        """Let the next crossing happen; see `clock.Happening`."""
+        """Let the next crossing happen; see `happening.Happening`."""
         del until_s
         time_s = self.next_s()
         assert time_s is not None

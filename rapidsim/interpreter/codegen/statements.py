@@ -12,7 +12,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NoReturn, assert_never
 
-from rapidsim.analysis.program import DataSymbol, RoutineSymbol, does
+from rapidsim.analysis.program import (
+    DataSymbol,
+    ParameterSymbol,
+    RoutineSymbol,
+    Storage,
+    does,
+)
 from rapidsim.interpreter.codegen.ast_builder import At
 from rapidsim.interpreter.codegen.error_handling import protected
 from rapidsim.interpreter.codegen.expression_code import Code, Interval, finished
@@ -27,6 +33,7 @@ from rapidsim.interpreter.codegen.rounds import tick
 from rapidsim.interpreter.limits import MAX_BRANCHES, MAX_LOOPS, NotExecutableError
 from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER
 from rapidsim.interpreter.runtime.values import literal
+from rapidsim.language.annotations import Mode
 from rapidsim.language.initial import initial_value
 from rapidsim.language.types import NUM, ArrayOf, resolved
 from rapidsim.library.traits import Does
@@ -110,11 +117,10 @@ class Statements:
             return self._guard([at.do(at.call("_unfinished"))], at)
         # Whole arrays are copied element by element where they arrive.
         value = self.expressions.value(statement.value)
-        body = self.expressions.paths.write(statement.target, value, at)
-        is_array = isinstance(resolved(self.expressions.paths.type_of(statement.target)), ArrayOf)
-        may_raise = (
-            value.may_raise or is_array or self.expressions.paths.may_raise(statement.target)
-        )
+        paths = self.expressions.paths
+        body = [*paths.write(statement.target, value, at), *self._told(statement.target, at)]
+        is_array = isinstance(resolved(paths.type_of(statement.target)), ArrayOf)
+        may_raise = value.may_raise or is_array or paths.may_raise(statement.target)
         return self._guard(body, at) if may_raise else body
 
     def _call(self, statement: tree.Call, at: At) -> list[ast.stmt]:
@@ -129,7 +135,19 @@ class Statements:
             return [*called, at.leave(at.constant(1))] if retries else called
         paths = self.expressions.paths
         value = value_in_place(statement, variable, program, paths, at)
-        return self._guard(paths.write(variable, value, at), at)
+        return self._guard([*paths.write(variable, value, at), *self._told(variable, at)], at)
+
+    def _told(self, target: tree.DataPath, at: At) -> list[ast.stmt]:
+        """Let the interrupts come that wait for a change of a persistent."""
+        match self.expressions.paths.symbol(target):
+            case DataSymbol(storage=Storage.PERS):
+                pass
+            case ParameterSymbol(mode=Mode.PERS | Mode.INOUT):
+                pass
+            case _:
+                return []
+        watches = at.attribute("_clock", "watches")
+        return [at.when(watches, [at.do(at.call(at.attribute("_clock", "look_at_persistents")))])]
 
     def _if(
         self,

@@ -6,7 +6,13 @@ from collections.abc import Mapping
 from typing import Any, NoReturn
 
 from rapidsim.interpreter.runtime.references import Absent, not_present
-from rapidsim.language.error_numbers import ERR_NOTEQDIM, ERR_NOTINTVAL, ERR_OUTOFBND, rapid_error
+from rapidsim.language.error_numbers import (
+    ERR_ILLDIM,
+    ERR_NOTEQDIM,
+    ERR_NOTINTVAL,
+    ERR_OUTOFBND,
+    rapid_error,
+)
 from rapidsim.language.single import single
 
 
@@ -96,7 +102,7 @@ def dimension(array: list[Any] | Absent, number: float) -> float:
     """RAPID's Dim: the size of one dimension, counted from 1.
 
     Raises:
-        RapidError: ERR_OUTOFBND when the array has no such dimension.
+        RapidError: ERR_ILLDIM when the array has no such dimension.
     """
     value: object = array
     if isinstance(array, Absent):
@@ -104,5 +110,5 @@ def dimension(array: list[Any] | Absent, number: float) -> float:
     for _ in range(int(number) - 1):
         value = value[0] if isinstance(value, list) else None
     if number < 1 or not isinstance(value, list):
-        raise rapid_error(ERR_OUTOFBND, f"the array has no dimension {number:g}")
+        raise rapid_error(ERR_ILLDIM, f"the array has no dimension {number:g}")
     return float(len(value))

@@ -5,6 +5,8 @@ from __future__ import annotations
 from enum import StrEnum
 from typing import TypeVar
 
+import numpy as np
+
 from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.frames.transform import Array
 from rapidsim.language.data import (
@@ -67,13 +69,13 @@ def active_frames(task: LiveTask) -> tuple[str, str]:
 
 def _stand(task: LiveTask) -> tuple[Array, Array]:
     """Joints (n,) [rad] and external axes (e,) [m or rad] now."""
-    now_s = task.turns.now_s
+    now_s, queue = task.turns.now_s, task.unit.queue
     try:
-        return task.run.controller.others.stand_at(now_s)
+        samples = queue.seen(now_s, np.array([now_s]))
     except MotionError:
         # The program that put the move there hears of it; the arm is where its path ends.
-        samples = task.unit.queue.at_past(now_s)
-        return samples.joints[0], samples.external[0]
+        samples = queue.at_past(now_s)
+    return samples.joints[0], samples.external[0]
 
 
 T = TypeVar("T", ToolData, WobjData)

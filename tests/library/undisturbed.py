@@ -1,0 +1,23 @@
+"""What a controller without traps and without a moving robot does: nothing."""
+
+from __future__ import annotations
+
+from rapidsim.language.errors import RapidError
+
+
+class Undisturbed:
+    """Nothing changes by itself, and what fails does so at once."""
+
+    left: int = 0
+    deeds: int = 0
+    watches: bool = False
+
+    def look_at_persistents(self) -> None:
+        """Nobody waits for a change of one."""
+
+    def stays_until(self, time_s: float) -> None:
+        """All that is told stays so for ever."""
+
+    def fail(self, error: RapidError) -> None:
+        """There is no trap that could wait with it."""
+        raise error
