@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import ClassVar, Final
 
 from rapidsim.controller.cell.cell import Cell
@@ -46,6 +46,7 @@ from rapidsim.motion.guidance.guided_run import Ended, GuidedRun
 from rapidsim.motion.guidance.joint_law import CYCLE_S
 from rapidsim.motion.guidance.sensor import SensorAnswer
 from rapidsim.motion.trajectory.guided_stretch import GuidedStretch
+from rapidsim.values import dataclass
 
 MOST_IDENTITIES: Final = 4
 """So many a task may have at one time; from memory of ABB's documents."""

@@ -11,7 +11,7 @@ import math
 from base64 import b64decode, b64encode
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any, Final
 
@@ -32,6 +32,7 @@ from rapidsim.server.messages import (
 from rapidsim.simulation.live.event_log import LogEntry
 from rapidsim.simulation.live.states import Mode, Motors
 from rapidsim.simulation.results.event_values import event_record, written
+from rapidsim.values import dataclass
 
 NETWORK: Final = "network"
 """The kind of an event that a peer of a program's socket brings about."""
@@ -223,6 +224,8 @@ def _what(message: Message) -> dict[str, object]:
                 "form": dict(message.form),
                 "session": message.session,
             }
+            if message.generation != 1:
+                what["generation"] = message.generation
             if message.content:
                 what["content"] = b64encode(message.content).decode()
             return what
@@ -268,7 +271,10 @@ def _message(what: Mapping[str, object]) -> Message:
             "session": int(session),
         }:
             content = b64decode(str(what.get("content", "")), validate=True)
-            return Request(method, path, _texts(query), _texts(form), session, content)
+            generation = int(str(what.get("generation", 1)))
+            if generation not in (1, 2):
+                raise ValueError("no generation")
+            return Request(method, path, _texts(query), _texts(form), session, content, generation)
         case _:
             raise ValueError("no message")
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
@@ -15,6 +15,7 @@ from rapidsim.diagnostics import Diagnostic
 from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.job import job
 from rapidsim.jobs.run_files import LoadedJob, PreparedRun, loaded, prepared
+from rapidsim.server.derived_parameters import with_derived
 from rapidsim.server.engine import Engine, FullPace, LockStep, Pace, WallPace
 from rapidsim.server.messages import Told
 from rapidsim.server.sensors import NotedSensors
@@ -23,6 +24,7 @@ from rapidsim.server.wire import NotedWire
 from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.task_run import TaskSetup
+from rapidsim.values import dataclass
 
 _GUIDED: Final = "egmident"
 """The type that every such program uses."""
@@ -71,6 +73,7 @@ def with_cell(found: LoadedJob, made: PreparedRun) -> ReadyController:
     options = replace(
         made.options, io=replace(io, signals=signals), home=home, answers=None, network=None
     )
+    options = replace(options, configured=with_derived(made.setups, options))
     notices = found.robot.notices
     ramdisk = options.ramdisk or home / "RAMDISK"
     return ReadyController(

@@ -7,7 +7,7 @@ import signal
 import sys
 from collections.abc import Callable, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import field
 from multiprocessing import get_context
 from multiprocessing.connection import Connection, wait
 from multiprocessing.context import SpawnProcess
@@ -33,6 +33,7 @@ from rapidsim.server.loading import engine_of, ready
 from rapidsim.server.messages import Message, Note, Reply, Told
 from rapidsim.server.settings import EngineSettings
 from rapidsim.server.wire import SocketWire
+from rapidsim.values import dataclass
 
 _PATIENCE_S: Final = 5.0
 """So long [s] an engine that is told to end may take."""

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from types import MappingProxyType
 from typing import Final
 
 from rapidsim.egm.devices import Address
 from rapidsim.simulation.live.states import Mode, Motors
+from rapidsim.values import dataclass
 
 DEFAULT_USERS: Final[Mapping[str, str]] = MappingProxyType(
     dict.fromkeys(("Default User", "Admin", "admin"), "robotics")

@@ -161,7 +161,7 @@ ELSEWHERE = {
     "plots": {"round"},
     "recording": {"clear"},
     "report": {"dim", "distance", "stop"},
-    "server": {"type", "opmode", "stop", "set", "continue", "dim", "clear"},
+    "server": {"type", "Type", "opmode", "stop", "set", "continue", "dim", "clear", "min"},
     "simulation": {"stop"},
     "station": {"type", "set", "close", "max", "min", "stop"},
     "syntax": {"EXP", "open", "close"},

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Protocol
 
 from rapidsim.motion.guidance.feedback import Feedback, GuidedFeedback
 from rapidsim.motion.guidance.guided_run import GuidedRun
 from rapidsim.motion.guidance.sensor import SensorAnswer
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

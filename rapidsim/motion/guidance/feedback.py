@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import Enum, auto
 
 import numpy as np
@@ -11,6 +11,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.guidance.guided_run import Ended, GuidedRun
 from rapidsim.motion.guidance.sensor import in_degrees, in_millimetres
 from rapidsim.motion.kinematics.arm import Kinematics
+from rapidsim.values import dataclass
 
 
 class Guided(Enum):

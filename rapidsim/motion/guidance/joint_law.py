@@ -8,12 +8,13 @@ and each axis keeps its limits of speed and acceleration by itself.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Final
 
 import numpy as np
 
 from rapidsim.frames.transform import Array
+from rapidsim.values import dataclass
 
 CYCLE_S: Final = 0.004
 """The controller's cycle [s]."""

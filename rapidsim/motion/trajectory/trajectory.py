@@ -14,7 +14,7 @@ While somebody outside guides the robot there is no path: joints are those of a 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import overload
 
 import numpy as np
@@ -28,6 +28,7 @@ from rapidsim.motion.trajectory.command import ROUNDING_M, Index, MotionCommand,
 from rapidsim.motion.trajectory.filter_windows import Windows
 from rapidsim.motion.trajectory.guided_stretch import GuidedStretch
 from rapidsim.motion.trajectory.zero_crossings import first_crossing
+from rapidsim.values import dataclass
 
 SAMPLE_STEP_S = 0.012
 """As often as ABB's controllers log positions."""
