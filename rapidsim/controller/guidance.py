@@ -28,6 +28,7 @@ from rapidsim.controller.moves.guidance_start import (
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.sensor_streams import SensorStream
+from rapidsim.controller.signal_sensor import SignalSensor
 from rapidsim.findings.guidance import NobodyGuides
 from rapidsim.language.error_numbers import ERR_UDPUC_COMM, rapid_error
 from rapidsim.language.errors import NotAllowed, RapidError
@@ -131,7 +132,7 @@ class TaskGuidance:
         data = external_motion_data(self.cell.parameters, setup.configuration)
         self._close(one)
         one.setup, one.data, one.activation = setup, data, None
-        one.sensor, one.state = self.cell.sensors.open(setup.device), CONNECTED
+        one.sensor, one.state = self._sensor(setup), CONNECTED
 
     def activate(self, identity: int, activation: Activation) -> None:
         """Say what the sensor's goals mean."""
@@ -371,6 +372,11 @@ class TaskGuidance:
         if one.setup is None:
             raise NotAllowed("no sensor is connected with the EGM identity; EGMSetupUC comes first")
         return one, one.setup
+
+    def _sensor(self, setup: SensorSetup) -> Sensor:
+        if not setup.signals:
+            return self.cell.sensors.open(setup.device)
+        return SignalSensor(self.cell, setup.signals, is_pose=setup.purpose is Purpose.POSE)
 
     def _close(self, one: _Identity) -> None:
         if one.sensor is not None:

@@ -15,7 +15,7 @@ from rapidsim.motion.guidance.feedback import Feedback
 from rapidsim.motion.guidance.guided_run import GuidedRun
 from rapidsim.motion.guidance.sensor import SensorAnswer
 
-_PATIENCE_S: Final = 0.5
+_PATIENCE_S: Final = 2.0
 """So long [s] the controller waits for the guide; what comes later counts as not said."""
 
 

@@ -31,13 +31,15 @@ class Purpose(Enum):
 
 @dataclass(frozen=True, slots=True)
 class SensorSetup:
-    """EGMSetupUC: who guides."""
+    """EGMSetupUC and its like: who guides."""
 
     device: str
     configuration: str
     purpose: Purpose
     silence_s: float
     """So long it may say nothing."""
+    signals: tuple[str, ...] = ()
+    """Signals that guide in place of a device, R1 or x first; empty for one that nothing guides."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,8 +9,9 @@ Functions and Data types, "EGMActJoint" and its like.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Annotated, Final, TypedDict, Unpack
+import math
+from collections.abc import Mapping, Sequence
+from typing import Annotated, Final, TypedDict, Unpack, cast
 
 from rapidsim.language import types
 from rapidsim.language.annotations import (
@@ -19,12 +20,15 @@ from rapidsim.language.annotations import (
     Mode,
     Num,
     Pers,
+    SignalAi,
+    SignalAo,
+    SignalGi,
     String,
     Switch,
     Var,
 )
 from rapidsim.language.controller import Controller
-from rapidsim.language.data import EgmMinMax, LoadData, Pose, ToolData, WobjData
+from rapidsim.language.data import EgmMinMax, LoadData, Pose, Signal, ToolData, WobjData
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.errors import NotAllowed
 from rapidsim.language.guidance import (
@@ -38,6 +42,7 @@ from rapidsim.language.guidance import (
 )
 from rapidsim.language.reference import Reference
 from rapidsim.library.honesty import ignored
+from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
 from rapidsim.library.traits import Does
 
@@ -55,6 +60,8 @@ CONDITION_S: Final = 1.0
 RAMP_S: Final = 1.0
 _LONGEST_SAMPLE_MS: Final = 1e6
 _JOINTS: Final = ("j1", "j2", "j3", "j4", "j5", "j6", "j7")
+_SIGNALS: Final = ("r1x", "r2y", "r3z", "r4rx", "r5ry", "r6rz")
+_EXTERNAL: Final = ("e1", "e2", "e3", "e4", "e5", "e6")
 _POSE_AXES: Final = ("x", "y", "z", "rx", "ry", "rz")
 
 
@@ -83,6 +90,45 @@ class _PoseBands(TypedDict, total=False):
     rx: EgmMinMax
     ry: EgmMinMax
     rz: EgmMinMax
+
+
+class _AnalogInputs(TypedDict, total=False):
+    ai_r1x: Var[SignalAi]
+    ai_r2y: Var[SignalAi]
+    ai_r3z: Var[SignalAi]
+    ai_r4rx: Var[SignalAi]
+    ai_r5ry: Var[SignalAi]
+    ai_r6rz: Var[SignalAi]
+    ai_e1: Var[SignalAi]
+    ai_e2: Var[SignalAi]
+    ai_e3: Var[SignalAi]
+    ai_e4: Var[SignalAi]
+    ai_e5: Var[SignalAi]
+    ai_e6: Var[SignalAi]
+
+
+class _AnalogOutputs(TypedDict, total=False):
+    ao_r1x: Var[SignalAo]
+    ao_r2y: Var[SignalAo]
+    ao_r3z: Var[SignalAo]
+    ao_r4rx: Var[SignalAo]
+    ao_r5ry: Var[SignalAo]
+    ao_r6rz: Var[SignalAo]
+
+
+class _GroupInputs(TypedDict, total=False):
+    gi_r1x: Var[SignalGi]
+    gi_r2y: Var[SignalGi]
+    gi_r3z: Var[SignalGi]
+    gi_r4rx: Var[SignalGi]
+    gi_r5ry: Var[SignalGi]
+    gi_r6rz: Var[SignalGi]
+    gi_e1: Var[SignalGi]
+    gi_e2: Var[SignalGi]
+    gi_e3: Var[SignalGi]
+    gi_e4: Var[SignalGi]
+    gi_e5: Var[SignalGi]
+    gi_e6: Var[SignalGi]
 
 
 class _JointSwitches(TypedDict, total=False):
@@ -145,6 +191,63 @@ def egm_setup_uc(
         silence_s,
     )
     controller.set_up(_known(egmid, "EGMSetupUC"), setup)
+
+
+def egm_setup_ai(
+    controller: Controller,
+    mec_unit: Var[MecUnit],
+    egmid: Var[EgmIdent],
+    ext_config_name: String,
+    *,
+    joint: Switch = False,
+    pose: Switch = False,
+    path_corr: Switch = False,
+    aptr: Switch = False,
+    latr: Switch = False,
+    **signals: Unpack[_AnalogInputs],
+) -> None:
+    """Let analog inputs guide: of joints [deg], or of a pose [mm, deg]; external axes stay."""
+    del mec_unit, aptr, latr
+    purpose = _purpose(joint=joint, pose=pose, path_corr=path_corr)
+    _guide_by(controller, egmid, ext_config_name, purpose, "EGMSetupAI", signals)
+
+
+def egm_setup_ao(
+    controller: Controller,
+    mec_unit: Var[MecUnit],
+    egmid: Var[EgmIdent],
+    ext_config_name: String,
+    *,
+    joint: Switch = False,
+    pose: Switch = False,
+    path_corr: Switch = False,
+    aptr: Switch = False,
+    latr: Switch = False,
+    **signals: Unpack[_AnalogOutputs],
+) -> None:
+    """Let analog outputs guide, as EGMSetupAI does inputs."""
+    del mec_unit, aptr, latr
+    purpose = _purpose(joint=joint, pose=pose, path_corr=path_corr)
+    _guide_by(controller, egmid, ext_config_name, purpose, "EGMSetupAO", signals)
+
+
+def egm_setup_gi(
+    controller: Controller,
+    mec_unit: Var[MecUnit],
+    egmid: Var[EgmIdent],
+    ext_config_name: String,
+    *,
+    joint: Switch = False,
+    pose: Switch = False,
+    path_corr: Switch = False,
+    aptr: Switch = False,
+    latr: Switch = False,
+    **signals: Unpack[_GroupInputs],
+) -> None:
+    """Let group inputs guide, as EGMSetupAI does analog ones."""
+    del mec_unit, aptr, latr
+    purpose = _purpose(joint=joint, pose=pose, path_corr=path_corr)
+    _guide_by(controller, egmid, ext_config_name, purpose, "EGMSetupGI", signals)
 
 
 def egm_act_joint(
@@ -302,6 +405,31 @@ def egm_stream_stop(controller: Guidance, egmid: Var[EgmIdent]) -> None:
     controller.stream(_known(egmid, "EGMStreamStop"), None)
 
 
+def _guide_by(
+    controller: Controller,
+    egmid: Reference[int | None],
+    configuration: str,
+    purpose: Purpose,
+    routine_name: str,
+    signals: Mapping[str, object],
+) -> None:
+    """Let signals guide; they are known at any time, so there is no silence."""
+    kind = routine_name[-2:]
+    given = {name: signals.get(f"{kind.lower()}_{name}") for name in (*_SIGNALS, *_EXTERNAL)}
+    external = {rf"\{kind.lower()}{name.upper()}": given[name] for name in _EXTERNAL}
+    ignored(controller.honesty, routine_name, external)
+    names = tuple(_name_of(given[name]) for name in _SIGNALS)
+    if purpose is Purpose.PATH_CORRECTION:
+        controller.honesty.not_simulated(rf"{routine_name} \PathCorr", "paths are not corrected")
+    setup = SensorSetup(routine_name, configuration, purpose, math.inf, names)
+    controller.guidance.set_up(_known(egmid, routine_name), setup)
+
+
+def _name_of(signal: object) -> str:
+    """The signal that an argument means; empty where there is none."""
+    return "" if signal is None else connected(cast("Reference[Signal]", signal))
+
+
 def _known(egmid: Reference[int | None], instruction: str) -> int:
     if egmid.value is None:
         raise NotAllowed(f"{instruction}: the EGM identity is not there; EGMGetId makes it")
@@ -359,11 +487,23 @@ def _tell_no_deviation(controller: Controller, name: str, most: float | None) ->
     ignored(controller.honesty, name, {r"\MaxPosDeviation": most})
 
 
+_SOURCE = r"MecUnit EGMid ExtConfigName"
+_PURPOSE = r"\Joint|\Pose|\PathCorr \APTR|\LATR"
 _ACT = r"\StreamStart \Tool \WObj \TLoad \DataFromSensor"
 _LIMITS = r"\LpFilter \SampleRate \MaxPosDeviation \MaxSpeedDeviation"
 _TIMES = r"\CondTime \RampInTime \RampOutTime"
 _SEVEN = r"\J1 \J2 \J3 \J4 \J5 \J6 \J7"
 _SIX = r"\x \y \z \rx \ry \rz"
+
+
+def _signals(kind: str) -> str:
+    return " ".join(rf"\{kind}{name[:2].upper()}{name[2:]}" for name in _SIGNALS)
+
+
+def _axes(kind: str) -> str:
+    return " ".join(rf"\{kind}{name.upper()}" for name in _EXTERNAL)
+
+
 _GUIDES = Does.WAIT | Does.LEAVE_PATH
 
 GUIDANCE = table(
@@ -373,8 +513,11 @@ GUIDANCE = table(
     routine(
         "EGMSetupUC",
         egm_setup_uc,
-        r"MecUnit EGMid ExtConfigName UCDevice \Joint|\Pose|\PathCorr \APTR|\LATR \CommTimeout",
+        rf"{_SOURCE} UCDevice {_PURPOSE} \CommTimeout",
     ),
+    routine("EGMSetupAI", egm_setup_ai, f"{_SOURCE} {_PURPOSE} {_signals('ai')} {_axes('ai')}"),
+    routine("EGMSetupAO", egm_setup_ao, f"{_SOURCE} {_PURPOSE} {_signals('ao')}"),
+    routine("EGMSetupGI", egm_setup_gi, f"{_SOURCE} {_PURPOSE} {_signals('gi')} {_axes('gi')}"),
     routine("EGMActJoint", egm_act_joint, rf"EGMid {_ACT} {_SEVEN} {_LIMITS}"),
     routine(
         "EGMActPose",

@@ -1,0 +1,49 @@
+"""Signals that guide a robot: EGMSetupAI, EGMSetupAO, EGMSetupGI."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from rapidsim.controller.cell.cell import Cell
+from rapidsim.controller.cell.sensors import SilentSensor
+from rapidsim.frames.quaternion import from_zyx
+from rapidsim.motion.guidance.feedback import Feedback
+from rapidsim.motion.guidance.sensor import SensorAnswer
+
+
+@dataclass(slots=True, eq=False)
+class SignalSensor(SilentSensor):
+    """Says what signals show; implements `sensors.Sensor`.
+
+    Of joints [deg], or of a pose: x, y, z [mm], then the angles about fixed x, y and z [deg]. What
+    no signal says is where it was when the guidance began.
+    """
+
+    cell: Cell
+    signals: tuple[str, ...]
+    """By name; empty for what none says."""
+    is_pose: bool
+    _first: Feedback | None = None
+
+    def exchange(self, feedback: Feedback) -> SensorAnswer | None:
+        """What they show now."""
+        self._first = first = self._first or feedback
+        values = [self.cell.signals.read(name) if name else None for name in self.signals]
+        if not self.is_pose:
+            told = zip(values, first.joints, strict=False)
+            joints = [here if value is None else value for value, here in told]
+            return SensorAnswer(joints=(*joints, *first.joints[len(values) :]))
+        places = zip(values[:3], first.position, strict=True)
+        angles = values[3:6]
+        orientation = first.orientation
+        if any(angle is not None for angle in angles):
+            x, y, z = (math.radians(angle or 0.0) for angle in angles)
+            orientation = from_zyx(z, y, x)
+        position = tuple(here if value is None else value for value, here in places)
+        return SensorAnswer(position=position, orientation=orientation)
+
+    def end(self, feedback: Feedback) -> None:
+        """The next guidance begins elsewhere."""
+        del feedback
+        self._first = None
