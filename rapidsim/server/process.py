@@ -153,6 +153,7 @@ def started(asked: Asked, settings: EngineSettings) -> EngineProcess:
         of_guide.close()
         return EngineProcess(start, ours, process)
     of_guide.close()
+    ours.close()
     _await_end(process)
     raise start
 

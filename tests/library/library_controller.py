@@ -277,6 +277,7 @@ class RecordingController(Undisturbed):
     has_answered = False
 
     def asking(self, instruction: str) -> AbstractContextManager[None]:
+        del instruction
         return nullcontext()
 
     def ask_number(self, prompt: str, *, ends: bool = False) -> float | None:
