@@ -41,16 +41,17 @@ _MOST_DEPTHS = 500
 """Contacts whose depth is looked for, the first of the run."""
 
 
-def search(scene: Scene, end_s: float) -> Found:
+def search(scene: Scene, end_s: float, bodies: Bodies | None = None) -> Found:
     """Look along the whole motion.
 
     Args:
         scene: What moves.
         end_s: When [s] the run ends.
+        bodies: Those of the scene, where several motions are looked at.
     """
     if not scene.pairs:
         return Found((), ())
-    found = _Search(scene, scene.shapes())
+    found = _Search(scene, bodies or scene.shapes())
     for times in _looks(scene, end_s):
         found.look(times)
     found.look_inside()

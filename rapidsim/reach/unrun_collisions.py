@@ -13,6 +13,7 @@ import numpy as np
 
 from rapidsim.analysis.program import Program
 from rapidsim.collisions.along_motion import search
+from rapidsim.collisions.body_distance import Bodies
 from rapidsim.collisions.contact import Contact
 from rapidsim.collisions.scene import SHORTEST_S, Arm, Scene
 from rapidsim.controller.moves.configuration_choice import conf_text
@@ -32,7 +33,7 @@ from rapidsim.reach.move_segments import segments_of
 from rapidsim.reach.target_poses import PosedMoves
 from rapidsim.reach.wording import target_span, target_text
 
-MOST_MOVES = 300
+MOST_MOVES = 200
 """So many moves are looked at."""
 _MOST_CURES = 5
 """Moves for which a cure is looked for."""
@@ -54,7 +55,14 @@ class UnrunMoves:
     scene: Scene
     """Bodies whose places the moves alone say; how the arm of the scene moved does not matter."""
     base_from_world: Transform
+    _bodies: Bodies = field(init=False)
     _cures: int = field(init=False, default=0)
+
+    def __post_init__(self) -> None:
+        """Lay out the bodies once, and ask for contacts alone."""
+        pairs = tuple(replace(pair, touch_only=True) for pair in self.scene.pairs)
+        self.scene = replace(self.scene, pairs=pairs)
+        self._bodies = self.scene.shapes()
 
     def findings(self, rows: Sequence[int]) -> Iterator[Diagnostic]:
         """What the moves of some rows hit; each start is known."""
@@ -105,7 +113,7 @@ class UnrunMoves:
 
         world_from_base = self.base_from_world.inverse()
         arm = Arm(self.robot, world_from_base, at, ((0.0, lasts),))
-        found = search(replace(self.scene, arms=(arm,)), lasts)
+        found = search(replace(self.scene, arms=(arm,)), lasts, self._bodies)
         # What touches where the move before ends is that one's.
         later = [one for one in found.contacts if begin or one.time_s > SHORTEST_S]
         if not later:
