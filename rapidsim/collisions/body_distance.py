@@ -116,8 +116,8 @@ class Bodies:
         got = distances(self._parts, part_a, part_b, poses, 0.0)
         deepest = max(0.0, -float(np.where(np.isneginf(got.found), 0.0, got.found).min()))
         for k in np.flatnonzero(np.isneginf(got.found)).tolist():
-            own = depth(self._parts, int(part_a[k]), int(part_b[k]), second_from_first)
-            deepest = max(deepest, own)
+            a, b = int(part_a[k]), int(part_b[k])
+            deepest = max(deepest, depth(self._parts, a, b, second_from_first, deepest))
         return deepest
 
     def _parts_of(self, body: int) -> Index:

@@ -33,7 +33,9 @@ def flat_overlap(
     return float(overlap.min()), flat[overlap.argmin()]
 
 
-def depth(parts: Parts, first: int, second: int, second_from_first: Transform) -> float:
+def depth(
+    parts: Parts, first: int, second: int, second_from_first: Transform, beyond: float
+) -> float:
     """How far [m] the first part must go to be out of the second.
 
     Args:
@@ -41,6 +43,7 @@ def depth(parts: Parts, first: int, second: int, second_from_first: Transform) -
         first: One of them.
         second: Another.
         second_from_first: Where the first one is, a single transform.
+        beyond: Only more [m] than that counts; of less, no more is found out.
     """
     least, best = flat_overlap(parts, first, second, second_from_first)
     apart = second_from_first.apply(parts.centre[first]) - parts.centre[second]
@@ -51,6 +54,8 @@ def depth(parts: Parts, first: int, second: int, second_from_first: Transform) -
     best, least = ways[overlap.argmin()], float(overlap.min())
     width = 0.35
     for _ in range(_ROUNDS):
+        if least <= beyond:
+            break
         tried = best + width * _around()
         tried /= np.linalg.norm(tried, axis=1)[:, None]
         overlap = _overlaps(parts, first, second, second_from_first, tried)

@@ -96,7 +96,7 @@ def test_a_cylinder_stands_on_a_box_and_a_sphere_beside_it() -> None:
     assert distances(parts, one, two, above).found[0] == pytest.approx(0.05, abs=1e-9)
     assert distances(parts, three, one, beside).found[0] == pytest.approx(0.15, abs=1e-9)
     deeper = Transform(np.eye(3), np.array([0.0, 0.0, 0.28]))
-    assert depth(parts, 0, 1, deeper) == pytest.approx(0.02, abs=1e-9)
+    assert depth(parts, 0, 1, deeper, 0.0) == pytest.approx(0.02, abs=1e-9)
 
 
 def test_what_is_all_but_above_the_middle_of_a_sheet_is_measured_to_the_end() -> None:
