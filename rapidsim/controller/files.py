@@ -14,7 +14,7 @@ from rapidsim.language.files import FileMode, OpenFile
 
 
 @dataclass(frozen=True, slots=True)
-class TaskFiles:
+class FileAccess:
     """Implements `language.controller.Files`."""
 
     clock: TaskClock

@@ -9,7 +9,7 @@ from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
-from rapidsim.controller.solo_moves import Put
+from rapidsim.controller.solo_moves import PutMove
 from rapidsim.controller.triggers import Triggers
 from rapidsim.frames.transform import Array
 from rapidsim.frames.vectors import length, minus
@@ -33,7 +33,7 @@ class TaskMotion:
     resolver: Resolver
     state: MotionState
     triggers: Triggers
-    put: Put
+    put: PutMove
 
     @property
     def corrections(self) -> dict[int, Pos]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TypeVar
 
 from rapidsim.controller.cell.cell import Cell
-from rapidsim.controller.cell.operator import Answer, Operator
+from rapidsim.controller.cell.operator import Operator, OperatorAnswer
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.journal.journal import Journal
@@ -49,7 +49,9 @@ class TaskOperator:
         self.clock.observe()
         return self.cell.operator
 
-    def _told(self, prompt: str, answer: Answer[T] | None, text: Callable[[T], str]) -> T | None:
+    def _told(
+        self, prompt: str, answer: OperatorAnswer[T] | None, text: Callable[[T], str]
+    ) -> T | None:
         """The answer; question and answer are an event."""
         if answer is None:
             self.clock.event(EventKind.TEXT, prompt, prompt=prompt)

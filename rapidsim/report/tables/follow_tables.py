@@ -28,7 +28,7 @@ _MOST_TURNS = 10
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Asked:
+class AskedPoints:
     """Points as the user gave them, and what the arm can do about each."""
 
     robot: Robot
@@ -76,7 +76,7 @@ class Attempt:
         return isinstance(self.result, Followed) and not over_speed(self.result)
 
 
-def points_page(asked: Asked) -> RenderableType:
+def points_page(asked: AskedPoints) -> RenderableType:
     """A row a point: where, and whether the arm gets there, or what is missing."""
     reached, positions = asked.reached, asked.positions_mm
     count = len(reached)

@@ -15,7 +15,7 @@ from rapidsim.syntax import tree
 
 
 @dataclass(frozen=True, slots=True)
-class Move:
+class MoveCall:
     """A call that moves the robot, with the arguments rules look at."""
 
     call: tree.Call
@@ -59,18 +59,18 @@ def may_do(call: tree.Call | tree.FunctionCall, facts: Facts) -> Does:
     return does(facts.symbol(call) or installed_symbol(call.name.key))
 
 
-def moves(part: Part, facts: Facts) -> Iterator[Move]:
+def moves(part: Part, facts: Facts) -> Iterator[MoveCall]:
     """The calls of installed instructions that move the robot."""
     for call in part.all(tree.Call):
         if (move := as_move(call, facts)) is not None:
             yield move
 
 
-def as_move(statement: tree.Node, facts: Facts) -> Move | None:
+def as_move(statement: tree.Node, facts: Facts) -> MoveCall | None:
     """A statement as a move, if it is one."""
     if not isinstance(statement, tree.Call) or Does.MOVE not in (what := facts.does(statement)):
         return None
     arguments = {
         formal.key: value for formal, value in arguments_of(statement, facts) if formal is not None
     }
-    return Move(statement, arguments, what)
+    return MoveCall(statement, arguments, what)
