@@ -12,7 +12,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+
+from rapidsim.values import dataclass
 
 _TASK = re.compile(r">>(TASK\d+):\s*\(\s*([^,)\s]+)", re.IGNORECASE)
 _MODULE = re.compile(r"([^@]+?)\s*@.*")

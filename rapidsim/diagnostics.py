@@ -10,12 +10,13 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 from functools import cache, cached_property
 from typing import TYPE_CHECKING, ClassVar, dataclass_transform
 
 from rapidsim.shipped import shipped
+from rapidsim.values import dataclass
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -13,15 +13,16 @@ import re
 import stat
 import sys
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path, PurePosixPath
 from typing import BinaryIO
 from xml.parsers import expat
 
-from rapidsim import pack_and_go
 from rapidsim.backinfo import ListedTask, listed_tasks
+from rapidsim.values import dataclass
 
 MODULE_SUFFIXES = (".mod", ".modx", ".sys", ".sysx", ".prg")
+PACKED_SUFFIX = ".rspag"
 STANDARD_INPUT = "<stdin>"
 _IN_TASK = ("PROGMOD", "SYSMOD")
 """Folders in the folder of a task that hold its modules."""
@@ -179,8 +180,11 @@ def opened(path: str) -> Path:
         InputError: If such a station cannot be read, or has not one controller.
     """
     file = Path(path)
-    if file.suffix.lower() != pack_and_go.SUFFIX or file.is_dir():
+    if file.suffix.lower() != PACKED_SUFFIX or file.is_dir():
         return file
+    # Few stations are packed, and what unpacks them takes as long to load as a file to check.
+    from rapidsim import pack_and_go  # noqa: PLC0415
+
     try:
         return pack_and_go.unpacked_backup(input_bytes(file), file.stem)
     except pack_and_go.PackedStationError as error:

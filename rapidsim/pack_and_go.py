@@ -15,7 +15,6 @@ import zipfile
 from collections.abc import Iterator
 from pathlib import Path, PurePosixPath
 
-SUFFIX = ".rspag"
 _BACKUPS = "backups"
 _PARTS = ("rapid", "syspar", "backinfo", "home")
 _MOST_BYTES = 200_000_000

@@ -7,11 +7,12 @@ takes it in, and a program keeps it, so that whatever is asked of it later knows
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from rapidsim.language.robotware import RobotWare
 from rapidsim.language.types import Type
 from rapidsim.library.predefined import TYPES
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TypeAlias
 
 from rapidsim.analysis.cell_names import NO_CELL, CellNames
@@ -16,6 +16,7 @@ from rapidsim.analysis.program import RoutineSymbol, Symbol, UnknownSymbol
 from rapidsim.diagnostics import Diagnostic, Related, Span, Violation
 from rapidsim.language.types import Type
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 MOST_COMPARED = 200
 """Wrong names for which the nearest known one is looked for."""

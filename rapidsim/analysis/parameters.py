@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import groupby
 
 from rapidsim.diagnostics import Related
 from rapidsim.language import types
 from rapidsim.language.annotations import Mode, Only
 from rapidsim.language.types import Atomic, Kind, Type, resolved
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

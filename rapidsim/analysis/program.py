@@ -7,7 +7,6 @@ interpreter need not check again.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from enum import Enum
 from typing import TypeAlias
 
@@ -17,6 +16,7 @@ from rapidsim.language.types import Type
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.traits import NOTHING, Does
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 
 class Storage(Enum):

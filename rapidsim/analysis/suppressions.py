@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Source, Span, Violation
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 _COMMENT = re.compile(
     r"!+\s*rapidsim:\s*(?P<what>ignore-file|ignore)\b\s*(?:\[(?P<codes>[^\]]*)\])?", re.IGNORECASE

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Generic, NamedTuple, TypeVar
 
 import numpy as np
@@ -15,6 +14,7 @@ from rapidsim.interpreter.runtime.values import Value
 from rapidsim.motion.trajectory.command import Index
 from rapidsim.simulation.results.signal_history import signal_changes
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
+from rapidsim.values import dataclass
 
 T = TypeVar("T")
 

@@ -1,46 +1,44 @@
 """Contacts and clearances along a motion, so that nothing slips through between two instants.
 
-Between two instants a body is never farther from where it was than it turned and shifted, and from
-the straight way between by no more than its acceleration lets it. So two gaps tell the least gap
-between them; where that leaves a contact possible, or a gap that would be news, the instant in the
-middle is looked at. What remains open after the shortest step is no contact.
-
-Accelerations are those that the samples show, twofold, the largest of some neighbours.
+The gaps at both ends of a stretch and the way between tell the least gap within (`travel.py`). The
+first stretches are many steps long; where one leaves a contact possible, or a gap that would be
+news, its ends are measured, and then it is cut in two. What remains open after the shortest step is
+no contact.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
-import numpy.typing as npt
 
 from rapidsim.collisions.body_distance import Bodies
 from rapidsim.collisions.contact import FARTHEST_M, Clearance, Contact, Found
 from rapidsim.collisions.convex import Index
 from rapidsim.collisions.overlap import TOUCH_M
-from rapidsim.collisions.scene import Poses, Scene
+from rapidsim.collisions.scene import SHORTEST_S, STEP_S, Scene
 from rapidsim.collisions.shape import is_inside
+from rapidsim.collisions.stretches import Mask, Stretches, unseen
+from rapidsim.collisions.travel import LONGEST, Travel, straight
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.values import dataclass
 
-STEP_S = 0.016
-SHORTEST_S = 4e-5
-"""A contact begins within this of the instant given."""
 _NEARER_M = 5e-4
 _NEARER = 0.02
 """A clearance is given to this or that share of it."""
 _BLOCK = 2000
 """Instants of a first look at once."""
+_AT_ONCE = 100_000
+"""Pairs and instants whose bounds are found at once."""
 _MOST_LOOKS = 400_000
 """Pairs and instants looked at in a block before it is given up."""
-_BEST = 24
-"""Stretches of each move that are looked at in one round, the nearest first."""
+_ROUND, _BEST = 400, 24
+"""Stretches that are looked at in one round, the nearest of each move first; of a move so many."""
 _DEPTHS = 30
 """Instants at which the depth of a contact is looked at."""
-_SAFETY = 2.0
-_NEIGHBOURS = 2
-
-Mask = npt.NDArray[np.bool_]
+_MOST_DEPTHS = 500
+"""Contacts whose depth is looked for, the first of the run."""
 
 
 def search(scene: Scene, end_s: float) -> Found:
@@ -60,13 +58,14 @@ def search(scene: Scene, end_s: float) -> Found:
 
 
 def _looks(scene: Scene, end_s: float) -> list[Array]:
-    """Instants (k,) of each block, evenly spaced; a block begins where the last one ends.
+    """Instants (k,) of each block; a block begins where the last one ends.
 
-    Where all arms stand still a block is one long step.
+    Where all arms stand still a block is one long step. Each brief move has an instant of its own.
     """
     busy = [stretch for arm in scene.arms for stretch in arm.busy]
     changes = [one.from_s for body in scene.bodies for one in body.carried[1:]]
     busy += [(max(0.0, at - STEP_S), min(at + STEP_S, end_s)) for at in changes]
+    brief = np.unique(np.concatenate([arm.brief_s for arm in scene.arms]))
     together: list[list[float]] = []
     for begin, end in sorted(busy):
         if together and begin <= together[-1][1] + STEP_S:
@@ -81,13 +80,21 @@ def _looks(scene: Scene, end_s: float) -> list[Array]:
             continue
         if begin > reached:
             blocks.append(np.array([reached, begin]))
-        steps = max(2, int(np.ceil((end - begin) / STEP_S)))
-        times = np.linspace(begin, end, steps + 1)
-        blocks += [times[at : at + _BLOCK + 1] for at in range(0, steps, _BLOCK)]
+        times = _stepped(begin, brief[(brief > begin) & (brief < end)], end)
+        blocks += [times[at : at + _BLOCK + 1] for at in range(0, len(times) - 1, _BLOCK)]
         reached = end
     if end_s > reached or not blocks:
         blocks.append(np.array([reached, max(end_s, reached)]))
     return blocks
+
+
+def _stepped(begin: float, between: Array, end: float) -> Array:
+    """Instants [s] from begin to end, no farther apart than a step, with those between."""
+    edges = np.concatenate([[begin], between, [end]])
+    wide = np.diff(edges)
+    steps = np.maximum(np.ceil(wide / STEP_S), 2 if len(edges) == 2 else 1).astype(np.int64)
+    number = np.arange(steps.sum()) - np.repeat(np.cumsum(steps) - steps, steps)
+    return np.append(np.repeat(edges[:-1], steps) + number * np.repeat(wide / steps, steps), end)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -113,39 +120,12 @@ class _Touch:
     point: Array
 
 
-@dataclass(slots=True, eq=False)
-class _Stretches:
-    """Pairs between two instants."""
-
-    pair: Index
-    start: Index
-    end: Index
-    """Positions of the instants."""
-    gap_start: Array
-    gap_end: Array
-    """No nearer than this at start and end."""
-    seen_start: Mask
-    seen_end: Mask
-    """Whether the gap was measured as far as it matters."""
-    bend: Array
-    """Acceleration [m/s2] of one body seen from the other."""
-
-    def rows(self, at: Index | Mask) -> _Stretches:
-        """Some of them."""
-        return _Stretches(*(getattr(self, name)[at] for name in self.__slots__))
-
-    def and_also(self, other: _Stretches) -> _Stretches:
-        """These and others."""
-        return _Stretches(
-            *(np.concatenate([getattr(self, n), getattr(other, n)]) for n in self.__slots__)
-        )
-
-
 class _Search:
     def __init__(self, scene: Scene, bodies: Bodies) -> None:
         self._scene, self._bodies = scene, bodies
         self._first: Index = np.array([pair.first for pair in scene.pairs])
         self._second: Index = np.array([pair.second for pair in scene.pairs])
+        self._pair = self._first, self._second
         self._owner: Index = np.array([pair.owner for pair in scene.pairs])
         self._touch_only = np.array([pair.touch_only for pair in scene.pairs])
         self._best: dict[tuple[int, int], _Best] = {}
@@ -158,178 +138,154 @@ class _Search:
     def look(self, times: Array) -> None:
         """Look along one block of instants (k,)."""
         self._poses = self._scene.poses(times)
+        self._steps = len(times)
         more = int(self._poses.moves.max()) + 1 - self._wanted.shape[1]
         if more > 0:
             wider = ((0, 0), (0, more))
             self._wanted = np.pad(self._wanted, wider, constant_values=FARTHEST_M)
             self._nearest = np.pad(self._nearest, wider, constant_values=FARTHEST_M)
-        open_ones = self._first_look()
-        looks = 0
-        while len(open_ones.pair):
+        self._travel = Travel(self._scene, self._bodies.bounds, self._poses)
+        open_ones, looks = self._first_look(), 0
+        while True:
             least = self._least(open_ones)
             touches, nearer = self._matters(open_ones, least)
             keep = touches | nearer
             open_ones, least, touches = open_ones.rows(keep), least[keep], touches[keep]
-            if not len(open_ones.pair):
-                break
             looks += len(open_ones.pair)
+            if not len(open_ones.pair):
+                return
             if looks > _MOST_LOOKS:
                 self._decided = False
-                break
-            now = touches | self._nearest_of_moves(open_ones, least)
-            later = open_ones.rows(~now)
-            open_ones = self._closer(open_ones.rows(now)).and_also(later)
+                return
+            halved = open_ones.seen | (self._many_moves(open_ones) & ~touches)
+            now = touches | halved | self._nearest_of_moves(open_ones, least)
+            open_ones = open_ones.rows(~now).and_also(
+                self._measured(open_ones.rows(now & ~halved)),
+                *self._halves(open_ones.rows(now & halved), least[now & halved]),
+            )
 
     def look_inside(self) -> None:
         """See which bodies begin inside a hollow one, whose surface they need not touch."""
-        poses = self._scene.poses(np.zeros(1))
+        poses, centre = self._scene.poses(np.zeros(1)), self._bodies.bounds.centre
         for number, pair in enumerate(self._scene.pairs):
             for one, other in ((pair.first, pair.second), (pair.second, pair.first)):
                 solid = self._scene.bodies[other].shape.solid
                 if solid is None:
                     continue
-                world = (
-                    poses.rotation[0, one] @ self._bodies.centre[one] + poses.translation[0, one]
-                )
-                seen = (world - poses.translation[0, other]) @ poses.rotation[0, other]
-                if is_inside(solid, seen):
+                if is_inside(solid, poses.seen(one, other).apply(centre[one])[0]):
                     move = int(poses.moves[0, pair.owner])
+                    world = poses.of(one).apply(centre[one])[0]
                     self._touch.setdefault((number, move), _Touch(0.0, world))
 
-    def _first_look(self) -> _Stretches:
-        """The stretches of a block in which spheres and boxes around the bodies leave questions."""
-        poses, bodies = self._poses, self._bodies
-        centre = np.einsum("tbij,bj->tbi", poses.rotation, bodies.centre) + poses.translation
-        step = np.diff(poses.times)
-        shift = np.linalg.norm(np.diff(centre, axis=0), axis=2)
-        turn = _turned(poses.rotation[1:], poses.rotation[:-1])
-        swing = turn * bodies.bound
-        bend = self._bends(centre, step, shift, turn)
-        first, second = self._first, self._second
-        apart = np.linalg.norm(centre[:, first] - centre[:, second], axis=2)
-        near = apart - bodies.bound[first] - bodies.bound[second]
-        near = np.maximum(near, self._to_box(centre, first, second))
-        near = np.maximum(near, self._to_box(centre, second, first))
-        way = (shift + swing)[:, first] + (shift + swing)[:, second]
-        slack = bend * (step[:, None] ** 2 / 8.0)
-        least = 0.5 * (near[1:] + near[:-1] - way) - slack
-        wanted = np.where(self._touch_only, -TOUCH_M, FARTHEST_M)
-        at, pair = np.nonzero(least < wanted)
-        unseen = np.zeros(len(at), dtype=np.bool_)
-        return _Stretches(
-            pair,
-            at,
-            at + 1,
-            near[at, pair],
-            near[at + 1, pair],
-            unseen,
-            unseen.copy(),
-            bend[at, pair],
-        )
+    def _first_look(self) -> Stretches:
+        """The longest stretches of a block in which bounds of the bodies leave questions."""
+        pairs = len(self._first)
+        nodes: Index = np.unique(np.append(np.arange(0, self._steps, LONGEST), self._steps - 1))
+        start, end = np.arange(len(nodes) - 1), np.arange(1, len(nodes))
+        some = max(1, _AT_ONCE // len(nodes))
+        found = []
+        for begin in range(0, pairs, some):
+            pair = np.arange(begin, min(begin + some, pairs))
+            every = np.repeat(pair, len(nodes)), np.tile(nodes, len(pair))
+            near = self._bounded(*every).reshape(len(pair), len(nodes))
+            each, at = np.repeat(pair, len(start)), np.tile(start, len(pair))
+            stretches = unseen(
+                each,
+                nodes[at],
+                nodes[np.tile(end, len(pair))],
+                near[:, :-1].reshape(-1),
+                near[:, 1:].reshape(-1),
+            )
+            wanted = np.where(self._touch_only[each], -TOUCH_M, FARTHEST_M)
+            found.append(stretches.rows(self._least(stretches) < wanted))
+        return found[0].and_also(*found[1:])
 
-    def _to_box(self, centre: Array, one: Index, boxed: Index) -> Array:
-        """The gaps (t, p) between the sphere around one body and the box around another."""
-        poses, bodies = self._poses, self._bodies
-        apart = centre[:, one] - poses.translation[:, boxed]
-        seen = np.einsum("tpji,tpj->tpi", poses.rotation[:, boxed], apart)
-        outside = np.maximum(np.maximum(bodies.low[boxed] - seen, seen - bodies.high[boxed]), 0.0)
-        gap: Array = np.linalg.norm(outside, axis=2) - bodies.bound[one]
-        return gap
-
-    def _bends(self, centre: Array, step: Array, shift: Array, turn: Array) -> Array:
-        """How fast (t - 1, p) a body's way bends [m/s2], seen from the other body of its pair."""
-        bodies, rotation = self._bodies, self._poses.rotation
-        count = len(step)
-        own = np.zeros((count, len(bodies.bound)))
-        if count > 1:
-            middle = (step[1:] * step[:-1])[:, None]
-            pulled = np.linalg.norm(centre[2:] - 2.0 * centre[1:-1] + centre[:-2], axis=2) / middle
-            twisted = rotation[2:] - 2.0 * rotation[1:-1] + rotation[:-2]
-            twist = np.sqrt(0.5 * np.einsum("tbij,tbij->tb", twisted, twisted)) / middle
-            each = np.zeros((count + 1, own.shape[1]))
-            each[1:-1] = pulled + twist * bodies.bound
-            wide = np.pad(each, ((_NEIGHBOURS, _NEIGHBOURS), (0, 0)), mode="edge")
-            around = [wide[at : at + count] for at in range(2 * _NEIGHBOURS + 2)]
-            own = _SAFETY * np.maximum.reduce(around) + 0.1 * each.max(axis=0)
-        rate = np.maximum(step, 1e-9)[:, None]
-        speed, turning = shift / rate, turn / rate
-        a, b = self._first, self._second
-        apart = np.linalg.norm(centre[:-1, a] - centre[:-1, b], axis=2) + bodies.bound[a]
-        # Seen from a body that turns, others bend as well.
-        apparent = turning[:, b] * (2.0 * (speed[:, a] + speed[:, b]) + turning[:, b] * apart)
-        bend: Array = own[:, a] + own[:, b] + apparent
-        return bend
+    def _bounded(self, pair: Index, at: Index) -> Array:
+        """The gaps of pairs (k,) at instants (k,) by their bounds."""
+        first, second = self._first[pair], self._second[pair]
+        return self._bodies.bounds.gaps(first, second, self._seen(pair, at))
 
     def _seen(self, pair: Index, at: Index) -> Transform:
         """second_from_first of pairs (k,) at instants (k,)."""
-        poses, a, b = self._poses, self._first[pair], self._second[pair]
-        back = np.swapaxes(poses.rotation[at, b], 1, 2)
-        apart = poses.translation[at, a] - poses.translation[at, b]
-        return Transform(back @ poses.rotation[at, a], np.einsum("kij,kj->ki", back, apart))
+        return self._poses.seen(self._first[pair], self._second[pair], at)
 
-    def _ways(self, some: _Stretches) -> tuple[Array, Array]:
-        """How far (k,) [m] points of one body move on the straight way, and may stray from it."""
-        bodies = self._bodies
-        start, end = self._seen(some.pair, some.start), self._seen(some.pair, some.end)
-        a = self._first[some.pair]
-        centre = bodies.centre[a]
-        shift = np.linalg.norm(
-            np.einsum("kij,kj->ki", end.rotation - start.rotation, centre)
-            + end.translation
-            - start.translation,
-            axis=1,
-        )
-        turn = _turned(end.rotation, start.rotation)
-        step = self._poses.times[some.end] - self._poses.times[some.start]
-        return shift + turn * bodies.bound[a], some.bend * step**2 / 8.0
-
-    def _least(self, some: _Stretches) -> Array:
-        way, slack = self._ways(some)
+    def _least(self, some: Stretches) -> Array:
+        """How near (k,) [m] bodies come at most."""
+        way, slack = np.empty((2, len(some.pair)))
+        whole = (some.start < self._steps) & (some.end < self._steps)
+        steps, parts = some.rows(whole), some.rows(~whole)
+        way[whole], slack[whole] = self._travel.between(steps.pair, steps.start, steps.end)
+        if len(parts.pair):
+            seen = (self._seen(parts.pair, at) for at in (parts.start, parts.end))
+            way[~whole] = straight(self._bodies.bounds, self._first[parts.pair], *seen)
+            slack[~whole] = parts.bend * self._lasts(parts) ** 2 / 8.0
         least: Array = 0.5 * (some.gap_start + some.gap_end - way) - slack
         return least
 
-    def _matters(self, some: _Stretches, least: Array) -> tuple[Mask, Mask]:
+    def _lasts(self, some: Stretches) -> Array:
+        times = self._poses.times
+        lasts: Array = times[some.end] - times[some.start]
+        return lasts
+
+    def _moves(self, some: Stretches) -> tuple[Index, Index, Index]:
+        """Whose stretches (k,) are, and the moves at their starts and ends."""
+        owner, moves = self._owner[some.pair], self._poses.moves
+        return owner, moves[some.start, owner], moves[some.end, owner]
+
+    def _many_moves(self, some: Stretches) -> Mask:
+        """Which stretches are of several steps and moves."""
+        _, before, after = self._moves(some)
+        several = (some.start < self._steps) & (some.end < self._steps)
+        several &= (some.end - some.start > 1) & (before != after)
+        return several
+
+    def _matters(self, some: Stretches, least: Array) -> tuple[Mask, Mask]:
         """Which stretches may hold a contact that is not known, and which the nearest of a move."""
-        poses = self._poses
+        owner, before, after = self._moves(some)
         touches = least < -TOUCH_M
-        owner = self._owner[some.pair]
-        move = poses.moves[some.end, owner]
-        long = poses.times[some.end] - poses.times[some.start] > SHORTEST_S
-        long |= ~(some.seen_start & some.seen_end)
-        nearer = ~self._touch_only[some.pair] & (least < self._wanted[owner, move])
-        for (pair, of_move), touch in self._touch.items():
-            over = (some.pair == pair) & (move == of_move)
-            over &= poses.times[some.start] >= touch.time_s
+        long = (self._lasts(some) > SHORTEST_S) | ~some.seen
+        wanted = np.maximum(self._wanted[owner, before], self._wanted[owner, after])
+        wanted[self._many_moves(some)] = FARTHEST_M
+        nearer = ~self._touch_only[some.pair] & (least < wanted)
+        if self._touch:
+            over = self._poses.times[some.start] >= self._touched(some.pair, after)
             touches &= ~over
             nearer &= ~over
         return touches & long, nearer & long
 
-    def _nearest_of_moves(self, some: _Stretches, least: Array) -> Mask:
+    def _touched(self, pair: Index, move: Index) -> Array:
+        """When (k,) [s] pairs first touch in a move; never is inf."""
+        width = self._wanted.shape[1]
+        keys = np.array([pair * width + move for pair, move in self._touch])
+        order = np.argsort(keys)
+        times = np.array([touch.time_s for touch in self._touch.values()])[order]
+        at = np.minimum(np.searchsorted(keys, pair * width + move, sorter=order), len(keys) - 1)
+        known = keys[order][at] == pair * width + move
+        return np.where(known, times[at], np.inf)
+
+    def _nearest_of_moves(self, some: Stretches, least: Array) -> Mask:
         """The stretches of each move that most likely hold its nearest place."""
-        owner = self._owner[some.pair]
-        move = self._poses.moves[some.end, owner]
+        owner, _, move = self._moves(some)
         order = np.lexsort((least, move, owner))
         starts = np.flatnonzero(
             np.diff(owner[order], prepend=-1) | np.diff(move[order], prepend=-1)
         )
         rank = np.arange(len(order)) - np.repeat(starts, np.diff(starts, append=len(order)))
         chosen = np.zeros(len(order), dtype=np.bool_)
-        chosen[order[rank < _BEST]] = True
+        chosen[order[rank < np.clip(_ROUND // max(1, len(starts)), 1, _BEST)]] = True
         return chosen
 
-    def _closer(self, some: _Stretches) -> _Stretches:
-        """Measure the ends of some stretches; where that is done already, cut them in two."""
-        done = some.seen_start & some.seen_end
-        measured = self._measured(some.rows(~done)) if not done.all() else some.rows(~done)
-        return measured.and_also(self._halves(some.rows(done))) if done.any() else measured
-
-    def _measured(self, some: _Stretches) -> _Stretches:
-        way, slack = self._ways(some)
-        own = self._touch_only[some.pair]
-        owner = self._owner[some.pair]
-        move = self._poses.moves[some.end, owner]
-        wanted = np.where(own, 0.0, self._nearest[owner, move])
-        enough = wanted + way + 2.0 * slack + TOUCH_M
+    def _measured(self, some: Stretches) -> Stretches:
+        """Stretches with their ends measured, as far as they matter."""
+        if not len(some.pair):
+            return some
+        owner, before, after = self._moves(some)
+        wanted = np.maximum(self._nearest[owner, before], self._nearest[owner, after])
+        wanted[self._touch_only[some.pair]] = 0.0
+        # A gap that is left open must not be what leaves the stretch open.
+        least = self._least(some)
+        way = some.gap_start + some.gap_end - 2.0 * least
+        enough = wanted + way + TOUCH_M
         todo = np.concatenate([~some.seen_start, ~some.seen_end])
         pair = np.concatenate([some.pair, some.pair])[todo]
         at = np.concatenate([some.start, some.end])[todo]
@@ -346,81 +302,69 @@ class _Search:
         known = np.where(np.isfinite(gaps.found), gaps.found, gaps.least)
         values = np.concatenate([some.gap_start, some.gap_end])
         values[todo] = known[back]
-        half = len(some.pair)
-        yes = np.ones(half, dtype=np.bool_)
-        return _Stretches(
-            some.pair,
-            some.start,
-            some.end,
-            values[:half],
-            values[half:],
-            yes,
-            yes.copy(),
-            some.bend,
-        )
+        begin, end = np.split(values, 2)
+        yes = np.ones(len(some.pair), dtype=np.bool_)
+        return replace(some, gap_start=begin, gap_end=end, seen_start=yes, seen_end=yes)
 
     def _note(self, pair: Index, at: Index, gap: Array, point: Array) -> None:
         """Remember contacts and nearest places."""
-        poses = self._poses
-        owners = self._owner[pair]
-        news = (gap < -TOUCH_M) | (gap < self._nearest[owners, poses.moves[at, owners]])
-        # The nearest first, so that what comes before need not be remembered.
-        for k in sorted(np.flatnonzero(news).tolist(), key=lambda k: float(gap[k])):
-            p, t = int(pair[k]), int(at[k])
-            owner = int(self._owner[p])
-            move, time_s = int(poses.moves[t, owner]), float(poses.times[t])
-            second = int(self._second[p])
-            if gap[k] < -TOUCH_M:
-                known = self._touch.get((p, move))
-                if known is None or time_s < known.time_s:
-                    place = poses.rotation[t, second] @ point[k] + poses.translation[t, second]
-                    self._touch[p, move] = _Touch(time_s, place)
-            if not self._touch_only[p] and gap[k] < self._nearest[owner, move]:
-                place = poses.rotation[t, second] @ point[k] + poses.translation[t, second]
-                best = _Best(max(float(gap[k]), 0.0), time_s, p, place)
-                self._best[owner, move] = best
-                self._nearest[owner, move], self._wanted[owner, move] = gap[k], best.wanted
+        poses, owner = self._poses, self._owner[pair]
+        move, times = poses.moves[at, owner], poses.times[at]
+        touching = np.flatnonzero(gap < -TOUCH_M)
+        for k in touching[_first_of(times[touching], pair[touching], move[touching])].tolist():
+            known = self._touch.get((int(pair[k]), int(move[k])))
+            if known is None or times[k] < known.time_s:
+                place = poses.of(int(self._second[pair[k]]))[int(at[k])].apply(point[k])
+                self._touch[int(pair[k]), int(move[k])] = _Touch(float(times[k]), place)
+        news = np.flatnonzero(~self._touch_only[pair] & (gap < self._nearest[owner, move]))
+        for k in news[_first_of(gap[news], owner[news], move[news])].tolist():
+            place = poses.of(int(self._second[pair[k]]))[int(at[k])].apply(point[k])
+            best = _Best(max(float(gap[k]), 0.0), float(times[k]), int(pair[k]), place)
+            self._best[int(owner[k]), int(move[k])] = best
+            self._nearest[owner[k], move[k]] = gap[k]
+            self._wanted[owner[k], move[k]] = best.wanted
 
-    def _halves(self, some: _Stretches) -> _Stretches:
-        times = self._poses.times
-        middle = 0.5 * (times[some.start] + times[some.end])
-        distinct, place = np.unique(middle, return_inverse=True)
-        at = len(times) + place
-        new = self._scene.poses(distinct)
-        old = self._poses
-        self._poses = Poses(
-            np.concatenate([old.times, new.times]),
-            np.concatenate([old.rotation, new.rotation]),
-            np.concatenate([old.translation, new.translation]),
-            np.concatenate([old.moves, new.moves]),
-        )
-        least = self._least(some)
-        seen, unseen = np.ones(len(at), dtype=np.bool_), np.zeros(len(at), dtype=np.bool_)
-        return _Stretches(
-            some.pair, some.start, at, some.gap_start, least, seen, unseen, some.bend
-        ).and_also(
-            _Stretches(some.pair, at, some.end, least, some.gap_end, unseen, seen, some.bend)
+    def _halves(self, some: Stretches, least: Array) -> tuple[Stretches, ...]:
+        """The two halves of stretches, whose gap in the middle is no nearer than `least`."""
+        if not len(some.pair):
+            return ()
+        middle: Index = (some.start + some.end) // 2
+        within = (some.end - some.start == 1) | (np.maximum(some.start, some.end) >= self._steps)
+        bend = some.bend.copy()
+        if within.any():
+            times, first = self._poses.times, within & (some.end < self._steps)
+            first &= some.start < self._steps
+            bend[first] = self._travel.bend(some.pair[first], some.start[first])
+            instants = 0.5 * (times[some.start[within]] + times[some.end[within]])
+            distinct, place = np.unique(instants, return_inverse=True)
+            middle[within] = len(times) + place
+            self._poses = self._poses.and_also(self._scene.poses(distinct))
+        near = np.maximum(least, self._bounded(some.pair, middle))
+        no = np.zeros(len(near), dtype=np.bool_)
+        return (
+            replace(some, end=middle, gap_end=near, seen_end=no, bend=bend),
+            replace(some, start=middle, gap_start=near, seen_start=no, bend=bend),
         )
 
     def result(self) -> Found:
         """All contacts and clearances."""
         bodies, pairs = self._scene.bodies, self._scene.pairs
-        contacts = []
-        for (p, move), touch in sorted(
-            self._touch.items(), key=lambda one: (one[1].time_s, one[0])
-        ):
-            contacts.append(
-                Contact(
-                    touch.time_s,
-                    pairs[p].owner,
-                    move,
-                    bodies[pairs[p].first].label,
-                    bodies[pairs[p].second].label,
-                    touch.point,
-                    self._depth(p, move),
-                    (p, move - 1) in self._touch and self._ends_in_contact(p, move),
-                )
+        touched = sorted(self._touch.items(), key=lambda one: (one[1].time_s, one[0]))
+        depths = self._depths([key for key, _ in touched[:_MOST_DEPTHS]])
+        continued = self._continued()
+        contacts = tuple(
+            Contact(
+                touch.time_s,
+                pairs[p].owner,
+                move,
+                bodies[pairs[p].first].label,
+                bodies[pairs[p].second].label,
+                touch.point,
+                depths.get((p, move)),
+                (p, move) in continued,
             )
+            for (p, move), touch in touched
+        )
         clearances = tuple(
             Clearance(
                 best.gap,
@@ -433,35 +377,50 @@ class _Search:
             )
             for (owner, move), best in sorted(self._best.items())
         )
-        return Found(tuple(contacts), clearances, self._decided)
+        return Found(contacts, clearances, self._decided)
 
-    def _depth(self, pair: int, move: int) -> float:
-        """How deep [m] a pair is in each other at most, from its contact in a move on."""
-        owner, first, second = int(self._owner[pair]), self._first[pair], self._second[pair]
-        begin = self._touch[pair, move].time_s
-        deepest = 0.0
+    def _depths(self, touched: Sequence[tuple[int, int]]) -> dict[tuple[int, int], float]:
+        """How deep [m] pairs are in each other at most, from their contact in a move on."""
         # As far as the contact goes, in ever longer steps.
-        times = begin + np.concatenate([[0.0], 0.002 * 1.25 ** np.arange(_DEPTHS)])
-        poses = self._scene.poses(times)
-        self._poses = poses
-        seen = self._seen(np.full(len(times), pair), np.arange(len(times)))
-        for k in range(len(times)):
-            deep = self._bodies.depth(int(first), int(second), seen[k])
-            if k and (deep <= TOUCH_M or poses.moves[k, owner] != move):
-                break
-            deepest = max(deepest, deep)
-        return deepest
+        later = np.concatenate([[0.0], 0.002 * 1.25 ** np.arange(_DEPTHS)])
+        found: dict[tuple[int, int], float] = {}
+        some = max(1, _BLOCK // len(later))
+        for begin in range(0, len(touched), some):
+            keys = touched[begin : begin + some]
+            pair, move = np.array(keys).T[..., None]
+            start = np.array([[self._touch[key].time_s] for key in keys])
+            poses = self._scene.poses((start + later).reshape(-1))
+            shape = (len(keys), len(later))
+            at = np.arange(len(poses.times)).reshape(shape)
+            same = np.logical_and.accumulate(poses.moves[at, self._owner[pair]] == move, axis=1)
+            first, second = (np.broadcast_to(one[pair], shape) for one in self._pair)
+            deep = np.zeros(shape)
+            seen = poses.seen(first[same], second[same], at[same])
+            deep[same] = self._bodies.depths(first[same], second[same], seen, exact=False)
+            lasting = np.logical_and.accumulate((deep > TOUCH_M) | (at == at[:, :1]), axis=1)
+            best = np.where(lasting, deep, 0.0).argmax(axis=1)
+            rows = np.arange(len(keys)), best
+            seen = poses.seen(first[rows], second[rows], at[rows])
+            exact = self._bodies.depths(first[rows], second[rows], seen, exact=True)
+            found |= dict(zip(keys, exact.tolist(), strict=True))
+        return found
 
-    def _ends_in_contact(self, pair: int, move: int) -> bool:
-        """Whether a pair touches where a move begins."""
-        first = self._touch[pair, move].time_s
-        poses = self._scene.poses(np.array([first - 2.0 * SHORTEST_S]))
-        owner = int(self._owner[pair])
-        return bool(poses.moves[0, owner] != move)
+    def _continued(self) -> set[tuple[int, int]]:
+        """Contacts of pairs that touched in the move before and touch where this one begins."""
+        keys = [(p, move) for p, move in self._touch if (p, move - 1) in self._touch]
+        if not keys:
+            return set()
+        times = np.array([self._touch[key].time_s for key in keys]) - 2.0 * SHORTEST_S
+        moves = self._scene.poses(times).moves
+        return {
+            (p, move) for row, (p, move) in enumerate(keys) if moves[row, self._owner[p]] != move
+        }
 
 
-def _turned(one: Array, other: Array) -> Array:
-    """How far a point at distance 1 may be moved by turning from one rotation to another (...)."""
-    apart = one - other
-    moved: Array = np.sqrt(0.5 * np.einsum("...ij,...ij->...", apart, apart))
-    return moved
+def _first_of(order: Array, *keys: Index) -> Index:
+    """Of rows with equal keys (k,) that which comes first."""
+    rows = np.lexsort((order, *keys))
+    change = np.zeros(len(rows), dtype=np.bool_)
+    for key in keys:
+        change |= np.diff(key[rows], prepend=-1) != 0
+    return rows[change]

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rapidsim.frames.transform import Array
+from rapidsim.values import dataclass
 
 FARTHEST_M = 0.5
 """Bodies farther apart have no clearance worth a number."""
@@ -33,8 +32,8 @@ class Contact:
     second: BodyName
     point: Array
     """Where (3,) [m] in the world."""
-    depth_m: float
-    """How far the bodies overlap at most while that move lasts."""
+    depth_m: float | None
+    """How far the bodies overlap at most while that move lasts; None after many contacts."""
     continued: bool = False
     """Whether they touched at the end of the move before already."""
 

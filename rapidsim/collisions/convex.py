@@ -8,12 +8,13 @@ farthest point in a direction.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 import numpy.typing as npt
 
 from rapidsim.frames.transform import Array
+from rapidsim.values import dataclass
 
 Index = npt.NDArray[np.int64]
 _FEW = 8
@@ -55,7 +56,10 @@ class Parts:
         self.radius = np.array([part.radius for part in parts])
         self.centre = np.array([part.centre for part in parts]).reshape(-1, 3)
         self.bound = np.array([part.bound for part in parts])
-        self.normals = tuple(part.normals for part in parts)
+        self._normals = np.concatenate([np.zeros((0, 3)), *(part.normals for part in parts)])
+        counts = np.array([len(part.normals) for part in parts], dtype=np.int64)
+        self._normal_ends: Index = np.cumsum(counts)
+        self._normal_counts = counts
         self._disc = np.array([part.disc for part in parts])
         self._has_discs = bool(self._disc.any())
         self._few = np.zeros((self.count, _FEW, 3))
@@ -71,6 +75,27 @@ class Parts:
                 along = part.points[1] - part.points[0]
                 self._axis[number] = along / np.linalg.norm(along)
         self._is_cloud = np.isin(np.arange(self.count), list(self._clouds))
+
+    def normals(self, part: Index) -> tuple[Array, npt.NDArray[np.bool_]]:
+        """The normals (k, m, 3) of parts (k,) and which of them are there (k, m)."""
+        count, end = self._normal_counts[part], self._normal_ends[part]
+        number = np.arange(count.max(initial=0))
+        there = number < count[:, None]
+        row = np.where(there, (end - count)[:, None] + number, 0)
+        if not len(number):
+            return np.zeros((len(part), 0, 3)), there
+        return self._normals[row], there
+
+    def boxes(self) -> tuple[Array, Array]:
+        """The lower and upper corners (n, 3) of the boxes around all parts."""
+        every: Index = np.arange(self.count)
+        low, high = np.empty((self.count, 3)), np.empty((self.count, 3))
+        for axis in range(3):
+            for sign, corner in ((-1.0, low), (1.0, high)):
+                way = np.zeros((self.count, 3))
+                way[:, axis] = sign
+                corner[:, axis] = self.farthest(every, way)[:, axis] + sign * self.radius
+        return low, high
 
     def farthest(self, part: Index, direction: Array) -> Array:
         """Points (k, 3) of the hulls of parts (k,) that are farthest in directions (k, 3).

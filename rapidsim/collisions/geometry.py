@@ -5,11 +5,11 @@ Plain values, made by the station file.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import StrEnum
 
 from rapidsim.collisions.shape import Shape
 from rapidsim.frames.transform import Transform
+from rapidsim.values import dataclass
 
 Colour = tuple[int, int, int]
 GREY: Colour = (150, 156, 168)

@@ -8,7 +8,6 @@ out, and so is a shape in a format that is not read: both are told.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from xml.etree import ElementTree
@@ -24,6 +23,7 @@ from rapidsim.frames.euler import Convention, rotation_from_euler
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.robot.urdf_text import plain_urdf
+from rapidsim.values import dataclass
 
 BASE = 0
 """The number of the link that stands still."""

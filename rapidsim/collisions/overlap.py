@@ -16,69 +16,8 @@ TOUCH_M = 1e-5
 """Bodies that overlap by no more touch: a part that lies on a table is no collision."""
 _ALL_AROUND = 60
 _ROUNDS = 14
-
-
-def flat_overlap(
-    parts: Parts, first: int, second: int, second_from_first: Transform
-) -> tuple[float, Array]:
-    """How far [m] parts overlap square to the faces others lie flat on, and the way out (3,).
-
-    Infinite where they have no such faces.
-    """
-    own = parts.normals[first] @ second_from_first.rotation.T
-    flat = np.concatenate([own, -own, parts.normals[second], -parts.normals[second]])
-    if not len(flat):
-        return np.inf, np.array([0.0, 0.0, 1.0])
-    overlap = _overlaps(parts, first, second, second_from_first, flat)
-    return float(overlap.min()), flat[overlap.argmin()]
-
-
-def depth(
-    parts: Parts, first: int, second: int, second_from_first: Transform, beyond: float
-) -> float:
-    """How far [m] the first part must go to be out of the second.
-
-    Args:
-        parts: All parts.
-        first: One of them.
-        second: Another.
-        second_from_first: Where the first one is, a single transform.
-        beyond: Only more [m] than that counts; of less, no more is found out.
-    """
-    least, best = flat_overlap(parts, first, second, second_from_first)
-    apart = second_from_first.apply(parts.centre[first]) - parts.centre[second]
-    length = float(np.linalg.norm(apart))
-    toward = [apart[None] / length] if length > 1e-12 else []
-    ways = np.concatenate([best[None], *toward, _around()])
-    overlap = _overlaps(parts, first, second, second_from_first, ways)
-    best, least = ways[overlap.argmin()], float(overlap.min())
-    width = 0.35
-    for _ in range(_ROUNDS):
-        if least <= beyond:
-            break
-        tried = best + width * _around()
-        tried /= np.linalg.norm(tried, axis=1)[:, None]
-        overlap = _overlaps(parts, first, second, second_from_first, tried)
-        if overlap.min() < least:
-            best, least = tried[overlap.argmin()], float(overlap.min())
-        else:
-            width *= 0.4
-    return least
-
-
-def _overlaps(
-    parts: Parts, first: int, second: int, second_from_first: Transform, ways: Array
-) -> Array:
-    """How far the first part must go in directions (k, 3) to be out of the second."""
-    count = len(ways)
-    of_first: Index = np.full(count, first)
-    of_second: Index = np.full(count, second)
-    a = parts.farthest(of_first, -ways @ second_from_first.rotation)
-    a = second_from_first.apply(a)
-    b = parts.farthest(of_second, ways)
-    overlaps: Array = np.einsum("kj,kj->k", b - a, ways)
-    overlaps += parts.radius[first] + parts.radius[second]
-    return overlaps
+_AT_ONCE = 500
+"""Pairs for which all directions are tried at once."""
 
 
 def _around() -> Array:
@@ -88,3 +27,92 @@ def _around() -> Array:
     angle = np.pi * (1.0 + 5.0**0.5) * number
     out = np.sqrt(1.0 - height**2)
     return np.column_stack([out * np.cos(angle), out * np.sin(angle), height])
+
+
+_AROUND = _around()
+
+
+def flat_overlaps(
+    parts: Parts, first: Index, second: Index, second_from_first: Transform
+) -> tuple[Array, Array]:
+    """How far [m] parts overlap square to the faces others lie flat on, and the ways out (k, 3).
+
+    Infinite where they have no such faces.
+
+    Args:
+        parts: All parts.
+        first: Some of them (k,).
+        second: Others (k,).
+        second_from_first: Where the first ones are (k,).
+    """
+    own, of_own = parts.normals(first)
+    own = np.einsum("kij,knj->kni", second_from_first.rotation, own)
+    other, of_other = parts.normals(second)
+    ways = np.concatenate([own, -own, other, -other], axis=1)
+    there = np.concatenate([of_own, of_own, of_other, of_other], axis=1)
+    if not ways.shape[1]:
+        return np.full(len(first), np.inf), np.tile([0.0, 0.0, 1.0], (len(first), 1))
+    return _best(parts, first, second, second_from_first, ways, there)
+
+
+def depths(
+    parts: Parts, first: Index, second: Index, second_from_first: Transform
+) -> tuple[Array, Array]:
+    """How far [m] the first parts must go at most to be out of the second, and which way (k, 3).
+
+    The arguments are those of `flat_overlaps`.
+    """
+    found = []
+    for begin in range(0, len(first), _AT_ONCE):
+        some = slice(begin, begin + _AT_ONCE)
+        a, b, pose = first[some], second[some], second_from_first[some]
+        flat, out = flat_overlaps(parts, a, b, pose)
+        apart = pose.apply(parts.centre[a]) - parts.centre[b]
+        length = np.linalg.norm(apart, axis=1)[:, None]
+        apart = np.where(length > 1e-12, apart / np.maximum(length, 1e-12), out)
+        around = np.broadcast_to(_AROUND, (len(a), *_AROUND.shape))
+        ways = np.concatenate([out[:, None], apart[:, None], around], axis=1)
+        least, best = _best(parts, a, b, pose, ways)
+        found.append((np.minimum(least, flat), np.where((flat <= least)[:, None], out, best)))
+    return (
+        np.concatenate([least for least, _ in found]) if found else np.zeros(0),
+        np.concatenate([way for _, way in found]) if found else np.zeros((0, 3)),
+    )
+
+
+def shortest(parts: Parts, first: Index, second: Index, second_from_first: Transform) -> Array:
+    """The same with ways (k,) that are turned until they get no shorter."""
+    least, best = depths(parts, first, second, second_from_first)
+    width = np.full(len(first), 0.35)
+    for _ in range(_ROUNDS if len(first) else 0):
+        tried = best[:, None] + width[:, None, None] * _AROUND
+        tried /= np.linalg.norm(tried, axis=2)[..., None]
+        found, way = _best(parts, first, second, second_from_first, tried)
+        better = found < least
+        least, best = np.where(better, found, least), np.where(better[:, None], way, best)
+        width[~better] *= 0.4
+    return least
+
+
+def _best(
+    parts: Parts,
+    first: Index,
+    second: Index,
+    second_from_first: Transform,
+    ways: Array,
+    there: Array | None = None,
+) -> tuple[Array, Array]:
+    """The least overlap of pairs (k,) in directions (k, n, 3), of those that are there."""
+    count, number, _ = ways.shape
+    every = np.repeat(np.arange(count), number)
+    turned = np.einsum("kji,knj->kni", second_from_first.rotation, ways)
+    a = parts.farthest(first[every], -turned.reshape(-1, 3)).reshape(count, number, 3)
+    b = parts.farthest(second[every], ways.reshape(-1, 3)).reshape(count, number, 3)
+    overlap = np.einsum("kni,kni->kn", b, ways) - np.einsum("kni,kni->kn", a, turned)
+    overlap -= np.einsum("ki,kni->kn", second_from_first.translation, ways)
+    overlap += (parts.radius[first] + parts.radius[second])[:, None]
+    if there is not None:
+        overlap = np.where(there, overlap, np.inf)
+    best = overlap.argmin(axis=1)
+    row = np.arange(count)
+    return overlap[row, best], ways[row, best]

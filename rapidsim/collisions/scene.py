@@ -3,18 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import field
 
 import numpy as np
 import numpy.typing as npt
 
 from rapidsim.collisions.body_distance import Bodies
 from rapidsim.collisions.contact import BodyName
+from rapidsim.collisions.convex import Index
 from rapidsim.collisions.shape import Shape
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.targets import world_from_base_at
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.values import dataclass
+
+STEP_S = 0.016
+"""So often a motion is looked at where nothing is near."""
+SHORTEST_S = 4e-5
+"""A contact begins within this of the instant given."""
+Bodily = int | Index
+"""The number of a body, or of some."""
+_ALL = slice(None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,6 +88,8 @@ class Arm:
     """The arm at some instants (k,) [s]."""
     busy: tuple[tuple[float, float], ...]
     """From when to when [s] it may move."""
+    brief_s: Array = field(default_factory=lambda: np.zeros(0))
+    """The middles of moves that are over within a step."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -92,6 +104,25 @@ class Poses:
     """Shape (k, b, 3)"""
     moves: npt.NDArray[np.int64]
     """Shape (k, r): the move of each robot."""
+
+    def of(self, body: int) -> Transform:
+        """One body in the world (k,)."""
+        return Transform(self.rotation[:, body], self.translation[:, body])
+
+    def seen(self, first: Bodily, second: Bodily, at: Bodily | slice = _ALL) -> Transform:
+        """second_from_first of two bodies, or of some at some instants (k,)."""
+        back = np.swapaxes(self.rotation[at, second], 1, 2)
+        apart = self.translation[at, first] - self.translation[at, second]
+        return Transform(back @ self.rotation[at, first], np.einsum("kij,kj->ki", back, apart))
+
+    def and_also(self, other: Poses) -> Poses:
+        """These and others behind them."""
+        return Poses(
+            np.concatenate([self.times, other.times]),
+            np.concatenate([self.rotation, other.rotation]),
+            np.concatenate([self.translation, other.translation]),
+            np.concatenate([self.moves, other.moves]),
+        )
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations
 
@@ -21,6 +20,7 @@ from rapidsim.collisions.overlap import TOUCH_M
 from rapidsim.files import input_text
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.values import dataclass
 
 FILE_NAME = "self_pairs.toml"
 SEED = 21

@@ -7,7 +7,7 @@ What is not convex is judged by its triangles, each a part, or by the hull of ea
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import StrEnum
 
 import numpy as np
@@ -15,6 +15,7 @@ import numpy as np
 from rapidsim.collisions.convex import ConvexPart
 from rapidsim.collisions.meshes.triangles import Faces, Triangles, components, hollowness
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.values import dataclass
 
 _CONVEX_M = 1e-4
 """A piece that stands out over none of its faces by more is convex."""

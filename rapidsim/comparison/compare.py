@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -27,6 +27,7 @@ from rapidsim.report.run.json_report import course_json
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
 from rapidsim.station.tasks import DEFAULT_TASK
 from rapidsim.syntax.parser import parse
+from rapidsim.values import dataclass
 
 _PATH_STEP_S = 0.024
 _MOST_POINTS = 4000

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from rapidsim.analysis.tree_walk import blocks, clauses
 from rapidsim.comparison.changes import At
 from rapidsim.syntax import tree
 from rapidsim.syntax.printer import print_data, print_expression, print_routine, print_statement
+from rapidsim.values import dataclass
 
 _TOKEN = re.compile(
     r'"(?:[^"]|"")*"|[A-Za-z_]\w*|(?:\d+\.?\d*|\.\d+)(?:[Ee][+-]?\d+)?|\s+|.', re.DOTALL

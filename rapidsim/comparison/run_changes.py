@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from difflib import SequenceMatcher
 from typing import Any, TypeAlias
 
@@ -11,6 +10,7 @@ from rapidsim.comparison.changes import OutputChange, RunChange, TimeChange
 from rapidsim.diagnostics import Severity
 from rapidsim.motion.robot.catalogue import aliases
 from rapidsim.simulation.results.simulation import End
+from rapidsim.values import dataclass
 
 RunJson: TypeAlias = Mapping[str, Any]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from pathlib import Path
 
 from rapidsim.comparison.changes import (
@@ -14,6 +14,7 @@ from rapidsim.comparison.changes import (
     RunChange,
     TimeChange,
 )
+from rapidsim.values import dataclass
 
 _MOST_LINES = 20
 _SHOWN_S = 0.001

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rapidsim.controller.cell.camera_scripts import CameraState
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
 from rapidsim.language.cameras import Camera
 from rapidsim.language.option_data import CameraTarget
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

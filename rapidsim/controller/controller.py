@@ -5,8 +5,6 @@ Each concern has its file here and is given what it uses; what tasks share is th
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rapidsim.controller.cameras import TaskCameras
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.cell.message_queues import QueueSettings
@@ -40,6 +38,7 @@ from rapidsim.controller.triggers import Triggers
 from rapidsim.controller.zones import TaskZones
 from rapidsim.language.controller import Controller
 from rapidsim.language.moves import Place
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,9 +81,7 @@ def virtual_controller(
     interrupts = TaskInterrupts(clock, table)
     execution = TaskExecution(clock, unit, cell, table)
     speeds = SpeedOutputs(unit, cell)
-    guidance = TaskGuidance(
-        clock, unit, cell, resolver, state, journal, lambda: unit.own.planner.limits
-    )
+    guidance = TaskGuidance(clock, unit, cell, resolver, state, journal)
     clock.happenings = (execution, cell, guidance, marks, watched, speeds, interrupts)
     solo = SoloMoves(clock, unit, cell, resolver, table, marks, watched, journal, state)
     others = TaskOthers(clock, unit, cell, resolver, state, journal.task, has_robot)

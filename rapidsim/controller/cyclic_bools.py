@@ -9,12 +9,13 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.journal import Instant, Moment
 from rapidsim.language.reference import Reference
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

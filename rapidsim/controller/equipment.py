@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.language.equipment import Conveyor, MechanicalUnitFacts
 from rapidsim.motion.robot.external_axes import LETTERS
+from rapidsim.values import dataclass
 
 ROBOT_NAME = "ROB_1"
 """What RobName and ROB_ID call the robot of a task."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
@@ -11,6 +10,7 @@ from rapidsim.controller.journal.events import EventKind
 from rapidsim.diagnostics import Source
 from rapidsim.files import decode
 from rapidsim.language.files import FileMode, OpenFile
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,10 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import ClassVar, Final
-
-import numpy as np
 
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.cell.sensors import Sensor, Teller
@@ -20,12 +18,17 @@ from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.journal.stop_reasons import WaitsForever
 from rapidsim.controller.motion_state import MotionState
-from rapidsim.controller.moves.guidance_frames import frames_of, pose_aim
+from rapidsim.controller.moves.guidance_start import (
+    DEFAULT_DATA,
+    AskedGuidance,
+    ExternalMotionData,
+    external_motion_data,
+    started,
+)
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.controller.sensor_streams import SensorStream
 from rapidsim.findings.guidance import NobodyGuides
-from rapidsim.frames.transform import Array
-from rapidsim.language.data import UNUSED_AXIS, EgmMinMax, ExtJoint
 from rapidsim.language.error_numbers import ERR_UDPUC_COMM, rapid_error
 from rapidsim.language.errors import NotAllowed, RapidError
 from rapidsim.language.guidance import (
@@ -37,34 +40,15 @@ from rapidsim.language.guidance import (
     Purpose,
     SensorSetup,
 )
-from rapidsim.motion.guidance.aims import Aim, Band, JointAim
-from rapidsim.motion.guidance.feedback import GuidedFeedback
-from rapidsim.motion.guidance.guided_run import Ended, GuidedRun, Terms
-from rapidsim.motion.guidance.joint_law import CYCLE_S, GuidedAxes, JointMotion, Tuning
+from rapidsim.motion.guidance.feedback import Guided
+from rapidsim.motion.guidance.guided_run import Ended, GuidedRun
+from rapidsim.motion.guidance.joint_law import CYCLE_S
 from rapidsim.motion.guidance.sensor import SensorAnswer
-from rapidsim.motion.timing.axis_limits import Limits
 from rapidsim.motion.trajectory.guided_stretch import GuidedStretch
+from rapidsim.values import dataclass
 
 MOST_IDENTITIES: Final = 4
 """So many a task may have at one time; from memory of ABB's documents."""
-DEFAULT_BAND: Final = EgmMinMax(-0.5, 0.5)
-r"""What \J1 and its like are where nobody says: so near [deg, mm] the robot is there."""
-_ROUNDING = 1e-6
-
-
-@dataclass(frozen=True, slots=True)
-class ExternalMotionData:
-    """A configuration of the type External Motion Interface Data."""
-
-    filters: bool
-    """Level 1 and 2 have a filter of the controller's own; level 0 has none."""
-    gain: float
-    """Kp [1/s]."""
-    bandwidth_hz: float
-
-
-DEFAULT_DATA: Final = ExternalMotionData(filters=True, gain=5.0, bandwidth_hz=20.0)
-"""That of the name `default`, which every controller has; from memory of ABB's documents."""
 
 
 @dataclass(slots=True, eq=False)
@@ -74,6 +58,7 @@ class _Identity:
     data: ExternalMotionData = DEFAULT_DATA
     sensor: Sensor | None = None
     activation: Activation | None = None
+    stream: SensorStream | None = None
 
 
 @dataclass(slots=True, eq=False)
@@ -85,6 +70,8 @@ class _UnderWay:
     told: Teller
     stretch: GuidedStretch
     waits: bool
+    is_let_go: Callable[[], None]
+    """Told when nobody guides the robot any more."""
     cycles: int = 0
 
     @property
@@ -104,6 +91,7 @@ class _UnderWay:
         self.run.give_up_way_back()
         while not self.run.is_over:
             self.step(None)
+        self.is_let_go()
 
 
 @dataclass(slots=True, eq=False)
@@ -117,7 +105,6 @@ class TaskGuidance:
     resolver: Resolver
     state_of_motion: MotionState
     journal: Journal
-    limits: Callable[[], Limits]
     _identities: dict[int, _Identity] = field(default_factory=dict)
     _under_way: _UnderWay | None = None
     _last: tuple[_Identity, Ended] | None = None
@@ -141,7 +128,7 @@ class TaskGuidance:
         if one.state == RUNNING:
             raise NotAllowed("EGMSetupUC: the sensor guides the robot; EGMStop ends that")
         self.clock.come_up()
-        data = self._data(setup.configuration)
+        data = external_motion_data(self.cell.parameters, setup.configuration)
         self._close(one)
         one.setup, one.data, one.activation = setup, data, None
         one.sensor, one.state = self.cell.sensors.open(setup.device), CONNECTED
@@ -156,6 +143,8 @@ class TaskGuidance:
         if one.state == RUNNING:
             raise NotAllowed("the sensor guides the robot; EGMStop ends that")
         one.activation = activation
+        if activation.streams:
+            self._stream(one, activation.sample_s)
 
     def guide(self, identity: int, terms: GuidanceTerms) -> None:
         """Let the sensor guide the robot."""
@@ -193,13 +182,16 @@ class TaskGuidance:
         if under_way is None or under_way.identity is not one:
             return
         under_way.run.stop(goes_back=goes_back, ramp_out_s=ramp_out_s)
+        assert one.sensor is not None
+        one.sensor.stop(goes_back=goes_back, ramp_out_s=ramp_out_s)
         while self._under_way is under_way:
             self.clock.await_event(math.inf)
 
     def stream(self, identity: int, sample_s: float | None) -> None:
         """Tell the sensor where the robot is."""
-        self._connected(identity)
-        del sample_s
+        one, _ = self._connected(identity)
+        self.clock.come_up()
+        self._stream(one, sample_s)
 
     def give_back(self, identity: int) -> None:
         """End all of it and give the identity back."""
@@ -233,13 +225,49 @@ class TaskGuidance:
     def next_s(self) -> float | None:
         """When the next cycle is [s]."""
         self._settle()
-        return None if self._under_way is None else self._under_way.next_s
+        streams = (stream.next_s for _, stream in self._streams())
+        under_way_s = math.inf if self._under_way is None else self._under_way.next_s
+        next_s = min(under_way_s, min(streams, default=math.inf))
+        return None if math.isinf(next_s) else next_s
 
     def pass_next(self, passed_s: float, until_s: float) -> float:
-        """Go on by a cycle."""
+        """Go on by a cycle, or tell a sensor where the robot is."""
         del passed_s, until_s
         under_way = self._under_way
+        for one, stream in self._streams():
+            if under_way is None or stream.next_s <= under_way.next_s:
+                now_s, activation = stream.next_s, one.activation
+                tool = None if activation is None else activation.tool
+                wobj = None if activation is None else activation.wobj
+                stream.tell(self.unit, self.resolver, self.state_of_motion, tool, wobj)
+                return now_s
         assert under_way is not None
+        return self._cycle(under_way)
+
+    def look_from(self, time_s: float) -> None:
+        """Cycles keep their times."""
+
+    # Within.
+
+    def _streams(self) -> list[tuple[_Identity, SensorStream]]:
+        """Who is told where the robot is, the earliest first; a sensor that guides hears it so."""
+        guides = None if self._under_way is None else self._under_way.identity
+        found = [
+            (one, one.stream)
+            for one in self._identities.values()
+            if one.stream is not None and one is not guides
+        ]
+        return sorted(found, key=lambda item: item[1].next_s)
+
+    def _stream(self, one: _Identity, sample_s: float | None) -> None:
+        assert one.sensor is not None
+        one.stream = None
+        if sample_s is not None:
+            one.stream = SensorStream(one.sensor, sample_s, self.clock.observe())
+            self.clock.grant()
+
+    def _cycle(self, under_way: _UnderWay) -> float:
+        """Go on by a cycle; its time [s]."""
         now_s, answer = under_way.next_s, None
         identity, run = under_way.identity, under_way.run
         assert identity.sensor is not None
@@ -259,85 +287,29 @@ class TaskGuidance:
                 raise NotAllowed(str(error))
         return now_s
 
-    def look_from(self, time_s: float) -> None:
-        """Cycles keep their times."""
-
-    # Within.
-
     def _begin(self, one: _Identity, terms: GuidanceTerms) -> None:
-        activation, setup = one.activation, one.setup
-        assert activation is not None
-        assert setup is not None
+        assert one.activation is not None
+        assert one.setup is not None
         assert one.sensor is not None
-        queue, robot = self.unit.own, self.resolver.robot
-        stands, limits = queue.standing(), self.limits()
-        count = len(robot.joints)
-        axes = GuidedAxes(
-            robot.lower,
-            robot.upper,
-            limits.max_speed[:count],
-            limits.max_acceleration[:count],
+        queue = self.unit.own
+        asked = AskedGuidance(one.setup, one.data, one.activation, terms)
+        run, told, stretch = started(
+            asked,
+            self.resolver,
+            self.state_of_motion,
+            queue.planner.limits,
+            queue.standing(),
+            self.clock.observe(),
         )
-        frames = frames_of(self.resolver, self.state_of_motion, activation, stands)
-        run = GuidedRun(
-            JointMotion(axes, stands.joints.copy(), np.zeros(count)),
-            self._aim(one, activation, terms, stands.joints),
-            Tuning(one.data.gain * terms.gain, math.radians(activation.max_speed)),
-            Terms(
-                terms.condition_s,
-                terms.ramp_in_s,
-                setup.silence_s,
-                terms.goes_back,
-                terms.ramp_out_s,
-            ),
-        )
-        first = math.ceil(self.clock.observe() / CYCLE_S - _ROUNDING)
-        told = Teller(
-            first * CYCLE_S,
-            max(1, round(activation.sample_s / CYCLE_S)),
-            GuidedFeedback(frames, _used(self.resolver.ext_joint(stands.external))),
-        )
-        stretch = GuidedStretch(
-            told.first_s,
-            CYCLE_S,
-            robot.forward,
-            frames.tcp_from_flange,
-            stands.external,
-            stands.joints,
-        )
-        self._under_way = _UnderWay(one, run, told, stretch, terms.waits)
+        self._under_way = _UnderWay(one, run, told, stretch, terms.waits, self._settle)
         self._last = None
         queue.guide(self._under_way)
         one.state = RUNNING
         one.sensor.begin(run, told)
-        self.clock.event(EventKind.GUIDANCE, f"guided by {setup.device}", device=setup.device)
+        device = one.setup.device
+        self.clock.event(EventKind.GUIDANCE, f"guided by {device}", device=device)
         self.clock.tell()
         self.clock.grant()
-
-    def _aim(
-        self, one: _Identity, activation: Activation, terms: GuidanceTerms, start: Array
-    ) -> Aim:
-        filters = [activation.filter_hz]
-        if one.data.filters:
-            filters.append(one.data.bandwidth_hz)
-        count = len(start) if activation.frames is None else 6
-        chosen = np.array(terms.chosen[:count])
-        bands = np.array([band or DEFAULT_BAND for band in activation.bands[:count]])
-        if not chosen.any():
-            chosen = np.ones(count, dtype=bool)
-        if activation.frames is None:
-            lowest, highest = np.radians(bands).T
-            return JointAim(Band(chosen, lowest, highest), tuple(filters), start)
-        return pose_aim(
-            self.resolver,
-            self.unit.own.standing(),
-            self.state_of_motion,
-            activation,
-            terms.offset,
-            bands,
-            chosen,
-            tuple(filters),
-        )
 
     def _await(self, one: _Identity) -> None:
         """Wait until the guidance of an identity has ended."""
@@ -362,8 +334,11 @@ class TaskGuidance:
             return
         identity, ended = under_way.identity, under_way.run.ended or Ended.STOPPED
         assert identity.sensor is not None
-        identity.sensor.exchange(under_way.told.feedback(under_way.run, under_way.next_s))
-        identity.sensor.end()
+        identity.sensor.end(under_way.told.feedback(under_way.run, under_way.next_s))
+        if identity.stream is not None:
+            failed = ended in (Ended.SILENT, Ended.OUT_OF_REACH)
+            identity.stream.guided = Guided.FAILED if failed else Guided.STOPPED
+            identity.stream.next_s = under_way.next_s
         if ended is Ended.SILENT and not under_way.run.has_heard:
             assert identity.setup is not None
             told = NobodyGuides(identity.setup.device)
@@ -397,35 +372,7 @@ class TaskGuidance:
             raise NotAllowed("no sensor is connected with the EGM identity; EGMSetupUC comes first")
         return one, one.setup
 
-    def _data(self, name: str) -> ExternalMotionData:
-        """A configuration of External Motion Interface Data by name."""
-        known = self.cell.parameters.instances("MOC", "EXT_MOTION_DATA") or ()
-        for one in known:
-            if one.get("name", "").lower() == name.lower():
-                return ExternalMotionData(
-                    one.get("ext_motion_level", "1") != "0",
-                    _number(one.get("ext_motion_kp"), DEFAULT_DATA.gain),
-                    _number(one.get("ext_motion_filter_bandwidth"), DEFAULT_DATA.bandwidth_hz),
-                )
-        if name.lower() == "default" or not known:
-            return DEFAULT_DATA
-        raise NotAllowed(f"EGMSetupUC: MOC.cfg has no External Motion Interface Data `{name}`")
-
     def _close(self, one: _Identity) -> None:
         if one.sensor is not None:
             one.sensor.close()
-        one.sensor, one.state = None, DISCONNECTED
-
-
-def _used(external: ExtJoint) -> tuple[float, ...]:
-    """The external axes that are there [deg, mm]."""
-    return tuple(value for value in external if value != UNUSED_AXIS)
-
-
-def _number(text: str | None, otherwise: float) -> float:
-    """A parameter of the configuration; what is no number that can be is as if it were missing."""
-    try:
-        value = float(text or "")
-    except ValueError:
-        return otherwise
-    return value if 0.0 <= value < math.inf else otherwise
+        one.sensor, one.stream, one.state = None, None, DISCONNECTED

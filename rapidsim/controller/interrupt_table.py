@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from rapidsim.controller.journal.stop_reasons import TrapStorm
 from rapidsim.language.error_log import LoggedError
@@ -17,6 +17,7 @@ from rapidsim.language.error_numbers import ERR_INOISSAFE, ERR_UNKINO, rapid_err
 from rapidsim.language.errors import RapidError
 from rapidsim.language.messages import Message, MessageKind
 from rapidsim.language.reference import Reference
+from rapidsim.values import dataclass
 
 MIN_TIMER_PERIOD_S = 0.1
 """The shortest period ITimer takes when it repeats."""

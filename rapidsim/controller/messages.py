@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.cell.message_queues import MessageQueue, Put, QueueMode
@@ -15,6 +14,7 @@ from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.journal.stop_reasons import WaitsForever
 from rapidsim.findings.runs import MessageDiscarded
 from rapidsim.language.messages import Message, MessageKind, Slot
+from rapidsim.values import dataclass
 
 _SHOWN = 60
 """Characters of a message that an event shows."""

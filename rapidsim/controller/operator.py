@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from typing import TypeVar
 
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.cell.operator import Operator, OperatorAnswer
+from rapidsim.controller.cell.pendant import AnswerValue, Pendant
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.journal.journal import Journal
+from rapidsim.values import dataclass
 
 T = TypeVar("T")
 
@@ -31,28 +33,67 @@ class TaskOperator:
         """Remove all lines from the FlexPendant."""
         self.clock.event(EventKind.TEXT, "", cleared=True)
 
+    @contextmanager
+    def asking(self, instruction: str) -> Iterator[None]:
+        """While an instruction asks; afterwards its question stands no longer."""
+        pendant, task = self.cell.pendant, self.journal.task
+        if pendant is None:
+            yield
+            return
+        pendant.begin(task, instruction)
+        try:
+            yield
+        finally:
+            pendant.withdraw(task)
+
+    @property
+    def has_answered(self) -> bool:
+        """Whether an answer has come to the question that waits."""
+        pendant = self.cell.pendant
+        return pendant is not None and pendant.has_answer(self.journal.task)
+
     def ask_number(self, prompt: str, *, ends: bool = False) -> float | None:
         """The operator's answer to a question; None where nobody sits and it ends otherwise."""
-        return self._told(prompt, self._operator().number(prompt, ends=ends), "{:g}".format)
+        return self._told(
+            prompt,
+            lambda there: there.number(prompt, ends=ends),
+            lambda pendant: pendant.ask(self.journal.task, prompt, float),
+            "{:g}".format,
+        )
 
     def ask_choice(self, prompt: str, choices: Sequence[str], *, ends: bool = False) -> int | None:
         """Index of the key the operator presses; the first that is there, where nobody sits."""
-        answer = self._operator().choice(prompt, choices, ends=ends)
-        return self._told(prompt, answer, lambda index: choices[index])
+        return self._told(
+            prompt,
+            lambda there: there.choice(prompt, choices, ends=ends),
+            lambda pendant: pendant.ask(self.journal.task, prompt, int, choices),
+            lambda index: choices[index],
+        )
 
     def ask_text(self, prompt: str, proposal: str, *, ends: bool = False) -> str | None:
         """A text the operator types; the proposal, where nobody sits."""
-        return self._told(prompt, self._operator().text(prompt, proposal, ends=ends), str)
-
-    def _operator(self) -> Operator:
-        """Whoever answers, asked at a time that is known."""
-        self.clock.observe()
-        return self.cell.operator
+        return self._told(
+            prompt,
+            lambda there: there.text(prompt, proposal, ends=ends),
+            lambda pendant: pendant.ask(self.journal.task, prompt, str, (), proposal),
+            str,
+        )
 
     def _told(
-        self, prompt: str, answer: OperatorAnswer[T] | None, text: Callable[[T], str]
+        self,
+        prompt: str,
+        asked: Callable[[Operator], OperatorAnswer[T] | None],
+        on_pendant: Callable[[Pendant], AnswerValue | None],
+        text: Callable[[T], str],
     ) -> T | None:
-        """The answer; question and answer are an event."""
+        """The answer, asked for at a time that is known; question and answer are an event."""
+        self.clock.observe()
+        answer: OperatorAnswer[T] | None
+        if self.cell.pendant is None:
+            answer = asked(self.cell.operator)
+        else:
+            value = on_pendant(self.cell.pendant)
+            answer = None if value is None else OperatorAnswer(value)  # type: ignore[arg-type]
         if answer is None:
             self.clock.event(EventKind.TEXT, prompt, prompt=prompt)
             return None

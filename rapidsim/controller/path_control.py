@@ -7,8 +7,6 @@ is our reading of the examples, which ask for the position right after it.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.path_marks import PathMarks
@@ -18,6 +16,7 @@ from rapidsim.language.error_numbers import (
     ERR_PATHDIST,
     rapid_error,
 )
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

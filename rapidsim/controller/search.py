@@ -9,7 +9,7 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
@@ -25,6 +25,7 @@ from rapidsim.language.error_numbers import (
 )
 from rapidsim.language.moves import Flank, Move, SearchStop
 from rapidsim.motion.configurations.targets import rob_joint
+from rapidsim.values import dataclass
 
 LOOK_S = 0.012
 """How often a persistent is looked at."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.cell.network import NetworkConnection, NetworkPort
@@ -16,6 +16,7 @@ from rapidsim.controller.journal.stop_reasons import WaitsForever
 from rapidsim.findings.sockets import NobodyAnswers, NobodyConnects
 from rapidsim.language.error_numbers import ERR_SOCK_CLOSED, rapid_error
 from rapidsim.language.sockets import Connection, Listener
+from rapidsim.values import dataclass
 
 _CURE = (
     "a [[socket]] of rapidsim.toml plays the other end, `--allow-network` lets a real one in, "

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Protocol
 
 from rapidsim.controller.cell.cell import Cell
@@ -25,6 +24,7 @@ from rapidsim.language.error_log import CORNER_PATH_FAILURE
 from rapidsim.language.error_numbers import ERR_CONC_MAX, rapid_error
 from rapidsim.language.errors import NotAllowed
 from rapidsim.language.moves import Move
+from rapidsim.values import dataclass
 
 MAX_CONCURRENT_MOVES = 5
 r"""So many moves with \Conc may follow each other."""

@@ -7,7 +7,6 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -29,6 +28,7 @@ from rapidsim.language.path_events import (
     SetOutput,
     Trigger,
 )
+from rapidsim.values import dataclass
 
 _MM = 1e-3
 RAMP_STEP_S = 0.012

@@ -6,8 +6,6 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.events import EventKind
@@ -17,6 +15,7 @@ from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.zone_table import WatchedZone, WorldZoneTable
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.path_events import ZoneShape
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,10 +13,11 @@ from __future__ import annotations
 import math
 import struct
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from enum import Enum
 from types import MappingProxyType
 from typing import Any, Final, TypeAlias
+
+from rapidsim.values import dataclass
 
 Fields: TypeAlias = Mapping[str, Any]
 """A message: values by the names of its fields; what is not there was not sent."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -12,6 +11,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
+from rapidsim.values import dataclass
 
 DEFAULT_DT = 0.012
 """[s]"""

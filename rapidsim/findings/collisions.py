@@ -9,7 +9,8 @@ class Collision(Violation, code="C101"):
     first: str
     second: str
     time_s: float
-    depth_mm: float
+    deep: str
+    """How deep, where that was looked for."""
     also: str
     """The others that hit the same on that move; empty for none."""
 

@@ -6,7 +6,6 @@ Every derivative is with respect to the path parameter; the product rule does th
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -14,6 +13,7 @@ import numpy.typing as npt
 
 from rapidsim.frames.rotation_vectors import cross, rotate, rotation_from_vector
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.values import dataclass
 
 Index = npt.NDArray[np.int64]
 

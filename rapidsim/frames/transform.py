@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
+
+from rapidsim.values import dataclass
 
 Array = npt.NDArray[np.float64]
 _ALL = slice(None)

@@ -9,11 +9,11 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Iterable
-from dataclasses import dataclass
 from pathlib import Path
 
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError, input_text
+from rapidsim.values import dataclass
 
 _SCHEMA = 1
 _OF_TIME = "DR"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from os import PathLike
 from typing import TYPE_CHECKING
 
@@ -31,6 +31,8 @@ from rapidsim.reach.checked_moves import Coverage, ReachReport, UncheckedMove
 from rapidsim.reach.dataflow.written_moves import written_moves
 from rapidsim.station.tasks import DEFAULT_TASK
 from rapidsim.syntax import tree
+from rapidsim.syntax.collection import seldom_collected
+from rapidsim.values import dataclass
 
 if TYPE_CHECKING:
     from rapidsim.motion.robot.robot import Robot
@@ -110,6 +112,7 @@ def check(
     return result if baseline is None else result.against(read_baseline(baseline).known)
 
 
+@seldom_collected()
 def check_job(job: Job) -> CheckResult:
     """Check what is to be checked, with the rules that are asked for and those of the settings."""
     asked, station = job.asked, job.station

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.passes.checker import Find, check
@@ -13,6 +13,7 @@ from rapidsim.files import SourceFile, TaskFiles
 from rapidsim.jobs.late_references import program_with_late_references
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -6,12 +6,12 @@ A station is looked for here and nowhere else.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rapidsim.files import backup_folders, seen_from_here
 from rapidsim.station.station import Station, find_station
+from rapidsim.values import dataclass
 
 if TYPE_CHECKING:
     from rapidsim.motion.robot.robot import Robot

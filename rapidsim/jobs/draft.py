@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from rapidsim.analysis.names.signal_violations import UnknownSignal
@@ -31,6 +31,7 @@ from rapidsim.station.station import FILE_NAME, Station
 from rapidsim.station.task_kind import TaskKind
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse
+from rapidsim.values import dataclass
 
 _COMMENT = re.compile(r"!.*")
 _NAME = re.compile(r"[A-Za-z]\w*")

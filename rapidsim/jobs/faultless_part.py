@@ -8,7 +8,6 @@ sees, nothing is left to look at.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from rapidsim.analysis.cell_names import CellNames
 from rapidsim.analysis.passes.checker import check
@@ -18,6 +17,7 @@ from rapidsim.analysis.tree_walk import clauses, descendants, statements
 from rapidsim.diagnostics import Severity, Span
 from rapidsim.jobs.checked_program import Loaded
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

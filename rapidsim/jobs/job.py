@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -21,6 +21,7 @@ from rapidsim.jobs.selection import choose_settings
 from rapidsim.jobs.task_files import chosen_tasks
 from rapidsim.station.cell_names import declared_names
 from rapidsim.station.station import Station
+from rapidsim.values import dataclass
 
 if TYPE_CHECKING:
     from rapidsim.motion.robot.robot import Robot

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.program import DataSymbol, Program
@@ -15,6 +14,7 @@ from rapidsim.jobs.checked_program import load_task
 from rapidsim.reach.dataflow.side_effects import ProgramEffects
 from rapidsim.reach.dataflow.written_moves import written_moves
 from rapidsim.station.tasks import DEFAULT_TASK
+from rapidsim.values import dataclass
 
 
 class SharedPersistentTypes(Violation, code="N208"):

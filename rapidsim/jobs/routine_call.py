@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from rapidsim.analysis.passes.checker import check
 from rapidsim.analysis.program import ParameterSymbol, Program, RoutineSymbol
@@ -26,6 +26,7 @@ from rapidsim.library.text import MAX_STRING, source_text
 from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse
+from rapidsim.values import dataclass
 
 _MODULE = "rapidsim_calls"
 _OUT = (Mode.INOUT, Mode.VAR, Mode.PERS)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import chain, count
 from os import PathLike, fspath
 from pathlib import Path
@@ -29,6 +29,7 @@ from rapidsim.simulation.progress import Progress
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.simulate import run_tasks
 from rapidsim.simulation.task_run import TaskSetup
+from rapidsim.values import dataclass
 
 _UNATTENDED = {"CI", "PYTEST_CURRENT_TEST"}
 """Variables of the environment that say that nobody looks at the home folder."""

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from fnmatch import fnmatch
 from pathlib import Path, PurePath
 
 from rapidsim.diagnostics import Diagnostic, Rule
 from rapidsim.jobs.selectors import expect_rules, is_selected
 from rapidsim.station.check import CheckSettings, find_project_settings
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from itertools import starmap
 from multiprocessing import get_context
@@ -27,6 +27,7 @@ from rapidsim.jobs.run_files import LoadedJob, ProgramRejectedError, executed, l
 from rapidsim.motion.geometry.curves import Index
 from rapidsim.reach.placements import reach_from
 from rapidsim.station.robot import StationRobot
+from rapidsim.values import dataclass
 
 _MM_PER_M = 1000.0
 _POSITION = ("base.x", "base.y", "base.z")

@@ -21,7 +21,6 @@ part of the signature. Python's `max_time` is RAPID's `MaxTime`; `X | Y` takes e
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from enum import Enum
 from typing import Annotated, Any, TypeVar
 
@@ -35,6 +34,7 @@ from rapidsim.language.path_events import Trigger, ZoneShape
 from rapidsim.language.reference import Reference
 from rapidsim.language.sockets import SocketState
 from rapidsim.language.symbols import DataName
+from rapidsim.values import dataclass
 
 T = TypeVar("T")
 

@@ -178,6 +178,15 @@ class Operator(Protocol):
         """Remove all lines."""
         ...
 
+    def asking(self, instruction: str) -> AbstractContextManager[None]:
+        """While an instruction asks; afterwards its question stands no longer."""
+        ...
+
+    @property
+    def has_answered(self) -> bool:
+        """Whether somebody came since None was answered: the same question has an answer now."""
+        ...
+
     def ask_number(self, prompt: str, *, ends: bool = False) -> float | None:
         """The operator's answer to a question; never hangs where nobody sits.
 

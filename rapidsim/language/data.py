@@ -8,10 +8,11 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Annotated, NamedTuple
 
 from rapidsim.language import types
+from rapidsim.values import dataclass
 
 UNUSED_AXIS = 8999999488.0
 """An external axis that is not connected: 9E9, as the single that `num` makes of it."""

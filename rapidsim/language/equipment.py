@@ -2,13 +2,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Protocol, TypeAlias
 
+from rapidsim.values import dataclass
+
+
+class Attributes(Mapping[str, str]):
+    """Attributes of an instance of system parameters: as written, compared without case."""
+
+    __slots__ = ("_by_key", "_names")
+
+    def __init__(self, written: Mapping[str, str]) -> None:
+        """Keep them in their order; of two that are written alike, the later one counts."""
+        self._names = {name.lower(): name for name in written}
+        self._by_key = {name.lower(): value for name, value in written.items()}
+
+    def __getitem__(self, name: str) -> str:
+        return self._by_key[name.lower()]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._names.values())
+
+    def __len__(self) -> int:
+        return len(self._names)
+
+    def with_value(self, name: str, value: str) -> Attributes:
+        """The same with another value of an attribute, or with a further one."""
+        return Attributes({**self, self._names.get(name.lower(), name): value})
+
+
 Configured: TypeAlias = Mapping[str, Mapping[str, Sequence[Mapping[str, str]]]]
-"""System parameters: by domain and type in upper case, the instances of each; attributes in lower
-case. An attribute that is a switch is "true"."""
+"""System parameters: by domain and type in upper case, the instances of each. An attribute that is
+a switch is "true"."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ gives them: 80001 is number 1 of domain 8.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from rapidsim.values import dataclass
 
 ANY = 0.0
 """COMMON_ERR among domains, TYPE_ALL among types."""

@@ -5,11 +5,11 @@ Everything is in RAPID's units: mm, degrees, seconds.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum, auto
 from typing import Final, Protocol
 
 from rapidsim.language.data import EgmMinMax, Pose, ToolData, WobjData
+from rapidsim.values import dataclass
 
 DISCONNECTED: Final = 0.0
 CONNECTED: Final = 1.0

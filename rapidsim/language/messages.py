@@ -9,10 +9,10 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Protocol
 
 from rapidsim.language.types import Type
+from rapidsim.values import dataclass
 
 NO_USER_DEF = -1.0
 r"""What \UserDef gives of a message that was sent without it."""

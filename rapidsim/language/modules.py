@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Protocol
 
 from rapidsim.diagnostics import Source
 from rapidsim.language.errors import RapidError
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

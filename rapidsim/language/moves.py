@@ -6,7 +6,7 @@ Everything is in RAPID's units.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import Enum
 
 from rapidsim.diagnostics import Span
@@ -29,6 +29,7 @@ from rapidsim.language.data import (
     WobjData,
     ZoneData,
 )
+from rapidsim.values import dataclass
 
 LEAST_RAMP_PERCENT = 10.0
 CONFIGURATION_LIMITS_DEG = (30.0, 180.0, 90.0)

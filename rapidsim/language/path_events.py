@@ -6,10 +6,10 @@ Everything is in RAPID's units.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from rapidsim.language.data import JointTarget, Pos
 from rapidsim.language.reference import Reference
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

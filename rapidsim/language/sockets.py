@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Final, Protocol
+
+from rapidsim.values import dataclass
 
 CREATED: Final = 1.0
 CONNECTED: Final = 2.0

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Protocol
 
 from rapidsim.language.types import Type
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

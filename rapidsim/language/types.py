@@ -8,9 +8,11 @@ Source: Technical reference manual RAPID Kernel, "Data types"; RAPID Overview, "
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import Enum
 from typing import TypeAlias
+
+from rapidsim.values import dataclass
 
 
 class Kind(Enum):

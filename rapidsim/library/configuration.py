@@ -12,7 +12,6 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from rapidsim.language.annotations import (
     ArgumentType,
@@ -34,6 +33,7 @@ from rapidsim.language.reference import Reference
 from rapidsim.language.types import BOOL, NUM, STRING, Type, resolved
 from rapidsim.library.table import routine, table
 from rapidsim.library.text import dnum_text, parsed_number
+from rapidsim.values import dataclass
 
 END_OF_LIST = -1.0
 """The constant of that name."""

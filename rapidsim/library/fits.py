@@ -8,7 +8,6 @@ relate two sets of vectors.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from rapidsim.language.annotations import Num, Pers, Var
@@ -18,6 +17,7 @@ from rapidsim.language.error_numbers import ERR_FRAME, rapid_error
 from rapidsim.language.reference import Reference
 from rapidsim.library.poses import from_axes, single_pos, unit
 from rapidsim.library.table import routine, table
+from rapidsim.values import dataclass
 
 if TYPE_CHECKING:
     from rapidsim.frames.transform import Array

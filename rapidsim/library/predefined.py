@@ -10,7 +10,6 @@ values a RobotWare controller declares in its base and user modules.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Final
 
@@ -31,6 +30,7 @@ from rapidsim.language.records import RECORD_CLASSES, record_of
 from rapidsim.language.single import single
 from rapidsim.language.types import Alias, Type
 from rapidsim.library.named_numbers import ENUMERATIONS
+from rapidsim.values import dataclass
 
 ERRSTR_TASK: Final = "ERRSTR_TASK"
 ERRSTR_CONTEXT: Final = "ERRSTR_CONTEXT"

@@ -1,6 +1,7 @@
 r"""Questions that end without an answer: \MaxTime, \DIBreak, \DOBreak, \PersBoolBreak.
 
-Who answers does so at once. Where nobody does, the question stands until what ends it happens; then
+Who answers does so at once; at a controller that stays on, whenever somebody comes. Where nobody
+does, the question stands until what ends it happens; then
 \BreakFlag says what did, or without one it is an error. A condition that holds already ends the
 question before it is asked.
 
@@ -84,16 +85,23 @@ def answered(
     """
     flag, max_time = breaks.get("break_flag"), breaks.get("max_time")
     ends = list(_ends(controller.signals, breaks))
+    operator = controller.operator
     found = _happened(ends)
     if found is None:
-        value = ask(bool(ends) or max_time is not None)
+        with operator.asking(name):
+            value = ask(bool(ends) or max_time is not None)
+            if value is None:
+                controller.signals.wait_until(
+                    lambda: operator.has_answered or _happened(ends) is not None,
+                    max_time=max_time,
+                    poll_s=_LOOKS_EVERY_S,
+                )
+            if operator.has_answered:
+                value = ask(True)
         if value is not None:
             if flag is not None:
                 flag.value = 0.0
             return value
-        controller.signals.wait_until(
-            lambda: _happened(ends) is not None, max_time=max_time, poll_s=_LOOKS_EVERY_S
-        )
         timeout = (ERR_TP_MAXTIME, f"nobody answered within {max_time or 0.0:g} s")
         found = _happened(ends) or timeout
     errno, happened = found

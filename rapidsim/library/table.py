@@ -12,7 +12,7 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from types import MappingProxyType, NoneType, UnionType
 from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
@@ -25,6 +25,7 @@ from rapidsim.language.reference import Reference
 from rapidsim.language.types import Type
 from rapidsim.library.precision import in_single
 from rapidsim.library.traits import LIMITS, NOTHING, Does, derived
+from rapidsim.values import dataclass
 
 _SPELLINGS = {
     "id": "ID",

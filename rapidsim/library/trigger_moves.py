@@ -43,8 +43,8 @@ def _trigg(name: str, way: Interpolation) -> Callable[..., None]:
         tool: Pers[ToolData],
         **options: Unpack[TriggerOptions],
     ) -> None:
-        triggers = _triggers(name, trigg_1, options)
-        move = asked(controller, name, way, to_point, speed, zone, tool, options)
+        triggers, sync_id = _triggers(name, trigg_1, options), options.pop("id_", None)
+        move = asked(controller, name, way, to_point, speed, zone, tool, options, sync_id)
         controller.motion.move(move, triggers)
 
     return body
@@ -61,9 +61,9 @@ def trigg_abs_j(
 ) -> None:
     """Move all axes together to axis positions, with triggers on the way."""
     name, way = "TriggAbsJ", Interpolation.AXES
-    triggers = _triggers(name, trigg_1, options)
+    triggers, sync_id = _triggers(name, trigg_1, options), options.pop("id_", None)
     to = with_offsets(controller.motion, to_joint_pos, wanted=not options.get("no_eoffs"))
-    move = asked(controller, name, way, to, speed, zone, tool, options)
+    move = asked(controller, name, way, to, speed, zone, tool, options, sync_id)
     controller.motion.move(move, triggers)
 
 

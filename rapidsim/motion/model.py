@@ -7,9 +7,11 @@ is scaled from arms that were (`robot/dynamics.py`). Every summary of a run prin
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from types import MappingProxyType
 from typing import Literal
+
+from rapidsim.values import dataclass
 
 BlendShape = Literal["abb", "c2", "parabola"]
 OrientationZone = Literal["own", "position", "programmed"]

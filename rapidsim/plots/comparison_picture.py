@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.artist import Artist
@@ -28,6 +27,7 @@ from rapidsim.plots.look import Theme, new_figure
 from rapidsim.simulation.results.line_instead import LineInstead, line_instead, segments_of
 from rapidsim.simulation.results.sampling import SampledRun
 from rapidsim.simulation.results.simulation import RobotRun
+from rapidsim.values import dataclass
 
 _POINTS = 101
 _MOST_ROWS = 3

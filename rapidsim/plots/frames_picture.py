@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from matplotlib.figure import Figure
 
@@ -11,6 +10,7 @@ from rapidsim.language.data import IDENTITY_POSE, Pose, RobTarget
 from rapidsim.plots.drawn import target_name, title_of
 from rapidsim.plots.look import Theme, new_figure
 from rapidsim.simulation.results.sampling import SampledRun
+from rapidsim.values import dataclass
 
 _MOST_TARGETS = 12
 """Of one work object; the others are counted."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any
 
@@ -17,6 +16,7 @@ from matplotlib.patheffects import withStroke
 
 from rapidsim.frames.transform import Array
 from rapidsim.language.moves import Interpolation
+from rapidsim.values import dataclass
 
 DPI = 144
 _SHORTEST_S = 1e-3

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -37,6 +36,7 @@ from rapidsim.reach.dataflow.circle_modes import led_by_wrist, may_be_led_by_wri
 from rapidsim.reach.dataflow.known_moves import KnownMove
 from rapidsim.reach.move_segments import segments_of
 from rapidsim.reach.target_poses import PosedMoves
+from rapidsim.values import dataclass
 
 MOST_SEARCHED = 40
 """Targets for which an arm without a closed form is searched; the others are left to a run."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 import numpy as np
 
@@ -41,6 +41,7 @@ from rapidsim.reach.arm_configurations import (
 from rapidsim.reach.move_segments import segments_of
 from rapidsim.reach.target_poses import PosedMoves
 from rapidsim.reach.wording import confdata_fix, target_span, target_text
+from rapidsim.values import dataclass
 
 _SAME_JOINTS = 1e-3
 _STANDSTILL = 1e-5

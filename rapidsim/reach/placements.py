@@ -7,7 +7,6 @@ looked at.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -24,6 +23,7 @@ from rapidsim.reach.dataflow.circle_modes import may_be_led_by_wrist
 from rapidsim.reach.dataflow.interpretation import walk_program
 from rapidsim.reach.dataflow.known_moves import KnownMove
 from rapidsim.reach.target_poses import posed
+from rapidsim.values import dataclass
 
 _BATCH = 8192
 """Poses solved at once."""

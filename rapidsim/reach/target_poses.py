@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -16,6 +15,7 @@ from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.dataflow.circle_modes import led_by_wrist
 from rapidsim.reach.dataflow.known_moves import KnownMove
+from rapidsim.values import dataclass
 
 FRAME_WITHOUT_ORIENTATION = "the frame of the tool or the work object has no orientation"
 """Why moves are left out that no run can place either."""

@@ -7,7 +7,7 @@ on, but not at a stored configuration that cannot be had: the moves after it are
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -26,6 +26,7 @@ from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.simulation.simulate import simulate
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 LONGEST_RUN_S = 120.0
 """Virtual time after which the run of a check is over."""

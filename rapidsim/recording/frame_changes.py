@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -11,6 +10,7 @@ from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.frames.transform import Transform
 from rapidsim.language.data import Pose
 from rapidsim.motion.configurations.targets import transform
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

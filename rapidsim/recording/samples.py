@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Array, Transform
@@ -15,6 +13,7 @@ from rapidsim.recording.transforms import BASE, FOOT
 from rapidsim.simulation.results.relative_motion import is_on_track
 from rapidsim.simulation.results.sampling import SampledRun, sampled
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
+from rapidsim.values import dataclass
 
 DEFAULT_DT = 0.012
 """[s]; the beat at which a controller itself computes its path."""

@@ -7,13 +7,13 @@ counted together, in the order they begin.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 import rerun as rr
 
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.frames.transform import Array
+from rapidsim.values import dataclass
 
 SIM_TIME = "sim_time"
 MOVE = "move"

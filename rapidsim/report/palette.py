@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass, fields
+from dataclasses import fields
 
 from rapidsim.diagnostics import Severity
+from rapidsim.values import dataclass
 
 _RESET = "\x1b[0m"
 

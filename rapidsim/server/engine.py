@@ -17,6 +17,7 @@ from rapidsim.server.journal import (
     log_line,
     refusal_line,
     request_line,
+    sensor_line,
     switched_off_line,
     switched_on_line,
 )
@@ -36,6 +37,7 @@ from rapidsim.server.messages import (
 )
 from rapidsim.server.resources.context import Context
 from rapidsim.server.resources.table import answered
+from rapidsim.server.sensors import NotedSensors
 from rapidsim.server.watched import Subscriptions
 from rapidsim.server.wire import NotedWire
 from rapidsim.simulation.live.controller import LiveController
@@ -74,21 +76,22 @@ class WallPace:
     """So many virtual seconds pass in a second on the wall."""
 
     speed: float
-    _began_s: float = 0.0
+    began_s: float = 0.0
+    """When it began [s]."""
 
     def begin(self) -> None:
         """The clock on the wall counts from now."""
-        self._began_s = monotonic()
+        self.began_s = monotonic()
 
     def horizon_s(self) -> float:
         """As far as the clock on the wall has come."""
-        return (monotonic() - self._began_s) * self.speed
+        return (monotonic() - self.began_s) * self.speed
 
     def wait_s(self, virtual_s: float) -> float | None:
         """Until the clock on the wall is there."""
         if math.isinf(virtual_s):
             return None
-        return max(0.0, self._began_s + virtual_s / self.speed - monotonic())
+        return max(0.0, self.began_s + virtual_s / self.speed - monotonic())
 
     def asked(self) -> None:
         """Time passes by itself."""
@@ -128,6 +131,8 @@ class LockStep:
 
     request_s: float
     """So much before each request."""
+    answered_s: float = 0.0
+    """So much the answers of sensors have let pass."""
     _requests: int = 0
 
     def begin(self) -> None:
@@ -135,7 +140,7 @@ class LockStep:
 
     def horizon_s(self) -> float:
         """As far as the requests so far let it come."""
-        return self._requests * self.request_s
+        return self._requests * self.request_s + self.answered_s
 
     def wait_s(self, virtual_s: float) -> float | None:
         """Until the next request."""
@@ -175,6 +180,10 @@ class Engine:
         self._note(lambda: switched_on_line(self.live.motors, self.live.mode))
         if self.journal is not None:
             self.live.happened = lambda event: self._note(lambda: event_line(event))
+            if isinstance(self.live.sensors, NotedSensors):
+                self.live.sensors.answered = lambda number, time_s, answer: self._note(
+                    lambda: sensor_line(time_s, number, answer)
+                )
             if isinstance(self.live.wire, NotedWire):
                 self.live.wire.refused = lambda act, error: self._note(
                     lambda: refusal_line(self.live.now_s, act, error)
@@ -211,6 +220,13 @@ class Engine:
             self._note(lambda line=line: line)  # type: ignore[misc]
         self.subscriptions.look()
         return reply
+
+    def sensor_answered(self, passed_s: float) -> None:
+        """A sensor has answered, which in lock-step lets a little time pass [s]."""
+        if isinstance(self.pace, LockStep):
+            self.pace.answered_s += passed_s
+            self.live.advance(self.pace.horizon_s())
+            self.subscriptions.look()
 
     def _replied(self, message: Message) -> Reply:
         try:

@@ -7,16 +7,18 @@ give the same lines again, byte for byte. No line knows a clock on the wall, a p
 from __future__ import annotations
 
 import json
+import math
 from base64 import b64decode, b64encode
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import asdict, fields
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 from rapidsim.controller.journal.events import Event
 from rapidsim.files import InputError
 from rapidsim.language.errors import RapidError
+from rapidsim.motion.guidance.sensor import SensorAnswer
 from rapidsim.server.messages import (
     FromNetwork,
     Message,
@@ -30,9 +32,12 @@ from rapidsim.server.messages import (
 from rapidsim.simulation.live.event_log import LogEntry
 from rapidsim.simulation.live.states import Mode, Motors
 from rapidsim.simulation.results.event_values import event_record, written
+from rapidsim.values import dataclass
 
 NETWORK: Final = "network"
 """The kind of an event that a peer of a program's socket brings about."""
+SENSOR: Final = "egm"
+"""The kind of a line that is what a sensor has answered."""
 REFUSED: Final = "network-refused"
 """The kind of an event that is an error of a program's socket."""
 _MOST_LINE: Final = 128 * 2**20
@@ -63,6 +68,8 @@ class RecordedLife:
     recorded: tuple[Recorded, ...]
     refusals: Mapping[int, tuple[float, str]]
     """Error number and message of what the network refused, by the number of the act."""
+    answers: Mapping[int, SensorAnswer]
+    """What sensors answered, by the number of the exchange."""
     end_s: float
     """When the controller was switched off, or the last line."""
     lines: tuple[str, ...]
@@ -105,6 +112,12 @@ def refusal_line(time_s: float, act: int, error: RapidError) -> str:
     return _line(time_s, "event", what)
 
 
+def sensor_line(time_s: float, number: int, answer: SensorAnswer) -> str:
+    """What a sensor that guides a robot has answered in the so many-th exchange."""
+    said = {name: list(part) for name, part in asdict(answer).items() if part}
+    return _line(written(time_s), SENSOR, {"kind": "answer", "exchange": number, **said})
+
+
 def request_line(time_s: float, message: Message, reply: Reply) -> str:
     """What came from outside, and how a request was answered."""
     if isinstance(message, FromNetwork):
@@ -125,6 +138,7 @@ def read_journal(lines: Iterable[str], name: str) -> RecordedLife:
     began: SwitchedOnAs | None = None
     recorded, kept, end_s = list[Recorded](), list[str](), 0.0
     refusals: dict[int, tuple[float, str]] = {}
+    answers: dict[int, SensorAnswer] = {}
     for number, line in enumerate(lines, start=1):
         if not line.endswith("\n"):
             break
@@ -141,6 +155,8 @@ def read_journal(lines: Iterable[str], name: str) -> RecordedLife:
                 time_s = end_s
             if is_asked:
                 recorded.append(Recorded(time_s, _message(what)))
+            elif kind == SENSOR:
+                answers[int(what["exchange"])] = _answer(what)
             elif what["kind"] == REFUSED:
                 refusals[int(what["act"])] = (float(what["number"]), str(what["message"]))
             elif what["kind"] == "on" and began is None:
@@ -154,7 +170,7 @@ def read_journal(lines: Iterable[str], name: str) -> RecordedLife:
         raise InputError(
             f"{name} is no journal of a controller", "`rapidsim serve --journal` writes one"
         )
-    return RecordedLife(began, tuple(recorded), refusals, end_s, tuple(kept))
+    return RecordedLife(began, tuple(recorded), refusals, answers, end_s, tuple(kept))
 
 
 class JournalFile:
@@ -208,6 +224,8 @@ def _what(message: Message) -> dict[str, object]:
                 "form": dict(message.form),
                 "session": message.session,
             }
+            if message.generation != 1:
+                what["generation"] = message.generation
             if message.content:
                 what["content"] = b64encode(message.content).decode()
             return what
@@ -253,9 +271,24 @@ def _message(what: Mapping[str, object]) -> Message:
             "session": int(session),
         }:
             content = b64decode(str(what.get("content", "")), validate=True)
-            return Request(method, path, _texts(query), _texts(form), session, content)
+            generation = int(str(what.get("generation", 1)))
+            if generation not in (1, 2):
+                raise ValueError("no generation")
+            return Request(method, path, _texts(query), _texts(form), session, content, generation)
         case _:
             raise ValueError("no message")
+
+
+def _answer(what: Mapping[str, Any]) -> SensorAnswer:
+    """What `sensor_line` wrote; raises what reading a value of another shape raises."""
+    parts = {
+        one.name: tuple(map(float, what[one.name]))
+        for one in fields(SensorAnswer)
+        if one.name in what
+    }
+    if not all(math.isfinite(value) for part in parts.values() for value in part):
+        raise ValueError("not finite")
+    return SensorAnswer(**parts)
 
 
 def _texts(fields: Mapping[object, object]) -> dict[str, str]:

@@ -3,23 +3,31 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
+from typing import Final
 
 from rapidsim.analysis.names.signal_violations import UnknownSignal
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.controller.cell.outside_streams import NoWire, Wire
+from rapidsim.controller.cell.sensors import NoSensors, Sensors
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.job import job
 from rapidsim.jobs.run_files import LoadedJob, PreparedRun, loaded, prepared
+from rapidsim.server.derived_parameters import with_derived
 from rapidsim.server.engine import Engine, FullPace, LockStep, Pace, WallPace
 from rapidsim.server.messages import Told
+from rapidsim.server.sensors import NotedSensors
 from rapidsim.server.settings import EngineSettings
 from rapidsim.server.wire import NotedWire
 from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.task_run import TaskSetup
+from rapidsim.values import dataclass
+
+_GUIDED: Final = "egmident"
+"""The type that every such program uses."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -32,6 +40,12 @@ class ReadyController:
     ramdisk: Path
     notes: tuple[str, ...] = ()
     """What is said of a backup or a robot."""
+
+    @property
+    def is_guided(self) -> bool:
+        """Whether a program knows of sensors that guide its robot."""
+        modules = (module for setup in self.setups for module in setup.program.modules)
+        return any(_GUIDED in module.source.text.lower() for module in modules)
 
 
 def ready(asked: Asked) -> ReadyController:
@@ -59,6 +73,7 @@ def with_cell(found: LoadedJob, made: PreparedRun) -> ReadyController:
     options = replace(
         made.options, io=replace(io, signals=signals), home=home, answers=None, network=None
     )
+    options = replace(options, configured=with_derived(made.setups, options))
     notices = found.robot.notices
     ramdisk = options.ramdisk or home / "RAMDISK"
     return ReadyController(
@@ -76,6 +91,7 @@ def engine_of(
     told: Callable[[Told], None],
     journal: Callable[[str], None] | None = None,
     wire: Wire | None = None,
+    sensors: Sensors | None = None,
 ) -> Engine:
     """Switch a controller on.
 
@@ -85,6 +101,7 @@ def engine_of(
         told: Told what the engine tells.
         journal: Takes each line of the journal.
         wire: The network of the programs' sockets; None where nobody is there.
+        sensors: Who guides robots; None where nobody is there.
 
     Raises:
         InputError: If an arm cannot be timed, or no task moves one.
@@ -95,6 +112,7 @@ def engine_of(
         motors=settings.motors,
         mode=settings.mode,
         wire=NotedWire(wire or NoWire()),
+        sensors=NotedSensors(sensors or NoSensors()),
     )
     return Engine(live, _pace(settings), told, journal)
 

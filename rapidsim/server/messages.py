@@ -6,9 +6,11 @@ All of it can be pickled, and knows neither HTTP's headers nor how bodies are wr
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from types import MappingProxyType
 from typing import TypeAlias
+
+from rapidsim.values import dataclass
 
 Fields: TypeAlias = Mapping[str, str]
 NOTHING: Fields = MappingProxyType({})
@@ -26,6 +28,8 @@ class Item:
     """Texts in an order, as an entry of the event log has."""
     href: str = ""
     """Where it is itself, below the root."""
+    parts: tuple[Item, ...] = ()
+    """What it consists of, such as attributes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,6 +42,8 @@ class Answer:
     """Resources below this one."""
     content: bytes | None = None
     """A file, in place of items."""
+    following: str = ""
+    """Where the list goes on, below the root; empty at its end."""
 
 
 DONE = Answer(status=204)
@@ -73,6 +79,8 @@ class Request:
     session: int = 0
     content: bytes = b""
     """A body that is no form."""
+    generation: int = 1
+    """Of Robot Web Services: 1 or 2."""
 
     @property
     def action(self) -> str:

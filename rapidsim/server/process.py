@@ -5,9 +5,9 @@ from __future__ import annotations
 import asyncio
 import signal
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import field
 from multiprocessing import get_context
 from multiprocessing.connection import Connection, wait
 from multiprocessing.context import SpawnProcess
@@ -16,18 +16,24 @@ from queue import SimpleQueue
 from threading import Thread
 from typing import Final, TypeAlias
 
+from rapidsim.controller.cell.sensors import Sensors
+from rapidsim.egm.devices import sensor_devices
+from rapidsim.egm.guide import guide
+from rapidsim.egm.guided_sensors import GuidedSensors
+from rapidsim.egm.udp import PacedSensors, StepSensors
 from rapidsim.files import InputError
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
 from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.run_files import ProgramRejectedError
 from rapidsim.motion.robot.robot import RobotError
-from rapidsim.server.engine import Engine
+from rapidsim.server.engine import Engine, WallPace
 from rapidsim.server.journal import JournalFile
 from rapidsim.server.link import EngineEndedError
 from rapidsim.server.loading import engine_of, ready
 from rapidsim.server.messages import Message, Note, Reply, Told
 from rapidsim.server.settings import EngineSettings
 from rapidsim.server.wire import SocketWire
+from rapidsim.values import dataclass
 
 _PATIENCE_S: Final = 5.0
 """So long [s] an engine that is told to end may take."""
@@ -39,6 +45,10 @@ class SwitchedOn:
 
     home: Path
     ramdisk: Path
+    sensors: Mapping[str, str]
+    """Addresses of sensors that guide robots, by the names of their devices."""
+    is_guided: bool
+    """Whether a guide is needed, beside the engine."""
 
 
 Start: TypeAlias = SwitchedOn | ProgramRejectedError | InputError
@@ -126,16 +136,23 @@ def started(asked: Asked, settings: EngineSettings) -> EngineProcess:
     """
     context = get_context("spawn")
     ours, theirs = context.Pipe()
-    process = context.Process(target=_run, args=(theirs, asked, settings), daemon=True)
+    to_guide, of_guide = context.Pipe()
+    process = context.Process(target=_run, args=(theirs, to_guide, asked, settings), daemon=True)
     process.start()
     theirs.close()
+    to_guide.close()
     try:
         start: Start = ours.recv()
     except EOFError:
         _await_end(process)
+        of_guide.close()
         raise InputError("the controller's process has ended before it was there") from None
     if isinstance(start, SwitchedOn):
+        if start.is_guided:
+            context.Process(target=guide, args=(of_guide,), daemon=True).start()
+        of_guide.close()
         return EngineProcess(start, ours, process)
+    of_guide.close()
     _await_end(process)
     raise start
 
@@ -146,7 +163,9 @@ def _await_end(process: SpawnProcess) -> None:
         process.kill()
 
 
-def _run(connection: Connection, asked: Asked, settings: EngineSettings) -> None:
+def _run(
+    connection: Connection, to_guide: Connection, asked: Asked, settings: EngineSettings
+) -> None:
     """The life of the engine's process: until it is told to end, or nobody is there any more."""
     # Ctrl-C goes to all processes of a terminal; the other one says when to end.
     for name in ("SIGINT", "SIGTERM"):
@@ -160,13 +179,24 @@ def _run(connection: Connection, asked: Asked, settings: EngineSettings) -> None
                     settings.journal, lambda text: connection.send((None, Note(text)))
                 )
             wire = SocketWire(settings.hosts)
+            is_guided = settings.request_s is None and settings.speed is not None and made.is_guided
+            devices = sensor_devices(settings.sensors, made.options.configured, settings.hosts)
+            steps = StepSensors(devices)
+            paced: Sensors = PacedSensors(devices, waits_full=False)
+            if settings.request_s is not None:
+                paced = steps
+            elif is_guided and settings.speed is not None:
+                paced = GuidedSensors(devices, to_guide, settings.speed)
             engine = engine_of(
                 made,
                 settings,
                 lambda told: connection.send((None, told)),
                 None if kept is None else kept.write,
                 wire,
+                paced,
             )
+            if isinstance(paced, GuidedSensors) and isinstance(engine.pace, WallPace):
+                paced.began_s = engine.pace.began_s
             wire.unread = engine.live.outside.unread
         except (ProgramRejectedError, InputError) as error:
             connection.send(error)
@@ -174,11 +204,11 @@ def _run(connection: Connection, asked: Asked, settings: EngineSettings) -> None
         except RobotError as error:
             connection.send(InputError(str(error)))
             return
-        connection.send(SwitchedOn(made.home, made.ramdisk))
+        connection.send(SwitchedOn(made.home, made.ramdisk, devices.shown, is_guided))
         for note in made.notes:
             connection.send((None, Note(f"note: {note}")))
         with recursion_limit(RUNNING_DEPTH):
-            _serve(connection, engine, wire)
+            _serve(connection, engine, wire, steps)
         engine.switch_off()
         wire.shut()
         if kept is not None:
@@ -186,10 +216,12 @@ def _run(connection: Connection, asked: Asked, settings: EngineSettings) -> None
     sys.stdout.flush()
 
 
-def _serve(connection: Connection, engine: Engine, wire: SocketWire) -> None:
+def _serve(connection: Connection, engine: Engine, wire: SocketWire, sensors: StepSensors) -> None:
     while True:
         wait_s = 0.0 if engine.step() else engine.wait_s()
-        heard = wait([connection, *wire.heard()], wire.patience_s(wait_s))
+        heard = wait([connection, *wire.heard(), *sensors.heard()], wire.patience_s(wait_s))
+        if passed_s := sensors.came(heard):
+            engine.sensor_answered(passed_s)
         for one in wire.came(heard):
             engine.reply(one)
         while connection.poll():

@@ -13,6 +13,7 @@ from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
 from rapidsim.server.engine import Engine, LockStep
 from rapidsim.server.journal import RecordedLife, read_journal
 from rapidsim.server.loading import ReadyController
+from rapidsim.server.sensors import NotedSensors, RecordedSensors
 from rapidsim.server.wire import NotedWire, RecordedWire
 from rapidsim.simulation.collected import FinishedRun
 from rapidsim.simulation.live.controller import LiveController
@@ -56,6 +57,7 @@ def replayed(made: ReadyController, life: RecordedLife, told: Callable[[str], No
         motors=began.motors,
         mode=began.mode,
         wire=NotedWire(RecordedWire(life.refusals)),
+        sensors=NotedSensors(RecordedSensors(life.answers)),
         keeps_all=True,
     )
     lines: list[str] = []

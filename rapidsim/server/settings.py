@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from types import MappingProxyType
 from typing import Final
 
+from rapidsim.egm.devices import Address
 from rapidsim.simulation.live.states import Mode, Motors
+from rapidsim.values import dataclass
 
 DEFAULT_USERS: Final[Mapping[str, str]] = MappingProxyType(
     dict.fromkeys(("Default User", "Admin", "admin"), "robotics")
@@ -28,6 +30,8 @@ class EngineSettings:
     mode: Mode = Mode.AUTO
     hosts: frozenset[str] = frozenset()
     """Other computers that programs' sockets may be bound to or connect to."""
+    sensors: tuple[tuple[str, Address], ...] = ()
+    """Devices of sensors that guide robots, and where those are."""
     journal: Path | None = None
     """Where the journal is written; None keeps none."""
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Protocol
 
 from rapidsim.controller.clock import TaskClock
+from rapidsim.values import dataclass
 
 
 class Current(Protocol):

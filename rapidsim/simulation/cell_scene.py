@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from itertools import combinations
 
@@ -12,7 +12,18 @@ import numpy as np
 from rapidsim.collisions.contact import BodyName
 from rapidsim.collisions.geometry import CellGeometry, CellObject, IgnoredPair, ParentKind
 from rapidsim.collisions.link_shapes import link_shapes
-from rapidsim.collisions.scene import WORLD, Arm, Body, Carried, Frame, Pair, Scene, arm_frames
+from rapidsim.collisions.scene import (
+    SHORTEST_S,
+    STEP_S,
+    WORLD,
+    Arm,
+    Body,
+    Carried,
+    Frame,
+    Pair,
+    Scene,
+    arm_frames,
+)
 from rapidsim.collisions.self_pairs import judged_pairs
 from rapidsim.controller.cell.conditions import Condition, read_condition
 from rapidsim.frames.transform import Transform
@@ -20,6 +31,7 @@ from rapidsim.language.data import WobjData
 from rapidsim.motion.configurations.targets import transform
 from rapidsim.simulation.results.signal_history import Changes, signal_changes
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
+from rapidsim.values import dataclass
 
 _LYING_M = 1e-3
 """A part that is so near to something when it is taken or left lies on it."""
@@ -316,7 +328,8 @@ def _arm(one: RobotRun) -> Arm:
     if busy:
         busy = (*busy, (busy[-1][1], max(end_s, busy[-1][1])))
     busy += tuple((stretch.start_s, stretch.end_s) for stretch in one.trajectory.guided)
-    return Arm(one.robot, one.world_from_base, one.trajectory.at, _together(busy))
+    brief = [0.5 * (begin + end) for begin, end in busy if SHORTEST_S < end - begin < STEP_S]
+    return Arm(one.robot, one.world_from_base, one.trajectory.at, _together(busy), np.array(brief))
 
 
 def _together(stretches: Iterable[tuple[float, float]]) -> tuple[tuple[float, float], ...]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from rapidsim.analysis.program import Program
 from rapidsim.controller.cell.cell import Cell
@@ -27,6 +26,7 @@ from rapidsim.simulation.results.smoothed_corners import corner_findings
 from rapidsim.simulation.run_findings import backward_findings, not_simulated_findings
 from rapidsim.simulation.task_run import Outcome, TaskRun
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 _WORST_FIRST = (End.ERROR, End.TIME_LIMIT, End.STOPPED, End.CYCLE_LIMIT, End.ENDED)
 

@@ -45,7 +45,7 @@ def _findings(simulation: Simulation, collisions: Collisions) -> Iterator[Diagno
             first.first.name,
             first.second.name,
             first.time_s,
-            max(one.depth_m for one in (first, *later)) * _MM,
+            _deep((first, *later)),
             f"; so {'do' if len(names) > 1 else 'does'} {' and '.join(names)}" if names else "",
         )
         move = robots[first.robot].move(first.move)
@@ -56,6 +56,11 @@ def _findings(simulation: Simulation, collisions: Collisions) -> Iterator[Diagno
         remarks = (*remarks, "some stretches in which bodies slide along each other for long")
     if remarks:
         yield Diagnostic(NotJudged("; ".join(remarks)), None)
+
+
+def _deep(contacts: tuple[Contact, ...]) -> str:
+    known = [one.depth_m for one in contacts if one.depth_m is not None]
+    return f", {max(known) * _MM:.1f} mm deep" if known else ""
 
 
 def _near(simulation: Simulation, found: Found, clearance_m: float) -> Iterator[Diagnostic]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from datetime import datetime
 from pathlib import Path
 from types import MappingProxyType
@@ -16,6 +16,7 @@ from rapidsim.frames.transform import Transform
 from rapidsim.language.equipment import Configured
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.external_axes import ExternalAxis
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from rapidsim.simulation.task_run import TaskRun
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

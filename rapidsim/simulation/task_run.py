@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -50,6 +50,7 @@ from rapidsim.simulation.run_findings import (
     zone_finding,
 )
 from rapidsim.station.task_kind import TaskKind
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

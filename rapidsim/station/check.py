@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from pathlib import Path
 
 from rapidsim.diagnostics import Severity
 from rapidsim.files import input_bytes, require_inside
 from rapidsim.station.toml_reader import Reader, Table, read_toml
+from rapidsim.values import dataclass
 
 PROJECT_FILE = "pyproject.toml"
 

@@ -6,10 +6,10 @@ import json
 import math
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from rapidsim.controller.cell.description import GROUP_WIDTH, SignalDeclaration, SignalKind
 from rapidsim.station.task_kind import TaskKind
+from rapidsim.values import dataclass
 
 NOT_NAMED = "nothing names the arm: `rapidsim robots` lists those there are"
 _BARE = re.compile(r"[A-Za-z0-9_-]+")

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TYPE_CHECKING
 
 from rapidsim.frames.transform import Transform
 from rapidsim.station.external_axes import read_frame
 from rapidsim.station.toml_reader import Reader, Table
+from rapidsim.values import dataclass
 
 if TYPE_CHECKING:
     from rapidsim.motion.robot.external_axes import ExternalAxis

@@ -6,7 +6,7 @@ Most programs that are checked have none, so nothing here needs NumPy; `read.py`
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,6 +18,7 @@ from rapidsim.language.robotware import RobotWare
 from rapidsim.motion.model import MotionModel
 from rapidsim.station.check import CheckSettings
 from rapidsim.station.tasks import DEFAULT_TASK, StationTask
+from rapidsim.values import dataclass
 
 if TYPE_CHECKING:
     from rapidsim.collisions.geometry import CellGeometry

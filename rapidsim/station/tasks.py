@@ -17,7 +17,7 @@ rmq = { type = "remote", mode = "synchronous", size = 400, messages = 5 }
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from rapidsim.controller.cell.message_queues import QueueSettings
@@ -25,6 +25,7 @@ from rapidsim.files import did_you_mean
 from rapidsim.station.message_queues import read_queue
 from rapidsim.station.task_kind import TaskKind
 from rapidsim.station.toml_reader import Reader, Table
+from rapidsim.values import dataclass
 
 DEFAULT_TASK = "T_ROB1"
 _KEYS = ("name", "modules", "type", "motion", "robot", "entry", "check_references", "rmq")

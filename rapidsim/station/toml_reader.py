@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import TypeGuard
 
 from rapidsim.files import InputError, did_you_mean, input_text, require_inside
+from rapidsim.values import dataclass
 
 Table = Mapping[str, object]
 

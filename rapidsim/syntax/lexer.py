@@ -8,12 +8,12 @@ becomes a STRING that ends where its line's code seems to go on; both are report
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import cache
 
 from rapidsim.syntax import tree
 from rapidsim.syntax.stored_table import rapid_table
 from rapidsim.syntax.table import END
+from rapidsim.values import dataclass
 
 UNKNOWN = "UNKNOWN"
 """The kind of a character that no token begins with; the grammar has no such terminal."""

@@ -6,7 +6,7 @@ tokens repaired, and built again; that is why errors cost correct programs nothi
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from rapidsim.diagnostics import Diagnostic, Source, Span
 from rapidsim.syntax import tree
@@ -18,6 +18,7 @@ from rapidsim.syntax.limits import bounded, token_limits
 from rapidsim.syntax.repair import cut_calls_ended, repaired
 from rapidsim.syntax.text_violations import NoModule, UnterminatedString
 from rapidsim.syntax.violations import RepeatedClause
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,6 +90,8 @@ def _not_behind_lost_quotes(
 
 
 def _unterminated(tokens: Tokens, source: Source) -> tuple[Diagnostic, ...]:
+    if not tokens.unterminated:
+        return ()
     ends = dict(zip(tokens.starts, tokens.ends, strict=True))
     return tuple(
         Diagnostic(UnterminatedString(), Span(source, start, ends.get(start, start + 1)))

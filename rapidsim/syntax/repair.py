@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from rapidsim.diagnostics import Diagnostic, Source
 from rapidsim.syntax.block_repairs import stray_block_word, unclosed_block
@@ -34,6 +34,7 @@ from rapidsim.syntax.token_repairs import (
     wrong_token,
 )
 from rapidsim.syntax.violations import BrokenSyntax
+from rapidsim.values import dataclass
 
 REPAIRS: tuple[Callable[[Situation], Patch | None], ...] = (
     text_outside_modules,

@@ -8,12 +8,12 @@ change. Tokens that are put in have no width, so every place in the tree stays t
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from typing import TypeAlias
 
 from rapidsim.diagnostics import Diagnostic, Fix, Related, Source, Span, Violation
 from rapidsim.syntax.lexer import Tokens
 from rapidsim.syntax.recognition import takes
+from rapidsim.values import dataclass
 
 LOOKAHEAD = 6
 """How many tokens after a change must parse for the change to be believed."""

@@ -7,8 +7,9 @@ that is run.
 from __future__ import annotations
 
 import zlib
-from dataclasses import dataclass
 from typing import TypedDict
+
+from rapidsim.values import dataclass
 
 GRAMMAR_FILE = "rapid.lark"
 TABLE_FILE = "rapid.table.json"

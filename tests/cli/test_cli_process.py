@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import subprocess
 import sys
 import warnings
 from pathlib import Path
@@ -31,6 +32,32 @@ def test_a_call_and_a_process_say_the_same(
     process = rapidsim(*arguments, stdin=text, columns=60)
     monkeypatch.delenv(SWITCH)
     assert timeless(rapidsim(*arguments, stdin=text, columns=60)) == timeless(process)
+
+
+@pytest.mark.process
+def test_a_process_ends_at_once_but_does_what_others_asked_for(tmp_path: Path) -> None:
+    """Coverage, profilers and recordings write when the process ends."""
+    code = (
+        "import atexit, sys, threading\n"
+        "from rapidsim.cli import main\n"
+        "class Late:\n    def __del__(self): print('taken down')\n"
+        "late = Late()\n"
+        "atexit.register(print, 'asked for')\n"
+        "def work():\n    threading.main_thread().join()\n    print('worked')\n"
+        "if sys.argv.pop() == 'thread': threading.Thread(target=work).start()\n"
+        "main()\n"
+    )
+    said = [
+        subprocess.run(
+            [sys.executable, "-c", code, "--version", other],
+            cwd=tmp_path,
+            capture_output=True,
+            text=True,
+            check=True,
+        ).stdout.splitlines()[1:]
+        for other in ("nothing", "thread")
+    ]
+    assert said == [["asked for"], ["worked", "asked for", "taken down"]]
 
 
 def test_a_call_leaves_no_trace(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -13,7 +13,7 @@ from rapidsim.collisions.body_distance import Bodies
 from rapidsim.collisions.convex import ConvexPart, Parts
 from rapidsim.collisions.distance import distances
 from rapidsim.collisions.link_shapes import link_shapes
-from rapidsim.collisions.overlap import TOUCH_M, depth
+from rapidsim.collisions.overlap import TOUCH_M, shortest
 from rapidsim.collisions.self_pairs import link_frame, random_postures
 from rapidsim.frames.transform import Array, Transform
 
@@ -95,8 +95,8 @@ def test_a_cylinder_stands_on_a_box_and_a_sphere_beside_it() -> None:
     one, two, three = (np.array([k]) for k in range(3))
     assert distances(parts, one, two, above).found[0] == pytest.approx(0.05, abs=1e-9)
     assert distances(parts, three, one, beside).found[0] == pytest.approx(0.15, abs=1e-9)
-    deeper = Transform(np.eye(3), np.array([0.0, 0.0, 0.28]))
-    assert depth(parts, 0, 1, deeper, 0.0) == pytest.approx(0.02, abs=1e-9)
+    deeper = Transform(np.eye(3)[None], np.array([[0.0, 0.0, 0.28]]))
+    assert shortest(parts, one, two, deeper)[0] == pytest.approx(0.02, abs=1e-9)
 
 
 def test_what_is_all_but_above_the_middle_of_a_sheet_is_measured_to_the_end() -> None:
@@ -142,6 +142,7 @@ def test_links_and_a_table_touch_where_another_library_says_so(name: str) -> Non
                 assert apart == pytest.approx(gaps.found[k], abs=1e-6)
             elif gaps.found[k] < -TOUCH_M:
                 touched += 1
-                inside = bodies.depth(number, len(links), where[k]) > TOUCH_M
-                assert apart <= 0.0 or inside
+                pair = np.array([number]), np.array([len(links)])
+                deep = bodies.depths(*pair, where[[k]], exact=False)[0]
+                assert apart <= 0.0 or deep > TOUCH_M
     assert touched

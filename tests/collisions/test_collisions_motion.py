@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
+import pytest
 from laws import cases
 
 from rapidsim import load_robot
@@ -12,16 +14,17 @@ from rapidsim.collisions import shape
 from rapidsim.collisions.along_motion import search
 from rapidsim.collisions.contact import BodyName
 from rapidsim.collisions.overlap import TOUCH_M
-from rapidsim.collisions.scene import WORLD, Arm, Body, Carried, Frame, Pair, Scene
+from rapidsim.collisions.scene import STEP_S, WORLD, Arm, Body, Carried, Frame, Pair, Scene
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.trajectory.trajectory import Samples
 
 ROBOT = load_robot("irb1600-6-1.2")
 SPEED = np.array([joint.max_speed for joint in ROBOT.joints], dtype=np.float64)
 FLANGE = Frame(0, len(ROBOT.joints) + 1)
+Swing = Callable[[Array], Samples]
 
 
-def swing(start: Array, end: Array) -> tuple[Callable[[Array], Samples], float]:
+def swing(start: Array, end: Array) -> tuple[Swing, float]:
     """A motion as fast as the axes can, from rest to rest, and how long [s] it lasts."""
     way = end - start
     lasts = max(float((1.6 * np.abs(way) / SPEED).max()), 0.2)
@@ -78,3 +81,52 @@ def test_a_sheet_is_found_at_any_speed_and_in_time() -> None:
         outside = np.maximum(np.abs(tips) - [0.03, 0.03, 2.5e-4], 0.0)
         touching = np.linalg.norm(outside, axis=1) - 0.002 < -TOUCH_M
         assert abs(first - times[touching.argmax()]) < 1e-4
+
+
+def test_the_nearest_of_each_move_is_what_looking_all_the_time_finds() -> None:
+    """Among boxes, in moves that are shorter than a step of the first look."""
+    rng = np.random.default_rng(11)
+    tip = Body(
+        BodyName("tip", 0), shape.capsule(0.03, 0.1), (Carried(0.0, FLANGE, Transform.identity()),)
+    )
+    boxes = [
+        Body(
+            BodyName(f"box {number}"),
+            shape.box(rng.uniform(0.02, 0.6, 3)),
+            (
+                Carried(
+                    0.0,
+                    WORLD,
+                    Transform.from_quaternion(rng.normal(size=4), rng.uniform(-1.5, 1.5, 3)),
+                ),
+            ),
+        )
+        for number in range(8)
+    ]
+    pairs = tuple(Pair(0, 1 + number, 0, touch_only=False) for number in range(len(boxes)))
+    for _ in range(cases(5)):
+        ends = ROBOT.lower + rng.random((2, 6)) * (ROBOT.upper - ROBOT.lower)
+        at, lasts = swing(*(0.6 * ends))
+        move_s = lasts / 40.0
+
+        def many(times: Array, at: Swing = at, move_s: float = move_s) -> Samples:
+            return replace(at(times), move=np.minimum(times // move_s, 39).astype(np.int64))
+
+        middles = move_s * np.arange(0.5, 40.0, dtype=np.float64)
+        brief = middles if move_s < STEP_S else middles[:0]
+        arm = Arm(ROBOT, Transform.identity(), many, ((0.0, lasts),), brief)
+        scene = Scene((arm,), (tip, *boxes), pairs)
+        found = search(scene, lasts)
+        times = lasts * np.arange(2000.0) / 1999.0
+        poses, bodies = scene.poses(times), scene.shapes()
+        nearest = np.full(40, np.inf)
+        for pair in pairs:
+            row = np.arange(len(times))
+            gaps = bodies.gaps(
+                0 * row, 0 * row + pair.second, poses.seen(0, pair.second), np.full(len(row), 0.5)
+            )
+            np.minimum.at(nearest, poses.moves[:, 0], np.maximum(gaps.found, 0.0))
+        for move in np.flatnonzero(nearest < 0.49).tolist():
+            (known,) = [one for one in found.clearances if one.move == move]
+            exact = max(5e-4, 0.02 * nearest[move])
+            assert known.distance_m == pytest.approx(nearest[move], abs=exact + 1e-3)

@@ -275,6 +275,14 @@ class RecordingController:
     def clear_screen(self) -> None:
         self.log.append("clear")
 
+    @property
+    def has_answered(self) -> bool:
+        return False
+
+    def asking(self, instruction: str) -> AbstractContextManager[None]:
+        del instruction
+        return nullcontext()
+
     def ask_number(self, prompt: str, *, ends: bool = False) -> float | None:
         self.log.append(f"number? {prompt}")
         return None if ends and self.nobody else self.number
@@ -467,14 +475,11 @@ class RecordingController:
     def move_apart(self, name: str, *, max_time: float | None = None) -> bool:
         return True
 
-    def leave_team(self) -> None:
-        pass
+    def leave_team(self) -> None: ...
 
-    def suspend_team(self) -> None:
-        pass
+    def suspend_team(self) -> None: ...
 
-    def resume_team(self) -> None:
-        pass
+    def resume_team(self) -> None: ...
 
     def stop_other_robots(self) -> None:
         self.others_stopped = True

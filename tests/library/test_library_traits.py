@@ -152,6 +152,7 @@ ELSEWHERE = {
         *("ClearPath", "RestoPath", "StorePath", "SyncMoveOn", "SyncMoveOff", "SyncMoveSuspend"),
         *("SyncMoveResume", "stop", "load", "RMQSendMessage"),
     },
+    "egm": {"type"},
     "interpreter/codegen/special_forms.py": {
         *("argname", "dim", "ispers", "isvar", "present", "strlen", "type"),
     },
@@ -162,7 +163,7 @@ ELSEWHERE = {
     "plots": {"round"},
     "recording": {"clear"},
     "report": {"dim", "distance", "stop"},
-    "server": {"type", "opmode", "stop", "set", "continue", "dim", "clear"},
+    "server": {"type", "Type", "opmode", "stop", "set", "continue", "dim", "clear", "min"},
     "simulation": {"stop"},
     "station": {"type", "set", "close", "max", "min", "stop"},
     "syntax": {"EXP", "open", "close"},

@@ -81,10 +81,20 @@ class Served:
         return str(state["value"])
 
 
-def serve(folder: Path, program: str, use: Callable[[Served], Awaitable[T]], **limits: Any) -> T:
-    """Serve a program on a free port of this computer and let a client use it."""
-    file = folder / "main.mod"
-    file.write_text(program, encoding="utf-8")
+def serve(
+    folder: Path, program: str | None, use: Callable[[Served], Awaitable[T]], **limits: Any
+) -> T:
+    """Serve a program on a free port of this computer and let a client use it.
+
+    Args:
+        folder: Where program and home lie.
+        program: A module; None serves the folder `cell` that is there.
+        use: The client.
+        limits: Of the face.
+    """
+    file = folder / ("cell" if program is None else "main.mod")
+    if program is not None:
+        file.write_text(program, encoding="utf-8")
     return asyncio.run(_serve(file, folder / "home", use, limits))
 
 

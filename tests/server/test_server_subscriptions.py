@@ -57,7 +57,7 @@ def test_values_are_told_first_and_then_every_change(tmp_path: Path) -> None:
             await served.get("rw/system")
         heard = await _heard(socket, 6)
         assert heard[:3] == [(signal, "0"), (value, "2"), (signal, "1")]
-        assert ("elog-message-ev", "2") in heard
+        assert ("elog-message-ev", "4") in heard
         await socket.close()
 
     serve(tmp_path, PROGRAM, use)

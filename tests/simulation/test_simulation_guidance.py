@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -23,10 +23,17 @@ class Scripted(SilentSensor):
 
     script: Script
     heard: list[Feedback] = field(default_factory=list)
+    streamed: list[Feedback] = field(default_factory=list)
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
         self.heard.append(feedback)
         return self.script(feedback)
+
+    def end(self, feedback: Feedback) -> None:
+        self.heard.append(feedback)
+
+    def tell(self, stream: Sequence[Feedback]) -> None:
+        self.streamed += stream
 
 
 @dataclass
@@ -37,6 +44,9 @@ class Devices:
     def open(self, device: str) -> Scripted:
         self.opened.append(device)
         return self.sensor
+
+    def close(self) -> None:
+        """A run is over."""
 
 
 HEAD = r"""MODULE guided
@@ -220,6 +230,30 @@ def test_moves_are_refused_while_a_sensor_has_the_robot() -> None:
         to(GOAL),
     )
     assert it.end == "error"
+
+
+def test_a_stream_tells_where_the_robot_is_on_its_way() -> None:
+    # Every 8 ms, from its start to its end, and what it tells is what the trajectory has.
+    it, devices = guided(
+        r"""    MoveAbsJ home, v1000, fine, tool0;
+    EGMGetId id;
+    EGMSetupUC ROB_1, id, "default", "UCdevice";
+    EGMStreamStart id \SampleRate:=8;
+    MoveAbsJ [[30,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v500, fine, tool0;
+    WaitTime 0.1;
+    EGMStreamStop id;
+    MoveAbsJ home, v1000, fine, tool0;""".replace("\\\\", "\\"),
+        lambda told: None,
+    )
+    told = devices.sensor.streamed
+    assert not devices.sensor.heard
+    times = np.array([one.time_s for one in told])
+    assert np.allclose(np.diff(times), 0.008, atol=1e-9)
+    assert times[-1] < end_s(it)
+    for one in told[::9]:
+        assert np.allclose(joints_at(it, one.time_s), one.joints, atol=1e-6)
+    assert max(one.joints[0] for one in told) == pytest.approx(30.0)
+    assert {one.guided for one in told} == {Guided.NOT_YET}
 
 
 POSE = r"""MODULE guided

@@ -224,6 +224,17 @@ def test_moves_that_do_not_belong_together_are_errors(left: str, right: str, mes
     assert any(message in d.violation.message for d in it.run.diagnostics)
 
 
+def test_moves_with_triggers_are_made_together_too() -> None:
+    left = program(LEFT).replace("VAR syncident on;", "VAR syncident on;\nVAR triggdata half;")
+    left = left.replace("SyncMoveOn on", "TriggEquip half,0,0\\DOp:=doHalf,1;\nSyncMoveOn on")
+    left = left.replace("MoveL", "TriggL").replace(",v200,", ",v200,half,")
+    it = ran({"T_ROB1": left, "T_ROB2": program(RIGHT)})
+    assert it.end == "ended"
+    starts = [[m.start_s for m in it.moves(task)[1:]] for task in ("T_ROB1", "T_ROB2")]
+    assert starts[0] == starts[1]
+    assert [one.name for one in it.run.unsimulated] == ["TriggL \\ID with triggers"]
+
+
 def test_a_move_nobody_makes_with_it_ends_the_run() -> None:
     fewer = program(RIGHT[:3], ids=(10, 20))
     it = ran({"T_ROB1": program(LEFT), "T_ROB2": fewer})

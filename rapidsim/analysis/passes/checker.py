@@ -10,7 +10,6 @@ import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from types import MappingProxyType
 from typing import TypeAlias
 
@@ -32,6 +31,7 @@ from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 from rapidsim.syntax.collection import uncollected
+from rapidsim.values import dataclass
 
 Find: TypeAlias = Callable[[Facts], Iterable[Diagnostic]]
 """A function that looks for mistakes in what analysis has found out."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 
 from rapidsim.analysis.program_parts import Facts
 from rapidsim.analysis.rules.control_flow import (
@@ -45,6 +44,7 @@ from rapidsim.analysis.rules.text import (
 )
 from rapidsim.diagnostics import Diagnostic, Rule, Violation
 from rapidsim.language.target_violations import QuaternionNotUnit
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

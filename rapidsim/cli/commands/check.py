@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 import click
@@ -28,6 +28,7 @@ from rapidsim.report.findings.checked_moves import coverage_lines
 from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.statistics import statistics
 from rapidsim.report.findings.text import summary_line
+from rapidsim.values import dataclass
 
 _SEVERITIES = tuple(Severity)
 

@@ -58,6 +58,13 @@ _MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
     type=POSITIVE,
     help="In lock-step, the virtual time before each request; else 0.05.",
 )
+@click.option(
+    "--egm",
+    "sensors",
+    metavar="NAME=HOST:PORT",
+    multiple=True,
+    help="Where the sensor behind a UDPUC device is; counts over SIO.cfg.",
+)
 @click.option("--home", metavar="DIR", help="The folder for HOME:; else <program>.home.")
 @click.option("--ramdisk", metavar="DIR", help="The folder for RAMDISK:; else one in HOME:.")
 @click.option(
@@ -121,6 +128,7 @@ def serve(
     speed: str,
     lock_step: bool,
     request_time: float | None,
+    sensors: tuple[str, ...],
     home: str | None,
     ramdisk: str | None,
     opmode: str,
@@ -139,6 +147,7 @@ def serve(
     Exit codes: 0 it was ended, 1 the program has errors, 2 wrong usage or a port that is taken.
     """
     require("aiohttp", "rapidsim serve")
+    from rapidsim.egm.devices import read_device
     from rapidsim.jobs.run_files import ProgramRejectedError
     from rapidsim.server.http.guard import is_loopback
     from rapidsim.server.process import started
@@ -171,6 +180,7 @@ def serve(
         motors=Motors.ON if motors == "on" else Motors.OFF,
         mode=Mode(_MODES[opmode]),
         hosts=frozenset(network_hosts),
+        sensors=tuple(map(read_device, sensors)),
         journal=None if journal is None else Path(journal),
     )
     server_settings = ServerSettings(
@@ -191,6 +201,7 @@ def serve(
         line = {
             "ready": True,
             "rws1": address,
+            "egm": dict(engine.there.sensors),
             "home": str(engine.there.home),
             "ramdisk": str(engine.there.ramdisk),
             "pid": os.getpid(),

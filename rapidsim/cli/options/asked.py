@@ -175,5 +175,8 @@ def _open_robot(name: str, scale: float | None) -> Robot:
 def _network(hosts: Sequence[str]) -> Network:
     """The network, for the few runs that may use it."""
     from rapidsim.controller.cell.network import Network
+    from rapidsim.egm.devices import SensorDevices
+    from rapidsim.egm.udp import PacedSensors
 
-    return Network(frozenset(hosts))
+    allowed = frozenset(hosts)
+    return Network(allowed, PacedSensors(SensorDevices(hosts=allowed)))

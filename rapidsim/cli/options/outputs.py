@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import os
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from pathlib import Path
 
 import click
@@ -17,6 +17,7 @@ from rapidsim.extras import is_installed, require
 from rapidsim.files import InputError, SourceFile, did_you_mean
 from rapidsim.report.run.summary import Written
 from rapidsim.simulation.results.simulation import Simulation
+from rapidsim.values import dataclass
 
 TRACE_STEP_S = 0.012
 VALUES = "values of persistents"

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from rapidsim.analysis.names.name_violations import UndefinedName
 from rapidsim.analysis.names.signal_violations import UnknownSignal
@@ -19,6 +18,7 @@ from rapidsim.report.run.assertion_figures import ASKED_FIGURES
 from rapidsim.report.run.verdicts import BudgetVerdict, Verdict
 from rapidsim.simulation.collected import FinishedRun
 from rapidsim.simulation.results.simulation import End
+from rapidsim.values import dataclass
 
 LABEL = "--assert"
 _MAIN = "main"

@@ -5,12 +5,13 @@ from __future__ import annotations
 import difflib
 from bisect import bisect_left, insort
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from rapidsim.diagnostics import Diagnostic, Edit, Severity
 from rapidsim.export.text_edits import TextEdit, edited_text
 from rapidsim.files import TaskFiles
 from rapidsim.jobs.check_files import check_tasks
+from rapidsim.values import dataclass
 
 _MOST_ROUNDS = 20
 """One fix may make room for another; so many are never needed."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from time import perf_counter
 
@@ -42,6 +42,7 @@ from rapidsim.report.tables.follow_tables import (
     trajectory_page,
     turns_page,
 )
+from rapidsim.values import dataclass
 
 _QUATERNION = 4
 _METRES = 10.0

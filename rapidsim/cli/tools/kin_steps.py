@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +18,7 @@ from rapidsim.motion.configurations.pose_solutions import PoseSolutions
 from rapidsim.motion.configurations.postures import Posture, Postures
 from rapidsim.report.run.summary import Written, files_text
 from rapidsim.report.tables.kin_tables import posture_markdown
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,6 @@ from __future__ import annotations
 import cProfile
 import marshal
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeAlias, TypeVar
 
@@ -20,6 +19,7 @@ from rich.text import Text
 from rapidsim.analysis.program import Program
 from rapidsim.files import InputError
 from rapidsim.interpreter.runtime.call_stack import CLAUSES
+from rapidsim.values import dataclass
 
 T = TypeVar("T")
 

@@ -6,7 +6,6 @@ import json
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from rapidsim.cli.options.outputs import VALUES
@@ -24,6 +23,7 @@ from rapidsim.report.run.json_report import rejected_json, run_json
 from rapidsim.report.run.summary import ASCII_BARS, BLOCK_BARS, Written, summary
 from rapidsim.report.run.verdicts import Judgement
 from rapidsim.simulation.results.simulation import Simulation
+from rapidsim.values import dataclass
 
 if TYPE_CHECKING:
     from rich.console import RenderableType

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
@@ -12,6 +11,7 @@ from rapidsim.cli.terminal import Terminal
 from rapidsim.cli.tools.run_output import stage
 from rapidsim.files import InputError
 from rapidsim.jobs.run_files import LoadedJob
+from rapidsim.values import dataclass
 
 if TYPE_CHECKING:
     from rich.console import RenderableType

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 import numpy.typing as npt
 
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Array
+from rapidsim.values import dataclass
 
 Faces = npt.NDArray[np.int64]
 

@@ -5,9 +5,10 @@ Plain data, read from the station file or the file that `--io` names.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from rapidsim.language.option_data import CameraTarget
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

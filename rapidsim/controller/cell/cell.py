@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from typing import Protocol
 
 from rapidsim.controller.cell.camera_scripts import CameraState
@@ -21,6 +20,7 @@ from rapidsim.controller.cell.home_folder import HomeFolder
 from rapidsim.controller.cell.inputs import CellInputs
 from rapidsim.controller.cell.message_queues import MessageQueues
 from rapidsim.controller.cell.operator import Operator
+from rapidsim.controller.cell.pendant import Pendant
 from rapidsim.controller.cell.rendezvous import Meetings
 from rapidsim.controller.cell.sensors import NoSensors, Sensors
 from rapidsim.controller.cell.signals import SignalTable
@@ -32,6 +32,7 @@ from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.journal.journal import Instant, Journal, Moment
 from rapidsim.language.error_log import LoggedError
 from rapidsim.language.moves import Place
+from rapidsim.values import dataclass
 
 OUTSIDE = "cell"
 """Stands for a task's name at events that no task causes."""
@@ -146,6 +147,8 @@ class Cell:
         self.signals = SignalTable(inputs.io.signals)
         self.home = HomeFolder(inputs.home, inputs.ramdisk)
         self.operator = Operator(inputs.answers, inputs.answers_are_typed)
+        self.pendant: Pendant | None = None
+        """Where questions wait for answers; None where they are answered at once or never."""
         self.texts = TextTables()
         self.sockets = SocketTable(inputs.io.sockets, self.happen)
         self.network = inputs.network
@@ -266,6 +269,7 @@ class Cell:
     def close(self) -> None:
         """Close the files and connections that the program left open."""
         self.home.close_all()
+        self.sensors.close()
         if self.network is not None:
             self.network.close()
 

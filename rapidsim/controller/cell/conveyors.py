@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+
+from rapidsim.values import dataclass
 
 MM_BEHIND = 1e-6
 

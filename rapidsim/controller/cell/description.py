@@ -6,13 +6,14 @@ All of it is plain data, read from a station file or from the file that `--io` n
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import StrEnum
 
 from rapidsim.controller.cell.camera_scripts import CameraScript
 from rapidsim.controller.cell.conditions import Condition
 from rapidsim.controller.cell.conveyors import ConveyorScript
 from rapidsim.controller.cell.socket_scripts import SocketScript
+from rapidsim.values import dataclass
 
 
 class SignalKind(StrEnum):

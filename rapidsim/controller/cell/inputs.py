@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.language.equipment import Configured
+from rapidsim.values import dataclass
 
 if TYPE_CHECKING:
     from rapidsim.controller.cell.network import Network

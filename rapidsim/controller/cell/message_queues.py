@@ -10,7 +10,7 @@ Size", "RMQ Max No Of Messages". That a message is as long as its text is our re
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 
 from rapidsim.language.error_numbers import (
@@ -20,6 +20,7 @@ from rapidsim.language.error_numbers import (
     rapid_error,
 )
 from rapidsim.language.messages import Message, MessageKind, Slot
+from rapidsim.values import dataclass
 
 LEAST_BYTES, MOST_BYTES = 400, 3000
 MOST_MESSAGES = 10

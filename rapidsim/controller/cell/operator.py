@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Generic, TypeVar
 
 from rapidsim.controller.cell.inputs import Answers
 from rapidsim.diagnostics import Violation
 from rapidsim.findings.runs import AnswerNotAChoice, AnswerNotANumber, QuestionUnanswered
+from rapidsim.values import dataclass
 
 DEFAULT_NUMBER = 0.0
 

@@ -2,32 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
 from typing import Protocol
 
-from rapidsim.motion.guidance.feedback import Feedback
+from rapidsim.motion.guidance.feedback import Feedback, GuidedFeedback
 from rapidsim.motion.guidance.guided_run import GuidedRun
 from rapidsim.motion.guidance.sensor import SensorAnswer
-
-
-class Sensor(Protocol):
-    """A sensor that a task talks to."""
-
-    def begin(self, run: GuidedRun, told: Teller) -> None:
-        """A guidance begins; `exchange` is called at each of its cycles that is a sample."""
-        ...
-
-    def exchange(self, feedback: Feedback) -> SensorAnswer | None:
-        """Tell where the robot is; what the sensor has said since the last time."""
-        ...
-
-    def end(self) -> None:
-        """The guidance is over."""
-        ...
-
-    def close(self) -> None:
-        """Nobody talks to it any more."""
-        ...
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -38,14 +19,42 @@ class Teller:
     """Of the first cycle [s]."""
     samples: int
     """Cycles from one word to the next."""
-    feedback: FeedbackMaker
+    feedback: GuidedFeedback
 
 
-class FeedbackMaker(Protocol):
-    """Makes what a sensor is told of a guidance."""
+class Sensor(Protocol):
+    """A sensor that a task talks to."""
 
-    def __call__(self, run: GuidedRun, time_s: float) -> Feedback:
-        """What is told at a time [s]."""
+    @property
+    def looks_ahead(self) -> bool:
+        """Whether a stream is told beforehand where the robot will be, so that no word is late."""
+        ...
+
+    def begin(self, run: GuidedRun, told: Teller) -> None:
+        """A guidance begins; `exchange` is called at each of its cycles that is a sample."""
+        ...
+
+    def exchange(self, feedback: Feedback) -> SensorAnswer | None:
+        """Tell where the robot is; what the sensor has said since the last time."""
+        ...
+
+    def stop(self, *, goes_back: bool, ramp_out_s: float) -> None:
+        """The program ends the guidance; see `GuidedRun.stop`."""
+        ...
+
+    def end(self, feedback: Feedback) -> None:
+        """The guidance is over; a last word."""
+        ...
+
+    def tell(self, stream: Sequence[Feedback]) -> None:
+        """Tell, each at its time, where a robot is that nobody guides.
+
+        With `looks_ahead` these times are to come, and later words replace those before.
+        """
+        ...
+
+    def close(self) -> None:
+        """Nobody talks to it any more."""
         ...
 
 
@@ -53,12 +62,22 @@ class Sensors(Protocol):
     """All devices that a controller knows."""
 
     def open(self, device: str) -> Sensor:
-        """Talk to the sensor behind a device."""
+        """Talk to the sensor behind a device.
+
+        Raises:
+            NotAllowed: If the program may not talk to it.
+        """
+        ...
+
+    def close(self) -> None:
+        """Nobody talks to any of them any more."""
         ...
 
 
 class SilentSensor:
     """Nobody is there."""
+
+    looks_ahead: bool = False
 
     def begin(self, run: GuidedRun, told: Teller) -> None:
         """See `Sensor`."""
@@ -68,7 +87,13 @@ class SilentSensor:
         del feedback
         return None
 
-    def end(self) -> None:
+    def stop(self, *, goes_back: bool, ramp_out_s: float) -> None:
+        """See `Sensor`."""
+
+    def end(self, feedback: Feedback) -> None:
+        """See `Sensor`."""
+
+    def tell(self, stream: Sequence[Feedback]) -> None:
         """See `Sensor`."""
 
     def close(self) -> None:
@@ -82,3 +107,6 @@ class NoSensors:
         """See `Sensors`."""
         del device
         return SilentSensor()
+
+    def close(self) -> None:
+        """See `Sensors`."""

@@ -5,7 +5,7 @@ Plain data, read from the station file or the file that `--io` names.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from rapidsim.language.equipment import Configured
+from rapidsim.language.equipment import Attributes, Configured
 
 
 class SystemParameters:
@@ -13,10 +13,19 @@ class SystemParameters:
     def __init__(self, configured: Configured) -> None:
         """Begin with what the station says."""
         self._types = {
-            (domain.upper(), of.upper()): [dict(one) for one in found]
+            (domain.upper(), of.upper()): [Attributes(one) for one in found]
             for domain, types in configured.items()
             for of, found in types.items()
         }
+
+    @property
+    def domains(self) -> tuple[str, ...]:
+        """All domains."""
+        return tuple(dict.fromkeys(domain for domain, _ in self._types))
+
+    def types(self, domain: str) -> tuple[str, ...]:
+        """The types of a domain; none where there is no such domain."""
+        return tuple(of for one, of in self._types if one == domain.upper())
 
     def instances(self, domain: str, of: str) -> Sequence[Mapping[str, str]] | None:
         """The instances of a type; None where there is no such type."""
@@ -24,4 +33,5 @@ class SystemParameters:
 
     def change(self, domain: str, of: str, number: int, attribute: str, value: str) -> None:
         """Give an instance, by its position, another value of an attribute."""
-        self._types[domain.upper(), of.upper()][number][attribute.lower()] = value
+        instances = self._types[domain.upper(), of.upper()]
+        instances[number] = instances[number].with_value(attribute, value)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 
 from rapidsim.language.moves import Place
+from rapidsim.values import dataclass
 
 
 class EventKind(StrEnum):

@@ -6,8 +6,6 @@ where the move fails, in the base frame of the robot.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from rapidsim.diagnostics import Violation
@@ -17,6 +15,7 @@ from rapidsim.motion.geometry.curves import circle_fault, curves_of
 from rapidsim.motion.geometry.joint_mapping import arms_of
 from rapidsim.motion.geometry.segments import Geometry, Segment
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.values import dataclass
 
 _WAY_POINTS = 49
 """Points that make a joint move or an arc look round."""

@@ -8,13 +8,14 @@ time until it is; entries refer to it and are dated when the run is over.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from rapidsim.controller.journal.events import Event, EventKind, ExecutedLine, Unsimulated, Wait
 from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.journal.stop_reasons import EventLimitReached
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.language.moves import Place
+from rapidsim.values import dataclass
 
 MOST_EVENTS = 1_000_000
 """A loop that writes texts or sets outputs for ever would otherwise use up the memory."""

@@ -8,7 +8,7 @@ run against another work object than they were taught with, and the rest of them
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -59,6 +59,7 @@ from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.path.path import build_path
 from rapidsim.motion.path.wrist_circle import end_of_circle, findings_on_pair, led_by_pair
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.values import dataclass
 
 CURVE_SAMPLES = 33
 """Poses along a line or arc by which the whole turns of the joints are followed to its end."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 
 import numpy as np
@@ -10,6 +10,7 @@ import numpy as np
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import ConfData
 from rapidsim.language.moves import Move, Place
+from rapidsim.values import dataclass
 
 
 class CornerKind(StrEnum):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from types import MappingProxyType
 
 import numpy as np
@@ -30,14 +31,29 @@ def frames_of(
     Raises:
         NotAllowed: Where tool and work object are not plain.
     """
-    tool, wobj = activation.tool or state.tool, activation.wobj or state.wobj
-    tcp_from_flange = _tool(tool)
     if activation.frames is None:
-        base_from_told = _work_object(resolver, wobj, stands)
-    else:
-        frames = activation.frames
-        base_from_told = _frame(resolver, stands, tool, wobj, frames.sensor, frames.sensor_type)
-    return Frames(resolver.robot.kinematics, tcp_from_flange, base_from_told.inverse())
+        return told_frames(resolver, state, activation.tool, activation.wobj, stands.external)
+    tool, wobj = activation.tool or state.tool, activation.wobj or state.wobj
+    frames = activation.frames
+    base_from_told = _frame(resolver, stands, tool, wobj, frames.sensor, frames.sensor_type)
+    return Frames(resolver.robot.kinematics, _tool(tool), base_from_told.inverse())
+
+
+def told_frames(
+    resolver: Resolver,
+    state: MotionState,
+    tool: ToolData | None,
+    wobj: WobjData | None,
+    external: Array,
+) -> Frames:
+    """The TCP in the work object; None takes the tool or work object of the last move.
+
+    Raises:
+        NotAllowed: Where tool and work object are not plain.
+    """
+    base_from_object = _work_object(resolver, wobj or state.wobj, external)
+    tcp_from_flange = _tool(tool or state.tool)
+    return Frames(resolver.robot.kinematics, tcp_from_flange, base_from_object.inverse())
 
 
 def pose_aim(
@@ -90,9 +106,9 @@ def _frame(
     elif of == _TOOL:
         base_from_type = resolver.robot.forward(stands.joints) @ _tool(tool).inverse()
     elif of == _WOBJ:
-        base_from_type = _work_object(resolver, wobj, stands)
+        base_from_type = _work_object(resolver, wobj, stands.external)
     elif of == _WORLD:
-        base_from_type = _world(resolver, stands)
+        base_from_type = _world(resolver, stands.external)
     else:
         name = _FRAME_NAMES.get(of, f"{of:g}")
         raise NotAllowed(f"EGMActPose: {name} is no frame that a pose can be given in")
@@ -106,21 +122,21 @@ def _tool(tool: ToolData) -> Transform:
     return targets.tcp_from_flange(tool)
 
 
-def _world(resolver: Resolver, stands: Waypoint) -> Transform:
-    """base_from_world where external axes stand."""
-    external, world_from_base = resolver.robot.external, resolver.base_from_world.inverse()
-    if not external:
+def _world(resolver: Resolver, external: Array) -> Transform:
+    """base_from_world where external axes (e,) [m or rad] stand."""
+    axes, world_from_base = resolver.robot.external, resolver.base_from_world.inverse()
+    if not axes:
         return resolver.base_from_world
-    return targets.world_from_base_at(external, world_from_base, stands.external[None])[0].inverse()
+    return targets.world_from_base_at(axes, world_from_base, external[None])[0].inverse()
 
 
-def _work_object(resolver: Resolver, wobj: WobjData, stands: Waypoint) -> Transform:
+def _work_object(resolver: Resolver, wobj: WobjData, external: Array) -> Transform:
     if wobj.robhold or targets.unit_of(wobj, resolver.robot.external):
         raise NotAllowed(
             "a robot guided by a sensor in a work object that something moves is not simulated"
         )
     return (
-        _world(resolver, stands)
+        _world(resolver, external)
         @ _pose("the user frame", wobj.uframe)
         @ _pose("the object frame", wobj.oframe)
     )
@@ -128,4 +144,6 @@ def _work_object(resolver: Resolver, wobj: WobjData, stands: Waypoint) -> Transf
 
 def _pose(name: str, pose: Pose) -> Transform:
     require_orientation(name, pose.rot)
+    if not all(map(math.isfinite, pose.trans)):
+        raise NotAllowed(f"{name} is infinitely far away")
     return targets.transform(pose)

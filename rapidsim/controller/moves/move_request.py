@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rapidsim.controller.moves.target_words import named_target
 from rapidsim.diagnostics import Violation
 from rapidsim.language.errors import RapidError
 from rapidsim.language.moves import MotionSettings, Move, Place
 from rapidsim.motion.configurations.targets import Placement
+from rapidsim.values import dataclass
 
 
 class MoveRefusedError(RapidError):

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.time_scaling import Timing
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import ClassVar
 
 import numpy as np
@@ -17,6 +17,7 @@ import numpy as np
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.motion.trajectory.trajectory import Trajectory
+from rapidsim.values import dataclass
 
 _ROUNDING_M = 1e-9
 

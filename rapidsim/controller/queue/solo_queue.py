@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import partial
 from typing import Protocol
 
@@ -26,6 +26,7 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.timing.axis_limits import limits_of, model_of
 from rapidsim.motion.trajectory.guided_stretch import GuidedStretch
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+from rapidsim.values import dataclass
 
 REGAINED_M = 0.010
 """So far [m] from where it left its path the TCP may be to go back by itself."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import ClassVar
 
 import numpy as np
@@ -10,6 +10,7 @@ import numpy as np
 from rapidsim.controller.cell.cell import Cause, Cell
 from rapidsim.controller.journal.journal import Instant, Moment
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.values import dataclass
 
 STEP_S = 0.012
 """An output is written in steps of this time."""

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.controller.queue import stopping
@@ -12,6 +10,7 @@ from rapidsim.controller.queue.team_planner import TeamPlanner
 from rapidsim.language.error_numbers import ERR_PATH, rapid_error
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from rapidsim.analysis.program import LibrarySymbol, ParameterSymbol, RoutineSymbol, UnknownSymbol
 from rapidsim.interpreter.codegen.ast_builder import At
@@ -29,6 +28,7 @@ from rapidsim.library.table import LibraryRoutine, Parameter, Signature
 from rapidsim.library.text import value_text
 from rapidsim.library.traits import ONLY_LOOKS, Does
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

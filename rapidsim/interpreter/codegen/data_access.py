@@ -8,7 +8,6 @@ parameters hold whatever reference they were given.
 from __future__ import annotations
 
 import ast
-from dataclasses import dataclass
 from enum import Enum
 from types import MappingProxyType
 
@@ -30,6 +29,7 @@ from rapidsim.interpreter.runtime.values import element_type, is_signal
 from rapidsim.language.annotations import Mode
 from rapidsim.language.types import NUM, SIGNAL_DI, ArrayOf, Record, Type, resolved
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 _KEPT_BY = MappingProxyType(
     {

@@ -8,12 +8,12 @@ arrays fastest; they become floats where they leave such expressions.
 from __future__ import annotations
 
 import ast
-from dataclasses import dataclass
 from enum import Enum
 
 from rapidsim.interpreter.codegen.ast_builder import At
 from rapidsim.interpreter.runtime.arithmetic import MAX_DOUBLE, MAX_INTEGER, MAX_STRING
 from rapidsim.language.single import LARGEST_SINGLE, SPLIT
+from rapidsim.values import dataclass
 
 
 class Owed(Enum):

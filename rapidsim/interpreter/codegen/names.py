@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TypeAlias
 
 from rapidsim.analysis.cell_names import ConfiguredSymbol
@@ -26,6 +26,7 @@ from rapidsim.language.moves import Place
 from rapidsim.language.reference import Box
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from rapidsim.analysis.program import LibrarySymbol, Program, RoutineSymbol, UnknownSymbol
 from rapidsim.interpreter.codegen.ast_builder import At
 from rapidsim.interpreter.runtime.loaded_calls import may_be_loaded
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 MOST_CALLS = 1000
 """Calls, those of what is called included, that may follow from one call without a tick."""

@@ -23,7 +23,6 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from rapidsim.analysis.program import (
     DataSymbol,
@@ -45,6 +44,7 @@ from rapidsim.interpreter.codegen.statements import Statements
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.language.moves import Place
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Scope
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
@@ -27,6 +26,7 @@ from rapidsim.interpreter.runtime.values import Value
 from rapidsim.language.controller import Controller
 from rapidsim.language.errors import RapidError
 from rapidsim.library.predefined import DATA
+from rapidsim.values import dataclass
 
 __all__ = ["FatalError", "Frame", "Task", "load", "running"]
 

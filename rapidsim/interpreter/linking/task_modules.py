@@ -11,7 +11,6 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import lru_cache, partial
 
 from rapidsim.analysis.cell_names import CellNames
@@ -37,6 +36,7 @@ from rapidsim.language.error_numbers import (
 from rapidsim.language.modules import SavedModule
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import Parsed, parse
+from rapidsim.values import dataclass
 
 PROGRAM_MEMORY = 50_000_000
 """Characters of all that a task may have loaded at one time."""

@@ -8,7 +8,6 @@ from __future__ import annotations
 import ast
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Storage
 from rapidsim.analysis.tree_walk import data_of
@@ -31,6 +30,7 @@ from rapidsim.interpreter.linking.constants import Constants
 from rapidsim.interpreter.runtime.memory import initial_literal
 from rapidsim.language.types import ArrayOf, resolved
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 INITIALISE = "_initialise"
 """The function that gives module variables the initial values that are more than literals."""

@@ -7,7 +7,6 @@ frames of our own functions between are left out.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from itertools import islice, zip_longest
 from types import CodeType, MappingProxyType, TracebackType
 
@@ -17,6 +16,7 @@ from rapidsim.interpreter.runtime.error_recovery import GENERATED, is_generated
 from rapidsim.interpreter.runtime.values import Value
 from rapidsim.language.errors import RapidError
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import partial
 from types import CodeType, FrameType, TracebackType
 from typing import Final
@@ -32,6 +32,7 @@ from rapidsim.language.error_numbers import (
     rapid_error,
 )
 from rapidsim.language.errors import CutOff, RaisedError, RaisedToUser, RapidError, Stopped
+from rapidsim.values import dataclass
 
 ERRORS: Final = (RapidError, ZeroDivisionError)
 """What a program can catch. Python divides by zero on its own; any other exception is a defect."""

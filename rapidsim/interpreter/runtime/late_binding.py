@@ -9,7 +9,7 @@ Source: Technical reference manual RAPID Overview, "Procedure calls with late bi
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, NoReturn
 
 from rapidsim.analysis.program import ParameterSymbol, RoutineSymbol
@@ -35,6 +35,7 @@ from rapidsim.library.catalogue import ROUTINES
 from rapidsim.library.table import LibraryRoutine, Parameter
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ shares a cell or list shares the variable.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 from rapidsim.analysis.program import DataSymbol, Program, Storage
@@ -16,6 +16,7 @@ from rapidsim.interpreter.runtime.values import Value, copied, literal
 from rapidsim.language.initial import initial_value
 from rapidsim.language.reference import Box
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 
 class PersistentBox(Box[Any]):

@@ -10,7 +10,7 @@ Source: RAPID Overview, "Declarations", persistent declarations.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, Protocol, SupportsIndex
 
 from rapidsim.analysis.program import DataSymbol, Program, Scope, Storage
@@ -26,6 +26,7 @@ from rapidsim.language.initial import initial_value
 from rapidsim.language.reference import Box
 from rapidsim.language.types import same
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 _CONTENT = Box.__dict__["value"]
 """Where a cell keeps its value; `SharedBox` hides it behind a property."""

@@ -8,11 +8,11 @@ is loaded. BACKWARD clauses do not count either: the simulator never runs backwa
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import assert_never
 
 from rapidsim.diagnostics import Source
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

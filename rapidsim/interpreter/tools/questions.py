@@ -8,7 +8,7 @@ one that a program loads, so what checks and executes programs does it here, too
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from rapidsim.analysis.passes.checker import Checked, check
 from rapidsim.analysis.program import (
@@ -34,6 +34,7 @@ from rapidsim.library.text import value_text
 from rapidsim.library.traits import ONLY_LOOKS, Does
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import Parsed, parse
+from rapidsim.values import dataclass
 
 _ACTS = (
     Does.MOVE

@@ -7,7 +7,6 @@ pose before, and only the cheapest to each need be kept.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import pairwise, product
 
 import numpy as np
@@ -18,6 +17,7 @@ from rapidsim.motion.configurations.reachability import limit_excess, turns_with
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.kinematics.unwrapping import TURN
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.values import dataclass
 
 _BATCH = 1024
 

@@ -11,7 +11,6 @@ digits, which stand for its arm angle, are not modelled.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import product
 from math import ceil, floor, isinf, pi
 
@@ -24,6 +23,7 @@ from rapidsim.motion.configurations.reachability import LIMIT_TOLERANCE, turns_w
 from rapidsim.motion.kinematics.arm import Kinematics, Mask
 from rapidsim.motion.kinematics.numerical.solver import Numerical
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.values import dataclass
 
 Integers = npt.NDArray[np.int64]
 

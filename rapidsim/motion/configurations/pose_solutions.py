@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
@@ -24,6 +23,7 @@ from rapidsim.motion.configurations.reachability import (
     why_unreachable,
 )
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.singularities import Differential
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.values import dataclass
 
 _MOVES = 0.2
 """Share [m/rad] of a direction that is velocity, above which it is shown as one."""

@@ -7,7 +7,6 @@ returned has been solved, not estimated.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -21,6 +20,7 @@ from rapidsim.motion.configurations.reachability import (
 )
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.values import dataclass
 
 FARTHEST = 1.5
 """No shift beyond this [m] is proposed."""

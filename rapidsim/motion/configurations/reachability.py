@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import degrees
 
 import numpy as np
@@ -10,6 +9,7 @@ import numpy as np
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.numerical.solver import Numerical
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.values import dataclass
 
 LIMIT_TOLERANCE = 1e-9
 """A joint counts as within its limits up to this [rad], for rounding."""

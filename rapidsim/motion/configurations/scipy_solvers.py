@@ -6,7 +6,6 @@ The only module of the room that imports SciPy; it is imported when a solver is 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from types import MappingProxyType
 
 import numpy as np
@@ -18,6 +17,7 @@ from rapidsim.motion.configurations.reachability import limit_excess, turns_with
 from rapidsim.motion.kinematics.arm import Kinematics
 from rapidsim.motion.kinematics.numerical.seeds import spread_starts
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.values import dataclass
 
 METRES_PER_RADIAN = 0.3
 """What a turn weighs against a way, so that both count alike at the size of an arm."""

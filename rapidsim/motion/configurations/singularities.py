@@ -6,14 +6,13 @@ Its rows mix m/rad and rad/rad, as usual, so singular values compare poses of on
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from rapidsim.frames.rotation_vectors import cross, rotate
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.arm import Kinematics
 from rapidsim.motion.kinematics.singularity import Singularity
+from rapidsim.values import dataclass
 
 SMALL_SINGULAR_VALUE = 1e-10
 """Share of the largest singular value below which one counts as 0."""

@@ -15,7 +15,6 @@ Source: Technical reference manual RAPID Overview, "Coordinate systems"; data ty
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -43,6 +42,7 @@ from rapidsim.motion.geometry.joint_mapping import Arms
 from rapidsim.motion.geometry.segments import Carrier, Waypoint
 from rapidsim.motion.kinematics.arm import Kinematics
 from rapidsim.motion.robot.external_axes import ExternalAxis, screws_of
+from rapidsim.values import dataclass
 
 MM = 1e-3
 """Metres in a millimetre."""

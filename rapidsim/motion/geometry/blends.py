@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import IntEnum
 from typing import assert_never
 
@@ -24,6 +24,7 @@ from rapidsim.motion.geometry.joint_mapping import Arms, arms_of
 from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.kinematics.arm import Kinematics
 from rapidsim.motion.model import MotionModel
+from rapidsim.values import dataclass
 
 _SMALLEST_RADIUS = 1e-6
 _SMALLEST_SHARE = 1e-4

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
@@ -25,6 +24,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.joint_mapping import arms_of
 from rapidsim.motion.geometry.segments import TURNS_WITH_PATH, CircleMode, Geometry, Segment
 from rapidsim.motion.kinematics.arm import Kinematics
+from rapidsim.values import dataclass
 
 Index = npt.NDArray[np.int64]
 

@@ -7,7 +7,6 @@ piece. Derivatives jump at breakpoints, therefore places are asked for together 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -20,6 +19,7 @@ from rapidsim.motion.geometry.blends import Corners
 from rapidsim.motion.geometry.curves import Curves, Index
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.model import BlendShape
+from rapidsim.values import dataclass
 
 _SLIVER = 1e-12
 

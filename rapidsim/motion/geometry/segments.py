@@ -6,7 +6,7 @@ Segments are what geometry and timing are planned from. All units are SI.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import Enum
 from types import MappingProxyType
 
@@ -14,6 +14,7 @@ import numpy as np
 
 from rapidsim.frames.moving_frames import Screw
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.values import dataclass
 
 
 class Geometry(Enum):

@@ -19,7 +19,6 @@ Mathematical Introduction to Robotic Manipulation, section 3.2, subproblem 2.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -29,6 +28,7 @@ from rapidsim.frames.rotation_vectors import cross, rotate, rotation_from_vector
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.kinematics.arm import Kinematics, Mask
+from rapidsim.values import dataclass
 
 Index = npt.NDArray[np.int64]
 

@@ -7,7 +7,7 @@ as a pose, and the joints that reach it are what the axes go for.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Protocol
 
 import numpy as np
@@ -19,6 +19,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.guidance.joint_law import CYCLE_S, LowPass
 from rapidsim.motion.guidance.sensor import SensorAnswer, pose_of, radians, twist_of
 from rapidsim.motion.kinematics.arm import Kinematics
+from rapidsim.values import dataclass
 
 Chosen = npt.NDArray[np.bool_]
 

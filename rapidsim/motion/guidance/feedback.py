@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import replace
 from enum import Enum, auto
 
 import numpy as np
@@ -11,6 +11,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.guidance.guided_run import Ended, GuidedRun
 from rapidsim.motion.guidance.sensor import in_degrees, in_millimetres
 from rapidsim.motion.kinematics.arm import Kinematics
+from rapidsim.values import dataclass
 
 
 class Guided(Enum):
@@ -68,18 +69,34 @@ class GuidedFeedback:
     def __call__(self, run: GuidedRun, time_s: float) -> Feedback:
         """At a time [s]."""
         motion = run.motion
-        position, orientation = self.frames.pose(motion.joints)
         share = np.max(np.abs(motion.speed) / motion.axes.max_speed, initial=0.0)
-        return Feedback(
-            time_s,
-            in_degrees(motion.joints),
-            self.external,
-            position,
-            orientation,
-            _told(run.ended, is_over=run.is_over),
-            run.is_met,
-            float(100.0 * share),
+        told = _told(run.ended, is_over=run.is_over)
+        there = standing_feedback(
+            self.frames, time_s, motion.joints, self.external, told, float(100.0 * share)
         )
+        return replace(there, is_met=run.is_met)
+
+
+def standing_feedback(
+    frames: Frames,
+    time_s: float,
+    joints: Array,
+    external: tuple[float, ...],
+    guided: Guided,
+    utilisation: float,
+) -> Feedback:
+    """What is told of joints (n,) [rad] at a time [s]; see `Feedback`."""
+    position, orientation = frames.pose(joints)
+    return Feedback(
+        time_s,
+        in_degrees(joints),
+        external,
+        position,
+        orientation,
+        guided,
+        is_met=False,
+        utilisation=utilisation,
+    )
 
 
 def _told(ended: Ended | None, *, is_over: bool) -> Guided:

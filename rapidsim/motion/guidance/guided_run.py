@@ -7,7 +7,7 @@ process beside it that talks to the sensor, and a journal that is lived again, a
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import Enum, auto
 
 import numpy as np
@@ -17,6 +17,7 @@ from rapidsim.motion.guidance.aims import Aim
 from rapidsim.motion.guidance.joint_law import CYCLE_S, JointMotion, Tuning
 from rapidsim.motion.guidance.sensor import SensorAnswer
 from rapidsim.motion.guidance.way_back import WayBack, way_back
+from rapidsim.values import dataclass
 
 
 class Ended(Enum):

@@ -8,12 +8,13 @@ and each axis keeps its limits of speed and acceleration by itself.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Final
 
 import numpy as np
 
 from rapidsim.frames.transform import Array
+from rapidsim.values import dataclass
 
 CYCLE_S: Final = 0.004
 """The controller's cycle [s]."""
@@ -86,10 +87,11 @@ class JointMotion:
             goal: Where to (n,) [rad].
             tuning: How strongly.
             speed: What is added (n,) [rad/s]: how fast the goal itself moves.
-            share: Of what is asked, while the guidance fades in; 0..1.
+            share: Of their greatest speed that axes may have, while the guidance begins; 0..1.
         """
         wanted = self._approach(goal - self.joints, tuning.gain) if tuning.gain else 0.0
-        self.at_speed(np.clip(share * (wanted + speed), -tuning.max_speed, tuning.max_speed))
+        most = share * np.minimum(self.axes.max_speed, tuning.max_speed)
+        self.at_speed(np.clip(wanted + speed, -most, most))
 
     def at_speed(self, wanted: Array) -> None:
         """Go on for a cycle and come as near to a speed (n,) [rad/s] as the axes can."""

@@ -5,11 +5,10 @@ The one place beside `configurations/targets.py` where a program's units become 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform, matrix_from_quaternion
+from rapidsim.values import dataclass
 
 MM = 1e-3
 _LEAST_NORM = 1e-6

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.guidance.joint_law import GuidedAxes
+from rapidsim.values import dataclass
 
 _TOP_SPEED = 1.875
 _TOP_ACCELERATION = 5.7735

@@ -7,7 +7,6 @@ pose at a time. What any arm can be asked has an answer here; an arm with formul
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
@@ -17,6 +16,7 @@ from rapidsim.frames import rigid
 from rapidsim.frames.rigid import Rigid
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.singularity import Singularity, by_idle_motion
+from rapidsim.values import dataclass
 
 Mask = npt.NDArray[np.bool_]
 

@@ -6,7 +6,6 @@ turns one axis and carries the next. Where rods hold a link level there is no su
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
@@ -14,6 +13,7 @@ import numpy as np
 from rapidsim.frames.rotation_vectors import rotation_from_vector
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.arm import Kinematics
+from rapidsim.values import dataclass
 
 _TOLERANCE = 1e-9
 _TRIALS = 5

@@ -5,13 +5,13 @@ The same few lines serve every arm that has no formulas of its own, and those wh
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from rapidsim.frames.rotation_vectors import cross, cross_matrix
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from rapidsim.frames.transform import Array
+from rapidsim.values import dataclass
 
 NEAR = 0.05
 """A singularity is near below this: 2.9 deg of an axis, 5 % of the reach."""

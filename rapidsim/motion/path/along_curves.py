@@ -7,7 +7,6 @@ close enough there tell a steep passage from a jump.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
@@ -15,6 +14,7 @@ import numpy.typing as npt
 from rapidsim.frames.transform import Array
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.kinematics.unwrapping import TURN, principal
+from rapidsim.values import dataclass
 
 Index = npt.NDArray[np.int64]
 Solve = Callable[[Array, Index], tuple[Array, Mask]]

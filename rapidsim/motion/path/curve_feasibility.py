@@ -8,7 +8,6 @@ told exactly by `path.build_path`, which takes one way at a time.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
@@ -23,6 +22,7 @@ from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.path.along_curves import LONGEST_CELL, WIDEST_CELL, Nodes, nodes_along, spread
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.values import dataclass
 
 Index = npt.NDArray[np.int64]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import Enum
 
 import numpy as np
@@ -19,6 +19,7 @@ from rapidsim.motion.path.along_curves import LONGEST_CELL, WIDEST_CELL, Nodes, 
 from rapidsim.motion.path.line_derivatives import Lines
 from rapidsim.motion.path.wrist_circle import why_not_led
 from rapidsim.motion.robot.external_axes import Axes
+from rapidsim.values import dataclass
 
 _SHORT_PIECE = 0.005
 """Up to here [m] both ends of a piece of a path are looked at and not its middle."""

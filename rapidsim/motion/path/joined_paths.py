@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any, TypeVar
 
 import numpy as np
@@ -19,6 +18,7 @@ from rapidsim.motion.geometry.joint_mapping import Arms, Index
 from rapidsim.motion.geometry.parameterisation import Layout
 from rapidsim.motion.geometry.wrist_pair import WristPairs
 from rapidsim.motion.path.path import Path
+from rapidsim.values import dataclass
 
 Rows = TypeVar("Rows")
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.joint_mapping import Index
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Segment
+from rapidsim.values import dataclass
 
 _WIDTHS = 4
 """So many widths of the smoothing stand for those while it widens."""

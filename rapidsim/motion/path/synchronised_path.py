@@ -11,7 +11,7 @@ Timing sees one path whose axes are those of all robots: the slowest decides at 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -23,6 +23,7 @@ from rapidsim.motion.geometry.parameterisation import Layout
 from rapidsim.motion.geometry.segments import Segment, Speed, Zone
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.path.path_derivatives import PathPoints, PathRates
+from rapidsim.values import dataclass
 
 _SLIVER = 1e-9
 """Breakpoints so near [m] count as one."""

@@ -7,7 +7,7 @@ not where the TCP stands, are assumptions: the manual leaves both open.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from rapidsim.motion.geometry.joint_mapping import Arms, Index, arms_of
 from rapidsim.motion.geometry.segments import Segment, Waypoint
 from rapidsim.motion.geometry.wrist_pair import FLATTEST, PairTurns
 from rapidsim.motion.kinematics.arm import Kinematics, Mask
+from rapidsim.values import dataclass
 
 _UPRIGHT = np.radians(10.0)
 """How far [rad] the tool may stand from perpendicular to the circle without a word."""

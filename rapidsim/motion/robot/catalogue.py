@@ -11,7 +11,6 @@ import difflib
 import re
 import tomllib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import cache
 from math import radians
 from pathlib import Path
@@ -29,6 +28,7 @@ from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry,
 from rapidsim.motion.robot.dynamics import Dynamics, Torques, prior
 from rapidsim.motion.robot.structures import Geometry, geometry_from_table
 from rapidsim.shipped import shipped
+from rapidsim.values import dataclass
 
 _PARTS = re.compile(r"(\d+)")
 NEAR_NAMES = 5

@@ -20,7 +20,6 @@ meets within 6 and 9 %; on logs of straight moves both torques stay on plateaus 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import atan2
 from typing import NamedTuple
 
@@ -28,6 +27,7 @@ import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.kinematics.closed_form.opw_geometry import OpwGeometry
+from rapidsim.values import dataclass
 
 _POINT_OF_RATED_LOAD = 1.3
 """The effective mass of the forearm in units of the rated payload: 0.9 to 1.8. Assumed."""

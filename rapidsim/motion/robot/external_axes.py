@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Literal
 
 import numpy as np
 
 from rapidsim.frames.moving_frames import Screw
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.values import dataclass
 
 Carried = Literal["robot", "wobj"]
 LETTERS = "abcdef"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
@@ -22,6 +21,7 @@ from rapidsim.motion.robot.catalogue import (
 )
 from rapidsim.motion.robot.dynamics import Dynamics
 from rapidsim.motion.robot.external_axes import Axes, ExternalAxis
+from rapidsim.values import dataclass
 
 __all__ = ["Joint", "Robot", "RobotError", "load_robot", "robot_names"]
 

@@ -6,7 +6,7 @@ for a file.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from io import BytesIO
 from math import inf
 from pathlib import Path
@@ -27,6 +27,7 @@ from rapidsim.motion.kinematics.numerical.solver import Numerical
 from rapidsim.motion.kinematics.serial_chain import AxesAtZero, SerialChain
 from rapidsim.motion.robot.catalogue import RobotError
 from rapidsim.motion.robot.urdf_text import plain_urdf
+from rapidsim.values import dataclass
 
 FLANGE_NAMES = ("tool0", "flange")
 """Links that are the flange, the first that the file has; else the link of the last axis."""

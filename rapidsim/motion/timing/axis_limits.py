@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.path_derivatives import PathRates
 from rapidsim.motion.robot.dynamics import Dynamics
 from rapidsim.motion.robot.robot import Robot, RobotError
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

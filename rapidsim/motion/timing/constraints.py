@@ -9,7 +9,6 @@ whatever else moves are the same to the solver. A new kind of limit is a new ent
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from enum import Enum
 from types import MappingProxyType
 
@@ -19,6 +18,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.axis_limits import Limits
 from rapidsim.motion.timing.discretisation import Places
+from rapidsim.values import dataclass
 
 Paces = Mapping[int, float]
 """Path speeds [m/s] that give segments their programmed times, by the position of the segment."""

@@ -7,7 +7,7 @@ piece share the places where they meet.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.path.path_derivatives import PathRates
 from rapidsim.motion.timing.axis_limits import Limits
+from rapidsim.values import dataclass
 
 _LONGEST_CELL = 0.025
 _TCP_CELLS = 8

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from rapidsim.motion.timing.constraints import (
     speed_rows,
 )
 from rapidsim.motion.timing.discretisation import Cells
+from rapidsim.values import dataclass
 
 _LEAST_SLOWNESS = 1e-6
 _HELD_BEND = 1.25

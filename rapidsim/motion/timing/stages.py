@@ -7,8 +7,6 @@ looking at the arm again. Within a stage the path acceleration is constant.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from rapidsim.frames.transform import Array
@@ -17,6 +15,7 @@ from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.timing import two_pass_loops
 from rapidsim.motion.timing.constraints import AccelerationRows
 from rapidsim.motion.timing.discretisation import Cells
+from rapidsim.values import dataclass
 
 LARGEST_X = 1e12
 """Square of a path speed [m2/s2] that nothing reaches."""

@@ -7,8 +7,6 @@ little: only they are cut.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from rapidsim.frames.transform import Array
@@ -20,6 +18,7 @@ from rapidsim.motion.timing.smoothed_speed_limits import held_speeds
 from rapidsim.motion.timing.stages import Stages, cut, fastest, loads, stages_of
 from rapidsim.motion.timing.time_scaling import Timing
 from rapidsim.motion.timing.two_pass import solve
+from rapidsim.values import dataclass
 
 _FIRST_PARTS = 2
 _ROUNDS = 3

@@ -11,14 +11,13 @@ more of them, so the cost is that of the time that all windows cover, however cl
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.trajectory.command import Index, MotionCommand
 from rapidsim.motion.trajectory.filter_windows import Windows
+from rapidsim.values import dataclass
 
 _AT_ONCE = 2_000
 """So many samples share their parts, which bounds the memory."""

@@ -8,7 +8,7 @@ their digits: a long piece has several, in rows of one table; row 0 is the stand
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 import numpy.typing as npt
@@ -19,6 +19,7 @@ from rapidsim.motion.path.joined_paths import JoinedPaths, joined_paths
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.time_scaling import Timing
 from rapidsim.motion.trajectory.time_scalings import Timings, timings_of
+from rapidsim.values import dataclass
 
 Index = npt.NDArray[np.int64]
 

@@ -14,7 +14,6 @@ does not look back beyond the new start.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -23,6 +22,7 @@ from rapidsim.motion.model import Averages
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.time_scaling import Timing
 from rapidsim.motion.trajectory.zero_crossings import first_crossing
+from rapidsim.values import dataclass
 
 _STEEPEST = 0.5
 """Largest T' while a window widens: the arm is seen at least at three quarters of its speed."""

@@ -7,13 +7,13 @@ NumPy each, which is more than the planning where there are many short stretches
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.timing.time_scaling import Timing
+from rapidsim.values import dataclass
 
 _FEW = 4
 """So many timings are cheaper to look through one by one."""

@@ -14,7 +14,7 @@ While somebody outside guides the robot there is no path: joints are those of a 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import overload
 
 import numpy as np
@@ -28,6 +28,7 @@ from rapidsim.motion.trajectory.command import ROUNDING_M, Index, MotionCommand,
 from rapidsim.motion.trajectory.filter_windows import Windows
 from rapidsim.motion.trajectory.guided_stretch import GuidedStretch
 from rapidsim.motion.trajectory.zero_crossings import first_crossing
+from rapidsim.values import dataclass
 
 SAMPLE_STEP_S = 0.012
 """As often as ABB's controllers log positions."""
@@ -229,6 +230,8 @@ class Trajectory:
         for path, s, at in self._command.on_paths(row, way):
             on_path = path.evaluate(s).base_from_tcp.translation
             off[at] = np.linalg.norm(samples.base_from_tcp.translation[at] - on_path, axis=1)
+        for one in self._guided:
+            off[(one.stretch.start_s <= samples.times) & (samples.times < one.until_s)] = 0.0
         return off
 
     def _standing(self, times: Array) -> Samples:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.waypoints.curves import Line
 from rapidsim.motion.waypoints.follow import Followed
 from rapidsim.motion.waypoints.plan import Refused, Way, tcp_motion
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -7,7 +7,6 @@ not reach, or a jump; told with the worst of the whole way.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import degrees
 
 import numpy as np
@@ -22,6 +21,7 @@ from rapidsim.motion.configurations.reachability import (
 from rapidsim.motion.robot.external_axes import amount_text
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.waypoints.branch_jumps import LARGEST_STEP
+from rapidsim.values import dataclass
 
 _EXACT = 1e-9
 """[m]; a wrist centre that is less beyond reach was rounded."""

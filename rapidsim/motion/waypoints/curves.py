@@ -6,7 +6,6 @@ the same time.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Protocol
 
@@ -15,6 +14,7 @@ import numpy as np
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.waypoints.piecewise_polynomials import Piecewise
 from rapidsim.motion.waypoints.points import between, posed
+from rapidsim.values import dataclass
 
 _CELLS = 16
 """Stretches of a spline between two knots whose lengths are found apart."""

@@ -5,7 +5,6 @@ Deviations are those of the TCP by forward kinematics of the solved joints, from
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import degrees
 
 import numpy as np
@@ -31,6 +30,7 @@ from rapidsim.motion.waypoints.plan import (
 from rapidsim.motion.waypoints.points import Points, posed
 from rapidsim.motion.waypoints.quintic import overshoot
 from rapidsim.motion.waypoints.tcp_joints import NOT_FROM_THERE, joints_of_tcp, solved, when
+from rapidsim.values import dataclass
 
 DEFAULT_DT = 0.012
 """[s]"""

@@ -5,12 +5,12 @@ Enters a place or a time, leaves values and derivatives; extremes are exact, not
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import factorial
 
 import numpy as np
 
 from rapidsim.frames.transform import Array
+from rapidsim.values import dataclass
 
 _NEGLIGIBLE = 1e-12
 """Share of a polynomial's largest coefficient below which one is rounding."""

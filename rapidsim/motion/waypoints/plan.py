@@ -5,7 +5,6 @@ Enters a `Plan` with points, leaves curves with time laws, or a joint polynomial
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import StrEnum
 from itertools import pairwise
 from math import pi
@@ -21,6 +20,7 @@ from rapidsim.motion.waypoints.points import Points, turn
 from rapidsim.motion.waypoints.quintic import quintics
 from rapidsim.motion.waypoints.spline import spline
 from rapidsim.motion.waypoints.velocity_profiles import Profile, law
+from rapidsim.values import dataclass
 
 _NOTHING = 1e-12
 """[m]; a shorter stretch takes no time."""

@@ -6,12 +6,11 @@ axis 1 and the point, which is all that an arm with five axes can do and what a 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 import numpy.typing as npt
 
 from rapidsim.frames.transform import Array, Transform, matrix_from_quaternion, slerp
+from rapidsim.values import dataclass
 
 _ON_AXIS_1 = 1e-9
 """[m]; nearer to axis 1 a pitch has no direction, and forward is taken."""

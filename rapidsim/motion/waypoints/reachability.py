@@ -5,7 +5,6 @@ A tool whose pitch is free is led in the middle of what the joints allow, point 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import degrees, radians
 
 import numpy as np
@@ -21,6 +20,7 @@ from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.kinematics.unwrapping import principal
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.waypoints.points import Points, posed
+from rapidsim.values import dataclass
 
 _PITCH_STEP = radians(0.5)
 _PITCHES: Array = _PITCH_STEP * np.arange(-360.0, 360.0)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from time import perf_counter
 
 import numpy as np
 
 from rapidsim.motion.waypoints.follow import Followed
+from rapidsim.values import dataclass
 
 _MOST_POSES = 100
 SOLVERS = ("lm", "trf", "bfgs")

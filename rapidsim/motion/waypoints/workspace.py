@@ -7,14 +7,13 @@ volume is too small rather than too large.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 import numpy.typing as npt
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.axis_tables import screws_of
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.values import dataclass
 
 _CELLS = 120
 """From the axis to the furthest place, and half as many again upwards and downwards."""

@@ -7,7 +7,6 @@ for bit the one that a run computes.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from operator import ge, gt, le, lt
 from typing import Any, Protocol, TypeAlias
 
@@ -25,6 +24,7 @@ from rapidsim.language.single import single
 from rapidsim.language.types import ArrayOf, Record, Type, resolved
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,9 +6,10 @@ Instructions such as ConfL, VelSet and PDispSet are the library's own; they are 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from rapidsim.language.moves import MotionSettings
+from rapidsim.values import dataclass
 
 DISPLACEMENTS = frozenset({"displacement", "axis_offsets"})
 """Settings without which no target is known."""

@@ -6,7 +6,7 @@ Everything here errs on the side of "may": what is not said to be written keeps 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 
 from rapidsim.analysis.program import (
@@ -28,6 +28,7 @@ from rapidsim.language.moves import MotionSettings
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 _CALLS_BY_NAME = Does.CALL_BY_NAME | Does.CALL_ON_THE_WAY
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from rapidsim.interpreter.codegen.calls import match_arguments
 from rapidsim.interpreter.codegen.data_access import bare, by_reference
@@ -15,6 +14,7 @@ from rapidsim.library.table import LibraryRoutine
 from rapidsim.reach.dataflow.known_values import Evaluator, Known, Unknown
 from rapidsim.reach.dataflow.recorder import NeedsRunError, Recorder
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

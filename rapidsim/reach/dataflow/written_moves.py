@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.program import DataSymbol, LibrarySymbol, Program, does
-from rapidsim.analysis.tree_walk import descendants
+from rapidsim.analysis.tree_walk import clauses, descendants, statements
 from rapidsim.diagnostics import Span
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
@@ -21,7 +21,8 @@ def written_moves(files: Iterable[tree.File]) -> tuple[Span, ...]:
     return tuple(
         module.span(node)
         for module in modules
-        for node in descendants(module)
+        for routine in module.routines
+        for node in statements(*clauses(routine))
         if isinstance(node, tree.Call)
         and node.name.key not in hidden
         and Does.MOVE in does(installed_symbol(node.name.key))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -12,6 +11,7 @@ from rapidsim.recording.samples import RecordedRobot
 from rapidsim.recording.scene.failed_moves import in_sight, reason_room
 from rapidsim.recording.scene.targets import Target, points_of
 from rapidsim.recording.scene.work_objects import object_origins
+from rapidsim.values import dataclass
 
 _HALF_VIEW_RAD = np.radians(22.0)
 """Half of what the viewer's camera sees from top to bottom, less a margin."""

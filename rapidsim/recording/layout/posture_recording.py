@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import uuid
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -23,6 +22,7 @@ from rapidsim.recording.scene.tool import TCP, tool_body
 from rapidsim.recording.stream import recording_file
 from rapidsim.recording.timelines import Clock
 from rapidsim.recording.transforms import BASE, WORLD, static_frame
+from rapidsim.values import dataclass
 
 FIGURES = "figures"
 FRAMES = "frames"

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import uuid
-from dataclasses import dataclass
 from math import degrees
 from pathlib import Path
 
@@ -27,6 +26,7 @@ from rapidsim.recording.scene.tool import BODY_ENTITY, FRAME_ENTITY, TCP, tool_b
 from rapidsim.recording.stream import recording_file
 from rapidsim.recording.timelines import Clock
 from rapidsim.recording.transforms import BASE, BASE_FROM_WORLD, WORLD, static_frame
+from rapidsim.values import dataclass
 
 POINTS = "points"
 PATH = "path/travelled"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import rerun as rr
 
@@ -12,6 +11,7 @@ from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.language.moves import Place
 from rapidsim.recording.samples import RecordedRobot
 from rapidsim.simulation.results.simulation import Simulation
+from rapidsim.values import dataclass
 
 ENTITY = "log"
 

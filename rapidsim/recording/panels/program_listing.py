@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import bisect
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import rerun as rr
 
@@ -16,6 +15,7 @@ from rapidsim.controller.journal.events import ExecutedLine
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Source
 from rapidsim.recording.samples import RecordedRobot
+from rapidsim.values import dataclass
 
 ENTITY = "program/text"
 

@@ -9,7 +9,6 @@ is shown beyond its limit.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Protocol
@@ -27,6 +26,7 @@ from rapidsim.recording.scene.link_shapes import log_shapes
 from rapidsim.recording.scene.stick_figure import log_bar
 from rapidsim.recording.timelines import Clock
 from rapidsim.recording.transforms import BASE, moving_frame, static_frame
+from rapidsim.values import dataclass
 
 ENTITY = "robot"
 FLANGE = "tool0"

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from types import MappingProxyType
 
 import rerun as rr
 from rerun.chunk import Chunk
 from rerun.urdf import UrdfTree
+
+from rapidsim.values import dataclass
 
 _FILLED = rr.components.FillMode.Solid
 _SOLID = MappingProxyType(

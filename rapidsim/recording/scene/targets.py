@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 import rerun as rr
@@ -15,6 +15,7 @@ from rapidsim.language.moves import Interpolation
 from rapidsim.recording import palette
 from rapidsim.recording.samples import RecordedRobot
 from rapidsim.simulation.results.time_shares import end_point
+from rapidsim.values import dataclass
 
 ENTITY = "targets"
 NAMES_NEAR = f"{ENTITY}/names/near"

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from rapidsim.diagnostics import Diagnostic
+from rapidsim.values import dataclass
 
 _MOST_OF_A_RULE = 20
 """Findings of one rule in one file that are shown one by one."""

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from dataclasses import dataclass
 
 from rapidsim.diagnostics import Span
 from rapidsim.report.palette import Palette
+from rapidsim.values import dataclass
 
 _TAB = 4
 _CUT = "..."

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import numpy as np
 
 from rapidsim.collisions.contact import Clearance, Contact
-from rapidsim.frames.transform import Array
+from rapidsim.frames.transform import Array, Transform
 from rapidsim.report.run.records import PoseRecord
 from rapidsim.simulation.results.simulation import Simulation
+from rapidsim.values import dataclass
 
 _MM = 1000.0
 
@@ -28,8 +29,8 @@ class ContactRecord:
     routine: str | None
     point_mm: tuple[float, ...]
     """Where, in the world."""
-    depth_mm: float
-    """How deep they were in each other at most while the move lasted."""
+    depth_mm: float | None
+    """How deep they were in each other at most while the move lasted; None after many contacts."""
     continued: bool
     """Whether they touched when the move began."""
     tcp: PoseRecord
@@ -57,7 +58,14 @@ def contact_records(simulation: Simulation) -> tuple[ContactRecord, ...]:
     """The contacts of a run in order of time; none where nothing is judged."""
     if simulation.collisions is None:
         return ()
-    return tuple(_contact(simulation, one) for one in simulation.collisions.found.contacts)
+    contacts = simulation.collisions.found.contacts
+    poses: list[Transform] = [Transform.identity()] * len(contacts)
+    for number, robot in enumerate(simulation.robots):
+        rows = [row for row, one in enumerate(contacts) if one.robot == number]
+        at = robot.sample(np.array([contacts[row].time_s for row in rows])).base_from_tcp
+        for k, row in enumerate(rows):
+            poses[row] = at[k]
+    return tuple(_contact(simulation, one, pose) for one, pose in zip(contacts, poses, strict=True))
 
 
 def clearance_records(simulation: Simulation) -> tuple[ClearanceRecord, ...]:
@@ -69,8 +77,7 @@ def clearance_records(simulation: Simulation) -> tuple[ClearanceRecord, ...]:
     return tuple(_clearance(simulation, one) for one in nearest_first)
 
 
-def _contact(simulation: Simulation, one: Contact) -> ContactRecord:
-    pose = simulation.robots[one.robot].sample(one.time_s).base_from_tcp[0]
+def _contact(simulation: Simulation, one: Contact, pose: Transform) -> ContactRecord:
     tcp = PoseRecord(_mm(pose.translation), tuple(pose.quaternion.tolist()), "base")
     task, move, file, line, routine = _place(simulation, one.robot, one.move)
     return ContactRecord(
@@ -83,7 +90,7 @@ def _contact(simulation: Simulation, one: Contact) -> ContactRecord:
         line=line,
         routine=routine,
         point_mm=_mm(one.point),
-        depth_mm=one.depth_m * _MM,
+        depth_mm=None if one.depth_m is None else one.depth_m * _MM,
         continued=one.continued,
         tcp=tcp,
     )

@@ -6,7 +6,7 @@ Everything is a function of the simulation alone, so a report of the same run is
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.simulation.results.acceleration_sensitivity import extra_time_s
 from rapidsim.simulation.results.simulation import End, RobotRun, Simulation
 from rapidsim.simulation.results.time_shares import Share, by_line
+from rapidsim.values import dataclass
 
 _SAMPLE_S = 0.012
 _MOST_SAMPLES = 20_000

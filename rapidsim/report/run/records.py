@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import fields, is_dataclass
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from rapidsim.simulation.results.curve_deviations import CurveDeviation, all_cur
 from rapidsim.simulation.results.event_values import written
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.results.time_shares import argument, instruction_of
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from rich.console import Console, ConsoleOptions, Group, RenderableType, RenderResult
@@ -30,6 +29,7 @@ from rapidsim.simulation.results.collisions import Collisions
 from rapidsim.simulation.results.persistents import PersistentChange, parts_of
 from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.simulation.results.time_shares import Share
+from rapidsim.values import dataclass
 
 _BAR_CELLS = 24
 _MOVE_CELLS = 22

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import degrees
 
 import numpy as np
@@ -20,6 +19,7 @@ from rapidsim.motion.waypoints.points import Points, linear_turn_rates, posed, t
 from rapidsim.motion.waypoints.reachability import PointReach
 from rapidsim.motion.waypoints.solver_starts import Started
 from rapidsim.report.uncut_table import WholeTable
+from rapidsim.values import dataclass
 
 _MOST_ROWS = 30
 """With more points, only those out of reach are listed."""

@@ -7,12 +7,12 @@ stand under each work object that a move names with them.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
 from rapidsim.analysis.program import DataSymbol, Program
 from rapidsim.frames import quaternion as rotations
 from rapidsim.language.data import IDENTITY_POSE, Pose, RobTarget, ToolData, WobjData
 from rapidsim.reach.dataflow.written_moves import NO_WOBJ, targets_by_wobj
+from rapidsim.values import dataclass
 
 ValueOf = Callable[[DataSymbol], object]
 """The value of program data before the program runs."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import degrees
 
 import numpy as np
@@ -15,6 +14,7 @@ from rapidsim.motion.configurations.postures import Postures
 from rapidsim.motion.configurations.singularities import Differential, joint_speeds
 from rapidsim.motion.kinematics.axis_tables import dh_table_of, screws_of
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.values import dataclass
 
 _DIGITS = 12
 """Of joints [deg], so that 30 comes back as 30."""

@@ -11,6 +11,8 @@ from rapidsim.server.messages import Answer, Item, Refusal
 
 JSON: Final = "application/json"
 XHTML: Final = "application/xhtml+xml"
+_PARTS: Final = {"sys-options-li": "options"}
+"""Under which name JSON has what an item of a class consists of; `attrib` for all others."""
 _HEAD: Final = (
     '<?xml version="1.0" encoding="UTF-8"?>'
     '<html xmlns="http://www.w3.org/1999/xhtml"><head><title>rapidsim</title>'
@@ -78,6 +80,8 @@ def _json_item(item: Item) -> dict[str, object]:
     shown: dict[str, object] = {"_type": item.kind, "_title": item.title, **item.fields}
     if item.arguments:
         shown["argv"] = [{"type": "string", "value": one} for one in item.arguments]
+    if item.parts:
+        shown[_PARTS.get(item.kind, "attrib")] = [_json_item(one) for one in item.parts]
     return shown
 
 
@@ -90,10 +94,12 @@ def _xhtml_item(item: Item) -> str:
         f'<span class="arg{number}" type="string">{escape(_plain(text), quote=False)}</span>'
         for number, text in enumerate(item.arguments, start=1)
     ]
+    parts = "".join(map(_xhtml_item, item.parts))
+    inside = f"<ul>{parts}</ul>" if parts else ""
     itself = f'<a href="{_quoted(item.href)}" rel="self"/>' if item.href else ""
     return (
         f'<li class="{_quoted(item.kind)}" title="{_quoted(item.title)}">'
-        f"{itself}{''.join(spans)}</li>"
+        f"{itself}{''.join(spans)}{inside}</li>"
     )
 
 

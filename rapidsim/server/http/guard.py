@@ -8,8 +8,9 @@ the headers Host and Origin, which a page cannot choose.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from ipaddress import ip_address
+
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

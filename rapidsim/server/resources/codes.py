@@ -13,7 +13,11 @@ NO_SIGNAL: Final = (404, -1073445866)
 BAD_PARAMETER: Final = (400, -1073445879)
 BAD_STATE: Final = (400, -1073442809)
 HELD_BY_ANOTHER: Final = (403, -1073445862)
+NOT_HELD: Final = (403, -1073445859)
 READ_ONLY: Final = (403, -1073445881)
+
+NO_FILE_TO_LOAD: Final = (400, -1073438708)
+NO_MODULE_TO_UNLOAD: Final = (400, -1073442816)
 
 _OF: Final = {
     Why.STATE: BAD_STATE,
@@ -22,6 +26,8 @@ _OF: Final = {
     Why.NO_SYMBOL: NO_SYMBOL,
     Why.NO_SIGNAL: NO_SIGNAL,
     Why.NO_UNIT: NOT_FOUND,
+    Why.NO_FILE: NO_FILE_TO_LOAD,
+    Why.NO_MODULE: NO_MODULE_TO_UNLOAD,
     Why.READ_ONLY: READ_ONLY,
 }
 
@@ -31,6 +37,11 @@ def refused(why: tuple[int, int], message: str) -> RefusedRequest:
     return RefusedRequest(*why, message)
 
 
-def as_answered(refusal: Refused) -> RefusedRequest:
+_OF_SECOND: Final = {**_OF, Why.NO_MODULE: (400, -1073442813)}
+"""The same in RobotWare 7."""
+
+
+def as_answered(refusal: Refused, generation: int) -> RefusedRequest:
     """What the controller refuses, as the answer to a request."""
-    return RefusedRequest(*_OF[refusal.why], refusal.message)
+    why = (_OF if generation == 1 else _OF_SECOND)[refusal.why]
+    return RefusedRequest(*why, refusal.message)

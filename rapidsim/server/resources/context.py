@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Final, TypeAlias, TypeVar
 
 from rapidsim.controller.cell.message_queues import MessageQueue
-from rapidsim.server.messages import Answer, Fields
-from rapidsim.server.resources.codes import BAD_PARAMETER, HELD_BY_ANOTHER, refused
+from rapidsim.server.messages import Answer, Fields, Request
+from rapidsim.server.resources.codes import BAD_PARAMETER, HELD_BY_ANOTHER, NOT_HELD, refused
 from rapidsim.server.resources.disks import FileService
 from rapidsim.simulation.live.controller import LiveController
 
@@ -37,14 +37,21 @@ class Context:
         ramdisk = None if options.ramdisk is None else options.ramdisk.resolve()
         self.files = FileService((options.home or Path("HOME")).resolve(), ramdisk)
 
-    def require_mastership(self, domain: str, session: int) -> None:
-        """Refuse what another session has the mastership of; in AUTO it is taken implicitly.
+    def require_mastership(self, domain: str, request: Request) -> None:
+        """Refuse what another session has the mastership of.
+
+        RobotWare 6 takes it implicitly where nobody has it, RobotWare 7 does not.
 
         Raises:
-            RefusedRequest: If another session holds it.
+            RefusedRequest: If another session holds it, or it must be held and is not.
         """
-        if self.masters.get(domain, session) != session:
+        holder = self.masters.get(domain)
+        if holder == request.session:
+            return
+        if holder is not None:
             raise refused(HELD_BY_ANOTHER, f"another session has the mastership of {domain}")
+        if request.generation == 2:
+            raise refused(NOT_HELD, f"this takes the mastership of {domain}")
 
     def release_all(self, session: int) -> None:
         """Give back what a session holds."""

@@ -11,13 +11,13 @@ import os
 import shutil
 import tempfile
 from contextlib import suppress
-from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 from typing import Final
 
 from rapidsim.server.messages import Answer, Item, RefusedRequest
 from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
+from rapidsim.values import dataclass
 
 DISKS: Final = ("HOME", "TEMP", "RAMDISK", "BACKUP")
 """The folders that clients reach by `$NAME`."""
@@ -42,6 +42,8 @@ class FileService:
         try:
             if place.is_dir():
                 return Answer(tuple(_item(one) for one in sorted(place.iterdir())))
+            if place in self._roots() and not place.exists():
+                return Answer()  # A folder for programs is made when the first writes into it.
             return place.read_bytes()
         except OSError:
             raise _not_there(address) from None
@@ -144,6 +146,13 @@ class FileService:
             return None
         place = self._folder(disk)
         return None if place.is_symlink() else place
+
+
+def path_of_programs(address: str) -> str:
+    """An address as programs write it: `$HOME/a.mod` is their `HOME:/a.mod`."""
+    disk, _, rest = address.partition("/")
+    name = disk.lstrip("$").rstrip(":").upper()
+    return f"{name}:/{rest}" if name in DISKS else address
 
 
 def _leads_away(part: str) -> bool:

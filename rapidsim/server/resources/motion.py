@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Final
 
 from rapidsim.language.data import UNUSED_AXIS
+from rapidsim.server.derived_parameters import robots
 from rapidsim.server.messages import Answer, Item, Request
 from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
 from rapidsim.server.resources.context import Context
@@ -21,6 +22,27 @@ _FRAMES: Final = {
     "word": Coordinates.WORLD,  # So spelt by a public client.
     "wobj": Coordinates.WOBJ,
 }
+
+
+def motion_system(context: Context, request: Request) -> Answer:
+    """What there is of the motion system."""
+    del context, request
+    fields = {"change-count": "0"}
+    links = ("mechunits", "errorstate", "nonmotionexecution")
+    return Answer((Item("ms-motionsystem", "motionsystem", fields),), links=links)
+
+
+def error_state(context: Context, request: Request) -> Answer:
+    """The state of the motion system: it has no errors of its own here."""
+    del context, request
+    fields = {"err-state": "HPJ_OK", "err-count": "0"}
+    return Answer((Item("ms-errorstate", "errorstate", fields),))
+
+
+def non_motion_execution(context: Context, request: Request) -> Answer:
+    """Whether programs run without moving the robots; they never do here."""
+    del context, request
+    return Answer((Item("ms-nonmotionexecution", "nonmotionexecution", {"mode": "OFF"}),))
 
 
 def units(context: Context, request: Request) -> Answer:
@@ -56,7 +78,7 @@ def unit(context: Context, request: Request, unit: str) -> Answer:
             "coord-system": "World",
         }
     item = Item("ms-mechunit", name, fields, href=f"rw/motionsystem/mechunits/{name}")
-    return Answer((item,), links=("jointtarget", "robtarget", "cartesian", "baseframe"))
+    return Answer((item,), links=("jointtarget", "robtarget", "cartesian", "baseframe", "axes"))
 
 
 def joint_target(context: Context, request: Request, unit: str) -> Answer:
@@ -96,6 +118,19 @@ def cartesian(context: Context, request: Request, unit: str) -> Answer:
     return Answer((Item("ms-mechunit-cartesian", name, fields),))
 
 
+def axes(context: Context, request: Request, unit: str) -> Answer:
+    """The axes of a robot."""
+    del request
+    name, task = _robot(context, unit)
+    count = len(task.unit.own.robot.joints)
+    address = f"rw/motionsystem/mechunits/{name}/axes"
+    items = (
+        Item("ms-axis-li", str(number), href=f"{address}/{number}")
+        for number in range(1, count + 1)
+    )
+    return Answer(tuple(items))
+
+
 def base_frame(context: Context, request: Request, unit: str) -> Answer:
     """Where a robot stands in the world."""
     del request
@@ -108,8 +143,7 @@ def base_frame(context: Context, request: Request, unit: str) -> Answer:
 
 def _robots(context: Context) -> Iterator[tuple[str, LiveTask]]:
     """Each task that moves a robot, with the name of that."""
-    movers = (one for one in context.live.tasks.values() if one.setup.robot is not None)
-    return ((f"ROB_{number}", one) for number, one in enumerate(movers, start=1))
+    return ((unit, context.live.task(one.name)) for unit, one in robots(context.live.setups))
 
 
 def _robot(context: Context, unit: str) -> tuple[str, LiveTask]:

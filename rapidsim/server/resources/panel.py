@@ -68,6 +68,7 @@ def speed_item(context: Context) -> Item:
 
 def set_speed_ratio(context: Context, request: Request) -> Answer:
     """Let moves to come be so fast."""
+    context.require_mastership("rapid", request)
     percent = number(request.form, "speed-ratio")
     context.live.set_speed_ratio(round(percent))
     return DONE

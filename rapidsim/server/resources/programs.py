@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from rapidsim.interpreter.linking.saved_text import text_of
 from rapidsim.server.messages import DONE, Answer, Item, Request
 from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
 from rapidsim.server.resources.context import Context, chosen, given
+from rapidsim.server.resources.disks import path_of_programs
+from rapidsim.simulation.live import program_memory
 from rapidsim.simulation.live.live_task import LiveTask
 from rapidsim.simulation.live.states import Cycle, StopMode, TaskState
 from rapidsim.syntax import tree
@@ -58,7 +61,7 @@ def stop(context: Context, request: Request) -> Answer:
 
 def reset_pointers(context: Context, request: Request) -> Answer:
     """Put all pointers to main."""
-    context.require_mastership("rapid", request.session)
+    context.require_mastership("rapid", request)
     context.live.reset_pointers()
     return DONE
 
@@ -80,20 +83,18 @@ def task(context: Context, request: Request, task: str) -> Answer:
     del request
     name = context.live.task(task).name
     items = (_task_item(one) for one in context.live.task_states() if one.name == name)
-    return Answer(tuple(items), links=("pcp",))
+    return Answer(tuple(items), links=("pcp", "program"))
 
 
 def activate(context: Context, request: Request, task: str | None = None) -> Answer:
     """Let a task, or all, take part in starting and stopping."""
-    context.live.activate(task, active=True)
-    del request
+    context.live.activate(task or request.form.get("task"), active=True)
     return DONE
 
 
 def deactivate(context: Context, request: Request, task: str | None = None) -> Answer:
     """Let a task, or all, take no part in it."""
-    context.live.activate(task, active=False)
-    del request
+    context.live.activate(task or request.form.get("task"), active=False)
     return DONE
 
 
@@ -114,23 +115,55 @@ def pointers(context: Context, request: Request, task: str) -> Answer:
     return Answer(items)
 
 
-def modules(context: Context, request: Request) -> Answer:
+def program(context: Context, request: Request, task: str) -> Answer:
+    """The program of a task."""
+    del request
+    found = context.live.task(task)
+    fields = {"name": found.setup.program.modules[0].name.text, "entrypoint": found.entry}
+    return Answer((Item("rap-program", "program", fields),))
+
+
+def modules(context: Context, request: Request, task: str | None = None) -> Answer:
     """The modules of a task."""
-    found = context.live.task(given(request.query, "task"))
-    return Answer(tuple(_module_item(one) for one in _modules(found)))
+    found = context.live.task(task or given(request.query, "task"))
+    return Answer(tuple(_module_item(one) for one in program_memory.modules(found)))
 
 
-def module(context: Context, request: Request, module: str) -> Answer:
-    """One module of a task.
+def module(context: Context, request: Request, module: str, task: str | None = None) -> Answer:
+    """One module of a task, or with `resource=module-text` its text.
 
     Raises:
         RefusedRequest: If there is none of this name.
     """
-    found = context.live.task(given(request.query, "task"))
-    for one in _modules(found):
-        if one.name.key == module.lower():
-            return Answer((_module_item(one),))
-    raise refused(NOT_FOUND, f"{found.name} has no module {module}")
+    if request.query.get("resource") == "module-text":
+        return module_text(context, request, module, task)
+    found = _module(context, module, task or given(request.query, "task"))
+    return Answer((_module_item(found),), links=("text",) if request.generation == 2 else ())
+
+
+def module_text(context: Context, request: Request, module: str, task: str | None = None) -> Answer:
+    """The text of a module, as it was loaded."""
+    found = _module(context, module, task or given(request.query, "task"))
+    text = text_of(found)
+    fields = {"change-count": "0", "module-text": text, "module-length": str(len(text))}
+    return Answer((Item("rap-module-text", found.name.text, fields),))
+
+
+def load_module(context: Context, request: Request, task: str) -> Answer:
+    """Take a module from a file into a task."""
+    context.require_mastership("rapid", request)
+    form = request.form
+    replace = form.get("replace", "false").lower() == "true"
+    path = form.get("modulepath", "")
+    context.live.load_module(task, path_of_programs(path), replace=replace)
+    return DONE
+
+
+def unload_module(context: Context, request: Request, task: str) -> Answer:
+    """Take a module out of a task."""
+    context.require_mastership("rapid", request)
+    context.live.unload_module(task, request.form.get("module", ""))
+    return DONE
 
 
 def _task_item(one: TaskState) -> Item:
@@ -146,9 +179,12 @@ def _task_item(one: TaskState) -> Item:
     return Item("rap-task-li", one.name, fields, href=f"rw/rapid/tasks/{one.name}")
 
 
-def _modules(found: LiveTask) -> tuple[tree.Module, ...]:
-    program = found.setup.program if found.task is None else found.task.program
-    return tuple(program.modules)
+def _module(context: Context, name: str, task: str) -> tree.Module:
+    found = context.live.task(task)
+    for one in program_memory.modules(found):
+        if one.name.key == name.lower():
+            return one
+    raise refused(NOT_FOUND, f"{found.name} has no module {name}")
 
 
 def _module_item(one: tree.Module) -> Item:
@@ -158,7 +194,7 @@ def _module_item(one: tree.Module) -> Item:
 
 def _module_at(found: LiveTask) -> str:
     file = found.place.span.file
-    inside = (one for one in _modules(found) if one.source.file == file)
+    inside = (one for one in program_memory.modules(found) if one.source.file == file)
     for one in inside:
         if one.start <= found.place.span.start <= one.end:
             return one.name.text

@@ -78,13 +78,15 @@ def read(context: Context, request: Request, queue: str) -> Answer:
     Raises:
         RefusedRequest: If the client has no such queue.
     """
-    del request
     found = context.queues.get(queue)
     if found is None:
         raise refused(NOT_FOUND, f"there is no queue {queue}")
-    waiting = tuple(found.messages)
-    found.messages.clear()
-    return Answer(tuple(message_item(queue, one, "dipc-read-li") for one in waiting))
+    # RobotWare 6 gives all of them at once, RobotWare 7 one.
+    count = len(found.messages) if request.generation == 1 else 1
+    kind = "dipc-read-li" if request.generation == 1 else "dipc-read"
+    waiting = found.messages[:count]
+    del found.messages[:count]
+    return Answer(tuple(message_item(queue, one, kind) for one in waiting))
 
 
 def queue(context: Context, request: Request, queue: str) -> Answer:

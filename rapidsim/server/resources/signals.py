@@ -1,26 +1,41 @@
-"""Signals by their names, alone or behind a network and a device, which no signal has here."""
+"""Signals by their names, alone or behind a network and a device; networks and devices."""
 
 from __future__ import annotations
 
+from typing import Final
+
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.server.messages import DONE, Answer, Item, Request
+from rapidsim.server.resources import io_places
+from rapidsim.server.resources.codes import READ_ONLY, refused
 from rapidsim.server.resources.context import Context, count, number
+from rapidsim.server.resources.io_places import SignalPlaces
+
+_PAGE: Final = 100
+"""So many signals RobotWare 7 gives at once."""
 
 
 def signals(context: Context, request: Request) -> Answer:
     """All signals, or so many from one on."""
     found = context.live.signals()
     first, most = count(request.query, "start", 0), count(request.query, "limit", len(found))
-    return Answer(tuple(signal_item(context, one) for one in found[first : first + most]))
+    if request.generation == 2:
+        most = min(most, _PAGE)
+    places = SignalPlaces(context)
+    shown = tuple(signal_item(context, one, places) for one in found[first : first + most])
+    is_last = request.generation == 1 or not most or first + most >= len(found)
+    following = "" if is_last else f"rw/iosystem/signals?start={first + most}&limit={most}"
+    return Answer(shown, following=following)
 
 
 def search(context: Context, request: Request) -> Answer:
     """The signals whose names hold a text."""
     part = request.form.get("name", "").lower()
     kind = request.form.get("type", "").lower()
+    places = SignalPlaces(context)
     return Answer(
         tuple(
-            signal_item(context, one)
+            signal_item(context, one, places)
             for one in context.live.signals()
             if part in one.name.lower() and kind in ("", one.kind.value)
         )
@@ -40,12 +55,48 @@ def set_signal(
 ) -> Answer:
     """Change a signal."""
     del network, device
-    context.live.signal(name)
+    found = context.live.signal(name)
+    # Inputs are driven by nobody else here.
+    is_output = found.kind.value.endswith("o")
+    if is_output and not SignalPlaces(context).may_be_written(name):
+        raise refused(READ_ONLY, f"the configuration gives clients no access to {found.name}")
     context.live.set_signal(name, number(request.form, "lvalue"))
     return DONE
 
 
-def signal_item(context: Context, one: SignalDeclaration) -> Item:
+def networks(context: Context, request: Request) -> Answer:
+    """The networks: those that the configuration has, and the one of signals without a device."""
+    del request
+    fields = {"pstate": "running", "lstate": "started"}
+    items = (
+        Item("ios-network-li", one, {"name": one, **fields}, href=f"rw/iosystem/networks/{one}")
+        for one in io_places.networks(context)
+    )
+    return Answer(tuple(items))
+
+
+def devices(context: Context, request: Request) -> Answer:
+    """The I/O devices that the configuration has, of one network if that is asked for."""
+    wanted = request.query.get("network", "").lower()
+    items = []
+    for network, one in io_places.devices(context):
+        if wanted in ("", network.lower()):
+            name = one.get("Name", "")
+            enabled = name.lower() not in context.live.cell.disabled_devices
+            fields = {
+                "name": name,
+                "lstate": "enabled" if enabled else "disabled",
+                "pstate": "running" if enabled else "stopped",
+                "address": one.get("Address", ""),
+            }
+            title = f"{network}/{name}"
+            items.append(Item("ios-device-li", title, fields, href=f"rw/iosystem/devices/{title}"))
+    return Answer(tuple(items))
+
+
+def signal_item(
+    context: Context, one: SignalDeclaration, places: SignalPlaces | None = None
+) -> Item:
     """A signal as it is shown."""
     value = value_text(one, context.live.signal_value(one.name))
     fields = {
@@ -55,7 +106,9 @@ def signal_item(context: Context, one: SignalDeclaration) -> Item:
         "lvalue": value,
         "lstate": "not simulated",
     }
-    return Item("ios-signal-li", one.name, fields, href=f"rw/iosystem/signals/{one.name}")
+    places = places or SignalPlaces(context)
+    address = f"{places.prefix(one.name)}{one.name}"
+    return Item("ios-signal-li", address, fields, href=f"rw/iosystem/signals/{address}")
 
 
 def value_text(one: SignalDeclaration, value: float) -> str:

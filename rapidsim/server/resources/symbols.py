@@ -40,7 +40,7 @@ def value_item(context: Context, symbol: str) -> Item:
 def set_value(context: Context, request: Request, symbol: str) -> Answer:
     """Change the value of data."""
     task, datum = _find(context, symbol.removesuffix(";value"))
-    context.require_mastership("rapid", request.session)
+    context.require_mastership("rapid", request)
     symbols.write(task, datum, given(request.form, "value"))
     context.live.tell()
     return DONE

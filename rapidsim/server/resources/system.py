@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from datetime import datetime
 from typing import Final
 
 from rapidsim import __version__
 from rapidsim.server.messages import DONE, Answer, Item, Request
-from rapidsim.server.resources.codes import HELD_BY_ANOTHER, NOT_FOUND, refused
-from rapidsim.server.resources.context import MASTERSHIPS, Context
+from rapidsim.server.resources.codes import BAD_PARAMETER, HELD_BY_ANOTHER, NOT_FOUND, refused
+from rapidsim.server.resources.context import MASTERSHIPS, Context, count
 from rapidsim.server.resources.disks import DISKS
 
 ROBOTWARE: Final = "6.16.2027"
@@ -26,6 +27,17 @@ def clock(context: Context, request: Request) -> Answer:
     del request
     stamp = context.live.date.strftime("%Y-%m-%d T %H:%M:%S")
     return Answer((Item("ctrl-clock-info", "clock", {"datetime": stamp}),))
+
+
+def set_clock(context: Context, request: Request) -> Answer:
+    """Set date and time of day."""
+    names = ("year", "month", "day", "hour", "min", "sec")
+    parts = [count(request.form, f"sys-clock-{one}", -1) for one in names]
+    try:
+        context.live.set_date(datetime(*parts))  # type: ignore[arg-type]
+    except ValueError:
+        raise refused(BAD_PARAMETER, "there is no such date") from None
+    return DONE
 
 
 def disk(context: Context, request: Request, name: str) -> Answer:
@@ -51,19 +63,25 @@ def system(context: Context, request: Request) -> Answer:
         "sysid": "{00000000-0000-0000-0000-000000000000}",
         "starttm": started,
     }
-    return Answer((Item("sys-system-li", "system", fields),))
+    return Answer((Item("sys-system-li", "system", fields), *_options(context)), links=("options",))
+
+
+def options(context: Context, request: Request) -> Answer:
+    """The options of the system."""
+    del request
+    return Answer(_options(context))
 
 
 def mastership(context: Context, request: Request) -> Answer:
     """Who has the mastership of which domain."""
-    del request
-    return Answer(tuple(_domain_item(context, one) for one in MASTERSHIPS))
+    names = MASTERSHIPS if request.generation == 1 else _SECOND_NAMES
+    items = tuple(_domain_item(context, request, one) for one in names)
+    return Answer(items, links=("request", "release") if request.generation == 2 else ())
 
 
 def mastership_of(context: Context, request: Request, domain: str) -> Answer:
     """Who has the mastership of a domain."""
-    del request
-    return Answer((_domain_item(context, _known(domain)),))
+    return Answer((_domain_item(context, request, domain.lower()),))
 
 
 def take_mastership(context: Context, request: Request, domain: str | None = None) -> Answer:
@@ -72,7 +90,7 @@ def take_mastership(context: Context, request: Request, domain: str | None = Non
     Raises:
         RefusedRequest: If another session holds it.
     """
-    wanted = MASTERSHIPS if domain is None else (_known(domain),)
+    wanted = _known(domain, request)
     for one in wanted:
         if context.masters.get(one, request.session) != request.session:
             raise refused(HELD_BY_ANOTHER, f"another session has the mastership of {one}")
@@ -82,10 +100,24 @@ def take_mastership(context: Context, request: Request, domain: str | None = Non
 
 def give_mastership(context: Context, request: Request, domain: str | None = None) -> Answer:
     """Give the mastership of a domain, or of all, back."""
-    for one in MASTERSHIPS if domain is None else (_known(domain),):
+    for one in _known(domain, request):
         if context.masters.get(one) == request.session:
             del context.masters[one]
     return DONE
+
+
+def nothing_to_end(context: Context, request: Request) -> Answer:
+    """End a stream; there is none."""
+    del context, request
+    return DONE
+
+
+def user(context: Context, request: Request) -> Answer:
+    """Who a client is."""
+    del context
+    return Answer(
+        (Item("user-info", "users", {"user-session": str(request.session)}),), links=("rmmp",)
+    )
 
 
 def register(context: Context, request: Request) -> Answer:
@@ -112,12 +144,32 @@ def rights_given_back(context: Context, request: Request) -> Answer:
     return DONE
 
 
-def _known(domain: str) -> str:
-    if domain.lower() not in MASTERSHIPS:
+_SECOND_NAMES: Final = {"edit": ("cfg", "rapid"), "motion": ("motion",)}
+"""The domains of RobotWare 7, by what they are in RobotWare 6."""
+
+
+def _known(domain: str | None, request: Request) -> tuple[str, ...]:
+    """The domains that a name stands for; all without one."""
+    if domain is None:
+        return MASTERSHIPS
+    name = domain.lower()
+    if request.generation == 2 and name in _SECOND_NAMES:
+        return _SECOND_NAMES[name]
+    if name not in MASTERSHIPS:
         raise refused(NOT_FOUND, f"there is no mastership of {domain}")
-    return domain.lower()
+    return (name,)
 
 
-def _domain_item(context: Context, domain: str) -> Item:
-    held = "mastership held" if domain in context.masters else "nomaster"
-    return Item("msh-resource-li", domain, {"mastership": held})
+def _domain_item(context: Context, request: Request, domain: str) -> Item:
+    is_held = any(one in context.masters for one in _known(domain, request))
+    held = "mastership held" if is_held else "nomaster"
+    return Item("msh-resource-li", domain, {"mastership": held}, href=f"rw/mastership/{domain}")
+
+
+def _options(context: Context) -> tuple[Item, ...]:
+    found = context.live.cell.parameters.instances("SYS", "PRESENT_OPTIONS") or ()
+    parts = tuple(
+        Item("sys-option-li", str(number), {"option": one.get("desc") or one.get("name", "")})
+        for number, one in enumerate(found)
+    )
+    return (Item("sys-options-li", "options", parts=parts),)

@@ -1,99 +1,112 @@
-"""Every resource of Robot Web Services 1.0 that is there, and who answers for it.
+"""Every resource of Robot Web Services that is there, and who answers for it.
 
-An address is parted at its slashes; `{name}` takes one part, `{name...}` all that are left. Names
-compare as they are written, but for the actions of older clients, which have two.
+Both generations have the same resources. RobotWare 7 has the action in the address where RobotWare
+6 has it in the query, and has given some resources other addresses.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
-from functools import cached_property
+from collections.abc import Iterator, Mapping
 from typing import Final
 
 from rapidsim.server.messages import Answer, Request
 from rapidsim.server.resources import (
+    configuration,
     event_log,
     files,
     motion,
     panel,
     programs,
+    questions,
     queues,
     signals,
     symbols,
     system,
 )
 from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, as_answered, refused
-from rapidsim.server.resources.context import Context, Resource
+from rapidsim.server.resources.context import Context
+from rapidsim.server.resources.route import Route
 from rapidsim.simulation.live.states import Refused
-
-
-@dataclass(frozen=True)
-class Route:
-    """A resource, and what is done with it."""
-
-    method: str
-    address: str
-    resource: Resource
-    action: str = ""
-
-    @cached_property
-    def parts(self) -> tuple[str, ...]:
-        """The address, parted."""
-        return tuple(self.address.split("/"))
-
-    def matched(self, parts: list[str]) -> dict[str, str] | None:
-        """What stands in the places of an address; None if it is another."""
-        found: dict[str, str] = {}
-        for index, part in enumerate(self.parts):
-            if part.endswith("...}"):
-                rest = "/".join(parts[index:])
-                return {**found, part[1:-4]: rest} if rest else None
-            if index >= len(parts):
-                return None
-            if part.startswith("{"):
-                found[part[1:-1]] = parts[index]
-            elif part.startswith("$"):
-                if not parts[index].startswith("$"):
-                    return None
-                found[part[2:-1]] = parts[index][1:]
-            elif part != parts[index]:
-                return None
-        return found if len(parts) == len(self.parts) else None
-
 
 _SIGNAL: Final = ("rw/iosystem/signals/{name}", "rw/iosystem/signals/{network}/{device}/{name}")
 _UNIT: Final = "rw/motionsystem/mechunits/{unit}"
 _EXECUTION: Final = "rw/rapid/execution"
+_TASK: Final = "rw/rapid/tasks/{task}"
 _FILE: Final = "fileservice/{address...}"
 _SYMBOL: Final = "rw/rapid/symbol/data/RAPID/{symbol...}"
+_SYMBOL_2: Final = "rw/rapid/symbol/RAPID/{symbol...}"
+_INSTANCES: Final = "rw/cfg/{domain}/{of}/instances"
+_ACTIVE: Final = "rw/rapid/uiinstr/active"
 
-ROUTES: Final = (
+_BOTH: Final = (
     Route("GET", "ctrl", system.controller),
     Route("GET", "ctrl/identity", system.controller),
     Route("GET", "ctrl/clock", system.clock),
+    Route("PUT", "ctrl/clock", system.set_clock),
     Route("GET", "ctrl/${name}", system.disk),
     Route("GET", "rw/system", system.system),
-    Route("GET", "rw/panel/ctrlstate", panel.state),
-    Route("POST", "rw/panel/ctrlstate", panel.set_state, "setctrlstate"),
+    Route("GET", "rw/system/options", system.options),
     Route("GET", "rw/panel/opmode", panel.mode),
-    Route("POST", "rw/panel/opmode", panel.set_mode, "setopmode"),
     Route("GET", "rw/panel/speedratio", panel.speed_ratio),
     Route("POST", "rw/panel/speedratio", panel.set_speed_ratio, "setspeedratio"),
     Route("GET", "rw/panel/coldetstate", panel.collision_detection),
     Route("GET", _EXECUTION, programs.execution),
+    Route("GET", "rw/rapid/tasks", programs.tasks),
+    Route("GET", _TASK, programs.task),
+    Route("GET", f"{_TASK}/pcp", programs.pointers),
+    Route("GET", f"{_TASK}/program", programs.program),
+    Route("GET", _ACTIVE, questions.active),
+    Route("GET", "rw/iosystem/signals", signals.signals),
+    *(Route("GET", one, signals.signal) for one in _SIGNAL),
+    Route("GET", "rw/iosystem/networks", signals.networks),
+    Route("GET", "rw/iosystem/devices", signals.devices),
+    Route("GET", "rw/motionsystem", motion.motion_system),
+    Route("GET", "rw/motionsystem/errorstate", motion.error_state),
+    Route("GET", "rw/motionsystem/nonmotionexecution", motion.non_motion_execution),
+    Route("GET", "rw/motionsystem/mechunits", motion.units),
+    Route("GET", _UNIT, motion.unit),
+    Route("GET", f"{_UNIT}/jointtarget", motion.joint_target),
+    Route("GET", f"{_UNIT}/robtarget", motion.rob_target),
+    Route("GET", f"{_UNIT}/cartesian", motion.cartesian),
+    Route("GET", f"{_UNIT}/baseframe", motion.base_frame),
+    Route("GET", f"{_UNIT}/axes", motion.axes),
+    Route("GET", "rw/elog", event_log.domains),
+    Route("GET", "rw/elog/{domain}", event_log.entries),
+    Route("GET", "rw/elog/{domain}/{number}", event_log.entry),
+    Route("GET", "rw/cfg", configuration.domains),
+    Route("GET", "rw/cfg/{domain}", configuration.types),
+    Route("GET", "rw/cfg/{domain}/{of}", configuration.type_),
+    Route("GET", _INSTANCES, configuration.instances),
+    Route("GET", f"{_INSTANCES}/{{name}}", configuration.instance),
+    Route("GET", "rw/dipc", queues.queues),
+    Route("GET", _FILE, files.read),
+    Route("PUT", _FILE, files.write),
+    Route("DELETE", _FILE, files.remove),
+    Route("POST", _FILE, files.change),
+    Route("GET", "rw/mastership", system.mastership),
+    Route("GET", "rw/mastership/{domain}", system.mastership_of),
+    Route("GET", "users", system.user),
+    Route("POST", "users", system.register),
+    Route("POST", "users/rmmp", system.remote_rights),
+    Route("GET", "users/rmmp", system.rights_granted),
+    Route("GET", "users/rmmp/poll", system.rights_granted),
+)
+
+_FIRST: Final = (
+    Route("GET", "rw/panel/ctrlstate", panel.state),
+    Route("POST", "rw/panel/ctrlstate", panel.set_state, "setctrlstate"),
+    Route("POST", "rw/panel/opmode", panel.set_mode, "setopmode"),
     Route("POST", _EXECUTION, programs.start, "start"),
     Route("POST", _EXECUTION, programs.start_production, "startprodentry"),
     Route("POST", _EXECUTION, programs.stop, "stop"),
     Route("POST", _EXECUTION, programs.reset_pointers, "resetpp"),
     Route("POST", _EXECUTION, programs.set_cycle, "setcycle"),
-    Route("GET", "rw/rapid/tasks", programs.tasks),
     Route("POST", "rw/rapid/tasks", programs.activate, "activate"),
     Route("POST", "rw/rapid/tasks", programs.deactivate, "deactivate"),
-    Route("GET", "rw/rapid/tasks/{task}", programs.task),
-    Route("POST", "rw/rapid/tasks/{task}", programs.activate, "activate"),
-    Route("POST", "rw/rapid/tasks/{task}", programs.deactivate, "deactivate"),
-    Route("GET", "rw/rapid/tasks/{task}/pcp", programs.pointers),
+    Route("POST", _TASK, programs.activate, "activate"),
+    Route("POST", _TASK, programs.deactivate, "deactivate"),
+    Route("POST", _TASK, programs.load_module, "loadmod"),
+    Route("POST", _TASK, programs.unload_module, "unloadmod"),
     Route("GET", "rw/rapid/modules", programs.modules),
     Route("GET", "rw/rapid/modules/{module}", programs.module),
     Route("GET", _SYMBOL, symbols.value),
@@ -101,22 +114,13 @@ ROUTES: Final = (
     Route("POST", "rw/rapid/symbol/data", symbols.validate, "validate"),
     Route("GET", "rw/rapid/symbol/properties/RAPID/{symbol...}", symbols.properties),
     Route("POST", "rw/rapid/symbols", symbols.search, "search-symbols"),
-    Route("GET", "rw/iosystem/signals", signals.signals),
+    Route("POST", f"{_ACTIVE}/param/{{parameter...}}", questions.answer, "set"),
     Route("POST", "rw/iosystem/signals", signals.search, "signal-search"),
-    *(Route("GET", one, signals.signal) for one in _SIGNAL),
     *(Route("POST", one, signals.set_signal, "set") for one in _SIGNAL),
-    Route("GET", "rw/motionsystem/mechunits", motion.units),
-    Route("GET", _UNIT, motion.unit),
-    Route("GET", f"{_UNIT}/jointtarget", motion.joint_target),
-    Route("GET", f"{_UNIT}/robtarget", motion.rob_target),
-    Route("GET", f"{_UNIT}/cartesian", motion.cartesian),
-    Route("GET", f"{_UNIT}/baseframe", motion.base_frame),
-    Route("GET", "rw/elog", event_log.domains),
     Route("POST", "rw/elog", event_log.clear_all, "clearall"),
-    Route("GET", "rw/elog/{domain}", event_log.entries),
     Route("POST", "rw/elog/{domain}", event_log.clear, "clear"),
-    Route("GET", "rw/elog/{domain}/{number}", event_log.entry),
-    Route("GET", "rw/dipc", queues.queues),
+    Route("POST", f"{_INSTANCES}/{{name}}", configuration.change, "set"),
+    # Older clients leave the prefix out.
     Route("POST", "rw/dipc", queues.create, "dipc-create"),
     Route("POST", "rw/dipc", queues.create, "create"),
     Route("GET", "rw/dipc/{queue}", queues.read, "dipc-read"),
@@ -124,22 +128,58 @@ ROUTES: Final = (
     Route("GET", "rw/dipc/{queue}", queues.queue),
     Route("POST", "rw/dipc/{queue}", queues.send, "dipc-send"),
     Route("POST", "rw/dipc/{queue}", queues.send, "send"),
-    Route("GET", _FILE, files.read),
-    Route("PUT", _FILE, files.write),
-    Route("DELETE", _FILE, files.remove),
-    Route("POST", _FILE, files.change),
-    Route("GET", "rw/mastership", system.mastership),
     Route("POST", "rw/mastership", system.take_mastership, "request"),
     Route("POST", "rw/mastership", system.give_mastership, "release"),
-    Route("GET", "rw/mastership/{domain}", system.mastership_of),
     Route("POST", "rw/mastership/{domain}", system.take_mastership, "request"),
     Route("POST", "rw/mastership/{domain}", system.give_mastership, "release"),
-    Route("POST", "users", system.register),
-    Route("POST", "users/rmmp", system.remote_rights),
     Route("POST", "users/rmmp", system.rights_given_back, "cancel"),
-    Route("GET", "users/rmmp", system.rights_granted),
-    Route("GET", "users/rmmp/poll", system.rights_granted),
 )
+
+_SECOND: Final = (
+    Route("GET", "rw/panel/ctrl-state", panel.state),
+    Route("POST", "rw/panel/ctrl-state", panel.set_state),
+    Route("POST", "rw/panel/opmode", panel.set_mode),
+    Route("POST", f"{_EXECUTION}/start", programs.start),
+    Route("POST", f"{_EXECUTION}/startprodentry", programs.start_production),
+    Route("POST", f"{_EXECUTION}/stop", programs.stop),
+    Route("POST", f"{_EXECUTION}/resetpp", programs.reset_pointers),
+    Route("POST", f"{_EXECUTION}/cycle", programs.set_cycle),
+    Route("POST", "rw/rapid/tasks/activate", programs.activate),
+    Route("POST", "rw/rapid/tasks/deactivate", programs.deactivate),
+    Route("POST", f"{_TASK}/activate", programs.activate),
+    Route("POST", f"{_TASK}/deactivate", programs.deactivate),
+    Route("GET", f"{_TASK}/modules", programs.modules),
+    Route("GET", f"{_TASK}/modules/{{module}}", programs.module),
+    Route("GET", f"{_TASK}/modules/{{module}}/text", programs.module_text),
+    Route("POST", f"{_TASK}/loadmod", programs.load_module),
+    Route("POST", f"{_TASK}/unloadmod", programs.unload_module),
+    Route("POST", f"{_TASK}/pcp/reset", programs.reset_pointers),
+    Route("GET", f"{_SYMBOL_2}/data", symbols.value),
+    Route("POST", f"{_SYMBOL_2}/data", symbols.set_value),
+    Route("GET", f"{_SYMBOL_2}/properties", symbols.properties),
+    Route("POST", "rw/rapid/symbol/data", symbols.validate, "validate"),
+    Route("POST", "rw/rapid/symbols/search", symbols.search),
+    Route("POST", f"{_ACTIVE}/param/{{parameter...}}", questions.answer),
+    Route("POST", "rw/iosystem/signals/signal-search", signals.search),
+    *(Route("POST", f"{one}/set-value", signals.set_signal) for one in _SIGNAL),
+    Route("POST", "rw/elog/clearall", event_log.clear_all),
+    Route("POST", "rw/elog/{domain}/clear", event_log.clear),
+    Route("POST", f"{_INSTANCES}/{{name}}", configuration.change),
+    Route("POST", "rw/dipc", queues.create),
+    Route("GET", "rw/dipc/{queue}", queues.read),
+    Route("POST", "rw/dipc/{queue}", queues.send),
+    Route("POST", "rw/mastership/request", system.take_mastership),
+    Route("POST", "rw/mastership/release", system.give_mastership),
+    Route("POST", "rw/mastership/{domain}/request", system.take_mastership),
+    Route("POST", "rw/mastership/{domain}/release", system.give_mastership),
+    Route("POST", "users/rmmp/cancel", system.rights_given_back),
+    # What streams of older clients are told to end; there are none here.
+    Route("POST", "rw/infostream/disconnectclient", system.nothing_to_end),
+    Route("POST", "rw/_istream/streamdisconnect", system.nothing_to_end),
+)
+
+ROUTES: Final[Mapping[int, tuple[Route, ...]]] = {1: (*_FIRST, *_BOTH), 2: (*_SECOND, *_BOTH)}
+"""By generation; where several fit an address, the first of them counts."""
 
 
 def answered(context: Context, request: Request) -> Answer:
@@ -149,8 +189,9 @@ def answered(context: Context, request: Request) -> Answer:
         RefusedRequest: If there is no such resource or action, or it is refused.
     """
     parts = [part for part in request.path.split("/") if part]
+    routes = ROUTES[request.generation]
     there = False
-    for route in ROUTES:
+    for route in routes:
         places = route.matched(parts)
         if places is None:
             continue
@@ -159,18 +200,18 @@ def answered(context: Context, request: Request) -> Answer:
             try:
                 return route.resource(context, request, **places)
             except Refused as refusal:
-                raise as_answered(refusal) from None
+                raise as_answered(refusal, request.generation) from None
     if there:
         raise refused(BAD_PARAMETER, f"{request.method} {request.path}: no such action here")
-    below = tuple(dict.fromkeys(_below(parts)))
+    below = tuple(dict.fromkeys(_below(routes, parts)))
     if below and request.method == "GET":
         return Answer(links=below)
     raise refused(NOT_FOUND, f"there is no resource {request.path}")
 
 
-def _below(parts: list[str]) -> Iterator[str]:
+def _below(routes: tuple[Route, ...], parts: list[str]) -> Iterator[str]:
     """The names of resources below an address that is none itself."""
-    for route in ROUTES:
+    for route in routes:
         if len(route.parts) > len(parts) and list(route.parts[: len(parts)]) == parts:
             name = route.parts[len(parts)]
             if not name.startswith(("{", "$")):

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -33,6 +33,7 @@ from rapidsim.simulation.calibration.log_comparison import MotionByPlace
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End, RobotRun
 from rapidsim.simulation.simulate import simulate
+from rapidsim.values import dataclass
 
 Residuals = Callable[[Array], Array]
 

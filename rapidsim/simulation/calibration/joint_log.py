@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 from rapidsim.files import InputError, input_text
 from rapidsim.frames.transform import Array
+from rapidsim.values import dataclass
 
 _TIME = re.compile(r"(time|t|timestamp|tm)(_?(s|sec|ms))?", re.IGNORECASE)
 _JOINT = re.compile(r"(?:rob1_|r1_)?(?:j|joint|q|axis|rax)_?(\d)(?:_?(deg|rad))?", re.IGNORECASE)

@@ -7,13 +7,13 @@ ours lags.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.trajectory.trajectory import Trajectory
+from rapidsim.values import dataclass
 
 STEP_M = 0.5e-3
 """Places of our path are this far apart; between them joints run straight."""

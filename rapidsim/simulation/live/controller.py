@@ -12,9 +12,11 @@ from dataclasses import dataclass, field, replace
 from datetime import datetime, timedelta
 
 from rapidsim.controller.cell.cell import OUTSIDE, Cause, Cell
-from rapidsim.controller.cell.description import SignalDeclaration, SignalKind, Status
+from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.controller.cell.outside_streams import NoWire, OutsideStreams, Wire
+from rapidsim.controller.cell.pendant import Pendant
 from rapidsim.controller.cell.rendezvous import Meetings
+from rapidsim.controller.cell.sensors import NoSensors, Sensors
 from rapidsim.controller.journal.events import Event
 from rapidsim.controller.journal.journal import Instant, Journal, Moment
 from rapidsim.diagnostics import Diagnostic
@@ -26,6 +28,8 @@ from rapidsim.simulation.collected import FinishedRun, collected
 from rapidsim.simulation.live import event_log
 from rapidsim.simulation.live.event_log import EventLog, LogEntry
 from rapidsim.simulation.live.live_task import LiveTask
+from rapidsim.simulation.live.program_memory import load_module, unload_module
+from rapidsim.simulation.live.signal_values import limits, status_value
 from rapidsim.simulation.live.states import Cycle, Mode, Motors, Refused, StopMode, TaskState, Why
 from rapidsim.simulation.live.turns import LiveTurns
 from rapidsim.simulation.options import RunOptions
@@ -55,9 +59,13 @@ class LiveController:
     speed_ratio: int = 100
     wire: Wire = field(default_factory=NoWire)
     """The network of the programs' sockets."""
+    sensors: Sensors = field(default_factory=NoSensors)
+    """Who guides robots."""
     keeps_all: bool = False
     """Whether what happened is kept for `finished`; a controller that stays on would fill up."""
     cell: Cell = field(init=False)
+    pendant: Pendant = field(init=False, default_factory=Pendant)
+    """The questions that wait for an answer."""
     outside: OutsideStreams = field(init=False)
     """Who talks to the programs' sockets."""
     log: EventLog = field(init=False)
@@ -79,12 +87,14 @@ class LiveController:
         self._journal = Journal(self.setups[0].name)
         self.cell = Cell(self.options.cell, self._journal)
         self.cell.outsiders_act = True
+        self.cell.pendant = self.pendant
         self.cell.logbook = lambda task, entry, time_s: self.log.written(entry, time_s)
         self.log = EventLog(lambda entry: self.told(entry))
         self._turns = LiveTurns(self.cell)
         self.cell.share(self._turns)
         self.outside = OutsideStreams(self.wire)
         self.cell.sockets.outside = self.outside
+        self.cell.sensors = self.sensors
         arms = [setup.robot for setup in self.setups if setup.robot is not None]
         if not arms:
             raise InputError("no task moves a robot", "give one of them `motion = true`")
@@ -108,6 +118,9 @@ class LiveController:
             task.begin(0.0, self._refresh)
         self._acquaint()
         self._show_states()
+        # A log is never empty: public clients remember the number of its newest entry.
+        self._log_mode()
+        self._log_motors()
         for task in self.tasks.values():
             if not task.is_normal:
                 task.start()
@@ -127,6 +140,10 @@ class LiveController:
     def date_at(self, time_s: float) -> datetime:
         """What the controller's clock shows at a virtual time [s]."""
         return self.cell.starts_at + timedelta(seconds=math.floor(time_s))
+
+    def set_date(self, date: datetime) -> None:
+        """Set the controller's clock; virtual time goes on as it was."""
+        self.cell.starts_at = date - timedelta(seconds=math.floor(self.now_s))
 
     @property
     def wants_s(self) -> float:
@@ -228,6 +245,7 @@ class LiveController:
         for task in self.tasks.values():
             self._turns.remove(task.run.controller.clock)
             task.run.controller.sockets.close_all(self.now_s)
+            task.run.controller.guidance.forget_all()
         self.cell.close()
 
     def finished(self) -> FinishedRun:
@@ -237,6 +255,24 @@ class LiveController:
         outcomes = [one.outcome for one in self.tasks.values()]
         self.cell.end_sharing()
         return collected(runs, outcomes, self.cell, self.now_s, self.options)
+
+    def load_module(self, task: str, path: str, *, replace: bool) -> str:
+        """Take a module into a task; see `program_memory.load_module`.
+
+        Raises:
+            Refused: While a program executes, or if it cannot be.
+        """
+        self._require_stopped()
+        return load_module(self.task(task), path, replace=replace)
+
+    def unload_module(self, task: str, name: str) -> None:
+        """Take a module out of a task.
+
+        Raises:
+            Refused: While a program executes, or if it cannot be.
+        """
+        self._require_stopped()
+        unload_module(self.task(task), name)
 
     def set_cycle(self, cycle: Cycle) -> None:
         """Say what comes after the end of main."""
@@ -289,8 +325,7 @@ class LiveController:
         if motors is Motors.OFF:
             self.stop(StopMode.QUICK)
         self.motors = motors
-        code = event_log.MOTORS_ON if motors is Motors.ON else event_log.MOTORS_OFF
-        self.log.operational(code, self.now_s, "")
+        self._log_motors()
         self._show_states()
 
     def set_mode(self, mode: Mode) -> None:
@@ -307,8 +342,7 @@ class LiveController:
         if Mode.AUTO in (mode, self.mode):
             self.set_motors(Motors.OFF)
         self.mode = mode
-        code = event_log.AUTOMATIC if mode is Mode.AUTO else event_log.MANUAL
-        self.log.operational(code, self.now_s, "")
+        self._log_mode()
         self._show_states()
 
     def set_speed_ratio(self, percent: int) -> None:
@@ -355,12 +389,22 @@ class LiveController:
         signal = self.signal(name)
         if signal.status is not None:
             raise Refused(Why.READ_ONLY, f"{signal.name} shows a state of the controller")
-        low, high = _limits(signal)
+        low, high = limits(signal)
         whole = signal.kind in (SignalKind.AI, SignalKind.AO) or value == math.floor(value)
         if not (low <= value <= high and whole):
             raise Refused(Why.VALUE, f"{signal.name} cannot be {value:.10g}")
         self._change(signal.name, value)
         self.settle()
+
+    def answer(self, task: str, text: str) -> None:
+        """Answer the question of a task.
+
+        Raises:
+            LookupError: If it asks nothing.
+            ValueError: If the text is no answer to it.
+        """
+        self.pendant.answer(task, text)
+        self.tell()
 
     def tell(self) -> None:
         """Let programs look: somebody outside has changed what they may wait for."""
@@ -423,6 +467,14 @@ class LiveController:
             self.stop(StopMode.STOP)
             raise Refused(Why.STATE, storm.reason) from None
 
+    def _log_motors(self) -> None:
+        code = event_log.MOTORS_ON if self.motors is Motors.ON else event_log.MOTORS_OFF
+        self.log.operational(code, self.now_s, "")
+
+    def _log_mode(self) -> None:
+        code = event_log.AUTOMATIC if self.mode is Mode.AUTO else event_log.MANUAL
+        self.log.operational(code, self.now_s, "")
+
     def _show_states(self, failed: str | None = None) -> None:
         """Let the system outputs show what is."""
         self._shows_executing = self.executes
@@ -432,39 +484,13 @@ class LiveController:
                 self._change(signal.name, value)
 
     def _status_value(self, signal: SignalDeclaration, failed: str | None) -> float | None:
-        """What a system output shows; None for other signals, and where it stays as it is."""
-        match signal.status:
-            case None:
-                return None
-            case Status.TASK_EXECUTING:
-                named = self.tasks.get((signal.task or "").lower())
-                executes = self.executes if named is None else named.executes
-                return float(executes)
-            case Status.CYCLE_ON:
-                return float(self.executes)
-            case Status.ERROR:
-                return 1.0 if failed else float(self._has_failed)
-            case Status.MOTOR_ON | Status.MOTOR_ON_STATE:
-                return float(self.motors is Motors.ON)
-            case Status.MOTOR_OFF | Status.MOTOR_OFF_STATE:
-                return float(self.motors is Motors.OFF)
-            case Status.AUTO_ON:
-                return float(self.mode is Mode.AUTO)
-            case Status.RUN_CHAIN_OK | Status.EMERGENCY_STOP:
-                return None
+        named = self.tasks.get((signal.task or "").lower())
+        executes = self.executes if named is None else named.executes
+        has_failed = failed is not None or self._has_failed
+        return status_value(
+            signal.status, executes=executes, failed=has_failed, motors=self.motors, mode=self.mode
+        )
 
     @property
     def _has_failed(self) -> bool:
         return any(not one.has_pointer for one in self.tasks.values())
-
-
-def _limits(signal: SignalDeclaration) -> tuple[float, float]:
-    """Between what a signal may be set."""
-    low, high = signal.lowest, signal.highest
-    match signal.kind:
-        case SignalKind.DI | SignalKind.DO:
-            return 0.0, 1.0
-        case SignalKind.GI | SignalKind.GO:
-            return 0.0 if low is None else low, 2.0**32 - 1 if high is None else high
-        case _:
-            return -math.inf if low is None else low, math.inf if high is None else high

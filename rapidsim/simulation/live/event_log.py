@@ -11,11 +11,11 @@ from __future__ import annotations
 import re
 from collections import deque
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from typing import Final
 
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.language.error_log import ERROR, STATE, LoggedError
+from rapidsim.values import dataclass
 
 KEPT: Final = 1000
 """Entries of a domain that are kept, as on a controller."""

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum, StrEnum, auto
+
+from rapidsim.values import dataclass
 
 
 class Motors(StrEnum):
@@ -47,6 +48,8 @@ class Why(Enum):
     NO_TASK = auto()
     NO_SYMBOL = auto()
     NO_SIGNAL = auto()
+    NO_FILE = auto()
+    NO_MODULE = auto()
     NO_UNIT = auto()
     READ_ONLY = auto()
 

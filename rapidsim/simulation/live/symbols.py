@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from rapidsim.analysis.program import DataSymbol, Scope, Storage
 from rapidsim.interpreter.runtime.memory import module_data
@@ -15,6 +14,7 @@ from rapidsim.library.predefined import DATA, TYPES
 from rapidsim.library.text import parsed_value, value_text
 from rapidsim.simulation.live.live_task import LiveTask
 from rapidsim.simulation.live.states import Refused, Why
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

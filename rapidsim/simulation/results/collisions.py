@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from rapidsim.collisions.contact import Clearance, Contact, Found
 from rapidsim.collisions.geometry import CellGeometry, CellObject
 from rapidsim.collisions.scene import Scene
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)

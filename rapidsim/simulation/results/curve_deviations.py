@@ -6,7 +6,6 @@ Measured between the zones of a move: within them the corner is meant to leave t
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
@@ -18,6 +17,7 @@ from rapidsim.motion.geometry.segments import Geometry, Segment
 from rapidsim.simulation.results.line_instead import segments_of
 from rapidsim.simulation.results.sampling import evaluate
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
+from rapidsim.values import dataclass
 
 _MOST_PLACES = 33
 _FEWEST_PLACES = 3

@@ -9,7 +9,6 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -19,6 +18,7 @@ from rapidsim.diagnostics import Diagnostic, Related
 from rapidsim.findings.runs import OutputBeforeTarget
 from rapidsim.language.moves import Place
 from rapidsim.simulation.results.simulation import RobotRun
+from rapidsim.values import dataclass
 
 _AT_ONCE_S = 1e-9
 """The pointer goes on with a move at the instant when it starts."""

@@ -8,7 +8,6 @@ limit that is used most, for most of the stretch. Longer waits at stop points pa
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
@@ -19,6 +18,7 @@ from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array
 from rapidsim.simulation.results.sampling import SampledRun, sampled
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
+from rapidsim.values import dataclass
 
 _STEP_S = 0.012
 _MOST_SAMPLES = 20_000

@@ -7,7 +7,7 @@ where the run of that MoveL fails.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -28,6 +28,7 @@ from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.path.path import build_path
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.simulation.results.simulation import RobotRun
+from rapidsim.values import dataclass
 
 _PLACES = 101
 

@@ -10,13 +10,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 from rapidsim.analysis.types.operators import has_value
 from rapidsim.diagnostics import Span
 from rapidsim.interpreter.linking.loader import Task
 from rapidsim.interpreter.linking.saved_text import declared_value
 from rapidsim.library.text import source_text
+from rapidsim.values import dataclass
 
 _LITERAL = r'"(?:[^"]|"")*"|[+-]?\s*(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?|TRUE\b|FALSE\b'
 _BETWEEN = r"[\[\](),\s]+|![^\r\n]*"

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 from rapidsim.simulation.results.time_shares import Step
+from rapidsim.values import dataclass
 
 _ROUTINE = re.compile(r"\s*(?:(?:LOCAL|TASK)\s+)?(?:PROC|FUNC|TRAP)\b", re.IGNORECASE)
 _COMMENT = re.compile(r"\s*!\s*(?P<words>.*?)\s*$")

@@ -6,8 +6,6 @@ the last instant. What an arm that stands still would show again and again is le
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 import numpy.typing as npt
 
@@ -16,6 +14,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.timing.axis_limits import Limits, limits_of
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
+from rapidsim.values import dataclass
 
 _BLOCK = 20_000
 """Samples evaluated at once, which bounds the memory that the kinematics needs."""

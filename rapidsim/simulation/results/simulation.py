@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from enum import StrEnum
 from itertools import accumulate
 from pathlib import Path
@@ -26,6 +26,7 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 from rapidsim.simulation.results.persistents import PersistentChange
 from rapidsim.station.task_kind import TaskKind
+from rapidsim.values import dataclass
 
 if TYPE_CHECKING:
     from rapidsim.simulation.results.collisions import Collisions

@@ -7,7 +7,6 @@ of the straight stretches into the corners, and their bend then asks for more.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -20,6 +19,7 @@ from rapidsim.motion.timing.constraints import axis_rows
 from rapidsim.motion.timing.discretisation import Places
 from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
+from rapidsim.values import dataclass
 
 _WORTH_SAYING = 3.0
 """Times an acceleration."""

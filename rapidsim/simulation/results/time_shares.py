@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeAlias
 
 from rapidsim.controller.journal.events import Wait
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.language.moves import Place
+from rapidsim.values import dataclass
 
 Step: TypeAlias = ExecutedMove | Wait
 """What takes time."""

@@ -13,9 +13,10 @@ from pathlib import Path
 from typing import TypeAlias
 
 from rapidsim.files import input_bytes, require_inside
+from rapidsim.language.equipment import Attributes
 
 Instance: TypeAlias = Mapping[str, str]
-"""Values by attribute in lower case; that of a switch is "true"."""
+"""Values by attribute, which is found in any case; that of a switch is "true"."""
 
 Configuration: TypeAlias = Mapping[str, Sequence[Instance]]
 """The instances of each type, by its name in upper case."""
@@ -44,8 +45,8 @@ def _instance(line: str) -> Instance:
     values: dict[str, str] = {}
     for match in _ATTRIBUTE.finditer(line):
         name, quoted, bare = match.groups()
-        values[name.lower()] = next((v for v in (quoted, bare) if v is not None), SWITCHED_ON)
-    return values
+        values[name] = next((v for v in (quoted, bare) if v is not None), SWITCHED_ON)
+    return Attributes(values)
 
 
 def text_in(root: Path, *names: str) -> str:

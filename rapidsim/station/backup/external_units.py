@@ -13,11 +13,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from rapidsim.motion.robot.external_axes import LETTERS, ExternalAxis
 from rapidsim.station.backup.cfg_file import SWITCHED_ON, Configuration, Instance
 from rapidsim.station.backup.robots import base_frame, bounds, number
+from rapidsim.values import dataclass
 
 UNIT_GROUP = "MECHANICAL_UNIT_GROUP"
 _SINGLES = 6
@@ -82,7 +82,7 @@ def _owners(system: Configuration, labels: Sequence[str | None]) -> Mapping[str,
         robot = group.get("robot")
         owner = labels.index(robot) if robot in labels else unknown if robot else None
         for key, unit in group.items():
-            if key.startswith("mechanicalunit_"):
+            if key.lower().startswith("mechanicalunit_"):
                 known = [one for one in (owners.get(unit), owner) if one is not None]
                 owners[unit] = min(known, default=None)
     return owners

@@ -6,7 +6,6 @@ Who publishes a program for a controller gives its tasks and signals so.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from rapidsim.controller.cell.description import CellIo
@@ -16,6 +15,7 @@ from rapidsim.station.backup.robots import backup_robots
 from rapidsim.station.backup.signals import backup_io
 from rapidsim.station.backup.tasks import TaskSettings, configured_tasks
 from rapidsim.station.robot import StationRobot
+from rapidsim.values import dataclass
 
 _FILES = ("sys.cfg", "eio.cfg", "moc.cfg")
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from rapidsim.controller.cell.message_queues import QueueMode, QueueSettings, QueueType
 from rapidsim.station.backup.cfg_file import SWITCHED_ON, Configuration, Instance
 from rapidsim.station.task_kind import TaskKind
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeAlias
 
@@ -16,6 +15,7 @@ from rapidsim.syntax.tree.expressions import (
     node,
 )
 from rapidsim.syntax.tree.statements import Body, Broken, Data
+from rapidsim.values import dataclass
 
 
 @node

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
 from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.parameters import Formal
@@ -12,6 +11,7 @@ from rapidsim.analysis.program_parts import Facts, Part
 from rapidsim.analysis.types.callees import callee_of_installed
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

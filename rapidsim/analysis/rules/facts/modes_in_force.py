@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 
 from rapidsim.analysis.program_parts import Facts, Part
 from rapidsim.analysis.rules.facts.known_values import known_value
@@ -12,6 +11,7 @@ from rapidsim.analysis.rules.facts.reached_routines import bits_where, reached
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)

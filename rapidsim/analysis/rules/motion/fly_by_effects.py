@@ -10,7 +10,7 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from typing import TypeAlias
 
@@ -20,6 +20,7 @@ from rapidsim.analysis.rules.facts.known_values import known_value
 from rapidsim.analysis.tree_walk import clauses
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 _MOST_MOVES = 8
 """Moves that may be under way at once, from different ways to a place; more tell nothing new."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from rapidsim.analysis.program_parts import Facts, Part
 from rapidsim.analysis.rules.facts.known_values import known_value, numbers
@@ -12,6 +11,7 @@ from rapidsim.analysis.rules.facts.written_numbers import part_span
 from rapidsim.analysis.types.constant_folding import Value
 from rapidsim.diagnostics import Diagnostic, Related, Violation
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 _UNUSED = 8.9e9
 """External axes are not connected from here: 9E9, written in many ways."""

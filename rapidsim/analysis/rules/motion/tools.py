@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from rapidsim.analysis.program import DataSymbol, Storage, Symbol
 from rapidsim.analysis.program_parts import Facts, Part
@@ -13,6 +12,7 @@ from rapidsim.analysis.rules.facts.taught_targets import taught_target
 from rapidsim.diagnostics import Diagnostic, Related, Violation
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 _UNIDENTIFIED = -1.0
 """The mass that a new tool has until somebody defines it."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
 from rapidsim.analysis.program import ParameterSymbol
 from rapidsim.analysis.program_parts import Facts, Part
@@ -11,6 +10,7 @@ from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 
 class AbsentOptionalUsed(Violation, code="T310"):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from rapidsim.analysis.program import CounterSymbol, Symbol
 from rapidsim.analysis.program_parts import Facts, Part
@@ -17,6 +16,7 @@ from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.language.types import ArrayOf, resolved
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
+from rapidsim.values import dataclass
 
 _LEAVES = (tree.Return, tree.Exit, tree.Goto, tree.Raise, tree.Broken)
 _PATHS = (tree.Reference, tree.Index, tree.Component)

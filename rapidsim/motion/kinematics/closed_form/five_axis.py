@@ -12,7 +12,6 @@ Source: Standard DH table of the Mitsubishi RV-M1 with joint 4 from -90 to 90 de
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -24,6 +23,7 @@ from rapidsim.motion.kinematics.closed_form.two_link import REACH_TOLERANCE, clo
 from rapidsim.motion.kinematics.serial_chain import AxesAtZero, SerialChain
 from rapidsim.motion.kinematics.singularity import Singularity
 from rapidsim.motion.kinematics.unwrapping import in_turn_of, principal
+from rapidsim.values import dataclass
 
 JOINT_COUNT = 5
 ALIGNED = 1e-4

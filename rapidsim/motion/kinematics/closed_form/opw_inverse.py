@@ -6,14 +6,13 @@ in particular. No solution is lost where two of them meet, because nothing is co
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.kinematics.closed_form.opw_geometry import OpwGeometry
 from rapidsim.motion.kinematics.closed_form.two_link import REACH_TOLERANCE, close_triangle
+from rapidsim.values import dataclass
 
 ON_AXIS = 1e-10
 """Share of the reach within which a wrist centre counts as lying on axis 1."""

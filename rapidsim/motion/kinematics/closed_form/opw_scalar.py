@@ -7,7 +7,6 @@ one at a time. Poses are `Rigid`, joint vectors sequences of six floats [rad].
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import atan2, cos, hypot, pi, sin, sqrt
 
 from rapidsim.frames.rigid import Rigid, composed
@@ -15,6 +14,7 @@ from rapidsim.motion.kinematics.closed_form.opw_geometry import ROUNDING, OpwGeo
 from rapidsim.motion.kinematics.closed_form.opw_inverse import HELD_WRIST, ON_AXIS
 from rapidsim.motion.kinematics.closed_form.two_link import REACH_TOLERANCE
 from rapidsim.motion.kinematics.unwrapping import TURN, turned_towards
+from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

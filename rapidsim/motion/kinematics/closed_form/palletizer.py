@@ -10,7 +10,6 @@ Source: r = a1 + c2 sin q2 + c3 cos q3 + wrist, z = c1 + c2 cos q2 - c3 sin q3 -
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -22,6 +21,7 @@ from rapidsim.motion.kinematics.closed_form.two_link import REACH_TOLERANCE, clo
 from rapidsim.motion.kinematics.serial_chain import AxesAtZero, SerialChain
 from rapidsim.motion.kinematics.singularity import Singularity
 from rapidsim.motion.kinematics.unwrapping import in_turn_of, principal
+from rapidsim.values import dataclass
 
 JOINT_COUNT = 4
 LEVEL = 1e-4

@@ -7,14 +7,13 @@ with every one that does not, so the walk neither stops nor explodes where the a
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.kinematics.serial_chain import SerialChain
+from rapidsim.values import dataclass
 
 REACHED = 1e-9
 """Way [m] and angle [rad] left at which a pose counts as reached."""

@@ -7,8 +7,6 @@ of the true arm. That direction is not known, so some around the circle are trie
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from rapidsim.frames.rotation_vectors import rotation_from_vector
@@ -16,6 +14,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
 from rapidsim.motion.kinematics.closed_form.opw_recognition import ortho_parallel_arm
 from rapidsim.motion.kinematics.serial_chain import AxesAtZero
+from rapidsim.values import dataclass
 
 DIRECTIONS = 8
 

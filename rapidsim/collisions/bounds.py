@@ -1,0 +1,54 @@
+"""How near bodies can be at most, by the spheres and the boxes around them: cheap, often enough.
+
+Each body is in a box along the axes of its own frame, and in a sphere around the box's middle.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rapidsim.collisions.convex import Index
+from rapidsim.frames.transform import Array, Transform
+
+
+class Bounds:
+    """Boxes and spheres around some things, each in a frame of its own."""
+
+    def __init__(self, low: Array, high: Array, bound: Array) -> None:
+        """Keep boxes by their corners (n, 3) [m], and radii (n,) [m] of spheres."""
+        self.low, self.high = low, high
+        self.centre: Array = 0.5 * (low + high)
+        self._half: Array = 0.5 * (high - low)
+        self.bound: Array = np.minimum(bound, np.linalg.norm(self._half, axis=1))
+
+    def gaps(self, first: Index, second: Index, second_from_first: Transform) -> Array:
+        """Of pairs (k,) the distances [m] that they have at least; below 0 where nothing is known.
+
+        Args:
+            first: Which of them (k,).
+            second: Which others (k,).
+            second_from_first: Where the first ones are (k,).
+        """
+        turn = second_from_first.rotation
+        half_a, half_b = self._half[first], self._half[second]
+        here = np.einsum("kij,kj->ki", turn, self.centre[first]) + second_from_first.translation
+        here -= self.centre[second]
+        gap: Array = np.sqrt(np.einsum("ki,ki->k", here, here))
+        gap -= self.bound[first] + self.bound[second]
+        there = np.einsum("kij,ki->kj", turn, here)
+        width = np.abs(turn)
+        of_a, of_b = (
+            np.einsum("kij,kj->ki", width, half_a),
+            np.einsum("kij,ki->kj", width, half_b),
+        )
+        for apart, box, other, ball in (
+            (here, half_b, of_a, self.bound[first]),
+            (there, half_a, of_b, self.bound[second]),
+        ):
+            outside = np.abs(apart) - box
+            to_ball = np.maximum(outside, 0.0)
+            np.maximum(gap, np.sqrt(np.einsum("ki,ki->k", to_ball, to_ball)) - ball, out=gap)
+            to_box = np.maximum(outside - other, 0.0)
+            length = np.sqrt(np.einsum("ki,ki->k", to_box, to_box))
+            np.maximum(gap, length, out=gap, where=length > 0.0)
+        return gap

@@ -1,0 +1,104 @@
+"""How far the bodies of pairs move, seen from each other, between the instants of a motion.
+
+Between two instants a body is never farther from where it was than it shifted and turned, and from
+the straight way between by no more than its acceleration lets it. Over many instants ways add up.
+
+Accelerations are those that the instants show, twofold, the largest of some neighbours.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rapidsim.collisions.bounds import Bounds
+from rapidsim.collisions.convex import Index
+from rapidsim.collisions.scene import Poses, Scene
+from rapidsim.frames.transform import Array, Transform
+
+_SAFETY = 2.0
+_NEIGHBOURS = 2
+_LEVELS = 5
+"""Stretches of up to two to this power steps are asked for."""
+LONGEST = 2 ** (_LEVELS - 1)
+"""Steps of the longest stretch."""
+
+
+class Travel:
+    """The ways of all pairs over the steps of a block."""
+
+    def __init__(self, scene: Scene, bounds: Bounds, poses: Poses) -> None:
+        """Sum up the ways of pairs; those whose second body stands share that of the first."""
+        columns: dict[tuple[int, int], int] = {}
+        of_pair = []
+        for pair in scene.pairs:
+            other = -1 if scene.bodies[pair.second].stands else pair.second
+            of_pair.append(columns.setdefault((pair.first, other), len(columns)))
+        self._column: Index = np.array(of_pair)
+        count = len(poses.times)
+        step = np.diff(poses.times)[:, None]
+        self._way = np.zeros((count, len(columns)))
+        shift, turn = np.empty((2, count - 1, len(columns)))
+        pull = np.zeros((count, len(columns)))
+        for (first, second), column in columns.items():
+            seen = poses.of(first) if second < 0 else poses.seen(first, second)
+            centre = seen.apply(bounds.centre[first])
+            shift[:, column] = np.linalg.norm(np.diff(centre, axis=0), axis=1)
+            turn[:, column] = bounds.bound[first] * turned(seen.rotation[1:], seen.rotation[:-1])
+            if count > 2:
+                pull[1:-1, column] = np.linalg.norm(_second(centre, step), axis=1)
+                twist = _second(seen.rotation.reshape(-1, 9), step)
+                pull[1:-1, column] += bounds.bound[first] * np.linalg.norm(twist, axis=1) / 2**0.5
+        np.cumsum(shift + turn, axis=0, out=self._way[1:])
+        wide = np.pad(pull, ((_NEIGHBOURS, _NEIGHBOURS), (0, 0)), mode="edge")
+        around = [wide[at : at + count - 1] for at in range(2 * _NEIGHBOURS + 2)]
+        self._bend = _SAFETY * np.maximum.reduce(around) + 0.1 * pull.max(axis=0)
+        slack = self._bend * (step**2 / 8.0)
+        # The largest of 1, 2, 4 ... steps from each on.
+        self._slacks = np.zeros((_LEVELS, count, len(columns)))
+        self._slacks[0, :-1] = slack
+        for level in range(1, _LEVELS):
+            half = 2 ** (level - 1)
+            here, below = self._slacks[level], self._slacks[level - 1]
+            here[:] = below
+            np.maximum(here[:-half], below[half:], out=here[:-half])
+
+    def between(self, pair: Index, start: Index, end: Index) -> tuple[Array, Array]:
+        """Ways (k,) [m] of pairs between instants, and how far they stray from them."""
+        column = self._column[pair]
+        level = np.log2(end - start + 0.5).astype(np.int64)
+        slack = np.maximum(
+            self._slacks[level, start, column], self._slacks[level, end - 2**level, column]
+        )
+        return self._way[end, column] - self._way[start, column], slack
+
+    def bend(self, pair: Index, step: Index) -> Array:
+        """Accelerations (k,) [m/s2] of one body seen from the other."""
+        found: Array = self._bend[step, self._column[pair]]
+        return found
+
+
+def turned(one: Array, other: Array) -> Array:
+    """How far a point at distance 1 may be moved by turning from one rotation to another (...)."""
+    apart = one - other
+    moved: Array = np.sqrt(0.5 * np.einsum("...ij,...ij->...", apart, apart))
+    return moved
+
+
+def straight(bounds: Bounds, first: Index, start: Transform, end: Transform) -> Array:
+    """How far (k,) [m] points of bodies move on the straight way between two poses."""
+    centre = bounds.centre[first]
+    shift = np.linalg.norm(
+        np.einsum("kij,kj->ki", end.rotation - start.rotation, centre)
+        + end.translation
+        - start.translation,
+        axis=1,
+    )
+    moved: Array = shift + turned(end.rotation, start.rotation) * bounds.bound[first]
+    return moved
+
+
+def _second(values: Array, step: Array) -> Array:
+    """Second derivatives of values (k, n) at the instants between steps (k - 1, 1)."""
+    rate = np.diff(values, axis=0) / step
+    found: Array = 2.0 * np.diff(rate, axis=0) / (step[1:] + step[:-1])
+    return found

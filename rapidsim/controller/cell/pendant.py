@@ -1,0 +1,96 @@
+"""Questions that stand on the FlexPendant until somebody answers: of a controller that stays on."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+AnswerValue: TypeAlias = float | int | str
+"""A number, the index of a key, or a text."""
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """What a task asks."""
+
+    task: str
+    instruction: str
+    prompt: str
+    wants: type[AnswerValue]
+    """`float` a number, `int` one of the choices, `str` a text."""
+    choices: tuple[str, ...] = ()
+    """Keys from 1; a key with the text "" is not there."""
+    proposal: str = ""
+
+    def read(self, text: str) -> AnswerValue:
+        """The answer that a text is: for keys their texts or numbers.
+
+        Raises:
+            ValueError: If it is none, in words for who answers.
+        """
+        if self.wants is str:
+            return text
+        if self.wants is float:
+            try:
+                value = float(text)
+            except ValueError:
+                value = math.nan
+            if not math.isfinite(value):
+                raise ValueError(f"`{text}` is not a number")
+            return value
+        for index, choice in enumerate(self.choices):
+            said = text.strip().lower()
+            if choice and said in (choice.strip().lower(), str(index + 1)):
+                return index
+        raise ValueError(f"`{text}` is none of {' / '.join(filter(None, self.choices))}")
+
+
+@dataclass(slots=True)
+class Pendant:
+    """The question of each task that waits for an answer, and answers that no task has taken."""
+
+    questions: dict[str, Question] = field(default_factory=dict)
+    """By name of the task, in the order in which they were asked."""
+    _answers: dict[str, AnswerValue] = field(default_factory=dict)
+    _instructions: dict[str, str] = field(default_factory=dict)
+
+    def begin(self, task: str, instruction: str) -> None:
+        """A task begins to ask."""
+        self._instructions[task] = instruction
+
+    def withdraw(self, task: str) -> None:
+        """A task asks no longer."""
+        for table in (self.questions, self._answers, self._instructions):
+            table.pop(task, None)
+
+    def ask(
+        self,
+        task: str,
+        prompt: str,
+        wants: type[AnswerValue],
+        choices: Sequence[str] = (),
+        proposal: str = "",
+    ) -> AnswerValue | None:
+        """The answer to a question; None, and it stands, until there is one."""
+        if task in self._answers:
+            return self._answers.pop(task)
+        name = self._instructions.get(task, "")
+        self.questions[task] = Question(task, name, prompt, wants, tuple(choices), proposal)
+        return None
+
+    def answer(self, task: str, text: str) -> None:
+        """Answer the question of a task.
+
+        Raises:
+            LookupError: If it asks nothing.
+            ValueError: If the text is no answer to it.
+        """
+        question = self.questions[task]
+        self._answers[task] = question.read(text)
+        del self.questions[task]
+
+    def has_answer(self, task: str) -> bool:
+        """Whether there is an answer that a task has not taken."""
+        return task in self._answers

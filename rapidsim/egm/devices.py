@@ -1,0 +1,112 @@
+"""Where sensors are: UDPUC devices of the command line and of the configuration."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Final, NamedTuple
+
+from rapidsim.controller.cell.system_parameters import SystemParameters
+from rapidsim.files import InputError
+from rapidsim.language.equipment import Configured
+from rapidsim.language.errors import NotAllowed
+
+_LOOPBACK: Final = frozenset({"", "localhost", "127.0.0.1"})
+_DOMAIN, _TYPE = "SIO", "COM_TRP"
+
+
+class Address(NamedTuple):
+    """Of a sensor."""
+
+    host: str
+    port: int
+
+    def __str__(self) -> str:
+        """As it is written: `127.0.0.1:6510`."""
+        return f"{self.host}:{self.port}"
+
+
+DEFAULT: Final = Address("127.0.0.1", 6510)
+"""Of a device that nobody knows."""
+
+
+@dataclass(frozen=True, slots=True)
+class SensorDevices:
+    """The devices that are known, by folded name."""
+
+    named: Mapping[str, Address] = field(default_factory=dict)
+    """On the command line: any address."""
+    configured: Mapping[str, Address] = field(default_factory=dict)
+    """In SIO.cfg: only addresses of this computer, and of hosts that are allowed."""
+    names: tuple[str, ...] = ()
+    """As they are written."""
+    hosts: frozenset[str] = frozenset()
+
+    def address(self, device: str) -> Address:
+        """Where the sensor of a device is.
+
+        Raises:
+            NotAllowed: If it is on another computer that nobody has allowed.
+        """
+        key = device.lower()
+        if key in self.named:
+            return self.named[key]
+        found = self.configured.get(key, DEFAULT)
+        if found.host not in _LOOPBACK and found.host not in self.hosts:
+            raise NotAllowed(
+                f"the sensor of `{device}` is on another computer, {found}: `--network-host "
+                f"{found.host}` lets the program talk to it"
+            )
+        return Address(found.host or DEFAULT.host, found.port)
+
+    @property
+    def shown(self) -> dict[str, str]:
+        """Name and address of each."""
+        both = {**self.configured, **self.named}
+        return {name: str(both[name.lower()]) for name in self.names}
+
+
+def sensor_devices(
+    given: Iterable[tuple[str, Address]], configured: Configured, hosts: frozenset[str]
+) -> SensorDevices:
+    """The devices of a controller.
+
+    Args:
+        given: On the command line, which counts over the configuration.
+        configured: The system parameters.
+        hosts: Other computers that programs may talk to.
+    """
+    rows = SystemParameters(configured).instances(_DOMAIN, _TYPE) or ()
+    found = {
+        row.get("name", ""): Address(row.get("remoteadress", DEFAULT.host), port)
+        for row in rows
+        if row.get("type", "").upper() == "UDPUC"
+        and (port := _port(row.get("remoteportnumber", str(DEFAULT.port))))
+    }
+    named = dict(given)
+    names = {name.lower(): name for name in (*found, *named)}
+    return SensorDevices(
+        {name.lower(): address for name, address in named.items()},
+        {name.lower(): address for name, address in found.items()},
+        tuple(names.values()),
+        hosts,
+    )
+
+
+def read_device(text: str) -> tuple[str, Address]:
+    """A device as the command line names it: `UCdevice=127.0.0.1:6510`.
+
+    Raises:
+        InputError: If it is none.
+    """
+    name, _, address = text.partition("=")
+    host, _, port = address.rpartition(":")
+    number = _port(port)
+    if not name or not host or not number:
+        raise InputError(f"--egm: `{text}` is not NAME=HOST:PORT", "--egm UCdevice=127.0.0.1:6510")
+    return name.rstrip(":"), Address(host, number)
+
+
+def _port(text: str) -> int:
+    """A port; 0 if it is none."""
+    return int(text) if text.isascii() and text.isdigit() and int(text) < 65536 else 0

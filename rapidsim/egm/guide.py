@@ -1,0 +1,254 @@
+"""The guide: a process that talks to sensors on time, however busy the controller's own is.
+
+It lets the same guidance go on as the controller does, beside it and ahead of it, so that what a
+sensor is told is never late; what the sensor answered at each sample goes to the controller, which
+lets its robot move by that and by nothing else.
+"""
+
+from __future__ import annotations
+
+import gc
+import math
+import select
+import signal
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from multiprocessing.connection import Connection, wait
+from queue import SimpleQueue
+from threading import Thread
+from time import monotonic
+from typing import Final, TypeAlias
+
+from rapidsim.controller.cell.sensors import Teller
+from rapidsim.egm.devices import Address
+from rapidsim.egm.udp import Ports, SensorSocket
+from rapidsim.motion.guidance.feedback import Feedback
+from rapidsim.motion.guidance.guided_run import GuidedRun
+from rapidsim.motion.guidance.joint_law import CYCLE_S
+from rapidsim.motion.guidance.sensor import SensorAnswer
+
+_MOST_LATE: Final = 25
+"""So many cycles are made up for; what is later comes later."""
+_HOLDS_S: Final = 0.5
+"""So long [s] on the wall a stream goes on where the controller says nothing more."""
+
+
+@dataclass(frozen=True, slots=True)
+class Opened:
+    """Talk to a sensor from now on."""
+
+    address: Address
+    began_s: float
+    """When virtual time began, on the wall's clock that all processes share [s]."""
+    speed: float
+    """Virtual seconds in one on the wall."""
+
+
+@dataclass(frozen=True, slots=True)
+class Begun:
+    """A guidance begins."""
+
+    number: int
+    run: GuidedRun
+    told: Teller
+
+
+@dataclass(frozen=True, slots=True)
+class Stopping:
+    """The program ends it."""
+
+    goes_back: bool
+    ramp_out_s: float
+
+
+@dataclass(frozen=True, slots=True)
+class Over:
+    """The guidance is over; a last word."""
+
+    feedback: Feedback
+
+
+@dataclass(frozen=True, slots=True)
+class Streamed:
+    """Where the robot will be."""
+
+    stream: tuple[Feedback, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Closed:
+    """Nobody talks to it any more."""
+
+
+Order: TypeAlias = Opened | Begun | Stopping | Over | Streamed | Closed
+
+
+@dataclass(frozen=True, slots=True)
+class Heard:
+    """What a sensor has answered by a sample of a guidance."""
+
+    sensor: int
+    guidance: int
+    sample: int
+    answer: SensorAnswer | None
+
+
+@dataclass(slots=True, eq=False)
+class _Guidance:
+    """One that goes on here."""
+
+    number: int
+    run: GuidedRun
+    told: Teller
+    cycles: int = 0
+    late_s: float = 0.0
+    """How much later [s] than the wall wants its cycles are."""
+
+
+@dataclass(slots=True, eq=False)
+class _Talk:
+    """With one sensor."""
+
+    number: int
+    opened: Opened
+    socket: SensorSocket
+    guidance: _Guidance | None = None
+    stream: list[Feedback] = field(default_factory=list)
+    """What is to be told, by time."""
+    last: Feedback | None = None
+    """What was told last of the stream."""
+    held_s: float = 0.0
+    """For how long [s] the same has been told."""
+    sample_s: float = math.inf
+
+    def due_s(self) -> float:
+        """When it has something to do next, on the wall [s]; infinite if it has not."""
+        if (guidance := self.guidance) is not None:
+            virtual_s = guidance.told.first_s + guidance.cycles * CYCLE_S
+            return self._wall_s(virtual_s) + guidance.late_s
+        if self.stream:
+            return self._wall_s(self.stream[0].time_s)
+        if self.last is None or self.held_s > _HOLDS_S:
+            return math.inf
+        return self._wall_s(self.last.time_s + self.sample_s)
+
+    def act(self, now_s: float) -> Heard | None:
+        """Do what is due [s]; what the controller is told."""
+        guidance = self.guidance
+        if guidance is None:
+            self._tell()
+            return None
+        behind_s = now_s - self.due_s()
+        if behind_s > _MOST_LATE * CYCLE_S / self.opened.speed:
+            guidance.late_s += behind_s
+        self.socket.hear()
+        heard, answer = None, None
+        if guidance.cycles % guidance.told.samples == 0:
+            answer = self.socket.take()
+            sample = guidance.cycles // guidance.told.samples
+            heard = Heard(self.number, guidance.number, sample, answer)
+            if not guidance.run.is_over:
+                time_s = guidance.told.first_s + guidance.cycles * CYCLE_S
+                self.socket.send(guidance.told.feedback(guidance.run, time_s))
+        guidance.run.step(answer)
+        guidance.cycles += 1
+        return heard
+
+    def follow(self, order: Order) -> None:
+        """Do what the controller wants."""
+        match order:
+            case Begun(number, run, told):
+                self.socket.hear()
+                self.socket.take()
+                self.stream.clear()
+                self.guidance, self.last = _Guidance(number, run, told), None
+                behind_s = monotonic() - self.due_s()
+                self.guidance.late_s = max(0.0, behind_s)
+            case Stopping(goes_back, ramp_out_s) if self.guidance is not None:
+                self.guidance.run.stop(goes_back=goes_back, ramp_out_s=ramp_out_s)
+            case Over(feedback):
+                self.guidance = None
+                self.socket.send(feedback)
+            case Streamed(stream):
+                after_s = -math.inf if self.last is None else self.last.time_s
+                fresh = [one for one in stream if one.time_s > after_s + _ROUNDING_S]
+                if fresh:
+                    self.stream = [one for one in self.stream if one.time_s < fresh[0].time_s]
+                    self.stream += fresh
+                self.held_s = 0.0
+            case _:
+                pass
+
+    def _tell(self) -> None:
+        if self.stream:
+            told = self.stream.pop(0)
+            if self.last is not None:
+                self.sample_s = told.time_s - self.last.time_s
+        else:
+            assert self.last is not None
+            told = replace(self.last, time_s=self.last.time_s + self.sample_s)
+            self.held_s += self.sample_s / self.opened.speed
+        self.last = told
+        self.socket.send(told)
+
+    def _wall_s(self, virtual_s: float) -> float:
+        return self.opened.began_s + virtual_s / self.opened.speed
+
+
+_ROUNDING_S: Final = 1e-6
+
+
+def guide(connection: Connection) -> None:
+    """The life of a process; see `talk`."""
+    # Ctrl-C goes to all processes of a terminal; the guide ends with its controller.
+    for name in ("SIGINT", "SIGTERM"):
+        signal.signal(getattr(signal, name), signal.SIG_IGN)
+    gc.freeze()
+    talk(connection)
+
+
+def talk(connection: Connection) -> None:
+    """Talk to sensors until the controller is there no more."""
+    talks: dict[int, _Talk] = {}
+    ports, told = Ports(), SimpleQueue[Heard]()
+    # A controller that is busy lets its end of the pipe fill up, for which no sensor waits.
+    Thread(target=_send, args=(connection, told), daemon=True).start()
+    with suppress(EOFError, OSError):
+        while True:
+            _pass(connection, talks, ports, told)
+    ports.close()
+
+
+def _send(connection: Connection, told: SimpleQueue[Heard]) -> None:
+    with suppress(OSError):
+        while True:
+            connection.send(told.get())
+
+
+def _pass(
+    connection: Connection, talks: dict[int, _Talk], ports: Ports, told: SimpleQueue[Heard]
+) -> None:
+    """Wait for what comes next, and do it."""
+    due_s = min((one.due_s() for one in talks.values()), default=math.inf)
+    if math.isinf(due_s):
+        wait([connection])
+    elif (left_s := due_s - monotonic()) > 0.0:
+        # Pipes cannot be waited for so exactly everywhere: the controller waits for a cycle.
+        streams = [one.socket.stream for one in talks.values()]
+        select.select(streams, [], [], min(left_s, CYCLE_S))
+        for one in talks.values():
+            one.socket.hear()
+    while connection.poll():
+        number, order = connection.recv()
+        if isinstance(order, Opened):
+            talks[number] = _Talk(number, order, ports.to(order.address))
+        elif number in talks:
+            talks[number].follow(order)
+            if isinstance(order, Closed):
+                del talks[number]
+    for one in talks.values():
+        now_s = monotonic()
+        if one.due_s() <= now_s:
+            heard = one.act(now_s)
+            if heard is not None:
+                told.put(heard)

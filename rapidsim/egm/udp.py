@@ -1,0 +1,217 @@
+"""Sensors over UDP: a socket a device, from which the controller speaks first.
+
+Nothing that comes in ends anything: what is no message of a sensor is dropped.
+"""
+
+from __future__ import annotations
+
+import select
+import socket
+from collections.abc import Collection, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+from time import monotonic
+from typing import Final
+
+from rapidsim.controller.cell.sensors import SilentSensor, Teller
+from rapidsim.egm.codec import DecodeError
+from rapidsim.egm.devices import Address, SensorDevices
+from rapidsim.egm.frames import robot_datagram, sensor_answer
+from rapidsim.motion.guidance.feedback import Feedback
+from rapidsim.motion.guidance.guided_run import GuidedRun
+from rapidsim.motion.guidance.joint_law import CYCLE_S
+from rapidsim.motion.guidance.sensor import SensorAnswer
+
+_LARGEST: Final = 65536
+_MOST_AT_ONCE: Final = 100
+"""So many datagrams are read in one go; a sensor that sends more does not hold up the robot."""
+
+
+@dataclass(slots=True, eq=False)
+class Ports:
+    """From which a controller talks to its sensors: one for each, as long as it is on.
+
+    A sensor that has kept words of a program before answers to where they came from.
+    """
+
+    _streams: dict[Address, socket.socket] = field(default_factory=dict)
+
+    def to(self, address: Address) -> SensorSocket:
+        """Begin to talk to a sensor."""
+        if address not in self._streams:
+            stream = self._streams[address] = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+            stream.setblocking(False)
+            local = address.host in ("127.0.0.1", "localhost")
+            stream.bind(("127.0.0.1" if local else "", 0))
+        return SensorSocket(address, self._streams[address])
+
+    def close(self) -> None:
+        """Give them back."""
+        for stream in self._streams.values():
+            stream.close()
+        self._streams.clear()
+
+
+@dataclass(slots=True, eq=False)
+class SensorSocket:
+    """Datagrams to and from one sensor."""
+
+    address: Address
+    stream: socket.socket
+    dropped: int = 0
+    """Datagrams that were no message."""
+    _number: int = 0
+    _answer: SensorAnswer | None = None
+
+    def send(self, feedback: Feedback) -> None:
+        """Tell the sensor where the robot is; whether anybody hears it, nobody knows."""
+        with suppress(OSError):
+            self.stream.sendto(robot_datagram(self._number, feedback), self.address)
+        self._number += 1
+
+    def hear(self) -> int:
+        """Take what has come; how many answers there were."""
+        answers = 0
+        for _ in range(_MOST_AT_ONCE):
+            try:
+                data, _ = self.stream.recvfrom(_LARGEST)
+            except BlockingIOError:
+                break
+            except OSError:
+                # Some systems tell here that nobody has heard the last word.
+                continue
+            try:
+                self._answer = sensor_answer(data)
+                answers += 1
+            except DecodeError:
+                self.dropped += 1
+        return answers
+
+    def take(self) -> SensorAnswer | None:
+        """The last answer, once."""
+        answer, self._answer = self._answer, None
+        return answer
+
+
+@dataclass(slots=True, eq=False)
+class PacedSensor(SilentSensor):
+    """A sensor whose cycles take their time on the wall; implements `sensors.Sensor`."""
+
+    socket: SensorSocket
+    waits_full: bool
+    """Whether a cycle takes all its time, or is over with an answer."""
+    _sample_s: float = CYCLE_S
+    _due_s: float = 0.0
+
+    def begin(self, run: GuidedRun, told: Teller) -> None:
+        """Count from now."""
+        del run
+        self._sample_s, self._due_s = told.samples * CYCLE_S, monotonic()
+        self.socket.hear()
+        self.socket.take()
+
+    def exchange(self, feedback: Feedback) -> SensorAnswer | None:
+        """Say a word and wait for the answer until the next one is due."""
+        self.socket.send(feedback)
+        self._due_s = max(self._due_s + self._sample_s, monotonic() - self._sample_s)
+        while (left_s := self._due_s - monotonic()) > 0.0:
+            ready, _, _ = select.select([self.socket.stream], [], [], left_s)
+            if ready and self.socket.hear() and not self.waits_full:
+                break
+        self.socket.hear()
+        return self.socket.take()
+
+    def end(self, feedback: Feedback) -> None:
+        """A last word."""
+        self.socket.send(feedback)
+
+    def tell(self, stream: Sequence[Feedback]) -> None:
+        """Tell each at its time on the wall."""
+        for feedback in stream:
+            self.exchange(feedback)
+
+
+@dataclass(slots=True, eq=False)
+class PacedSensors:
+    """Implements `sensors.Sensors` for runs that take their time with them."""
+
+    devices: SensorDevices
+    waits_full: bool = True
+    _ports: Ports = field(default_factory=Ports)
+
+    def open(self, device: str) -> PacedSensor:
+        """See `Sensors`."""
+        return PacedSensor(self._ports.to(self.devices.address(device)), self.waits_full)
+
+    def close(self) -> None:
+        """See `Sensors`."""
+        self._ports.close()
+
+
+@dataclass(slots=True, eq=False)
+class StepSensor(SilentSensor):
+    """A sensor that is not waited for: time passes by its answers; implements `sensors.Sensor`."""
+
+    socket: SensorSocket
+    sample_s: float = CYCLE_S
+    is_open: bool = True
+
+    def begin(self, run: GuidedRun, told: Teller) -> None:
+        """See `Sensor`."""
+        del run
+        self.sample_s = told.samples * CYCLE_S
+        self.socket.hear()
+        self.socket.take()
+
+    def exchange(self, feedback: Feedback) -> SensorAnswer | None:
+        """Say a word; the answer to the last one."""
+        answer = self.socket.take()
+        self.socket.send(feedback)
+        return answer
+
+    def end(self, feedback: Feedback) -> None:
+        """A last word."""
+        self.socket.send(feedback)
+
+    def tell(self, stream: Sequence[Feedback]) -> None:
+        """Tell all of it."""
+        for feedback in stream:
+            self.socket.send(feedback)
+
+    def close(self) -> None:
+        """See `Sensor`."""
+        self.is_open = False
+
+
+@dataclass(slots=True, eq=False)
+class StepSensors:
+    """Implements `sensors.Sensors` in lock-step."""
+
+    devices: SensorDevices
+    _open: list[StepSensor] = field(default_factory=list)
+
+    _ports: Ports = field(default_factory=Ports)
+
+    def open(self, device: str) -> StepSensor:
+        """See `Sensors`."""
+        sensor = StepSensor(self._ports.to(self.devices.address(device)))
+        self._open.append(sensor)
+        return sensor
+
+    def close(self) -> None:
+        """See `Sensors`."""
+        self._open.clear()
+        self._ports.close()
+
+    def heard(self) -> list[socket.socket]:
+        """What may have something to say."""
+        self._open = [one for one in self._open if one.is_open]
+        return [one.socket.stream for one in self._open]
+
+    def came(self, ready: Collection[object]) -> float:
+        """Take what has come; how much time [s] that lets pass."""
+        passed_s = 0.0
+        for one in self._open:
+            if one.socket.stream in ready and one.socket.hear():
+                passed_s += one.sample_s
+        return passed_s

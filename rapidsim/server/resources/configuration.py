@@ -1,0 +1,102 @@
+"""System parameters: domains, their types, the instances of each; names in any case."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from typing import Final
+
+from rapidsim.server.messages import DONE, Answer, Item, Request
+from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
+from rapidsim.server.resources.context import Context
+
+_VALUE: Final = re.compile(r"\[(.*),\s*\d+\]", re.DOTALL)
+"""How clients write the value of an attribute: `[value,1]`."""
+
+
+def domains(context: Context, request: Request) -> Answer:
+    """All domains."""
+    del request
+    names = context.live.cell.parameters.domains
+    items = (Item("cfg-domain-li", one, href=f"rw/cfg/{one}") for one in names)
+    return Answer(tuple(items))
+
+
+def types(context: Context, request: Request, domain: str) -> Answer:
+    """The types of a domain."""
+    del request
+    names = context.live.cell.parameters.types(domain)
+    if not names:
+        raise refused(NOT_FOUND, f"the configuration has no domain {domain}")
+    name = domain.upper()
+    return Answer(tuple(Item("cfg-dt-li", one, href=f"rw/cfg/{name}/{one}") for one in names))
+
+
+def type_(context: Context, request: Request, domain: str, of: str) -> Answer:
+    """A type, which leads to its instances."""
+    del request
+    _instances(context, domain, of)
+    return Answer((Item("cfg-dt", of.upper()),), links=("instances",))
+
+
+def instances(context: Context, request: Request, domain: str, of: str) -> Answer:
+    """The instances of a type with their attributes."""
+    del request
+    found = _instances(context, domain, of)
+    return Answer(tuple(_item(domain, of, n, one, "-li") for n, one in enumerate(found)))
+
+
+def instance(context: Context, request: Request, domain: str, of: str, name: str) -> Answer:
+    """One instance."""
+    del request
+    number, found = _found(context, domain, of, name)
+    return Answer((_item(domain, of, number, found, ""),))
+
+
+def change(context: Context, request: Request, domain: str, of: str, name: str) -> Answer:
+    """Give attributes of an instance other values, which a restart would take up.
+
+    Raises:
+        RefusedRequest: If it has no such attribute; then nothing is changed.
+    """
+    context.require_mastership("cfg", request)
+    number, found = _found(context, domain, of, name)
+    changed = {}
+    for attribute, text in request.form.items():
+        if attribute not in found:
+            raise refused(BAD_PARAMETER, f"{name} has no attribute {attribute}")
+        matched = _VALUE.fullmatch(text.strip())
+        changed[attribute] = matched[1] if matched else text
+    for attribute, value in changed.items():
+        context.live.cell.parameters.change(domain, of, number, attribute, value)
+    return DONE
+
+
+def _instances(context: Context, domain: str, of: str) -> Sequence[Mapping[str, str]]:
+    found = context.live.cell.parameters.instances(domain, of)
+    if found is None:
+        raise refused(NOT_FOUND, f"the configuration has no type {domain}/{of}")
+    return found
+
+
+def _found(context: Context, domain: str, of: str, name: str) -> tuple[int, Mapping[str, str]]:
+    for number, one in enumerate(_instances(context, domain, of)):
+        if _name(number, one).lower() == name.lower():
+            return number, one
+    raise refused(NOT_FOUND, f"{domain}/{of} has no instance {name}")
+
+
+def _name(number: int, one: Mapping[str, str]) -> str:
+    """By which an instance is addressed; one without a name by its place."""
+    return one.get("name") or str(number)
+
+
+def _item(domain: str, of: str, number: int, one: Mapping[str, str], suffix: str) -> Item:
+    name = _name(number, one)
+    attributes = (Item("cfg-ia-t-li", key, {"value": value}) for key, value in one.items())
+    return Item(
+        f"cfg-dt-instance{suffix}",
+        name,
+        parts=tuple(attributes),
+        href=f"rw/cfg/{domain.upper()}/{of.upper()}/instances/{name}",
+    )

@@ -1,0 +1,52 @@
+"""Where signals are, by the I/O configuration: networks, devices, and who may write them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Final
+
+from rapidsim.server.resources.context import Context
+
+VIRTUAL: Final = "Local"
+"""The network of signals without a device."""
+_DEVICE: Final = "_DEVICE"
+"""The types of devices end so, behind the name of their network: `DEVICENET_DEVICE`."""
+
+
+def networks(context: Context) -> tuple[str, ...]:
+    """All networks."""
+    found = context.live.cell.parameters.instances("EIO", "INDUSTRIAL_NETWORK") or ()
+    named = (one["Name"] for one in found if one.get("Name"))
+    return tuple(dict.fromkeys((VIRTUAL, *named)))
+
+
+def devices(context: Context) -> Iterator[tuple[str, Mapping[str, str]]]:
+    """Each device with its network."""
+    parameters = context.live.cell.parameters
+    spelled = {one.lower(): one for one in networks(context)}
+    for of in parameters.types("EIO"):
+        if of.endswith(_DEVICE):
+            network = of.removesuffix(_DEVICE)
+            for one in parameters.instances("EIO", of) or ():
+                yield spelled.get(network.lower(), network), one
+
+
+class SignalPlaces:
+    """Where all signals are; made for a request, so that a long list costs one look."""
+
+    def __init__(self, context: Context) -> None:
+        """Read the configuration."""
+        found = context.live.cell.parameters.instances("EIO", "EIO_SIGNAL") or ()
+        self._signals = {one.get("Name", "").lower(): one for one in found}
+        named = ((one.get("Name", ""), network) for network, one in devices(context))
+        self._devices = {name.lower(): f"{network}/{name}/" for name, network in named}
+
+    def prefix(self, signal: str) -> str:
+        """Network and device of a signal, as its address has them; empty where it has none."""
+        device = self._signals.get(signal.lower(), {}).get("Device", "")
+        return self._devices.get(device.lower(), "")
+
+    def may_be_written(self, signal: str) -> bool:
+        """Whether the configuration lets clients write an output; only the level `All` does."""
+        found = self._signals.get(signal.lower())
+        return found is None or found.get("Access", "Default").lower() == "all"

@@ -1,0 +1,53 @@
+"""Questions of programs to the operator, which clients may answer as the FlexPendant does."""
+
+from __future__ import annotations
+
+from rapidsim.controller.cell.pendant import Question
+from rapidsim.server.messages import DONE, Answer, Item, Request
+from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
+from rapidsim.server.resources.context import Context, given
+
+
+def active(context: Context, request: Request) -> Answer:
+    """The questions that wait for an answer.
+
+    Raises:
+        RefusedRequest: If there are none.
+    """
+    del request
+    found = context.live.pendant.questions.values()
+    if not found:
+        raise refused(NOT_FOUND, "no program asks anything")
+    return Answer(tuple(map(question_item, found)))
+
+
+def answer(context: Context, request: Request, parameter: str) -> Answer:
+    """Answer the question of the task whose stack an address begins with.
+
+    Raises:
+        RefusedRequest: If it asks nothing, or this is no answer to it.
+    """
+    parts = parameter.lower().split("/")
+    text = given(request.form, "value")
+    for question in context.live.pendant.questions.values():
+        if question.task.lower() in parts:
+            try:
+                context.live.answer(question.task, text.strip('"'))
+            except ValueError as error:
+                raise refused(BAD_PARAMETER, str(error)) from None
+            return DONE
+    raise refused(NOT_FOUND, f"no program asks anything at {parameter}")
+
+
+def question_item(one: Question) -> Item:
+    """A question as it is shown; its keys are answered by text or by number, from 1."""
+    stack = f"RAPID/{one.task}"
+    fields = {
+        "instr": one.instruction,
+        "event": "POST",
+        "stack": stack,
+        "execlv": "NORMAL",
+        "msg": one.prompt,
+        "keys": " / ".join(filter(None, one.choices)),
+    }
+    return Item("rap-uiactive-li", stack, fields, href="rw/rapid/uiinstr/active")

@@ -1,0 +1,49 @@
+"""One resource of Robot Web Services: where it is, and who answers for it.
+
+An address is parted at its slashes; `{name}` takes one part, `{name...}` all that are left but for
+what stands behind it. Names compare as they are written.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from rapidsim.server.resources.context import Resource
+
+
+@dataclass(frozen=True)
+class Route:
+    """A resource, and what is done with it."""
+
+    method: str
+    address: str
+    resource: Resource
+    action: str = ""
+
+    @cached_property
+    def parts(self) -> tuple[str, ...]:
+        """The address, parted."""
+        return tuple(self.address.split("/"))
+
+    def matched(self, parts: list[str]) -> dict[str, str] | None:
+        """What stands in the places of an address; None if it is another."""
+        found: dict[str, str] = {}
+        for index, part in enumerate(self.parts):
+            if part.endswith("...}"):
+                after = self.parts[index + 1 :]
+                end = len(parts) - len(after)
+                if end <= index or tuple(parts[end:]) != after:
+                    return None
+                return {**found, part[1:-4]: "/".join(parts[index:end])}
+            if index >= len(parts):
+                return None
+            if part.startswith("{"):
+                found[part[1:-1]] = parts[index]
+            elif part.startswith("$"):
+                if not parts[index].startswith("$"):
+                    return None
+                found[part[2:-1]] = parts[index][1:]
+            elif part != parts[index]:
+                return None
+        return found if len(parts) == len(self.parts) else None

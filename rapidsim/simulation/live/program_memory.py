@@ -1,0 +1,60 @@
+"""Modules that somebody outside takes into a task, or out of it."""
+
+from __future__ import annotations
+
+from rapidsim.diagnostics import Source
+from rapidsim.files import decode
+from rapidsim.interpreter.linking.loader import FatalError
+from rapidsim.language.errors import RapidError
+from rapidsim.library.loading import LARGEST_FILE
+from rapidsim.simulation.live.live_task import LiveTask
+from rapidsim.simulation.live.states import Refused, Why
+from rapidsim.syntax import tree
+from rapidsim.syntax.parser import parse
+
+
+def modules(task: LiveTask) -> tuple[tree.Module, ...]:
+    """What a task has now."""
+    program = task.setup.program if task.task is None else task.task.program
+    return tuple(program.modules)
+
+
+def load_module(task: LiveTask, path: str, *, replace: bool) -> str:
+    """Take a file's module into a task that stands, with its initial values.
+
+    Args:
+        task: The task.
+        path: As a program names it: `HOME:/part.mod`.
+        replace: Whether a module of the same name goes first.
+
+    Returns:
+        Its name.
+
+    Raises:
+        Refused: If there is no such file or it does not fit.
+    """
+    memory = task.run.controller.concerns.modules
+    try:
+        place, data = task.cell.home.read(path, LARGEST_FILE)
+        source = Source(str(place), decode(data)[0])
+        names = [one.name.text for one in parse(source).file.modules]
+        if replace:
+            for name in names:
+                if memory.has(name):
+                    memory.erase(name)
+        memory.load(source, path, check_references=False)
+    except (RapidError, FatalError) as error:
+        raise Refused(Why.NO_FILE, str(error)) from None
+    return names[0]
+
+
+def unload_module(task: LiveTask, name: str) -> None:
+    """Take a module out of a task that stands.
+
+    Raises:
+        Refused: If there is none of this name, or the rest would not go without it.
+    """
+    try:
+        task.run.controller.concerns.modules.erase(name)
+    except (RapidError, FatalError) as error:
+        raise Refused(Why.NO_MODULE, str(error)) from None

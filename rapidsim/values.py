@@ -1,0 +1,147 @@
+"""Immutable values that are quick to define.
+
+`dataclasses` compiles the text of six functions for each frozen class, and two hundred classes are
+met before the first line of a program is read: that took a third of the check of a small file. Here
+the constructor alone is compiled; what else a frozen dataclass has is written once, below.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from operator import attrgetter
+from reprlib import recursive_repr
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from dataclasses import dataclass as dataclass
+else:
+
+    def dataclass(*, frozen=False, slots=False, eq=True, repr=True, **others):
+        """As `dataclasses.dataclass`; classes that are frozen and have slots are made quickly."""
+        if others or not (frozen and slots):
+            return dataclasses.dataclass(frozen=frozen, slots=slots, eq=eq, repr=repr, **others)
+        return lambda cls: _value_class(cls, eq=eq, repr=repr)
+
+
+def _value_class(cls: type[Any], *, eq: bool, repr: bool) -> type[Any]:
+    """The class with slots, and with the methods of a frozen dataclass that it does not define."""
+    own = vars(cls)
+    made: Any = dataclasses.dataclass(init=False, eq=False, repr=False, slots=True)(cls)
+    fields = dataclasses.fields(made)
+    methods: dict[str, Any] = {
+        "__getstate__": _state,
+        "__setstate__": _take_state,
+        "__init__": _constructor(made, fields),
+        **_refusals(made, frozenset(field.name for field in fields)),
+    }
+    if repr:
+        methods["__repr__"] = _as_text
+    if eq:
+        methods |= _comparison(tuple(field.name for field in fields if field.compare))
+    for name, method in methods.items():
+        # Python puts None for the hash of a class that defines how it compares.
+        if own.get(name) is None:
+            setattr(made, name, method)
+    return made  # type: ignore[no-any-return]
+
+
+class _Made:
+    """Stands for a default that is made anew for each value."""
+
+    def __repr__(self) -> str:
+        """What `dataclasses` shows in a signature."""
+        return "<factory>"
+
+
+_MADE = _Made()
+
+
+def _constructor(made: Any, fields: tuple[dataclasses.Field[Any], ...]) -> Callable[..., None]:
+    """The `__init__`: it stores through the slots themselves, which refuse nothing."""
+    known: dict[str, Any] = {"_MADE": _MADE}
+    parameters, body = ["self"], []
+    for number, field in enumerate(fields):
+        known[f"_store{number}"] = vars(_definer(made, field.name))[field.name].__set__
+        value = field.name
+        if field.default_factory is not dataclasses.MISSING:
+            known[f"_make{number}"] = field.default_factory
+            made_now = f"_make{number}()"
+            value = f"{made_now} if {value} is _MADE else {value}" if field.init else made_now
+            default: Any = _MADE
+        else:
+            default = field.default
+        if field.init:
+            has_default = default is not dataclasses.MISSING
+            known[f"_default{number}"] = default
+            parameters.append(f"{field.name}=_default{number}" if has_default else field.name)
+        elif default is dataclasses.MISSING:
+            continue
+        elif default is not _MADE:
+            known[f"_default{number}"] = default
+            value = f"_default{number}"
+        body.append(f" _store{number}(self, {value})")
+    if hasattr(made, "__post_init__"):
+        body.append(" self.__post_init__()")
+    text = f"def __init__({', '.join(parameters)}):\n" + "\n".join(body or [" pass"])
+    exec(text, known)
+    constructor: Callable[..., None] = known["__init__"]
+    constructor.__qualname__ = f"{made.__qualname__}.__init__"
+    constructor.__module__ = made.__module__
+    types = {field.name: field.type for field in fields if field.init}
+    constructor.__annotations__ = {**types, "return": None}
+    return constructor
+
+
+def _definer(made: type[Any], name: str) -> type[Any]:
+    """The class that has the slot of a field."""
+    return next(one for one in made.__mro__ if name in vars(one))
+
+
+def _refusals(made: type[Any], names: frozenset[str]) -> dict[str, Callable[..., None]]:
+    def __setattr__(self: object, name: str, value: object) -> None:  # noqa: N807
+        if type(self) is made or name in names:
+            raise dataclasses.FrozenInstanceError(f"cannot assign to field {name!r}")
+        super(made, self).__setattr__(name, value)
+
+    def __delattr__(self: object, name: str) -> None:  # noqa: N807
+        if type(self) is made or name in names:
+            raise dataclasses.FrozenInstanceError(f"cannot delete field {name!r}")
+        super(made, self).__delattr__(name)
+
+    return {"__setattr__": __setattr__, "__delattr__": __delattr__}
+
+
+def _comparison(names: tuple[str, ...]) -> dict[str, Callable[..., Any]]:
+    facts = attrgetter(*names) if len(names) > 1 else _few(names)
+
+    def __eq__(self: object, other: object) -> bool:  # noqa: N807
+        if type(other) is not type(self):
+            return NotImplemented
+        return bool(facts(self) == facts(other))
+
+    def __hash__(self: object) -> int:  # noqa: N807
+        return hash(facts(self))
+
+    return {"__eq__": __eq__, "__hash__": __hash__}
+
+
+def _few(names: tuple[str, ...]) -> Callable[[object], tuple[object, ...]]:
+    """As `attrgetter`, which gives no tuple of one and none of nothing."""
+    return lambda of: tuple(getattr(of, name) for name in names)
+
+
+@recursive_repr("...")
+def _as_text(self: Any) -> str:
+    shown = (field.name for field in dataclasses.fields(self) if field.repr)
+    facts = ", ".join(f"{name}={getattr(self, name)!r}" for name in shown)
+    return f"{type(self).__qualname__}({facts})"
+
+
+def _state(self: Any) -> list[object]:
+    return [getattr(self, field.name) for field in dataclasses.fields(self)]
+
+
+def _take_state(self: Any, state: list[object]) -> None:
+    for field, value in zip(dataclasses.fields(self), state, strict=True):
+        object.__setattr__(self, field.name, value)

@@ -1,0 +1,124 @@
+"""A guide beside the controller: frames go out by themselves, and both have the same motion."""
+
+from __future__ import annotations
+
+import socket
+from collections.abc import Iterator
+from contextlib import contextmanager
+from copy import deepcopy
+from multiprocessing import Pipe
+from threading import Thread
+from time import monotonic
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rapidsim.controller.cell.sensors import Teller
+from rapidsim.egm.codec import decode, encode
+from rapidsim.egm.devices import Address, sensor_devices
+from rapidsim.egm.guide import talk
+from rapidsim.egm.guided_sensors import GuidedSensors
+from rapidsim.egm.messages import ROBOT, SENSOR
+from rapidsim.frames.transform import Transform
+from rapidsim.motion.guidance.aims import Band, JointAim
+from rapidsim.motion.guidance.feedback import Frames, Guided, GuidedFeedback, standing_feedback
+from rapidsim.motion.guidance.guided_run import Ended, GuidedRun, Terms
+from rapidsim.motion.guidance.joint_law import CYCLE_S, GuidedAxes, JointMotion, Tuning
+from rapidsim.motion.robot.robot import load_robot
+
+GOAL = (2.0, -1.0, 1.0, 0.0, 31.0, 3.0)
+
+
+@contextmanager
+def guided() -> Iterator[tuple[GuidedSensors, socket.socket]]:
+    """A guide in a thread, and the sensor that it talks to."""
+    ours, theirs = Pipe()
+    sensor = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    sensor.bind(("127.0.0.1", 0))
+    sensor.settimeout(10.0)
+    devices = sensor_devices([("dev", Address(*sensor.getsockname()))], {}, frozenset())
+    thread = Thread(target=talk, args=(theirs,))
+    thread.start()
+    yield GuidedSensors(devices, ours, 1.0, monotonic()), sensor
+    ours.close()
+    thread.join()
+    theirs.close()
+    sensor.close()
+
+
+def begun() -> tuple[GuidedRun, GuidedFeedback]:
+    robot = load_robot("irb1600")
+    start = robot.start
+    near = np.full(6, np.radians(0.01))
+    axes = GuidedAxes(robot.lower, robot.upper, np.full(6, 2.0), np.full(6, 10.0))
+    run = GuidedRun(
+        JointMotion(axes, start, np.zeros(6)),
+        JointAim(Band(np.ones(6, dtype=np.bool_), -near, near), (50.0,), start),
+        Tuning(20.0),
+        Terms(0.05, 0.05, 30.0, False, 0.0),
+    )
+    frames = Frames(robot.kinematics, Transform.identity(), Transform.identity())
+    return run, GuidedFeedback(frames, ())
+
+
+def heard(sensor: socket.socket) -> tuple[dict[str, Any], Any]:
+    data, controller = sensor.recvfrom(65536)
+    return decode(ROBOT, data), controller
+
+
+def test_the_controller_has_the_motion_that_the_sensor_was_told_of() -> None:
+    # The controller asks for nothing until the sensor has seen the robot come to its end.
+    run, feedback = begun()
+    answer = encode(SENSOR, {"planned": {"joints": {"joints": GOAL}}})
+    with guided() as (sensors, sensor):
+        one = sensors.open("dev")
+        one.begin(deepcopy(run), Teller(0.1, 2, feedback))
+        frames: list[dict[str, Any]] = []
+        while not frames or frames[-1]["mciConvergenceMet"] == 0:
+            frame, controller = heard(sensor)
+            frames.append(frame)
+            sensor.sendto(answer, controller)
+            sensor.sendto(b"\xff\xff", controller)
+        cycles = 0
+        while not run.is_over:
+            told = feedback(run, 0.1 + cycles * CYCLE_S)
+            if cycles % 2 == 0 and cycles // 2 < len(frames):
+                joints = frames[cycles // 2]["feedBack"]["joints"]["joints"]
+                assert tuple(joints) == told.joints
+            run.step(one.exchange(told) if cycles % 2 == 0 else None)
+            cycles += 1
+        one.end(feedback(run, 0.1 + cycles * CYCLE_S))
+        while frames[-1]["mciState"]["state"] != 2:
+            frames.append(heard(sensor)[0])
+        one.close()
+    assert run.ended is Ended.CONVERGED
+    assert [one["header"]["seqno"] for one in frames] == list(range(len(frames)))
+    assert frames[-1]["feedBack"]["joints"]["joints"] == pytest.approx(GOAL, abs=0.01)
+
+
+def test_a_stream_goes_on_where_the_controller_says_nothing_new() -> None:
+    run, feedback = begun()
+    stream = [
+        standing_feedback(feedback.frames, 0.004 * k, run.start + 0.01 * k, (), Guided.NOT_YET, 0.0)
+        for k in range(5)
+    ]
+    with guided() as (sensors, sensor):
+        one = sensors.open("dev")
+        one.tell(stream)
+        frames = [heard(sensor)[0] for _ in range(8)]
+        one.close()
+    first = frames[0]["header"]["tm"]
+    assert [one["header"]["tm"] - first for one in frames] == [4 * k for k in range(8)]
+    joints = [one["feedBack"]["joints"]["joints"] for one in frames]
+    assert joints[4:] == [list(stream[4].joints)] * 4
+    assert {one["mciState"]["state"] for one in frames} == {0}
+
+
+def test_a_guide_that_is_gone_is_a_silent_sensor() -> None:
+    run, feedback = begun()
+    with guided() as (sensors, _):
+        one = sensors.open("dev")
+        sensors.connection.close()
+        one.begin(run, Teller(0.0, 1, feedback))
+        assert one.exchange(feedback(run, 0.0)) is None

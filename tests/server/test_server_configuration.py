@@ -1,0 +1,102 @@
+"""System parameters, networks and devices, as clients read them when they begin."""
+
+from pathlib import Path
+
+import pytest
+from served_controller import Served, serve
+
+from rapidsim.language.equipment import Attributes
+
+PROGRAM = """MODULE Still
+    PROC main()
+        SetDO doThird, 1;
+        WaitTime 1;
+    ENDPROC
+ENDMODULE
+"""
+EIO = """EIO:CFG_1.0:6:1::
+#
+INDUSTRIAL_NETWORK:
+
+      -Name "DeviceNet" -Label "Master"
+#
+DEVICENET_DEVICE:
+
+      -Name "d651" -Address "12"
+#
+EIO_SIGNAL:
+
+      -Name "doOpen" -SignalType "DO" -Device "d651" -Access "All"
+      -Name "doShut" -SignalType "DO" -Device "d651"
+      -Name "diOwn" -SignalType "DI"
+"""
+
+
+def test_attributes_keep_their_spelling_and_are_found_in_any_case() -> None:
+    written = Attributes({"MechanicalUnit_1": "A", "name": "rob1"})
+    changed = written.with_value("NAME", "rob2").with_value("Robot", "ROB_1")
+    assert (written["mechanicalunit_1"], "Name" in written) == ("A", True)
+    assert dict(changed) == {"MechanicalUnit_1": "A", "name": "rob2", "Robot": "ROB_1"}
+
+
+def test_axes_and_groups_are_there_for_every_station(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        assert [one["_title"] for one in await served.get("rw/cfg")] == ["MOC", "SYS", "EIO"]
+        arms = await served.get("rw/cfg/moc/arm/instances")
+        assert [one["_title"] for one in arms] == [f"rob1_{axis}" for axis in range(1, 7)]
+        first = {one["_title"]: one["value"] for one in arms[0]["attrib"]}
+        assert float(first["upper_joint_bound"]) == pytest.approx(3.1416, abs=1e-4)
+        (robot,) = await served.get("rw/cfg/MOC/ROBOT/instances/rob_1")
+        attributes = {one["_title"]: one["value"] for one in robot["attrib"]}
+        assert (attributes["use_joint_5"], attributes["base_frame_orient_u0"]) == ("rob1_6", "1")
+        (group,) = await served.get("rw/cfg/sys/MECHANICAL_UNIT_GROUP/instances")
+        assert {"_type": "cfg-ia-t-li", "_title": "Name", "value": "rob1"} in group["attrib"]
+        async with served.client.get(f"{served.base}/rw/cfg/moc/transmission/instances") as found:
+            text = await found.text()
+        assert '<li class="cfg-ia-t-li" title="rotating_move"><span class="value">true<' in text
+        for unknown in ("nothing", "moc/nothing/instances", "moc/robot/instances/rob_2"):
+            assert await served.status(f"rw/cfg/{unknown}") == (404, -1073414146)
+
+    serve(tmp_path, PROGRAM, use)
+
+
+def test_attributes_are_set_all_or_none(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        arm = "rw/cfg/MOC/ARM/instances/rob1_1"
+        form, url = {"upper_joint_bound": "[1.5,1]"}, f"{served.base}/{arm}?action=set"
+        for more, status in (({"colour": "[red,1]"}, 400), ({}, 204)):
+            async with served.client.post(url, data={**form, **more}) as done:
+                assert done.status == status
+        (found,) = await served.get(arm)
+        assert {"_type": "cfg-ia-t-li", "_title": "upper_joint_bound", "value": "1.5"} in found[
+            "attrib"
+        ]
+
+    serve(tmp_path, PROGRAM, use)
+
+
+def test_signals_stand_behind_their_devices_and_are_written_where_that_is_configured(
+    tmp_path: Path,
+) -> None:
+    for name, text in (("RAPID/TASK1/PROGMOD/Still.mod", PROGRAM), ("SYSPAR/EIO.cfg", EIO)):
+        (tmp_path / "cell" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "cell" / name).write_text(text)
+
+    async def use(served: Served) -> None:
+        signals = "rw/iosystem/signals"
+        titles = [one["_title"] for one in await served.get(signals)]
+        assert titles == ["DeviceNet/d651/doOpen", "DeviceNet/d651/doShut", "diOwn", "doThird"]
+        place = f"{signals}/DeviceNet/d651"
+        assert await served.post(f"{place}/doOpen?action=set", lvalue="1") == (204, 0)
+        assert await served.post(f"{place}/doShut?action=set", lvalue="1") == (403, -1073445881)
+        # Nobody else drives inputs, and what a program alone knows has no access level.
+        for free in ("diOwn", "doThird"):
+            assert await served.post(f"{signals}/{free}?action=set", lvalue="1") == (204, 0)
+        networks = await served.get("rw/iosystem/networks")
+        assert [one["name"] for one in networks] == ["Local", "DeviceNet"]
+        (device,) = await served.get("rw/iosystem/devices?network=devicenet")
+        assert (device["_title"], device["lstate"]) == ("DeviceNet/d651", "enabled")
+        # A backup's own types count, and what it lacks is derived.
+        assert "ROBOT" in [one["_title"] for one in await served.get("rw/cfg/MOC")]
+
+    serve(tmp_path, None, use)
