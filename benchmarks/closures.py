@@ -25,7 +25,7 @@ from rapidsim.interpreter.codegen.data_access import bare, by_reference
 from rapidsim.interpreter.runtime.arithmetic import integer_quotient, integer_remainder, steps
 from rapidsim.interpreter.runtime.arrays import assign_array, copy_array, dimension, out_of_bounds
 from rapidsim.interpreter.runtime.error_recovery import ERRORS, as_rapid_error, raised
-from rapidsim.interpreter.runtime.references import Component, Element
+from rapidsim.interpreter.runtime.references import ComponentReference, Element
 from rapidsim.interpreter.runtime.values import literal
 from rapidsim.language.controller import one_for_all
 from rapidsim.language.initial import initial_value
@@ -336,7 +336,7 @@ class Interpreter:
                 return lambda frame: Element(holder(frame), index(frame))
             case tree.Component(record=record, name=name):
                 whole, position = self.refer(record), self.position(node, name)
-                return lambda frame: Component(whole(frame), (position,))
+                return lambda frame: ComponentReference(whole(frame), (position,))
         symbol = self.program.symbol_of[node]
         if isinstance(resolved(symbol.type), ArrayOf):  # type: ignore[union-attr]
             return self.load(node)

@@ -26,7 +26,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.jobs.checked_program import load
 from rapidsim.motion.model import MODELS, MotionModel
 from rapidsim.motion.robot.robot import load_robot
-from rapidsim.simulation.calibration.log_comparison import Progress
+from rapidsim.simulation.calibration.log_comparison import MotionByPlace
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.simulate import simulate
@@ -154,7 +154,7 @@ class _Compared:
 
     trace: Mapping[str, Any]
     run: Simulation
-    ours: Progress
+    ours: MotionByPlace
     vias: Array
     """Places (v,) [m] of the programmed points that both pass without stopping."""
     points: Array
@@ -185,7 +185,7 @@ def _compare(trace: Mapping[str, Any], model: MotionModel) -> _Compared:
     rows = np.array(trace["samples"])
     first, last = trace.get("valid_window_s") or (-math.inf, math.inf)
     rows = rows[(rows[:, 0] >= first) & (rows[:, 0] <= last)]
-    ours = Progress.of(run.only.trajectory, moves[0].start_s)
+    ours = MotionByPlace.of(run.only.trajectory, moves[0].start_s)
     times = rows[:, 0] * CLOCK
     place, distance = ours.nearest(np.radians(rows[:, 1:]), ELBOW_AND_WRIST)
     moving = ours.speed_at(place) > STILL_M_S

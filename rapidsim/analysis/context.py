@@ -23,15 +23,15 @@ MOST_COMPARED = 200
 
 
 @dataclass(frozen=True, slots=True)
-class Scope:
+class SymbolTable:
     """Names that are known together, by folded name, inside the names around them."""
 
     names: dict[str, Symbol]
-    outer: Scope | None = None
+    outer: SymbolTable | None = None
 
     def find(self, key: str) -> Symbol | None:
         """The innermost symbol of a folded name."""
-        scope: Scope | None = self
+        scope: SymbolTable | None = self
         while scope is not None:
             found = scope.names.get(key)
             if found is not None:
@@ -41,7 +41,7 @@ class Scope:
 
     def symbols(self) -> Iterator[Symbol]:
         """All symbols from the inside out, in order of declaration."""
-        scope: Scope | None = self
+        scope: SymbolTable | None = self
         while scope is not None:
             yield from scope.names.values()
             scope = scope.outer
@@ -110,10 +110,10 @@ class Context:
 
     analysis: Analysis
     module: tree.Module
-    scope: Scope
+    scope: SymbolTable
     routine: RoutineSymbol | None = None
 
-    def inside(self, scope: Scope) -> Context:
+    def inside(self, scope: SymbolTable) -> Context:
         """The same place with more names."""
         return replace(self, scope=scope)
 

@@ -23,8 +23,7 @@ from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.check_files import check_job
 from rapidsim.jobs.job import Job, job
 from rapidsim.jobs.run_files import ProgramRejectedError, run_job
-from rapidsim.report.run.figures import figures
-from rapidsim.report.run.json_report import run_json
+from rapidsim.report.run.json_report import course_json
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
 from rapidsim.station.tasks import DEFAULT_TASK
 from rapidsim.syntax.parser import parse
@@ -93,7 +92,7 @@ def _side(asked: Asked, run: bool, answers: str | None) -> _Side:
         simulation = _ran(found, answers)
     except ProgramRejectedError as error:
         return replace(side, why_no_run=f"{name} does not run: {error}")
-    report = run_json(simulation, figures(simulation), simulation.diagnostics, {})
+    report = course_json(simulation, simulation.diagnostics)
     single = simulation.robots[0] if len(simulation.robots) == 1 else None
     position = None if single is None else _position(single)
     return replace(side, run=RanProgram(report, position), path=_path(simulation))

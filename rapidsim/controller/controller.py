@@ -12,7 +12,7 @@ from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.cyclic_bools import TaskCyclicBools
 from rapidsim.controller.equipment import TaskEquipment
 from rapidsim.controller.execution import TaskExecution
-from rapidsim.controller.files import TaskFiles, TaskTexts
+from rapidsim.controller.files import FileAccess, TaskTexts
 from rapidsim.controller.guidance import TaskGuidance
 from rapidsim.controller.interrupt_table import InterruptTable
 from rapidsim.controller.interrupts import TaskErrorNumbers, TaskInterrupts
@@ -103,7 +103,7 @@ def virtual_controller(
         searches=TaskSearch(clock, unit, cell, resolver, team.put, state),
         world_zones=TaskZones(clock, unit, cell, journal, watched),
         operator=TaskOperator(clock, cell, journal),
-        files=TaskFiles(clock, cell),
+        files=FileAccess(clock, cell),
         texts=TaskTexts(clock, cell),
         sockets=sockets,
         interrupts=interrupts,

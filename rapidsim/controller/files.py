@@ -14,7 +14,7 @@ from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)
-class TaskFiles:
+class FileAccess:
     """Implements `language.controller.Files`."""
 
     clock: TaskClock

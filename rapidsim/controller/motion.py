@@ -12,7 +12,7 @@ from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.position_reading import PositionReader, Reading
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
-from rapidsim.controller.solo_moves import Put
+from rapidsim.controller.solo_moves import PutMove
 from rapidsim.controller.triggers import Triggers
 from rapidsim.frames.vectors import length, minus
 from rapidsim.language.data import JointTarget, Pos, RobTarget, ToolData, WobjData
@@ -35,7 +35,7 @@ class TaskMotion:
     resolver: Resolver
     state: MotionState
     triggers: Triggers
-    put: Put
+    put: PutMove
     reader: PositionReader
 
     @property

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from typing import TypeVar
 
 from rapidsim.controller.cell.cell import Cell
-from rapidsim.controller.cell.operator import Answer, Operator
+from rapidsim.controller.cell.operator import Operator, OperatorAnswer
 from rapidsim.controller.cell.pendant import AnswerValue, Pendant
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.events import EventKind
@@ -82,18 +82,18 @@ class TaskOperator:
     def _told(
         self,
         prompt: str,
-        asked: Callable[[Operator], Answer[T] | None],
+        asked: Callable[[Operator], OperatorAnswer[T] | None],
         on_pendant: Callable[[Pendant], AnswerValue | None],
         text: Callable[[T], str],
     ) -> T | None:
         """The answer, asked for at a time that is known; question and answer are an event."""
         self.clock.observe()
-        answer: Answer[T] | None
+        answer: OperatorAnswer[T] | None
         if self.cell.pendant is None:
             answer = asked(self.cell.operator)
         else:
             value = on_pendant(self.cell.pendant)
-            answer = None if value is None else Answer(value)  # type: ignore[arg-type]
+            answer = None if value is None else OperatorAnswer(value)  # type: ignore[arg-type]
         if answer is None:
             self.clock.event(EventKind.TEXT, prompt, prompt=prompt)
             return None

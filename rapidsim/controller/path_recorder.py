@@ -22,7 +22,7 @@ from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
-from rapidsim.controller.solo_moves import Put
+from rapidsim.controller.solo_moves import PutMove
 from rapidsim.frames import quaternion
 from rapidsim.language.data import FINE, JointTarget, Pos, RobTarget, SpeedData
 from rapidsim.language.error_numbers import ERR_PATH, rapid_error
@@ -42,7 +42,7 @@ class TaskPathRecorder:
     unit: MechanicalUnit
     resolver: Resolver
     state: MotionState
-    put: Put
+    put: PutMove
     _ids: dict[int, int] = field(default_factory=dict)
     """For each identifier how many moves had been given to the robot when it was set."""
     _level: int = 0

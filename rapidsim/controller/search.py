@@ -16,7 +16,7 @@ from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
-from rapidsim.controller.solo_moves import Put
+from rapidsim.controller.solo_moves import PutMove
 from rapidsim.language.data import FINE, JointTarget, RobTarget
 from rapidsim.language.error_numbers import (
     ERR_PERSSUPSEARCH,
@@ -63,7 +63,7 @@ class TaskSearch:
     unit: MechanicalUnit
     cell: Cell
     resolver: Resolver
-    put: Put
+    put: PutMove
     state: MotionState
 
     def search(

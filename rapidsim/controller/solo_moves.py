@@ -32,7 +32,7 @@ MAX_CONCURRENT_MOVES = 5
 r"""So many moves with \Conc may follow each other."""
 
 
-class Put(Protocol):
+class PutMove(Protocol):
     """Puts a move on the path; returns when the program would go on."""
 
     def __call__(
@@ -68,7 +68,7 @@ class SoloMoves:
     interrupts: TaskInterrupts
 
     def put(self, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True) -> None:
-        """Put a move on the path; see `Put`."""
+        """Put a move on the path; see `PutMove`."""
         self.clock.note_line()
         self._count_concurrent(move)
         self._note_level(move)

@@ -12,7 +12,7 @@ from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.journal.journal import Instant, Journal, Moment
 from rapidsim.controller.journal.stop_reasons import ZoneReached
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
-from rapidsim.controller.queue.zone_table import WorldZoneTable, Zone
+from rapidsim.controller.queue.zone_table import WatchedZone, WorldZoneTable
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.path_events import ZoneShape
 from rapidsim.values import dataclass
@@ -55,7 +55,7 @@ class TaskZones:
                 self.clock.set(time_s)
                 raise ZoneReached(what)
 
-        return self.zones.add(Zone(shape, stop if signal is None else set_output), now_s)
+        return self.zones.add(WatchedZone(shape, stop if signal is None else set_output), now_s)
 
     def enable_zone(self, zone: float, *, enabled: bool) -> None:
         """Switch a zone on or off.

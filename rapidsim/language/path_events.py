@@ -84,7 +84,7 @@ class Trigger:
 
 
 @dataclass(frozen=True, slots=True)
-class Box:
+class Cuboid:
     """A box between two corners, along the axes of the world [mm]."""
 
     low: Pos
@@ -120,5 +120,5 @@ class AxisRange:
 class ZoneShape:
     """The value of `shapedata`: a volume, meant inside or outside."""
 
-    volume: Box | Cylinder | Sphere | AxisRange
+    volume: Cuboid | Cylinder | Sphere | AxisRange
     outside: bool = False

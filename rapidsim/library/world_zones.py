@@ -12,7 +12,7 @@ from rapidsim.language.annotations import DioNum, InOut, Num, ShapeData, SignalD
 from rapidsim.language.data import JointTarget, Pos, RobJoint, WzStationary, WzTemporary
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.path_control import WorldZones
-from rapidsim.language.path_events import AxisRange, Box, Cylinder, Sphere, ZoneShape
+from rapidsim.language.path_events import AxisRange, Cuboid, Cylinder, Sphere, ZoneShape
 from rapidsim.language.reference import Reference
 from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
@@ -28,7 +28,7 @@ def wz_box_def(
 ) -> None:
     """Define a box by two opposite corners."""
     del inside
-    shape.value = ZoneShape(Box(low_point, high_point), outside)
+    shape.value = ZoneShape(Cuboid(low_point, high_point), outside)
 
 
 def wz_cyl_def(

@@ -6,16 +6,20 @@ from functools import partial
 from pathlib import Path
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.patches import Wedge
 
-from rapidsim.frames.transform import Transform
+from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.moves import Interpolation
 from rapidsim.motion.waypoints.workspace import Workspace
 from rapidsim.plots.look import Theme, new_figure
 from rapidsim.plots.stick_arm import MM, draw_stick, stick
 from rapidsim.plots.write import write_pictures
+
+_FILLED = 0.35
+"""How much of what lies behind a filled area it hides."""
 
 
 def write_workspace_plots(found: Workspace, folder: Path) -> tuple[Path, ...]:
@@ -29,16 +33,21 @@ def write_workspace_plots(found: Workspace, folder: Path) -> tuple[Path, ...]:
 
 def workspace_picture(found: Workspace, theme: Theme) -> Figure:
     """Both views, with the arm as it stands before a run."""
-    robot = found.robot
-    title = f"Workspace of the flange: {robot.title}, {found.volume:.2f} m³"
+    title = f"Workspace of the flange: {found.robot.title}, {found.volume:.2f} m³"
     figure = new_figure(title, width=11.0, height=5.6)
     section, above = figure.subplots(1, 2)
+    corners = stick(found.robot, found.robot.start, Transform.identity())
+    _draw_section(section, found, corners, theme)
+    _draw_from_above(above, found, corners, theme)
+    return figure
+
+
+def _draw_section(axes: Axes, found: Workspace, corners: Array, theme: Theme) -> None:
+    """The half plane through axis 1 with the cells that are reached."""
     near, far, low, high = (MM * value for value in found.extent)
-    cells = np.ma.masked_where(~found.section, found.section.astype(float))
-    colour = ListedColormap([theme.moves[Interpolation.LINE]])
     rows, columns = found.section.shape
-    section.imshow(
-        cells,
+    axes.imshow(
+        np.ma.masked_where(~found.section, found.section.astype(float)),
         origin="lower",
         extent=(
             0.0,
@@ -46,33 +55,36 @@ def workspace_picture(found: Workspace, theme: Theme) -> Figure:
             MM * found.lowest,
             MM * (found.lowest + found.cell * rows),
         ),
-        cmap=colour,
-        alpha=0.35,
+        cmap=ListedColormap([theme.moves[Interpolation.LINE]]),
+        alpha=_FILLED,
         aspect="equal",
         interpolation="nearest",
     )
-    corners = stick(robot, robot.start, Transform.identity())
     in_section = np.column_stack(
         [np.hypot(corners[:, 0], corners[:, 1]), np.zeros(len(corners)), corners[:, 2]]
     )
-    draw_stick(section, in_section, theme.bar, theme, (0, 2), "")
-    section.set_title(
+    draw_stick(axes, in_section, theme.bar, theme, (0, 2), "")
+    axes.set_title(
         f"section through axis 1: {near:.0f} to {far:.0f} mm from it, {low:.0f} to {high:.0f} high"
     )
-    section.set_xlabel("from axis 1 [mm]")
-    section.set_ylabel("z [mm]")
-    section.set_aspect("equal", adjustable="datalim")
+    axes.set_xlabel("from axis 1 [mm]")
+    axes.set_ylabel("z [mm]")
+    axes.set_aspect("equal", adjustable="datalim")
+
+
+def _draw_from_above(axes: Axes, found: Workspace, corners: Array, theme: Theme) -> None:
+    """The ring that axis 1 sweeps with it."""
+    near, far = (MM * value for value in found.extent[:2])
     first, last = (float(np.degrees(value)) for value in found.turn)
     if last - first >= 360.0:
         first, last = 0.0, 360.0
-    green = theme.moves[Interpolation.LINE]
-    ring = Wedge((0.0, 0.0), far, first, last, width=far - near, color=green, alpha=0.35)
-    above.add_patch(ring)
-    draw_stick(above, corners, theme.bar, theme, (0, 1), "")
-    above.set_xlim(-1.08 * far, 1.08 * far)
-    above.set_ylim(-1.08 * far, 1.08 * far)
-    above.set_aspect("equal", adjustable="box")
-    above.set_title(f"from above: axis 1 turns by {np.degrees(found.swept):.0f}°")
-    above.set_xlabel("x [mm]")
-    above.set_ylabel("y [mm]")
-    return figure
+    colour = theme.moves[Interpolation.LINE]
+    ring = Wedge((0.0, 0.0), far, first, last, width=far - near, color=colour, alpha=_FILLED)
+    axes.add_patch(ring)
+    draw_stick(axes, corners, theme.bar, theme, (0, 1), "")
+    axes.set_xlim(-1.08 * far, 1.08 * far)
+    axes.set_ylim(-1.08 * far, 1.08 * far)
+    axes.set_aspect("equal", adjustable="box")
+    axes.set_title(f"from above: axis 1 turns by {np.degrees(found.swept):.0f}°")
+    axes.set_xlabel("x [mm]")
+    axes.set_ylabel("y [mm]")

@@ -9,7 +9,7 @@ from rich.table import Table
 _ANY_WIDTH = 1000
 
 
-class WholeTable(Table):
+class UncutTable(Table):
     """A table of numbers and names. Where it does not fit, the terminal wraps whole lines.
 
     A column that may wrap is narrowed instead, as in any table.

@@ -137,7 +137,7 @@ def _numbered_states(
 
 
 def _rule(rule: LarkRule) -> tuple[str, int, str | None, list[int | None]]:
-    """A rule as origin, length, build, children; see `table.Rule`."""
+    """A rule as origin, length, build, children; see `table.GrammarRule`."""
     origin = str(rule.origin.name)
     absent = _absent_before(rule)
     children: list[int | None] = []

@@ -31,13 +31,13 @@ class Exported(TypedDict):
     marks: dict[str, str]
     patterns: dict[str, str]
     rules: list[tuple[str, int, str | None, list[int | None]]]
-    """The fields of `Rule`."""
+    """The fields of `GrammarRule`."""
     states: list[list[int]]
     """For each state, symbol and target in turn; terminals first."""
 
 
 @dataclass(frozen=True, slots=True)
-class Rule:
+class GrammarRule:
     """A production: pop `length` values, push what `build` makes of the `children` among them."""
 
     origin: str
@@ -53,7 +53,7 @@ class Rule:
 class Table:
     """The automaton, and what the lexer must know of the terminals."""
 
-    rules: tuple[Rule, ...]
+    rules: tuple[GrammarRule, ...]
     actions: tuple[dict[str, int], ...]
     """For each state, by terminal: shift to s is s + 1, reduce by rule r is -(r + 1), `ACCEPT`."""
     gotos: tuple[dict[str, int], ...]
@@ -86,7 +86,7 @@ def unpacked(exported: Exported) -> Table:
         gotos.append(goto)
     return Table(
         rules=tuple(
-            Rule(origin, length, build, tuple(children))
+            GrammarRule(origin, length, build, tuple(children))
             for origin, length, build, children in exported["rules"]
         ),
         actions=tuple(actions),

@@ -1,15 +1,19 @@
 """The coverage plugin: RAPID lines counted by coverage.py, in a process of its own."""
 
+import contextlib
 import html
+import io
 import json
 import os
 import subprocess
 import sys
 from pathlib import Path
 from types import CodeType
+from unittest.mock import patch
 from xml.etree import ElementTree
 
 import pytest
+from coverage.cmdline import main as coverage_command
 
 from rapidsim.analysis.passes.checker import check
 from rapidsim.diagnostics import Source
@@ -142,6 +146,19 @@ def coverage(folder: Path, *arguments: str) -> str:
     return done.stdout + done.stderr
 
 
+def report(folder: Path, *arguments: str) -> str:
+    """The same for what reads the data of a run, which needs no process of its own."""
+    out = io.StringIO()
+    with (
+        contextlib.chdir(folder),
+        contextlib.redirect_stdout(out),
+        patch.dict(os.environ, {"COVERAGE_FILE": str(folder / ".coverage")}),
+    ):
+        code = coverage_command([*arguments])
+    assert code in (0, None), out.getvalue()
+    return out.getvalue()
+
+
 @pytest.fixture(scope="module")
 def measured(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with the data of a run; the module is not UTF-8 and has odd line ends."""
@@ -156,10 +173,10 @@ def measured(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_json_names_the_lines_that_ran(measured: Path) -> None:
-    coverage(measured, "json", "-q")
-    report = json.loads((measured / "coverage.json").read_text())
-    assert list(report["files"]) == ["marked.mod"]
-    file = report["files"]["marked.mod"]
+    report(measured, "json", "-q")
+    found = json.loads((measured / "coverage.json").read_text())
+    assert list(found["files"]) == ["marked.mod"]
+    file = found["files"]["marked.mod"]
     assert set(file["executed_lines"]) == marked("run")
     assert set(file["missing_lines"]) == marked("missed")
     assert {name for name in file["routines"] if name} == {"main", "weld", "unused"}
@@ -167,18 +184,18 @@ def test_json_names_the_lines_that_ran(measured: Path) -> None:
 
 def test_text_html_xml_and_lcov(measured: Path) -> None:
     run, missed = len(marked("run")), len(marked("missed"))
-    text = coverage(measured, "report", "-m")
+    text = report(measured, "report", "-m")
     assert f"{run + missed:>7} {missed:>6}" in text
-    coverage(measured, "html", "-q")
+    report(measured, "html", "-q")
     (page,) = (measured / "htmlcov").glob("marked_mod.html")
     shown = page.read_text("utf-8")
     assert shown.count('class="mis show_mis"') == missed
     assert "für" in html.unescape(shown)
-    coverage(measured, "xml", "-q")
-    report = ElementTree.parse(measured / "coverage.xml")
-    hits = {int(line.attrib["number"]): line.attrib["hits"] for line in report.iter("line")}
+    report(measured, "xml", "-q")
+    parsed = ElementTree.parse(measured / "coverage.xml")
+    hits = {int(line.attrib["number"]): line.attrib["hits"] for line in parsed.iter("line")}
     assert {line for line, count in hits.items() if count == "1"} == marked("run")
-    coverage(measured, "lcov", "-q")
+    report(measured, "lcov", "-q")
     lcov = (measured / "coverage.lcov").read_text()
     assert f"LH:{run}" in lcov
     assert "FNDA:0,unused" in lcov
@@ -190,7 +207,7 @@ def test_a_source_folder_shows_modules_that_never_ran(tmp_path: Path) -> None:
         (tmp_path / f"{name}.MOD").write_text(empty.format(name))
     (tmp_path / ".coveragerc").write_text(f"{CONFIGURATION}source = .\n")
     coverage(tmp_path, "run", "-m", "rapidsim", "run", "main.MOD", "--no-record", "-q")
-    shown = coverage(tmp_path, "report")
+    shown = report(tmp_path, "report")
     assert [line.split() for line in shown.splitlines() if ".MOD" in line] == [
         ["main.MOD", "1", "0", "100%"],
         ["spare.MOD", "1", "1", "0%"],

@@ -10,7 +10,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.waypoints.curves import BaseArc, Line, SplineCurve
 from rapidsim.motion.waypoints.keep_out_sphere import ThroughBaseError, around, nearest, pushed_out
 from rapidsim.motion.waypoints.piecewise_polynomials import Piecewise
-from rapidsim.motion.waypoints.plan import JointMotion, Plan, Refused, quintic_motion
+from rapidsim.motion.waypoints.plan import JointsOverTime, Plan, Refused, quintic_motion
 from rapidsim.motion.waypoints.points import Points, between, linear_turn_rates, turn
 from rapidsim.motion.waypoints.quintic import overshoot, quintics
 from rapidsim.motion.waypoints.random_points import shell_points
@@ -92,7 +92,7 @@ def test_quintics_pass_points_with_their_speeds_and_accelerations(count: int, se
         accelerations=accelerations,
     )
     made = quintic_motion(points, joints, Plan())
-    assert isinstance(made, JointMotion)
+    assert isinstance(made, JointsOverTime)
     for moment in (made.passed, made.passed - 1e-12):
         inside = np.clip(moment, 0.0, made.trajectory.end)
         assert made.trajectory.at(inside) == pytest.approx(joints, abs=1e-6)

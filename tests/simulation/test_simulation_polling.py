@@ -19,14 +19,14 @@ diPart = { type = "di", value = 0 }
 diOther = { type = "di", value = 0 }
 doBusy = { type = "do" }
 [[stimulus]]
-at = 0.730041
+at = 0.146041
 set = { diPart = 1 }
 [[stimulus]]
-at = 0.25
+at = 0.05
 set = { diOther = 1 }
 [[stimulus]]
 when = "doBusy = 1"
-after = 0.4
+after = 0.08
 set = { diOther = 0 }
 """
 LOOPS = {
@@ -37,8 +37,8 @@ LOOPS = {
     "a loop that counts now and then": (
         'WHILE diPart=0 DO\nIF diOther=1 AND n=0 THEN\nIncr n;\nTPWrite "other";\nENDIF\nENDWHILE'
     ),
-    "a loop that counts its rounds": "WHILE n<40000 DO\nIncr n;\nENDWHILE",
-    "a loop that reads a clock": "ClkStart watch;\nWHILE ClkRead(watch)<0.3 DO\nENDWHILE",
+    "a loop that counts its rounds": "WHILE n<8000 DO\nIncr n;\nENDWHILE",
+    "a loop that reads a clock": "ClkStart watch;\nWHILE ClkRead(watch)<0.06 DO\nENDWHILE",
     "a loop that remembers what a clock shows": (
         "ClkStart watch;\nWHILE diPart=0 DO\nlast:=ClkRead(watch);\nENDWHILE\nn:=last;"
     ),
@@ -50,7 +50,7 @@ LOOPS = {
         "WHILE diOther=0 DO\nENDWHILE\nSetDO doBusy,1;\nWHILE diOther=1 DO\nENDWHILE"
     ),
     "a trap that ends it": (
-        "CONNECT beat WITH tick;\nITimer 0.2,beat;\nWHILE n<3 DO\nENDWHILE\nIDelete beat;"
+        "CONNECT beat WITH tick;\nITimer 0.11,beat;\nWHILE n<3 DO\nENDWHILE\nIDelete beat;"
     ),
     "while the robot moves": (
         "MoveAbsJ [[20,0,0,0,30,0],none],v100,z10,tool0;\nWHILE diPart=0 DO\nENDWHILE"
@@ -184,7 +184,7 @@ def test_rounds_that_are_skipped_cost_nothing(
         service(self)
 
     monkeypatch.setattr(TaskClock, "service", counted)
-    station = STATION.replace("0.730041", "3000.0")
+    station = STATION.replace("0.146041", "3000.0")
     run = ran(tmp_path, LOOPS["a loop that calls"], station)
     assert run.end is End.ENDED
     assert run.time_s > 3000.0

@@ -10,8 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from rapidsim.analysis.context import Analysis, Context
-from rapidsim.analysis.context import Scope as Names
+from rapidsim.analysis.context import Analysis, Context, SymbolTable
 from rapidsim.analysis.names.declaration_violations import BadArraySize, BadParameterType
 from rapidsim.analysis.names.name_violations import DuplicateName, MisplacedScope
 from rapidsim.analysis.names.names import find, report_undefined
@@ -47,8 +46,8 @@ def declare_task(
     Returns:
         A context for each module, and what type names mean.
     """
-    shared = Names({})
-    homes = [Context(analysis, module, Names({}, shared)) for module in modules]
+    shared = SymbolTable({})
+    homes = [Context(analysis, module, SymbolTable({}, shared)) for module in modules]
     for home in homes:
         analysis.home_of[home.module] = home
     accepted = _without_duplicates(homes)
@@ -119,7 +118,7 @@ def declare_data(
 
 def declare_locals(routine: RoutineSymbol, home: Context, user_types: UserTypes) -> Context:
     """The context inside a routine, where its parameters and data are known."""
-    context = replace(home, scope=Names({}, home.scope), routine=routine)
+    context = replace(home, scope=SymbolTable({}, home.scope), routine=routine)
     names = context.scope.names
     for parameter in routine.parameters:
         first = names.setdefault(parameter.name.lower(), parameter)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rapidsim.analysis.context import Context, Scope
+from rapidsim.analysis.context import Context, SymbolTable
 from rapidsim.analysis.names.names import find, kind_of, report_undefined
 from rapidsim.analysis.parameters import Wanted
 from rapidsim.analysis.passes.flow_violations import BadConnect
@@ -11,9 +11,9 @@ from rapidsim.analysis.program import (
     DataSymbol,
     ParameterSymbol,
     RoutineSymbol,
+    Scope,
     Storage,
 )
-from rapidsim.analysis.program import Scope as Visibility
 from rapidsim.analysis.tree_walk import clauses
 from rapidsim.analysis.types.argument_violations import BadArgumentMode
 from rapidsim.analysis.types.assignability import require, require_value
@@ -117,7 +117,7 @@ def _check_for(statement: tree.For, context: Context) -> None:
     symbol = CounterSymbol(statement.counter.text, statement)
     context.analysis.symbol_of[statement] = symbol
     context.analysis.module_of[symbol] = context.module
-    scope = Scope({statement.counter.key: symbol}, context.scope)
+    scope = SymbolTable({statement.counter.key: symbol}, context.scope)
     check_body(statement.body, context.inside(scope))
 
 
@@ -162,7 +162,7 @@ def _check_connect(statement: tree.Connect, context: Context) -> None:
             written = context.module.span(interrupt).text
             violation = BadConnect("a variable of type intnum", written, of.name)
             context.report(violation, interrupt, *context.declaration(symbol))
-        elif isinstance(symbol, DataSymbol) and symbol.scope is Visibility.ROUTINE:
+        elif isinstance(symbol, DataSymbol) and symbol.scope is Scope.ROUTINE:
             wanted = "an interrupt variable of a module, which outlives the routine"
             violation = BadConnect(wanted, symbol.name, "declared in the routine")
             context.report(violation, interrupt, *context.declaration(symbol))

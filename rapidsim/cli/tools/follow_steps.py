@@ -33,7 +33,7 @@ from rapidsim.motion.waypoints.reachability import reach
 from rapidsim.motion.waypoints.solver_starts import Started
 from rapidsim.report.run.summary import Written, files_text
 from rapidsim.report.tables.follow_tables import (
-    Asked,
+    AskedPoints,
     Attempt,
     compare_page,
     over_speed,
@@ -69,7 +69,7 @@ class Given:
 class Task:
     """Points with attitudes, ready to be followed."""
 
-    asked: Asked
+    asked: AskedPoints
     points: Points
     """Those to be followed."""
     attitudes: Array
@@ -123,7 +123,7 @@ def prepared(given: Given, points: Points) -> Task:
         pose = posed(some.positions[:1], some_attitudes[:1])[0] @ flange_from_tcp.inverse()
         first = _first(robot, pose, given.conf)
     return Task(
-        asked=Asked(
+        asked=AskedPoints(
             robot, points, reached, attitudes, given.plan, given.world_from_base, given.convention
         ),
         points=some,
@@ -178,7 +178,7 @@ def written(
     recording: Path | None,
     trace: Path | None,
     plots: Path | None,
-    asked: Asked,
+    asked: AskedPoints,
 ) -> tuple[Written, ...]:
     """Write the files asked for, if there is a trajectory."""
     if isinstance(result, Refused):

@@ -22,7 +22,7 @@ from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)
-class Outputs:
+class PostureOutputs:
     """Files to write of a posture; None is not written."""
 
     recording: Path | None
@@ -30,7 +30,7 @@ class Outputs:
     view: bool
 
 
-def outputs(record: str | None, plots: str | None, view: bool, default: str) -> Outputs:
+def outputs(record: str | None, plots: str | None, view: bool, default: str) -> PostureOutputs:
     """The places to write to, refused before anything is computed.
 
     Raises:
@@ -40,12 +40,12 @@ def outputs(record: str | None, plots: str | None, view: bool, default: str) -> 
         require("rerun", "--view")
         require_screen()
         record = record or default
-    return Outputs(
+    return PostureOutputs(
         new_recording(record) if record else None, new_plots(plots) if plots else None, view
     )
 
 
-def write(shown: Postures, asked: Outputs, *, quiet: bool) -> tuple[Written, ...]:
+def write(shown: Postures, asked: PostureOutputs, *, quiet: bool) -> tuple[Written, ...]:
     """Write what was asked for and open the viewer; unless `quiet` what was written is said."""
     files = []
     if asked.recording:

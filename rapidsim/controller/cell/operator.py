@@ -22,7 +22,7 @@ T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
-class Answer(Generic[T]):
+class OperatorAnswer(Generic[T]):
     """What was answered, and what was wrong with getting it."""
 
     value: T
@@ -37,24 +37,24 @@ class Operator:
     can_be_asked_again: bool = False
     """Whether somebody sits there who can correct an answer; lines of a file cannot."""
 
-    def number(self, prompt: str, *, ends: bool = False) -> Answer[float] | None:
+    def number(self, prompt: str, *, ends: bool = False) -> OperatorAnswer[float] | None:
         """The answer to a question for a number; None if nobody answers one that `ends`."""
         text = self._ask(prompt)
         default = f"{DEFAULT_NUMBER:g}"
         while text is not None:
             value = _number(text)
             if value is not None:
-                return Answer(value)
+                return OperatorAnswer(value)
             if not self.can_be_asked_again:
-                return Answer(DEFAULT_NUMBER, (AnswerNotANumber(prompt, text, default),))
+                return OperatorAnswer(DEFAULT_NUMBER, (AnswerNotANumber(prompt, text, default),))
             text = self._ask(f"`{text}` is not a number, such as 12 or -0.5. {prompt}")
         if ends:
             return None
-        return Answer(DEFAULT_NUMBER, (QuestionUnanswered(prompt, default),))
+        return OperatorAnswer(DEFAULT_NUMBER, (QuestionUnanswered(prompt, default),))
 
     def choice(
         self, prompt: str, choices: Sequence[str], *, ends: bool = False
-    ) -> Answer[int] | None:
+    ) -> OperatorAnswer[int] | None:
         """The index of a key, answered by its text or by its number from 1; "" is no key."""
         keys = [index for index, text in enumerate(choices) if text]
         first = keys[0] if keys else 0
@@ -63,22 +63,22 @@ class Operator:
         while text is not None:
             for index in keys:
                 if text.strip().lower() in (choices[index].strip().lower(), str(index + 1)):
-                    return Answer(index)
+                    return OperatorAnswer(index)
             if not self.can_be_asked_again:
-                return Answer(first, (AnswerNotAChoice(prompt, text, choices[first]),))
+                return OperatorAnswer(first, (AnswerNotAChoice(prompt, text, choices[first]),))
             text = self._ask(f"`{text}` is none of the keys. {offered}")
         if ends:
             return None
-        return Answer(first, (QuestionUnanswered(prompt, choices[first]),))
+        return OperatorAnswer(first, (QuestionUnanswered(prompt, choices[first]),))
 
-    def text(self, prompt: str, proposal: str, *, ends: bool = False) -> Answer[str] | None:
+    def text(self, prompt: str, proposal: str, *, ends: bool = False) -> OperatorAnswer[str] | None:
         """A text; the proposal where nobody answers."""
         text = self._ask(prompt)
         if text is None and ends:
             return None
         if text is None:
-            return Answer(proposal, (QuestionUnanswered(prompt, proposal),))
-        return Answer(text)
+            return OperatorAnswer(proposal, (QuestionUnanswered(prompt, proposal),))
+        return OperatorAnswer(text)
 
     def _ask(self, prompt: str) -> str | None:
         return self.answers(prompt) if self.answers else None

@@ -23,7 +23,7 @@ class Commit:
 
 
 @dataclass(frozen=True, slots=True)
-class Plan:
+class BlockPlan:
     """A tentative plan of the open part of the block."""
 
     path: Path
@@ -52,9 +52,9 @@ class Block:
 
     moves: list[QueuedMove] = field(default_factory=list)
     commit: Commit = Commit(0.0, 0, 0.0, 0.0)
-    plan: Plan | None = None
+    plan: BlockPlan | None = None
     """Of the part that is not fixed; None where it must be made anew."""
-    driven: list[Plan] = field(default_factory=list)
+    driven: list[BlockPlan] = field(default_factory=list)
     """The plans whose stretches the block has travelled, in order of time."""
     is_closed: bool = False
     """It has its end; it stays until the next begins, for it may be stopped on its way."""

@@ -21,7 +21,7 @@ import numpy as np
 
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove, frames_of, nominal_s
-from rapidsim.controller.queue.block import Block, Commit, Plan
+from rapidsim.controller.queue.block import Block, BlockPlan, Commit
 from rapidsim.controller.queue.repeats import Repeats
 from rapidsim.motion.geometry.blends import Corner
 from rapidsim.motion.geometry.segments import Segment
@@ -236,7 +236,7 @@ class BlockPlanner:
             return None
         return self._commit_start(index)
 
-    def planned(self) -> Plan:
+    def planned(self) -> BlockPlan:
         """The open part of the block, planned to a stop at its last move; nothing else changes.
 
         Raises:
@@ -256,7 +256,7 @@ class BlockPlanner:
                 block.plan = stopped
         return block.plan
 
-    def _plan_from(self, commit: Commit, *, lost_corner: int | None = None) -> Plan:
+    def _plan_from(self, commit: Commit, *, lost_corner: int | None = None) -> BlockPlan:
         first = self._first_open
         lost = None if lost_corner is None else lost_corner - first
         moves, begun = self.block.moves[first:], commit.move - first
@@ -279,14 +279,14 @@ class BlockPlanner:
             start = (begun, commit.distance_m, commit.speed_m_s, commit.spent_s)
             path, timing = self.repeats.plan([one.segment for one in moves], start, made)
         from_m = float(path.segment_starts[begun]) + commit.distance_m
-        return Plan(path, timing, first, from_m, commit.time_s, lost_corner)
+        return BlockPlan(path, timing, first, from_m, commit.time_s, lost_corner)
 
     @property
     def _first_open(self) -> int:
         """The first move whose geometry a plan needs: the corner after it is half travelled."""
         return max(self.block.commit.move - 1, 0)
 
-    def _to_travel(self) -> Plan:
+    def _to_travel(self) -> BlockPlan:
         """The plan of the open part; the robot makes the moves before one that it cannot make.
 
         Raises:
@@ -372,7 +372,7 @@ class BlockPlanner:
             return now_s - started
         return None if commit.spent_s is None else commit.spent_s + (now_s - commit.time_s)
 
-    def _travel(self, tentative: Plan, moves_begun: int, to_m: float) -> float:
+    def _travel(self, tentative: BlockPlan, moves_begun: int, to_m: float) -> float:
         """Append a stretch of a plan to the trajectory and date the moves that begin on it."""
         path, timing = tentative.path, tentative.timing
         if tentative.lost_corner is not None:

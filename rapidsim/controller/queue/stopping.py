@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from rapidsim.controller.moves.queued_move import MotionError
-from rapidsim.controller.queue.block import Commit, Plan
+from rapidsim.controller.queue.block import BlockPlan, Commit
 from rapidsim.controller.queue.path_planner import BlockPlanner
 from rapidsim.frames.transform import Transform
 from rapidsim.motion.geometry.segments import Geometry, Waypoint
@@ -61,7 +61,7 @@ def halt(planner: BlockPlanner, now_s: float) -> float:
     to_m = float(braking.s[-1])
     if to_m > s:
         planner.trajectory.append(Piece(now_s, under_way.path, braking, s, to_m))
-        block.driven.append(Plan(under_way.path, braking, under_way.first, s, now_s))
+        block.driven.append(BlockPlan(under_way.path, braking, under_way.first, s, now_s))
     starts = under_way.path.segment_starts
     index = under_way.first + int(np.searchsorted(starts, to_m, side="right")) - 1
     rest_s = now_s + braking.duration

@@ -14,7 +14,7 @@ import numpy as np
 
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.language.path_events import AxisRange, Box, Cylinder, Sphere, ZoneShape
+from rapidsim.language.path_events import AxisRange, Cuboid, Cylinder, Sphere, ZoneShape
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 
 LOOK_M = 0.001
@@ -27,7 +27,7 @@ _MM = 1e-3
 
 
 @dataclass(slots=True)
-class Zone:
+class WatchedZone:
     """One zone that is watched."""
 
     shape: ZoneShape
@@ -44,12 +44,12 @@ class WorldZoneTable:
     on_path: ClassVar = True
     unit: MechanicalUnit
     world_from_base: Transform
-    _zones: dict[float, Zone] = field(default_factory=dict)
+    _zones: dict[float, WatchedZone] = field(default_factory=dict)
     _looked_to_s: float = 0.0
     _next: tuple[tuple[int, int], float | None] | None = None
     """For which version of the path what was found."""
 
-    def add(self, zone: Zone, now_s: float) -> float:
+    def add(self, zone: WatchedZone, now_s: float) -> float:
         """Watch a zone; what holds at once is told at once. Returns its number."""
         number = float(max(self._zones, default=0.0) + 1.0)
         self._zones[number] = zone
@@ -117,7 +117,7 @@ class WorldZoneTable:
         """Nothing before a time [s] matters any more."""
         self._looked_to_s = max(time_s, self._looked_to_s)
 
-    def _begin(self, zone: Zone, now_s: float) -> None:
+    def _begin(self, zone: WatchedZone, now_s: float) -> None:
         self._next = None
         self._looked_to_s = max(now_s, self._looked_to_s)
         samples = self.unit.queue.preview().at(np.array([now_s]))
@@ -125,7 +125,7 @@ class WorldZoneTable:
         if zone.inside:
             zone.crossed(True, now_s)
 
-    def _crossing(self, zone: Zone, preview: Trajectory) -> float | None:
+    def _crossing(self, zone: WatchedZone, preview: Trajectory) -> float | None:
         """The first time [s] after the last look at which being in a zone changes."""
         looks = _looks(preview, self._looked_to_s)
         for begin in range(0, len(looks), _LOOKS):
@@ -145,7 +145,7 @@ class WorldZoneTable:
                 late = middle
         return late
 
-    def _inside(self, zone: Zone, samples: Samples) -> Array:
+    def _inside(self, zone: WatchedZone, samples: Samples) -> Array:
         """Whether the arm is in a zone, shape (k,)."""
         shape = zone.shape
         if isinstance(shape.volume, AxisRange):
@@ -171,11 +171,11 @@ def _looks(preview: Trajectory, start_s: float) -> Array:
     return np.append(looks, times[-1])
 
 
-def _holds(volume: Box | Cylinder | Sphere, points: Array) -> Array:
+def _holds(volume: Cuboid | Cylinder | Sphere, points: Array) -> Array:
     """Whether points (k, 3) [mm] of the world are in a volume, shape (k,)."""
     within: Array
     match volume:
-        case Box(low=low, high=high):
+        case Cuboid(low=low, high=high):
             least, most = np.minimum(low, high), np.maximum(low, high)
             within = np.all((points >= least) & (points <= most), axis=1)
         case Cylinder(centre=centre, radius=radius, height=height):

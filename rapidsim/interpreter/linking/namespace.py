@@ -54,7 +54,7 @@ FUNCTIONS: Mapping[str, object] = MappingProxyType(
         "_ABSENT": references.ABSENT,
         "_BaseException": BaseException,
         "_Box": Box,
-        "_Component": references.Component,
+        "_Component": references.ComponentReference,
         "_ERRORS": error_recovery.ERRORS,
         "_Element": references.Element,
         "_Leave": error_recovery.Leave,

@@ -73,7 +73,7 @@ class Element:
         self._array[self._index] = value
 
 
-class Component:
+class ComponentReference:
     """A component of a record, itself somewhere behind a reference."""
 
     __slots__ = ("_path", "_record")

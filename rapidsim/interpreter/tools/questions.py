@@ -71,7 +71,7 @@ class Question:
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class CheckedQuestion:
     """What checking an expression found; the question only where there is no error."""
 
     question: Question | None
@@ -80,7 +80,7 @@ class Asked:
 
 
 @dataclass(frozen=True, slots=True)
-class Answer:
+class AnsweredQuestion:
     """What an expression was worth when the program had run."""
 
     holds: bool
@@ -109,7 +109,7 @@ def own_names(program: Program) -> frozenset[str]:
     )
 
 
-def ask(text: str, label: str, program: Program, figures: Iterable[str]) -> Asked:
+def ask(text: str, label: str, program: Program, figures: Iterable[str]) -> CheckedQuestion:
     """Check an expression against a program.
 
     Args:
@@ -128,7 +128,7 @@ def ask(text: str, label: str, program: Program, figures: Iterable[str]) -> Aske
     own = Source(label, text)
     findings = _placed(parsed.diagnostics, parsed, own, start)
     if any(one.severity is Severity.ERROR for one in findings):
-        return Asked(None, findings)
+        return CheckedQuestion(None, findings)
     expression = _only_expression(parsed, name, start, start + len(text))
     checked = check(_files(program), cell=program.cell, visitor=parsed.file)
     findings += _placed(checked.diagnostics, parsed, own, start)
@@ -136,19 +136,19 @@ def ask(text: str, label: str, program: Program, figures: Iterable[str]) -> Aske
         if not findings:
             # Not about the expression: what the program may run with, it may be asked with.
             raise NotAskedError("the program cannot be asked anything")
-        return Asked(None, findings)
+        return CheckedQuestion(None, findings)
     _require_looking(expression, checked.program)
     question = Question(
         text,
         tuple(dict.fromkeys(_parts(expression, checked.program, text, start))),
         _is_of_task(expression, checked.program, parsed.file.modules[0]),
     )
-    return Asked(question, findings)
+    return CheckedQuestion(question, findings)
 
 
 def answers(
     task: Task, questions: Sequence[Question], figures: Mapping[str, float]
-) -> tuple[Answer, ...]:
+) -> tuple[AnsweredQuestion, ...]:
     """Evaluate expressions with the values that a program has left.
 
     Args:
@@ -174,11 +174,11 @@ def answers(
     checked = check(_files(program), cell=program.cell, visitor=parsed.file)
     if checked.program is None:
         # It was asked of the program as it began; modules that it unloads may take names away.
-        return tuple(Answer(False, error=_first_error(checked)) for _ in questions)
+        return tuple(AnsweredQuestion(False, error=_first_error(checked)) for _ in questions)
     try:
         task.take(checked.program)
     except (FatalError, NotExecutableError) as error:
-        return tuple(Answer(False, error=str(error)) for _ in questions)
+        return tuple(AnsweredQuestion(False, error=str(error)) for _ in questions)
     symbols = {
         routine.name.key: symbol
         for routine in parsed.file.modules[0].routines
@@ -190,7 +190,7 @@ def answers(
     )
 
 
-def _answer(task: Task, functions: Sequence[RoutineSymbol], question: Question) -> Answer:
+def _answer(task: Task, functions: Sequence[RoutineSymbol], question: Question) -> AnsweredQuestion:
     whole, *parts = functions
     values = tuple(
         (text, told)
@@ -198,11 +198,11 @@ def _answer(task: Task, functions: Sequence[RoutineSymbol], question: Question) 
         if (told := _told(task, part)) is not None
     )
     try:
-        return Answer(bool(task.call(whole)), values)
+        return AnsweredQuestion(bool(task.call(whole)), values)
     except FatalError as error:
-        return Answer(False, values, str(error.error))
+        return AnsweredQuestion(False, values, str(error.error))
     except Stopped as stop:
-        return Answer(False, values, stop.reason)
+        return AnsweredQuestion(False, values, stop.reason)
 
 
 def _told(task: Task, part: RoutineSymbol) -> str | None:

@@ -46,7 +46,7 @@ FLATTEST = np.radians(10.0)
 """Angle [rad] between the tool's z axis and the cut plane below which it hardly crosses."""
 
 
-class Aim(NamedTuple):
+class PairTurns(NamedTuple):
     """How a pair takes the tool's z axis to some places (k,)."""
 
     turns: Array
@@ -126,7 +126,7 @@ class WristPairs:
         first[at, axes], second[at, axes] = rate, both(acceleration - known)[0]
         return first, second
 
-    def aimed(self, place: Array, row: Index) -> Aim:
+    def aimed(self, place: Array, row: Index) -> PairTurns:
         """How the pairs of rows (k,) take the z axis to places (k, 3) in base."""
         a, b, z = self.first[row], self.second[row], self.tool_z[row]
         aim, u = self.aim[row], place - self.centre[row]
@@ -154,7 +154,7 @@ class WristPairs:
         )
         widest = np.minimum(apart + angle_m, 2.0 * np.pi - apart - angle_m)
         beyond = np.maximum(np.abs(apart - angle_m) - angle_u, angle_u - widest)
-        return Aim(
+        return PairTurns(
             turns,
             regular[:, 0] & (steepness > np.sin(FLATTEST)),
             beyond[:, 0],

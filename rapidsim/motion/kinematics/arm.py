@@ -43,7 +43,7 @@ class Branches:
 
 
 @dataclass(frozen=True, slots=True)
-class Followed:
+class BranchJoints:
     """Joint vectors along a row of poses on one branch."""
 
     joints: Array
@@ -131,7 +131,9 @@ class Kinematics(Protocol):
         """All branches of a batch of poses (...,)."""
         ...
 
-    def inverse_on_branch(self, base_from_flange: Transform, branch: int, near: Array) -> Followed:
+    def inverse_on_branch(
+        self, base_from_flange: Transform, branch: int, near: Array
+    ) -> BranchJoints:
         """Joints of poses (k,) on one branch.
 
         Args:

@@ -18,7 +18,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.curves import curves_of
 from rapidsim.motion.geometry.joint_mapping import Arms, Index, arms_of
 from rapidsim.motion.geometry.segments import Segment, Waypoint
-from rapidsim.motion.geometry.wrist_pair import FLATTEST, Aim
+from rapidsim.motion.geometry.wrist_pair import FLATTEST, PairTurns
 from rapidsim.motion.kinematics.arm import Kinematics, Mask
 from rapidsim.values import dataclass
 
@@ -174,7 +174,7 @@ def why_not_led(arms: Arms, place: Array, row: Index) -> Refusal:
     )
 
 
-def _within(aim: Aim) -> Mask:
+def _within(aim: PairTurns) -> Mask:
     """Which places (k,) a pair reaches, or misses by so little that it is singular there."""
     within: Mask = (aim.beyond < _SINGULAR_ONLY) & (aim.grazes <= 0.0)
     return within

@@ -18,7 +18,7 @@ from rapidsim.motion.robot.external_axes import amount_text
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.motion.waypoints.plan import (
-    JointMotion,
+    JointsOverTime,
     Plan,
     Refused,
     TcpMotion,
@@ -220,7 +220,7 @@ def _of_joints(
     attitudes: Array,
     flange_from_tcp: Transform,
     plan: Plan,
-    motion: JointMotion,
+    motion: JointsOverTime,
     knots: Array,
     times: Array,
     dt: float,

@@ -153,7 +153,7 @@ def tcp_motion(points: Points, attitudes: Array, plan: Plan) -> TcpMotion | Refu
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class JointMotion:
+class JointsOverTime:
     """Joints as a function of time."""
 
     trajectory: Piecewise
@@ -162,7 +162,7 @@ class JointMotion:
     """When each point is passed, (k,) [s]."""
 
 
-def quintic_motion(points: Points, joints: Array, plan: Plan) -> JointMotion | Refused:
+def quintic_motion(points: Points, joints: Array, plan: Plan) -> JointsOverTime | Refused:
     """The motion of the joints that a plan asks for, way `JOINT_QUINTIC`.
 
     Args:
@@ -190,10 +190,10 @@ def quintic_motion(points: Points, joints: Array, plan: Plan) -> JointMotion | R
     if accelerations is None:
         accelerations = np.zeros_like(joints)
     times = times - times[0]
-    return JointMotion(quintics(times, joints, speeds, accelerations), times)
+    return JointsOverTime(quintics(times, joints, speeds, accelerations), times)
 
 
-def even_joint_motion(joints: Array, ways: Array, plan: Plan) -> JointMotion | Refused:
+def even_joint_motion(joints: Array, ways: Array, plan: Plan) -> JointsOverTime | Refused:
     """All joints evenly from point to point, with a stop at each: way `JOINT`.
 
     Args:
@@ -215,7 +215,9 @@ def even_joint_motion(joints: Array, ways: Array, plan: Plan) -> JointMotion | R
         passed.append(begin)
     if not pieces:
         return Refused("all points are the same: there is no path to follow")
-    return JointMotion(Piecewise(np.concatenate(breaks), np.concatenate(pieces)), np.array(passed))
+    return JointsOverTime(
+        Piecewise(np.concatenate(breaks), np.concatenate(pieces)), np.array(passed)
+    )
 
 
 def _lines(positions: Array, attitudes: Array, plan: Plan) -> list[tuple[int, Line]]:

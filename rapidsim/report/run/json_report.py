@@ -48,24 +48,15 @@ def run_json(
         files: Paths of the files written, by what they are; `program` lists those of the program.
         judgement: What became of assertions and the cycle budget.
     """
-    first = simulation.robots[0].robot.name
-    report = rejected_json(simulation.program, first, findings, _robots(simulation))
+    report = course_json(simulation, findings)
     ran = {
-        "end": simulation.end.value,
-        "time_s": number(simulation.time_s),
-        "motion_s": number(simulation.motion_s),
-        "wait_s": number(simulation.wait_s),
-        "path_mm": number(simulation.path_m * 1000.0),
-        "moves": [json_of(move) for move in move_records(simulation)],
         "slowest": [_share(share, "to") for share in figures.slowest],
         "min_joint_margin": _margin(figures.joint_margin),
         "min_singularity": _singularity(figures.singularity),
         "max_off_path": _off_path(figures.off_path),
-        "waits": [json_of(wait) for wait in wait_records(simulation)],
         "slowest_waits": [_share(share, "for") for share in figures.slowest_waits],
         "stretches": stretches_json(held_back(simulation)),
         "regions": regions_json(by_comment((*simulation.moves, *simulation.waits))),
-        "events": [event_record(event) for event in simulation.events],
         "unsimulated": [
             {"name": one.name, "count": one.count, "treated_as": one.treated_as}
             for one in simulation.unsimulated
@@ -88,6 +79,25 @@ def run_json(
     }
     assert report.keys() >= ran.keys()
     return report | ran | _collisions(simulation)
+
+
+def course_json(simulation: Simulation, findings: Sequence[Diagnostic]) -> dict[str, object]:
+    """The same object before its figures, which take long: what happened when.
+
+    It is what two runs are compared by.
+    """
+    first = simulation.robots[0].robot.name
+    return rejected_json(simulation.program, first, findings, _robots(simulation)) | {
+        "end": simulation.end.value,
+        "time_s": number(simulation.time_s),
+        "motion_s": number(simulation.motion_s),
+        "wait_s": number(simulation.wait_s),
+        "path_mm": number(simulation.path_m * 1000.0),
+        "moves": [json_of(move) for move in move_records(simulation)],
+        "waits": [json_of(wait) for wait in wait_records(simulation)],
+        "events": [event_record(event) for event in simulation.events],
+        "models": models(simulation),
+    }
 
 
 def rejected_json(

@@ -11,7 +11,7 @@ from rich.text import Text
 
 from rapidsim.report.findings.source_frame import printable
 from rapidsim.report.run.records import number
-from rapidsim.report.uncut_table import WholeTable
+from rapidsim.report.uncut_table import UncutTable
 from rapidsim.simulation.results.held_back import Stretch, held_back
 from rapidsim.simulation.results.regions import Region, by_comment
 from rapidsim.simulation.results.simulation import Simulation
@@ -99,7 +99,7 @@ def regions_json(regions: Sequence[Region]) -> list[dict[str, object]]:
 
 
 def _table(*names: str) -> Table:
-    table = WholeTable(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
+    table = UncutTable(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
     for name in names:
         right = name.startswith(">")
         table.add_column(name.lstrip(">"), justify="right" if right else "left", no_wrap=True)

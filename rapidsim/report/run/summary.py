@@ -24,7 +24,7 @@ from rapidsim.report.run.collision_records import clearance_records, contact_rec
 from rapidsim.report.run.figures import Figures, JointMargin, OffPath, SingularityMargin
 from rapidsim.report.run.json_report import models, of_robots
 from rapidsim.report.run.long_programs import long_program_text
-from rapidsim.report.uncut_table import WholeTable
+from rapidsim.report.uncut_table import UncutTable
 from rapidsim.simulation.results.collisions import Collisions
 from rapidsim.simulation.results.persistents import PersistentChange, parts_of
 from rapidsim.simulation.results.simulation import End, Simulation
@@ -326,7 +326,7 @@ def _slowest_narrow(lines: Sequence[Share]) -> Table:
 
 
 def _slowest(lines: Sequence[Share], bars: Bars) -> Table:
-    table = WholeTable(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
+    table = UncutTable(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
     table.add_column("slowest lines", no_wrap=True)
     table.add_column("routine", no_wrap=True, max_width=_ROUTINE_CELLS)
     table.add_column("move or wait", no_wrap=True, max_width=_MOVE_CELLS)

@@ -14,10 +14,10 @@ from rapidsim.motion.waypoints.follow import Followed
 from rapidsim.motion.waypoints.plan import Refused, Way
 from rapidsim.motion.waypoints.reachability import PointReach
 from rapidsim.motion.waypoints.solver_starts import Started
-from rapidsim.report.tables.follow_tables import Asked, Attempt
+from rapidsim.report.tables.follow_tables import AskedPoints, Attempt
 
 
-def follow_json(asked: Asked, attempts: Sequence[Attempt]) -> dict[str, object]:
+def follow_json(asked: AskedPoints, attempts: Sequence[Attempt]) -> dict[str, object]:
     """Points, and the one trajectory or why there is none."""
     (attempt,) = attempts
     profile = None if asked.plan.way is Way.JOINT_QUINTIC else asked.plan.profile.value
@@ -43,14 +43,14 @@ def starts_json(tried: Sequence[Started]) -> dict[str, object]:
     return {"starts": rows}
 
 
-def compared_json(asked: Asked, attempts: Sequence[Attempt]) -> dict[str, object]:
+def compared_json(asked: AskedPoints, attempts: Sequence[Attempt]) -> dict[str, object]:
     """Points, and every trajectory or why there is none."""
     profile = {"profile": asked.plan.profile.value}
     compared = [{"path": one.plan.way.value, **_result(one.result)} for one in attempts]
     return {**_asked(asked), **profile, "compared": compared}
 
 
-def _asked(asked: Asked) -> dict[str, object]:
+def _asked(asked: AskedPoints) -> dict[str, object]:
     return {
         "schema": 1,
         "robot": asked.robot.name,

@@ -18,7 +18,7 @@ from rapidsim.motion.waypoints.plan import Plan, Refused, Way
 from rapidsim.motion.waypoints.points import Points, linear_turn_rates, posed, turn
 from rapidsim.motion.waypoints.reachability import PointReach
 from rapidsim.motion.waypoints.solver_starts import Started
-from rapidsim.report.uncut_table import WholeTable
+from rapidsim.report.uncut_table import UncutTable
 from rapidsim.values import dataclass
 
 _MOST_ROWS = 30
@@ -28,7 +28,7 @@ _MOST_TURNS = 10
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Asked:
+class AskedPoints:
     """Points as the user gave them, and what the arm can do about each."""
 
     robot: Robot
@@ -76,7 +76,7 @@ class Attempt:
         return isinstance(self.result, Followed) and not over_speed(self.result)
 
 
-def points_page(asked: Asked) -> RenderableType:
+def points_page(asked: AskedPoints) -> RenderableType:
     """A row a point: where, and whether the arm gets there, or what is missing."""
     reached, positions = asked.reached, asked.positions_mm
     count = len(reached)
@@ -293,7 +293,7 @@ def _pitch(point: PointReach) -> tuple[str, str]:
 
 
 def _table(first: str, *others: str) -> Table:
-    table = WholeTable(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
+    table = UncutTable(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
     table.add_column(first, no_wrap=True)
     for name in others:
         table.add_column(name, justify="right", no_wrap=True)

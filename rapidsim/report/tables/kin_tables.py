@@ -19,7 +19,7 @@ from rapidsim.motion.configurations.singularities import Differential, joint_spe
 from rapidsim.motion.kinematics.axis_tables import dh_table_of, screws_of
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.report.tables.kin_json import Searched
-from rapidsim.report.uncut_table import WholeTable
+from rapidsim.report.uncut_table import UncutTable
 
 _ROWS = ("vx", "vy", "vz", "wx", "wy", "wz")
 _USUAL_JOINTS = 6
@@ -218,7 +218,7 @@ def _title(robot: Robot) -> Text:
 
 
 def _table(first: str, *others: str, padding: int = 2) -> Table:
-    table = WholeTable(box=None, padding=(0, padding, 0, 0), pad_edge=False, header_style="cyan")
+    table = UncutTable(box=None, padding=(0, padding, 0, 0), pad_edge=False, header_style="cyan")
     table.add_column(first, no_wrap=True)
     for name in others:
         table.add_column(name, justify="right", no_wrap=True)

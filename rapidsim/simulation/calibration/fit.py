@@ -29,7 +29,7 @@ from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.timing.axis_limits import model_of, torques_of
 from rapidsim.simulation.calibration.joint_log import JointLog
-from rapidsim.simulation.calibration.log_comparison import Progress
+from rapidsim.simulation.calibration.log_comparison import MotionByPlace
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End, RobotRun
 from rapidsim.simulation.simulate import simulate
@@ -291,7 +291,7 @@ def _with_zone_share(model: MotionModel, value: float) -> MotionModel:
 
 
 def _rows(run: LoggedRun, robot: Robot, model: MotionModel, parameters: int) -> _Rows:
-    progress = Progress.of(_simulated(run, robot, model).trajectory, 0.0)
+    progress = MotionByPlace.of(_simulated(run, robot, model).trajectory, 0.0)
     every = max(1, len(run.log.times) // _MOST_ROWS)
     times, joints = run.log.times[::every], run.log.joints[::every]
     places, distances = progress.nearest(joints)

@@ -22,7 +22,7 @@ _AS_NEAR_RAD = 1e-3
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Progress:
+class MotionByPlace:
     """Our motion from an instant on, as places S (k,) [m] of the run and the joints there."""
 
     trajectory: Trajectory

@@ -16,7 +16,7 @@ from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Move:
+class MoveCall:
     """A call that moves the robot, with the arguments rules look at."""
 
     call: tree.Call
@@ -25,7 +25,7 @@ class Move:
     does: Does
 
 
-_MOVES: WeakKeyDictionary[Facts, dict[tree.Node, Move]] = WeakKeyDictionary()
+_MOVES: WeakKeyDictionary[Facts, dict[tree.Node, MoveCall]] = WeakKeyDictionary()
 """The moves that were asked for, as long as somebody looks at the facts: most rules ask for all."""
 
 
@@ -64,14 +64,14 @@ def may_do(call: tree.Call | tree.FunctionCall, facts: Facts) -> Does:
     return does(facts.symbol(call) or installed_symbol(call.name.key))
 
 
-def moves(part: Part, facts: Facts) -> Iterator[Move]:
+def moves(part: Part, facts: Facts) -> Iterator[MoveCall]:
     """The calls of installed instructions that move the robot."""
     for call in part.all(tree.Call):
         if (move := as_move(call, facts)) is not None:
             yield move
 
 
-def as_move(statement: tree.Node, facts: Facts) -> Move | None:
+def as_move(statement: tree.Node, facts: Facts) -> MoveCall | None:
     """A statement as a move, if it is one."""
     if not isinstance(statement, tree.Call) or Does.MOVE not in (what := facts.does(statement)):
         return None
@@ -80,5 +80,5 @@ def as_move(statement: tree.Node, facts: Facts) -> Move | None:
     if move is None:
         named = arguments_of(statement, facts)
         arguments = {formal.key: value for formal, value in named if formal is not None}
-        move = known[statement] = Move(statement, arguments, what)
+        move = known[statement] = MoveCall(statement, arguments, what)
     return move

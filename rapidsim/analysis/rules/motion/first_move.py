@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from rapidsim.analysis.program import DataSymbol, Storage
 from rapidsim.analysis.program_parts import Facts, Part
-from rapidsim.analysis.rules.facts.instruction_questions import Move, as_move, moves
+from rapidsim.analysis.rules.facts.instruction_questions import MoveCall, as_move, moves
 from rapidsim.analysis.rules.facts.known_values import known_value, numbers
 from rapidsim.analysis.tree_walk import descendants, statements
 from rapidsim.diagnostics import Diagnostic, Violation
@@ -50,7 +50,7 @@ def find_moves_without_speed(facts: Facts) -> Iterator[Diagnostic]:
             yield part.finding(MoveWithoutSpeed(shown, value[0]), speed)
 
 
-def _is_fixed(move: Move, facts: Facts) -> bool:
+def _is_fixed(move: MoveCall, facts: Facts) -> bool:
     """Whether the target stands in the text; one that was computed may be beside the robot."""
     target = move.arguments.get("topoint")
     if target is None:
@@ -66,7 +66,7 @@ def _is_fixed(move: Move, facts: Facts) -> bool:
     return True
 
 
-def _first_move(part: Part, facts: Facts, seen: set[tree.Routine]) -> tuple[Part, Move] | None:
+def _first_move(part: Part, facts: Facts, seen: set[tree.Routine]) -> tuple[Part, MoveCall] | None:
     """The first move in the order of the text, through calls of the user's procedures."""
     assert part.routine is not None
     seen.add(part.routine)

@@ -15,7 +15,7 @@ from functools import cached_property
 from typing import TypeAlias
 
 from rapidsim.analysis.program_parts import Facts, Part
-from rapidsim.analysis.rules.facts.instruction_questions import Move, arguments_of, as_move
+from rapidsim.analysis.rules.facts.instruction_questions import MoveCall, arguments_of, as_move
 from rapidsim.analysis.rules.facts.known_values import known_value
 from rapidsim.analysis.tree_walk import clauses
 from rapidsim.library.traits import Does
@@ -274,7 +274,7 @@ class _Way:
                 self.found.append(BehindMove(move, effect, place, self._part))
 
 
-def flies_by(move: Move, facts: Facts) -> bool:
+def flies_by(move: MoveCall, facts: Facts) -> bool:
     """Whether a move is known to pass its target in a zone."""
     if {"inpos", "conc"} & move.arguments.keys():
         return False

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from rapidsim.analysis.program import DataSymbol, Storage, Symbol
 from rapidsim.analysis.program_parts import Facts, Part
-from rapidsim.analysis.rules.facts.instruction_questions import Move, moves
+from rapidsim.analysis.rules.facts.instruction_questions import MoveCall, moves
 from rapidsim.analysis.rules.facts.known_values import known_value, numbers
 from rapidsim.analysis.rules.facts.taught_targets import taught_target
 from rapidsim.diagnostics import Diagnostic, Related, Violation
@@ -40,7 +40,7 @@ class _Use:
     """A move to a named target, with names of tool and work object."""
 
     part: Part
-    move: Move
+    move: MoveCall
     tool: str
     wobj: str
 
@@ -136,7 +136,7 @@ def _robhold(expression: tree.Expression | None, facts: Facts) -> bool | None:
     return None
 
 
-def _name(move: Move, parameter: str, default: str) -> str:
+def _name(move: MoveCall, parameter: str, default: str) -> str:
     """The name an argument is written with; another text where it is no plain name."""
     if parameter not in move.arguments:
         return default

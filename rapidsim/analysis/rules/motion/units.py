@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from rapidsim.analysis.program import DataSymbol, Scope, Storage
 from rapidsim.analysis.program_parts import Facts, Part
-from rapidsim.analysis.rules.facts.instruction_questions import Move, arguments_of, moves
+from rapidsim.analysis.rules.facts.instruction_questions import MoveCall, arguments_of, moves
 from rapidsim.analysis.rules.facts.known_values import known_value, numbers
 from rapidsim.analysis.rules.facts.taught_targets import taught_target
 from rapidsim.analysis.tree_walk import descendants
@@ -104,7 +104,7 @@ def _radians(what: str) -> MetresOrRadians:
     return MetresOrRadians(what, "radians", "RAPID counts in degrees: multiply by 180/pi")
 
 
-def _is_from_base(move: Move, facts: Facts) -> bool:
+def _is_from_base(move: MoveCall, facts: Facts) -> bool:
     """Whether a target counts from the base of the arm, as far as the program tells."""
     if "wobj" not in move.arguments:
         return True

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rapidsim.analysis.program_parts import Facts, Part
-from rapidsim.analysis.rules.facts.instruction_questions import Move, as_move
+from rapidsim.analysis.rules.facts.instruction_questions import MoveCall, as_move
 from rapidsim.analysis.rules.motion.fly_by_effects import BehindMove, effects_behind_moves
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Violation
 from rapidsim.syntax import tree
@@ -38,7 +38,7 @@ def find_behind_zones(facts: Facts) -> Iterator[Diagnostic]:
         yield (_waits if one.effect.waits else _acts)(one, move, home)
 
 
-def _waits(one: BehindMove, move: Move, home: Part) -> Diagnostic:
+def _waits(one: BehindMove, move: MoveCall, home: Part) -> Diagnostic:
     """The finding at the zone of the move; at the wait where the move is in another routine."""
     zone = move.arguments.get("zone")
     place = move.call if zone is None else zone
@@ -54,7 +54,7 @@ def _waits(one: BehindMove, move: Move, home: Part) -> Diagnostic:
     return home.finding(violation, place, wait, fix=fix)
 
 
-def _acts(one: BehindMove, move: Move, home: Part) -> Diagnostic:
+def _acts(one: BehindMove, move: MoveCall, home: Part) -> Diagnostic:
     target = move.arguments.get("topoint") or move.arguments.get("tojointpos")
     zone = move.arguments.get("zone")
     shown = "the target" if target is None else " ".join(home.module.span(target).text.split())

@@ -22,7 +22,7 @@ import numpy.typing as npt
 from rapidsim.frames import rigid
 from rapidsim.frames.rotation_vectors import cross
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.kinematics.arm import Branches, Followed, Kinematics
+from rapidsim.motion.kinematics.arm import Branches, BranchJoints, Kinematics
 from rapidsim.motion.kinematics.closed_form import opw_inverse
 from rapidsim.motion.kinematics.closed_form.opw_geometry import JOINT_COUNT, ROUNDING, OpwGeometry
 from rapidsim.motion.kinematics.closed_form.opw_scalar import SinglePose
@@ -154,19 +154,21 @@ class OrthoParallel(Kinematics):
         joints = np.where(exists[..., None], self.joints_from_theta(theta), 0.0)
         return Branches(joints, exists, shortfall)
 
-    def inverse_on_branch(self, base_from_flange: Transform, branch: int, near: Array) -> Followed:
+    def inverse_on_branch(
+        self, base_from_flange: Transform, branch: int, near: Array
+    ) -> BranchJoints:
         """Joints of poses (k,) on one branch; see `Kinematics.inverse_on_branch`."""
         near = np.asarray(near, dtype=np.float64)
         if near.ndim == 1 and len(base_from_flange) == 1:
             pose = rigid.from_transform(base_from_flange[0])
             single = self.single.inverse_on_branch(pose, branch, near.tolist())
             exists = np.array([single is not None])
-            return Followed(np.array([single or (0.0,) * JOINT_COUNT]), exists)
+            return BranchJoints(np.array([single or (0.0,) * JOINT_COUNT]), exists)
         theta, exists = opw_inverse.one_branch(
             self.geometry, self._opw6(base_from_flange), branch, self.theta_from_joints(near)
         )
         joints = in_turn_of(self.joints_from_theta(theta), exists, near)
-        return Followed(joints, exists)
+        return BranchJoints(joints, exists)
 
     def branch_of(self, joints: Array) -> npt.NDArray[np.int64]:
         """The branch of joint vectors (..., 6); on a border it is the front, the positive one."""

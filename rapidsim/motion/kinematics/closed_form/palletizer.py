@@ -16,7 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.kinematics.arm import Branches, Followed, Kinematics, Mask
+from rapidsim.motion.kinematics.arm import Branches, BranchJoints, Kinematics, Mask
 from rapidsim.motion.kinematics.closed_form.two_link import REACH_TOLERANCE, close_triangle
 from rapidsim.motion.kinematics.serial_chain import AxesAtZero, SerialChain
 from rapidsim.motion.kinematics.singularity import Singularity
@@ -122,13 +122,15 @@ class Palletizer(Kinematics):
         joints = np.where(exists[..., None], principal(angles), 0.0)
         return Branches(joints, exists, shortfall.min(axis=-1), tilt)
 
-    def inverse_on_branch(self, base_from_flange: Transform, branch: int, near: Array) -> Followed:
+    def inverse_on_branch(
+        self, base_from_flange: Transform, branch: int, near: Array
+    ) -> BranchJoints:
         """Joints of poses (k,) on one branch; see `Kinematics.inverse_on_branch`."""
         near = np.asarray(near, dtype=np.float64)
         flip = np.pi if branch & 2 else 0.0
         angles, shortfall, tilt = self._angles(base_from_flange, near[..., 0] - flip)
         exists = self._exists(shortfall, tilt)[..., branch]
-        return Followed(in_turn_of(principal(angles[..., branch, :]), exists, near), exists)
+        return BranchJoints(in_turn_of(principal(angles[..., branch, :]), exists, near), exists)
 
     def branch_of(self, joints: Array) -> npt.NDArray[np.int64]:
         """The branch of joint vectors (..., 4); on a border it is the front, the forward elbow."""

@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.kinematics.arm import Branches, Followed, Kinematics
+from rapidsim.motion.kinematics.arm import Branches, BranchJoints, Kinematics
 from rapidsim.motion.kinematics.numerical.damped_least_squares import descend
 from rapidsim.motion.kinematics.numerical.offset_wrist import NearArm, point_nearest
 from rapidsim.motion.kinematics.numerical.seeds import spread_starts
@@ -114,7 +114,9 @@ class Numerical(Kinematics):
             searched=True,
         )
 
-    def inverse_on_branch(self, base_from_flange: Transform, branch: int, near: Array) -> Followed:
+    def inverse_on_branch(
+        self, base_from_flange: Transform, branch: int, near: Array
+    ) -> BranchJoints:
         """Joints of poses (k,) that continue those of `near`, whatever the branch.
 
         With a single vector each row is searched for from the one before it.
@@ -131,7 +133,7 @@ class Numerical(Kinematics):
                 ended = descend(self.chain, base_from_flange[row : row + 1], before[None])
                 joints[row], exists[row] = ended.joints[0], ended.reached[0]
                 before = joints[row] if exists[row] else before
-        return Followed(in_turn_of(joints, exists, near), exists)
+        return BranchJoints(in_turn_of(joints, exists, near), exists)
 
     def branch_of(self, joints: Array) -> npt.NDArray[np.int64]:
         """0: there are no branches to tell apart."""
