@@ -1,8 +1,8 @@
 """How fast executed RAPID is: `python benchmarks/execution.py [ROUNDS]`.
 
 Each loop of `loops.mod` runs as generated code, as plain Python without checks, and in a closure
-interpreter, one after the other in every round; the minimum of the rounds is printed, since
-whatever else the machine does only adds time.
+interpreter, one after the other in every round; the minimum of the rounds is printed, in time of
+the processor, since whatever else the machine does only adds time.
 
 Loops that poll are run on the virtual controller, and the processor time that a virtual second
 takes is printed; next to nothing where nothing can change before the next event.
@@ -157,9 +157,9 @@ def _expect_equal_memory(task: Task, closures: Interpreter) -> None:
 
 
 def _seconds(way: Callable[[], None]) -> float:
-    begin = time.perf_counter()
+    begin = time.process_time()
     way()
-    return time.perf_counter() - begin
+    return time.process_time() - begin
 
 
 def _show(times: dict[str, list[float]]) -> None:

@@ -18,6 +18,7 @@ EXTRAS: Mapping[str, str] = MappingProxyType(
         "matplotlib": "plots",
         "numba": "fast",
         "aiohttp": "serve",
+        "cryptography": "serve",
     }
 )
 """The extra that brings a package."""

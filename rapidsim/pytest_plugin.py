@@ -107,6 +107,8 @@ class ServedController:
         ready = json.loads(line)
         self.rws1: str = ready["rws1"]
         """Where Robot Web Services 1.0 listens: `http://127.0.0.1:PORT`."""
+        self.rws2: str | None = ready["rws2"]
+        """Where Robot Web Services 2.0 listens, where that is asked for: `--rws2-port 0`."""
         self.home = Path(ready["home"])
         """The folder of HOME:."""
         self.ramdisk = Path(ready["ramdisk"])
@@ -146,7 +148,7 @@ def controller(
         name = f"controller-{len(served) + 1}"
         home = tmp_path / name
         home.mkdir()
-        own = ["--rws1-port", "0", "--home", str(home)]
+        own = ["--rws1-port", "0", "--rws2-port", "off", "--home", str(home)]
         given = [str(one) for one in arguments]
         served.append(
             ServedController([*own, *given], request.path.parent, tmp_path / f"{name}.log")

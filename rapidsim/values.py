@@ -116,6 +116,8 @@ def _comparison(names: tuple[str, ...]) -> dict[str, Callable[..., Any]]:
     facts = attrgetter(*names) if len(names) > 1 else _few(names)
 
     def __eq__(self: object, other: object) -> bool:  # noqa: N807
+        if self is other:
+            return True
         if type(other) is not type(self):
             return NotImplemented
         return bool(facts(self) == facts(other))

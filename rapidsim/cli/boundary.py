@@ -22,6 +22,7 @@ from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.group import commands
 from rapidsim.cli.terminal import PLAIN_CHARACTERS, Terminal, say
 from rapidsim.files import InputError, did_you_mean
+from rapidsim.syntax.collection import seldom_collected
 
 _LONGEST = 500
 """Characters of a line of a message; a name in a file may have millions."""
@@ -68,7 +69,10 @@ def _code_of(arguments: Sequence[str]) -> int:
             stream.reconfigure(errors=PLAIN_CHARACTERS)
     terminal = Terminal()
     try:
-        with commands.make_context("rapidsim", list(arguments), obj=terminal) as context:
+        with (
+            seldom_collected(),
+            commands.make_context("rapidsim", list(arguments), obj=terminal) as context,
+        ):
             code = commands.invoke(context)
         sys.stdout.flush()
         return int(code or ExitCode.CLEAN)

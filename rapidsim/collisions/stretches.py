@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import fields
 
 import numpy as np
 import numpy.typing as npt
 
 from rapidsim.collisions.convex import Index
 from rapidsim.frames.transform import Array
+from rapidsim.values import dataclass
 
 Mask = npt.NDArray[np.bool_]
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Final, NamedTuple
 
 from rapidsim.controller.cell.system_parameters import SystemParameters
 from rapidsim.files import InputError
 from rapidsim.language.equipment import Configured
 from rapidsim.language.errors import NotAllowed
+from rapidsim.values import dataclass
 
 _LOOPBACK: Final = frozenset({"", "localhost", "127.0.0.1"})
 _DOMAIN, _TYPE = "SIO", "COM_TRP"

@@ -12,7 +12,7 @@ import math
 import select
 import signal
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from multiprocessing.connection import Connection, wait
 from queue import SimpleQueue
 from threading import Thread
@@ -26,6 +26,7 @@ from rapidsim.motion.guidance.feedback import Feedback
 from rapidsim.motion.guidance.guided_run import GuidedRun
 from rapidsim.motion.guidance.joint_law import CYCLE_S
 from rapidsim.motion.guidance.sensor import SensorAnswer
+from rapidsim.values import dataclass
 
 _MOST_LATE: Final = 25
 """So many cycles are made up for; what is later comes later."""

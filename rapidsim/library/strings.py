@@ -39,7 +39,7 @@ from rapidsim.library.text import checked, parsed_value, value_text
 
 _PLACE = re.compile(r"\{(\d+)\}")
 _LATIN_1 = "iso-8859-1"
-_MAX_DECIMALS = 15
+MAX_DECIMALS = 15
 _DIVISION, _MODULUS = 3, 4
 """Places of OpDiv and OpMod among the operations."""
 _MAX_DIGITS_VALUE = 2**32 - 1
@@ -54,8 +54,8 @@ def num_to_str(val: Num, dec: Num, *, exp: Switch = False) -> String:
 def dnum_to_str(val: Dnum, dec: Num, *, exp: Switch = False) -> String:
     """A number with so many decimals, halves to the even digit; with an exponent if asked for."""
     decimals = int(dec)
-    if not 0 <= decimals <= _MAX_DECIMALS:
-        raise rapid_error(ERR_ARGVALERR, f"{decimals} decimals; 0 to {_MAX_DECIMALS} are possible")
+    if not 0 <= decimals <= MAX_DECIMALS:
+        raise rapid_error(ERR_ARGVALERR, f"{decimals} decimals; 0 to {MAX_DECIMALS} are possible")
     return checked(f"{val:.{decimals}{'E' if exp else 'f'}}")
 
 

@@ -4,24 +4,38 @@ from __future__ import annotations
 
 import asyncio
 import signal
+import ssl
 from collections.abc import Callable
 from contextlib import suppress
+from dataclasses import dataclass
 
 from aiohttp import web
 
 from rapidsim.files import InputError
 from rapidsim.server.http.app import Face
+from rapidsim.server.http.basic import BasicAuthentication
+from rapidsim.server.http.dialect import Dialect
 from rapidsim.server.http.digest import DigestAuthentication
+from rapidsim.server.http.first import FirstGeneration
 from rapidsim.server.http.guard import Guard
+from rapidsim.server.http.second import SecondGeneration
 from rapidsim.server.messages import Note, Told
 from rapidsim.server.process import EngineProcess
 from rapidsim.server.settings import ServerSettings
 
 
+@dataclass(frozen=True, slots=True)
+class Addresses:
+    """Where it listens; None where it does not."""
+
+    rws1: str | None
+    rws2: str | None
+
+
 def serve(
     engine: EngineProcess,
     settings: ServerSettings,
-    is_ready: Callable[[str], None],
+    is_ready: Callable[[Addresses], None],
     noted: Callable[[str], None],
 ) -> bool:
     """Serve a controller.
@@ -29,14 +43,14 @@ def serve(
     Args:
         engine: The controller, in its process.
         settings: Where, and to whom.
-        is_ready: Told the address, once it listens.
+        is_ready: Told the addresses, once all of them listen.
         noted: Told a line at each event that matters to whoever started it.
 
     Returns:
         Whether it was ended from outside; else its engine has died.
 
     Raises:
-        InputError: If the port is taken.
+        InputError: If a port is taken.
     """
     try:
         return asyncio.run(_serve(engine, settings, is_ready, noted))
@@ -47,16 +61,11 @@ def serve(
 async def _serve(
     engine: EngineProcess,
     settings: ServerSettings,
-    is_ready: Callable[[str], None],
+    is_ready: Callable[[Addresses], None],
     noted: Callable[[str], None],
 ) -> bool:
-    face = Face(
-        engine,
-        DigestAuthentication(settings.users),
-        Guard(settings.host),
-        settings.most_sessions,
-        settings.session_timeout_s,
-    )
+    guard = Guard(settings.host)
+    face = Face(engine, guard, settings.most_sessions, settings.session_timeout_s)
 
     def told(what: Told) -> None:
         if isinstance(what, Note):
@@ -72,25 +81,51 @@ async def _serve(
         # Windows has none in a loop; Ctrl-C raises KeyboardInterrupt there.
         with suppress(NotImplementedError):
             loop.add_signal_handler(number, over.set)
-    runner = web.AppRunner(face.app(), handle_signals=False, access_log=None, shutdown_timeout=1.0)
-    await runner.setup()
+    first = FirstGeneration(DigestAuthentication(settings.users))
+    second = SecondGeneration(BasicAuthentication(settings.users))
+    runners: list[web.AppRunner] = []
     try:
-        site = web.TCPSite(runner, settings.host, settings.rws1_port)
-        try:
-            await site.start()
-        except OSError as error:
-            where = f"{settings.host}:{settings.rws1_port}"
-            raise InputError(
-                f"{where} cannot be listened at: {error.strerror or error}",
-                "`--rws1-port 0` takes a free port",
-            ) from None
-        port = runner.addresses[0][1]
-        shown = f"[{settings.host}]" if ":" in settings.host else settings.host
-        is_ready(f"http://{shown}:{port}")
+        rws1 = rws2 = None
+        if settings.rws1_port is not None:
+            rws1 = await _listen(runners, face, first, settings.host, settings.rws1_port)
+        if settings.rws2_port is not None:
+            port, tls = settings.rws2_port, settings.tls
+            rws2 = await _listen(runners, face, second, settings.host, port, tls)
+        is_ready(Addresses(rws1, rws2))
         waits = [asyncio.create_task(one.wait()) for one in (over, engine.ended)]
         await asyncio.wait(waits, return_when=asyncio.FIRST_COMPLETED)
         for one in waits:
             one.cancel()
         return over.is_set()
     finally:
-        await runner.cleanup()
+        for runner in runners:
+            await runner.cleanup()
+
+
+async def _listen(
+    runners: list[web.AppRunner],
+    face: Face,
+    dialect: Dialect,
+    host: str,
+    port: int,
+    tls: ssl.SSLContext | None = None,
+) -> str:
+    """Listen at a port for one generation; its address.
+
+    Raises:
+        InputError: If the port is taken.
+    """
+    app = face.app(dialect)
+    runner = web.AppRunner(app, handle_signals=False, access_log=None, shutdown_timeout=1.0)
+    runners.append(runner)
+    await runner.setup()
+    try:
+        await web.TCPSite(runner, host, port, ssl_context=tls).start()
+    except OSError as error:
+        raise InputError(
+            f"{host}:{port} cannot be listened at: {error.strerror or error}",
+            f"`--rws{dialect.generation}-port 0` takes a free port",
+        ) from None
+    scheme = "http" if tls is None else "https"
+    shown = f"[{host}]" if ":" in host else host
+    return f"{scheme}://{shown}:{runner.addresses[0][1]}"

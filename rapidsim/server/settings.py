@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import field
 from pathlib import Path
+from ssl import SSLContext
 from types import MappingProxyType
 from typing import Final
 
@@ -41,8 +42,12 @@ class ServerSettings:
     """Where it is served, and to whom."""
 
     host: str = "127.0.0.1"
-    rws1_port: int = 8080
-    """0 takes a free one."""
+    rws1_port: int | None = 8080
+    """Of Robot Web Services 1.0; 0 takes a free one, None serves none."""
+    rws2_port: int | None = None
+    """Of Robot Web Services 2.0, likewise."""
+    tls: SSLContext | None = None
+    """Key and certificate for it."""
     users: Mapping[str, str] = field(default_factory=lambda: DEFAULT_USERS)
     most_sessions: int = 70
     session_timeout_s: float = 300.0

@@ -16,6 +16,8 @@ from rapidsim.simulation.live.states import Refused
 
 _SIGNALS: Final = "/rw/iosystem/signals/"
 _SYMBOLS: Final = "/rw/rapid/symbol/data/RAPID/"
+_SYMBOLS_2: Final = "/rw/rapid/symbol/RAPID/"
+"""Where RobotWare 7 has them; there `/data` stands behind a name."""
 _LOG: Final = "/rw/elog/"
 _QUEUES: Final = "/rw/dipc/"
 
@@ -151,7 +153,9 @@ class Subscriptions:
         Raises:
             RefusedRequest: If there is none, or nothing of it can be listened to.
         """
-        if resource.startswith(_SYMBOLS):
+        if resource.startswith(_SYMBOLS) or (
+            resource.startswith(_SYMBOLS_2) and resource.endswith("/data;value")
+        ):
             return lambda: tuple(self._symbol_items(resource))
         base, _, kind = resource.partition(";")
         for address, suffix, event, item in _STATES:
@@ -162,6 +166,8 @@ class Subscriptions:
 
     def _symbol_items(self, resource: str) -> Iterator[Item]:
         address = resource.removeprefix(_SYMBOLS)
+        if resource.startswith(_SYMBOLS_2):
+            address = resource.removeprefix(_SYMBOLS_2).removesuffix("/data;value")
         try:
             data = symbols.value_item(self.context, address)
         except RefusedRequest:
@@ -173,6 +179,7 @@ class Subscriptions:
 
 _STATES: Final = (
     ("/rw/panel/ctrlstate", "ctrlstate", "pnl-ctrlstate-ev", panel.state_item),
+    ("/rw/panel/ctrl-state", "ctrl-state", "pnl-ctrlstate-ev", panel.state_item),
     ("/rw/panel/opmode", "opmode", "pnl-opmode-ev", panel.mode_item),
     ("/rw/panel/speedratio", "speedratio", "pnl-speedratio-ev", panel.speed_item),
     ("/rw/rapid/execution", "ctrlexecstate", "rap-ctrlexecstate-ev", programs.execution_item),
@@ -182,5 +189,5 @@ _STATES: Final = (
 
 
 def _event(item: Item, event: str, suffix: str, href: str) -> Item:
-    field_name = {"rapidexeccycle": "cycle"}.get(suffix, suffix)
+    field_name = {"rapidexeccycle": "cycle", "ctrl-state": "ctrlstate"}.get(suffix, suffix)
     return Item(event, item.title, {field_name: item.fields[field_name]}, href=href)

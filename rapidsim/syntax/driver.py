@@ -13,9 +13,14 @@ from typing import Any, NamedTuple
 from rapidsim.syntax import tree
 from rapidsim.syntax.builder import Build, Builder
 from rapidsim.syntax.lexer import Tokens
+from rapidsim.syntax.shapes import Shapes, after_passes
+from rapidsim.syntax.shapes import beginnings as beginnings_of_statements
 from rapidsim.syntax.stored_table import rapid_table
 from rapidsim.syntax.table import ACCEPT
 from rapidsim.syntax.terminals import TERMINALS
+
+_FIRST_OF_SHAPES = frozenset({"NAME", "CONST"})
+"""What lines begin with of which generated programs have thousands: calls, data."""
 
 
 class _Reduction(NamedTuple):
@@ -47,7 +52,18 @@ def build_tree(tokens: Tokens, builder: Builder) -> tuple[tree.Module, ...] | No
     firsts: list[int] = []  # offset where each value begins
     position = 0
     kind = kinds[0]
+    shapes, beginnings = Shapes(kinds), beginnings_of_statements()
+    builds = [reduction.build for reduction in reductions]
     while True:
+        if kind in _FIRST_OF_SHAPES and states[-1] in beginnings:
+            found = shapes.at(position, states[-1])
+            if found is not None:
+                length, shape = found
+                values += shape.build(builds, starts, ends, text, position)
+                firsts += [starts[position + first] for first in shape.firsts]
+                states += shape.states
+                position += length
+                kind = kinds[position]
         action = actions[states[-1]].get(kind)
         if action is None:
             return None
@@ -89,7 +105,7 @@ def build_tree(tokens: Tokens, builder: Builder) -> tuple[tree.Module, ...] | No
         key = (states[-1], state, kind)
         final = settled.get(key)
         if final is None:
-            final = settled[key] = _after_passes(*key)
+            final = settled[key] = after_passes(*key)
         states.append(final)
 
 
@@ -124,24 +140,8 @@ def _flattened(children: list[Any]) -> list[Any]:
 
 @cache
 def _settled() -> dict[tuple[int, int, str], int]:
-    """What `_after_passes` has answered; at most one entry for each state, goto and terminal."""
+    """What `after_passes` has answered; at most one entry for each state, goto and terminal."""
     return {}
-
-
-def _after_passes(below: int, state: int, kind: str) -> int:
-    """The state once every rule that only passes its single symbol on has been reduced.
-
-    From a number to a whole expression there are eight such rules; none of them does anything.
-    """
-    table = rapid_table()
-    while True:
-        action = table.actions[state].get(kind)
-        if action is None or action >= 0:
-            return state
-        rule = table.rules[-action - 1]
-        if rule.length != 1 or rule.build is not None:
-            return state
-        state = table.gotos[below][rule.origin]
 
 
 def _reductions(builder: Builder) -> list[_Reduction]:

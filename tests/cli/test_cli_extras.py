@@ -73,6 +73,6 @@ def test_messages_name_the_extras_there_are() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     offered = project["optional-dependencies"]
     assert set(offered) - {"all", "dev", "docs"} == set(EXTRAS.values())
-    assert offered["all"] == [f"rapidsim[{','.join(sorted(EXTRAS.values()))}]"]
+    assert offered["all"] == [f"rapidsim[{','.join(sorted(set(EXTRAS.values())))}]"]
     for package, extra in EXTRAS.items():
-        assert offered[extra][0].startswith(package)
+        assert any(one.startswith(package) for one in offered[extra])

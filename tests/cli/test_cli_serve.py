@@ -40,7 +40,7 @@ def test_it_says_where_it_listens_and_ends_when_told(
 
 def test_a_program_with_errors_is_not_served(tmp_path: Path) -> None:
     (tmp_path / "bad.mod").write_text(PROGRAM.replace("WaitTime 1", "WaitTime nothing"))
-    done = call("serve", "bad.mod", "--rws1-port", "0", cwd=tmp_path)
+    done = call("serve", "bad.mod", "--rws1-port", "0", "--rws2-port", "off", cwd=tmp_path)
     assert (done.code, done.out) == (1, "")
     assert "N201" in done.err
 
@@ -51,7 +51,7 @@ def test_a_port_that_is_taken_is_told(tmp_path: Path) -> None:
         taken.bind(("127.0.0.1", 0))
         taken.listen()
         port = str(taken.getsockname()[1])
-        done = call("serve", "job.mod", "--rws1-port", port, cwd=tmp_path)
+        done = call("serve", "job.mod", "--rws1-port", port, "--rws2-port", "off", cwd=tmp_path)
     assert (done.code, done.out) == (2, "")
     assert f"127.0.0.1:{port} cannot be listened at" in done.err
 
@@ -64,12 +64,14 @@ def test_a_port_that_is_taken_is_told(tmp_path: Path) -> None:
         (("job.mod", "--speed", "0"), "neither a positive number nor max"),
         (("job.mod", "--request-time", "1"), "needs --lock-step"),
         (("job.mod", "--user", "nobody"), "takes NAME:PASSWORD"),
+        (("job.mod", "--rws1-port", "off"), "nobody could reach"),
+        (("job.mod", "--rws1-port", "70000"), "neither a number from 0 to 65535 nor off"),
         (("-",), "no program from standard input"),
         (("none.mod",), "none.mod"),
     ],
 )
 def test_wrong_usage(arguments: tuple[str, ...], told: str, tmp_path: Path) -> None:
     (tmp_path / "job.mod").write_text(PROGRAM)
-    done = call("serve", *arguments, cwd=tmp_path)
+    done = call("serve", "--rws2-port", "off", *arguments, cwd=tmp_path)
     assert (done.code, done.out) == (2, "")
     assert told in done.err

@@ -274,9 +274,7 @@ class RecordingController(Undisturbed):
     def clear_screen(self) -> None:
         self.log.append("clear")
 
-    @property
-    def has_answered(self) -> bool:
-        return False
+    has_answered = False
 
     def asking(self, instruction: str) -> AbstractContextManager[None]:
         del instruction

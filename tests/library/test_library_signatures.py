@@ -31,6 +31,7 @@ DIFFERENT = {
     "CapL": "the data differ from site to site",
     "ContactL": "DesiredTorque is a number",
     "EGMActJoint": "J7 is like J1 to J6",
+    "EGMMoveC": "EGMid has lost its first letter",
     "EGMRunJoint": "NoWaitCond came with RobotWare 7",
     "EGMRunPose": "NoWaitCond came with RobotWare 7",
     "EGMActPose": "z is like x and y",

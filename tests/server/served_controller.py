@@ -14,8 +14,11 @@ from aiohttp import web
 from rapidsim.jobs.asked import Asked
 from rapidsim.server.engine import Engine
 from rapidsim.server.http.app import Face
+from rapidsim.server.http.basic import BasicAuthentication
 from rapidsim.server.http.digest import DigestAuthentication
+from rapidsim.server.http.first import FirstGeneration
 from rapidsim.server.http.guard import Guard
+from rapidsim.server.http.second import SecondGeneration
 from rapidsim.server.link import DirectLink
 from rapidsim.server.loading import engine_of, ready
 from rapidsim.server.settings import DEFAULT_USERS, EngineSettings
@@ -32,6 +35,8 @@ class Served:
     client: aiohttp.ClientSession
     engine: Engine
     face: Face
+    second: str = ""
+    """Where Robot Web Services 2.0 is."""
 
     async def get(self, path: str) -> list[dict[str, Any]]:
         """The items of a resource, as JSON."""
@@ -106,18 +111,24 @@ async def _serve(
     settings = EngineSettings(request_s=STEP_S)
     link = DirectLink(lambda told: engine_of(made, settings, told))
     users = DigestAuthentication(DEFAULT_USERS)
-    face = Face(link, users, Guard("127.0.0.1"), **limits)
+    face = Face(link, Guard("127.0.0.1"), **limits)
     link.listener = face.told
-    runner = web.AppRunner(face.app())
-    await runner.setup()
+    # Both without TLS, whose package and key have tests of their own.
+    dialects = (
+        FirstGeneration(users),
+        SecondGeneration(BasicAuthentication(DEFAULT_USERS)),
+    )
+    runners = [web.AppRunner(face.app(one)) for one in dialects]
     try:
-        site = web.TCPSite(runner, "127.0.0.1", 0)
-        await site.start()
-        port = runner.addresses[0][1]
+        for runner in runners:
+            await runner.setup()
+            await web.TCPSite(runner, "127.0.0.1", 0).start()
+        first, second = (f"http://127.0.0.1:{one.addresses[0][1]}" for one in runners)
         async with _client() as client:
-            return await use(Served(f"http://127.0.0.1:{port}", client, link.engine, face))
+            return await use(Served(first, client, link.engine, face, second))
     finally:
-        await runner.cleanup()
+        for runner in runners:
+            await runner.cleanup()
 
 
 def _client() -> aiohttp.ClientSession:

@@ -95,7 +95,9 @@ def _check_arguments(
                 context.report(BadOption(problem, "give one of them"), argument)
         match argument:
             case tree.Required(value=value):
-                kind = _signal_beside(argument, bound, context)
+                kind = (
+                    _signal_beside(argument, bound, context) if formal.takes_all_signals else None
+                )
                 found = check_argument(value, formal, context, type_of, beside=beside, alike=kind)
                 if types.DNUM in formal.types:
                     beside = found
@@ -117,8 +119,6 @@ def _signal_beside(
         for one, formal in bound
         if isinstance(one, tree.Required) and formal.takes_all_signals
     ]
-    if argument.value not in takes_all:
-        return None
     for other in takes_all:
         match find(other.name.key, context) if isinstance(other, tree.Reference) else None:
             case DataSymbol(type=of) | ParameterSymbol(type=of) if resolved(of) in types.SIGNALS:

@@ -8,6 +8,7 @@ import sys
 from contextlib import redirect_stdout
 from math import inf
 from pathlib import Path
+from ssl import SSLContext
 
 import click
 
@@ -36,11 +37,17 @@ _MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
 )
 @click.option(
     "--rws1-port",
-    metavar="N",
-    type=click.IntRange(0, 65535),
-    default=8080,
+    metavar="N|off",
+    default="8080",
     show_default=True,
-    help="The port of Robot Web Services 1.0; 0 takes a free one.",
+    help="The port of Robot Web Services 1.0 (RobotWare 6); 0 takes a free one, off serves none.",
+)
+@click.option(
+    "--rws2-port",
+    metavar="N|off",
+    default="8443",
+    show_default=True,
+    help="The port of Robot Web Services 2.0 (RobotWare 7), with TLS.",
 )
 @click.option(
     "--speed",
@@ -124,7 +131,8 @@ def serve(
     task: str | None,
     io: str | None,
     host: str,
-    rws1_port: int,
+    rws1_port: str,
+    rws2_port: str,
     speed: str,
     lock_step: bool,
     request_time: float | None,
@@ -139,7 +147,7 @@ def serve(
     network_hosts: tuple[str, ...],
     journal: str | None,
 ) -> int:
-    """Serve a virtual controller to clients of Robot Web Services 1.0.
+    """Serve a virtual controller to clients of Robot Web Services 1.0 and 2.0.
 
     PATH is as for `rapidsim run`. The first line on stdout says, as JSON, where it listens. It runs
     until Ctrl-C or SIGTERM.
@@ -147,16 +155,22 @@ def serve(
     Exit codes: 0 it was ended, 1 the program has errors, 2 wrong usage or a port that is taken.
     """
     require("aiohttp", "rapidsim serve")
+    ports = _port("--rws1-port", rws1_port), _port("--rws2-port", rws2_port)
+    if ports[1] is not None:
+        require("cryptography", "--rws2-port")
     from rapidsim.egm.devices import read_device
     from rapidsim.jobs.run_files import ProgramRejectedError
     from rapidsim.server.http.guard import is_loopback
     from rapidsim.server.process import started
+    from rapidsim.server.serve import Addresses
     from rapidsim.server.serve import serve as serve_engine
     from rapidsim.server.settings import DEFAULT_USERS, EngineSettings, ServerSettings
     from rapidsim.simulation.live.states import Mode, Motors
 
     if "-" in paths:
         raise InputError("serve reads no program from standard input", "name a file or a folder")
+    if ports == (None, None):
+        raise InputError("--rws1-port off, --rws2-port off: nobody could reach the controller")
     if request_time is not None and not lock_step:
         raise InputError("--request-time: it needs --lock-step")
     if not users and not is_loopback(host):
@@ -185,7 +199,9 @@ def serve(
     )
     server_settings = ServerSettings(
         host=host,
-        rws1_port=rws1_port,
+        rws1_port=ports[0],
+        rws2_port=ports[1],
+        tls=None if ports[1] is None else _tls(),
         users=_users(users) if users else DEFAULT_USERS,
         most_sessions=max_sessions,
         # In lock-step nothing depends on the wall, sessions included.
@@ -197,10 +213,11 @@ def serve(
         _print_rejected(asked, rejected.diagnostics)
         return ExitCode.FINDINGS
 
-    def ready(address: str) -> None:
+    def ready(where: Addresses) -> None:
         line = {
             "ready": True,
-            "rws1": address,
+            "rws1": where.rws1,
+            "rws2": where.rws2,
             "egm": dict(engine.there.sensors),
             "home": str(engine.there.home),
             "ramdisk": str(engine.there.ramdisk),
@@ -213,6 +230,21 @@ def serve(
     if not ended:
         say("error: the controller's process has ended; please report this", err=True)
     return ExitCode.CLEAN if ended else ExitCode.DEFECT
+
+
+def _port(option: str, text: str) -> int | None:
+    if text == "off":
+        return None
+    if not (text.isascii() and text.isdecimal() and len(text) < 6 and int(text) < 65536):
+        raise InputError(f"{option}: `{text}` is neither a number from 0 to 65535 nor off")
+    return int(text)
+
+
+def _tls() -> SSLContext:
+    """The server's key; whoever wants no TLS needs no package for it."""
+    from rapidsim.server.http.certificate import default_folder, tls_context
+
+    return tls_context(default_folder())
 
 
 def _speed(text: str) -> float | None:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TypeAlias
+
+from rapidsim.values import dataclass
 
 AnswerValue: TypeAlias = float | int | str
 """A number, the index of a key, or a text."""

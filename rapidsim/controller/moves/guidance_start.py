@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
@@ -23,6 +22,7 @@ from rapidsim.motion.guidance.guided_run import GuidedRun, Terms
 from rapidsim.motion.guidance.joint_law import CYCLE_S, GuidedAxes, JointMotion, Tuning
 from rapidsim.motion.timing.axis_limits import Limits
 from rapidsim.motion.trajectory.guided_stretch import GuidedStretch
+from rapidsim.values import dataclass
 
 DEFAULT_BAND: Final = EgmMinMax(-0.5, 0.5)
 r"""What \J1 and its like are where nobody says: so near [deg, mm] the robot is there."""

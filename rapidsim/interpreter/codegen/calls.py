@@ -14,6 +14,7 @@ from rapidsim.analysis.program import LibrarySymbol, ParameterSymbol, RoutineSym
 from rapidsim.interpreter.codegen.ast_builder import At
 from rapidsim.interpreter.codegen.data_access import Paths, bare, by_reference
 from rapidsim.interpreter.codegen.expression_code import Code
+from rapidsim.interpreter.codegen.inlined_functions import function_in_place
 from rapidsim.interpreter.codegen.operands import Operands
 from rapidsim.interpreter.codegen.special_forms import SPECIAL_FORMS
 from rapidsim.interpreter.limits import NotExecutableError
@@ -248,6 +249,9 @@ class Calls:
         signature = routine.signature
         given = match_arguments(call.arguments, signature.parameters)
         function = at.name(self._names.module.library(routine))
+        in_place = function_in_place(routine, call, self._expressions, function, at)
+        if in_place is not None:
+            return in_place
         values, options, calls = self._library_arguments(signature, given, at)
         if not signature.takes_controller:
             return Code(at.call(function, values, options), may_raise=True, calls=calls)

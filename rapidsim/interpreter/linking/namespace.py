@@ -6,6 +6,7 @@ task; `task_functions` speak to one task's controller.
 
 from __future__ import annotations
 
+import math
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
@@ -71,6 +72,7 @@ FUNCTIONS: Mapping[str, object] = MappingProxyType(
         "_index_tables": arrays.INDEX_TABLES,
         "_is_persistent": is_persistent,
         "_len": len,
+        "_magnitude": abs,
         "_negate_position": arithmetic.negate_position,
         "_new": tuple.__new__,
         "_numbered_name": numbered_name,
@@ -82,6 +84,7 @@ FUNCTIONS: Mapping[str, object] = MappingProxyType(
         "_raised": error_recovery.raised,
         "_range": range,
         "_remainder": arithmetic.integer_remainder,
+        "_root": math.sqrt,
         "_scale_position": arithmetic.scale_position,
         "_scaled_position": arithmetic.scaled_position,
         "_steps": arithmetic.steps,

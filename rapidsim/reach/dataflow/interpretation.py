@@ -21,7 +21,7 @@ from rapidsim.analysis.program import (
     Symbol,
     does,
 )
-from rapidsim.analysis.tree_walk import clauses, descendants, statements
+from rapidsim.analysis.tree_walk import clauses, statements
 from rapidsim.interpreter.codegen.calls import match_arguments
 from rapidsim.interpreter.codegen.data_access import bare, by_reference
 from rapidsim.interpreter.runtime import arithmetic
@@ -111,20 +111,13 @@ class _Walker:
     def walk_all(self) -> None:
         """Main first, then what nothing calls, then the rest."""
         main = self.program.routines.get(ENTRY)
-        called = {
-            symbol
-            for routine in self.effects.routines
-            for body in clauses(routine.node)
-            for statement in statements(body)
-            for node in descendants(statement)
-            if isinstance(node, tree.Call | tree.FunctionCall)
-            and isinstance(symbol := self.program.symbol_of.get(node), RoutineSymbol)
-        }
         if main is not None:
             self._from_start = True
             self._walk_alone(main, State())
             self._from_start = False
-        uncalled = [routine for routine in self.effects.routines if routine not in called]
+        uncalled = [
+            routine for routine in self.effects.routines if routine not in self.effects.called
+        ]
         for routine in (*uncalled, *self.effects.routines):
             if routine not in self._entered and self.effects.of_routine(routine).moves:
                 settings = _START.forgetting(self.effects.everything.settings)

@@ -138,10 +138,20 @@ class ProgramEffects:
         return symbol in self.everything.writes
 
     @cached_property
-    def _routine_effects(self) -> dict[RoutineSymbol, Effects]:
-        direct = {
+    def called(self) -> frozenset[RoutineSymbol]:
+        """The routines that some routine calls by their names."""
+        return frozenset(one for direct in self._by_routine.values() for one in direct.calls)
+
+    @cached_property
+    def _by_routine(self) -> dict[RoutineSymbol, _Direct]:
+        """What each routine does itself."""
+        return {
             routine: self._direct(statements(*clauses(routine.node))) for routine in self.routines
         }
+
+    @cached_property
+    def _routine_effects(self) -> dict[RoutineSymbol, Effects]:
+        direct = self._by_routine
         nothing = Effects(frozenset(), frozenset(), moves=False)
         effects = dict.fromkeys(self.routines, nothing)
         while True:
@@ -213,13 +223,12 @@ class ProgramEffects:
             found.calls_anything = True
         if Does.WRITE_BY_NAME in library.does:
             found.writes.update(self._all_data)
-        given = match_arguments(arguments, library.signature.parameters)
-        for parameter in library.signature.parameters:
-            # Tools and work objects are given as PERS and only read.
-            if parameter.mode in (Mode.INOUT, Mode.VAR):
-                found.writes.update(
-                    self._referred(parameter.mode, given.get(parameter.name.lower()))
-                )
+        parameters = library.signature.parameters
+        # Tools and work objects are given as PERS and only read.
+        written = [one for one in parameters if one.mode in (Mode.INOUT, Mode.VAR)]
+        given = match_arguments(arguments, parameters) if written else {}
+        for parameter in written:
+            found.writes.update(self._referred(parameter.mode, given.get(parameter.name.lower())))
 
     def _referred(self, mode: Mode, given: Given | None) -> Iterator[Symbol]:
         if given is not None and given.value is not None and by_reference(mode):

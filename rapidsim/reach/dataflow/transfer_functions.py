@@ -44,7 +44,9 @@ def perform(
     if any(parameter.deferred for parameter in signature.parameters):
         return "only a run can tell"
     given = match_arguments(arguments, signature.parameters)
-    values = evaluator.arguments(signature.parameters, given)
+    # Most instructions have many options, and most calls few arguments.
+    there = [one for one in signature.parameters if one.name.lower() in given]
+    values = evaluator.arguments(there, given)
     if isinstance(values, Unknown):
         return values.reason
     cells: list[tuple[Box[Known], Known, tree.DataPath]] = []
@@ -52,10 +54,8 @@ def perform(
     if signature.takes_controller:
         required.append(signature.asked_of(one_for_all(recorder)))
     options: dict[str, object] = {}
-    for parameter in signature.parameters:
+    for parameter in there:
         key = parameter.name.lower()
-        if key not in values:
-            continue
         value = values[key]
         if by_reference(parameter.mode):
             if any(isinstance(resolved(of), ArrayOf) for of in parameter.types):

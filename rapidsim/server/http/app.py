@@ -1,6 +1,6 @@
-"""Robot Web Services 1.0 over HTTP: who comes in, what is asked, how it is answered.
+"""Robot Web Services over HTTP: who comes in, what is asked, how it is answered.
 
-The engine decides what becomes of a request; files are served here.
+The engine decides what becomes of a request. Both generations share sessions and subscriptions.
 """
 
 from __future__ import annotations
@@ -11,19 +11,10 @@ from dataclasses import dataclass, field
 from typing import Final
 from urllib.parse import unquote
 
-from aiohttp import WSMsgType, web
+from aiohttp import WSCloseCode, WSMsgType, web
 
-from rapidsim.server.http.bodies import (
-    JSON,
-    XHTML,
-    event_text,
-    json_body,
-    json_refusal,
-    subscribed,
-    xhtml_body,
-    xhtml_refusal,
-)
-from rapidsim.server.http.digest import DigestAuthentication
+from rapidsim.server.http.bodies import event_text
+from rapidsim.server.http.dialect import Dialect
 from rapidsim.server.http.guard import Guard
 from rapidsim.server.http.sessions import Session, Sessions
 from rapidsim.server.link import EngineEndedError, Link
@@ -32,7 +23,6 @@ from rapidsim.server.messages import (
     Change,
     Item,
     Refusal,
-    Reply,
     Request,
     SessionEnded,
     Subscribe,
@@ -49,10 +39,12 @@ MOST_RESOURCES: Final = 1000
 """Of one group."""
 MOST_WAITING: Final = 1000
 """Events that wait for a slow reader; the oldest of all are dropped first."""
-PROTOCOL: Final = "robapi2_subscription"
+_NO_SPEAKING: Final = b"Client cannot send data."
+"""What a controller says to a client that speaks on a websocket where it may not."""
 
 Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 _SESSION: Final = web.RequestKey("session", Session)
+_DIALECT: Final = web.AppKey("dialect", Dialect)
 
 
 @dataclass(eq=False)
@@ -68,10 +60,9 @@ class _Group:
 
 @dataclass(eq=False)
 class Face:
-    """One server's side of Robot Web Services 1.0."""
+    """One server's side of Robot Web Services."""
 
     link: Link
-    users: DigestAuthentication
     guard: Guard
     most_sessions: int = 70
     idle_s: float = 300.0
@@ -84,9 +75,10 @@ class Face:
         """Begin without sessions."""
         self.sessions = Sessions(self.most_sessions, self.idle_s, self._session_ended)
 
-    def app(self) -> web.Application:
-        """The application, whose one handler takes every request."""
+    def app(self, dialect: Dialect) -> web.Application:
+        """The application of a generation, whose one handler takes every request."""
         app = web.Application(middlewares=[self._admitted], client_max_size=MOST_BYTES)
+        app[_DIALECT] = dialect
         app.router.add_route("*", "/{tail:.*}", self._handled)
         app.on_shutdown.append(self._close)
         return app
@@ -110,11 +102,11 @@ class Face:
         session = self.sessions.find(request.cookies)
         fresh = session is None
         if session is None:
-            header = request.headers.get("Authorization", "")
-            user = self.users.user(header, request.method, request.raw_path)
+            header, users = request.headers.get("Authorization", ""), request.app[_DIALECT].users
+            user = users.user(header, request.method, request.raw_path)
             if user is None:
                 return web.Response(
-                    status=401, headers={"WWW-Authenticate": self.users.challenge}, text=""
+                    status=401, headers={"WWW-Authenticate": users.challenge}, text=""
                 )
             session = self.sessions.begin(user)
             if session is None:
@@ -133,6 +125,10 @@ class Face:
         return response
 
     async def _handled(self, request: web.Request) -> web.StreamResponse:
+        dialect = request.app[_DIALECT]
+        objection = dialect.objection(request)
+        if objection is not None:
+            return objection
         path = unquote(request.rel_url.raw_path).strip("/")
         first, _, rest = path.partition("/")
         match first:
@@ -142,63 +138,73 @@ class Face:
                 return await self._subscription(request, rest)
             case "logout" if request.method == "GET":
                 self.sessions.end(request[_SESSION])
-                return _shown(request, Answer())
+                return dialect.shown(request, Answer())
         is_file = first == "fileservice"
         content, form = b"", dict[str, str]()
         if is_file and request.method == "PUT":
             content = await request.read()
         else:
             form = {key: str(value) for key, value in (await request.post()).items()}
-        session = request[_SESSION].number
-        asked = Request(request.method, f"/{path}", dict(request.query), form, session, content)
+        asked = Request(
+            request.method,
+            f"/{path}",
+            dict(request.query),
+            form,
+            request[_SESSION].number,
+            content,
+            dialect.generation,
+        )
         reply = await self.link.ask(asked)
         if is_file and isinstance(reply, Refusal):
-            # XHTML whatever was asked for, as controllers do.
-            body = xhtml_refusal(reply, _base(request))
-            return web.Response(status=reply.status, text=body, content_type=XHTML)
+            return dialect.file_refused(request, reply)
         if is_file and request.method != "GET":
             return web.Response(status=reply.status)
-        return _shown(request, reply)
+        return dialect.shown(request, reply)
 
     async def _subscription(self, request: web.Request, rest: str) -> web.StreamResponse:
+        dialect = request.app[_DIALECT]
         match request.method, rest:
             case "POST", "":
                 return await self._subscribe(request)
             case "DELETE", number if number.isdecimal() and int(number) in self._groups:
                 await self._end(self._groups[int(number)])
-                return _shown(request, Answer())
-        return _shown(request, Refusal(*NOT_FOUND, f"there is no subscription {rest}"))
+                return dialect.shown(request, Answer())
+        return dialect.shown(request, Refusal(*NOT_FOUND, f"there is no subscription {rest}"))
 
     async def _subscribe(self, request: web.Request) -> web.StreamResponse:
+        dialect = request.app[_DIALECT]
         form = {key: str(value) for key, value in (await request.post()).items()}
         # Whatever the numbers are, a resource is what has a priority.
         resources = tuple(value for key, value in form.items() if f"{key}-p" in form)
         if not resources or len(resources) > MOST_RESOURCES or len(self._groups) >= MOST_GROUPS:
-            return _shown(request, Refusal(*BAD_PARAMETER, "none, or too many, subscriptions"))
+            refusal = Refusal(*BAD_PARAMETER, "none, or too many, subscriptions")
+            return dialect.shown(request, refusal)
         self._last_group += 1
         group = _Group(self._last_group, request[_SESSION].number)
         self._groups[group.number] = group
         reply = await self.link.ask(Subscribe(group.number, resources))
         if isinstance(reply, Refusal):
             del self._groups[group.number]
-            return _shown(request, reply)
-        link = f"ws://{request.host}/poll/{group.number}"
-        body = subscribed(group.number, link, _base(request))
-        return web.Response(status=201, headers={"Location": link}, text=body, content_type=XHTML)
+            return dialect.shown(request, reply)
+        return dialect.subscribed(request, group.number)
 
     async def _poll(self, request: web.Request, rest: str) -> web.StreamResponse:
+        dialect = request.app[_DIALECT]
         group = self._groups.get(int(rest)) if rest.isdecimal() else None
         if group is None:
-            return _shown(request, Refusal(*NOT_FOUND, f"there is no subscription {rest}"))
-        socket = web.WebSocketResponse(protocols=(PROTOCOL,), heartbeat=30.0)
-        if not socket.can_prepare(request).ok:
-            return _shown(request, Refusal(*BAD_PARAMETER, "this address is for websockets"))
+            return dialect.shown(request, Refusal(*NOT_FOUND, f"there is no subscription {rest}"))
+        socket = web.WebSocketResponse(protocols=(dialect.protocol,), heartbeat=30.0)
+        ready = socket.can_prepare(request)
+        if not ready.ok or (not dialect.clients_may_speak and ready.protocol is None):
+            return dialect.shown(request, Refusal(*BAD_PARAMETER, "this address is for websockets"))
         await socket.prepare(request)
         sending = asyncio.create_task(_send(group, socket))
         try:
             async for message in socket:
                 if message.type is WSMsgType.ERROR:
                     break
+                if not dialect.clients_may_speak:
+                    await socket.close(code=WSCloseCode.POLICY_VIOLATION, message=_NO_SPEAKING)
         finally:
             sending.cancel()
             await self._end(group)
@@ -241,25 +247,3 @@ async def _send(group: _Group, socket: web.WebSocketResponse) -> None:
         if group.is_over:
             await socket.close()
             return
-
-
-def _shown(request: web.Request, reply: Reply) -> web.Response:
-    """A reply in the form that was asked for."""
-    base, as_json = _base(request), request.query.get("json") == "1"
-    if isinstance(reply, Refusal):
-        write = json_refusal if as_json else xhtml_refusal
-        text, status = write(reply, base), reply.status
-    elif reply.content is not None:
-        return web.Response(body=reply.content, content_type="application/octet-stream")
-    elif reply.status == 204:
-        return web.Response(status=204)
-    else:
-        text = json_body(reply, base) if as_json else xhtml_body(reply, base)
-        status = reply.status
-    # The whole header is compared by a public client: no charset.
-    headers = {"Content-Type": JSON if as_json else XHTML}
-    return web.Response(status=status, body=text.encode(), headers=headers)
-
-
-def _base(request: web.Request) -> str:
-    return f"{request.scheme}://{request.host}/"

@@ -1,4 +1,4 @@
-"""Answers as bodies of Robot Web Services 1.0: JSON, XHTML, and the text of an event."""
+"""Answers as bodies of Robot Web Services: JSON, HAL JSON, XHTML, and the text of an event."""
 
 from __future__ import annotations
 
@@ -11,6 +11,8 @@ from rapidsim.server.messages import Answer, Item, Refusal
 
 JSON: Final = "application/json"
 XHTML: Final = "application/xhtml+xml"
+_DONE: Final = 294912
+"""What RobotWare 7 calls success."""
 _PARTS: Final = {"sys-options-li": "options"}
 """Under which name JSON has what an item of a class consists of; `attrib` for all others."""
 _HEAD: Final = (
@@ -33,9 +35,30 @@ def json_refusal(refusal: Refusal, base: str) -> str:
     return json.dumps({"_links": {"base": {"href": base}}, "_embedded": embedded})
 
 
+def hal_body(answer: Answer, base: str) -> str:
+    """What was asked for as HAL JSON, as RobotWare 7 writes it."""
+    links: dict[str, object] = {"base": {"href": base}}
+    if answer.following:
+        links["next"] = {"href": answer.following}
+    items = [_json_item(one) for one in answer.items]
+    resources = [{"_links": {"self": {"href": one}}, "_title": one} for one in answer.links]
+    shown: dict[str, object] = {"_links": links, "status": {"code": _DONE}, "state": items}
+    if resources:
+        shown["_embedded"] = {"resources": resources}
+    return json.dumps(shown)
+
+
+def hal_refusal(refusal: Refusal, base: str) -> str:
+    """An error as HAL JSON."""
+    status = {"code": refusal.code, "msg": refusal.message}
+    return json.dumps({"_links": {"base": {"href": base}}, "status": status})
+
+
 def xhtml_body(answer: Answer, base: str) -> str:
     """What was asked for as a page."""
     links = "".join(f'<a href="{_quoted(one)}" rel="{_quoted(one)}"/>' for one in answer.links)
+    if answer.following:
+        links += f'<a href="{_quoted(answer.following)}" rel="next"/>'
     items = "".join(_xhtml_item(one) for one in answer.items)
     return _page(base, f'<div class="state"><a href="" rel="self"/>{links}<ul>{items}</ul></div>')
 

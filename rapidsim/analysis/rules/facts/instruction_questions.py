@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from weakref import WeakKeyDictionary
 
 from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.parameters import Formal
@@ -14,7 +15,7 @@ from rapidsim.syntax import tree
 from rapidsim.values import dataclass
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Move:
     """A call that moves the robot, with the arguments rules look at."""
 
@@ -22,6 +23,10 @@ class Move:
     arguments: Mapping[str, tree.Expression | None]
     """By folded parameter name; None for a switch."""
     does: Does
+
+
+_MOVES: WeakKeyDictionary[Facts, dict[tree.Node, Move]] = WeakKeyDictionary()
+"""The moves that were asked for, as long as somebody looks at the facts: most rules ask for all."""
 
 
 def arguments_of(
@@ -70,7 +75,10 @@ def as_move(statement: tree.Node, facts: Facts) -> Move | None:
     """A statement as a move, if it is one."""
     if not isinstance(statement, tree.Call) or Does.MOVE not in (what := facts.does(statement)):
         return None
-    arguments = {
-        formal.key: value for formal, value in arguments_of(statement, facts) if formal is not None
-    }
-    return Move(statement, arguments, what)
+    known = _MOVES.setdefault(facts, {})
+    move = known.get(statement)
+    if move is None:
+        named = arguments_of(statement, facts)
+        arguments = {formal.key: value for formal, value in named if formal is not None}
+        move = known[statement] = Move(statement, arguments, what)
+    return move

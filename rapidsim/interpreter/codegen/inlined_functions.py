@@ -1,0 +1,116 @@
+"""Functions that are an expression: a character, a number with its decimals, a magnitude, a root.
+
+Loops call them most. What is in order is done in place; what is not is left to the function, which
+says why. Other arguments, such as a position that may be a fraction, are too.
+
+Source: Technical reference manual RAPID Instructions, Functions and Data types: Abs, NumToStr,
+Sqrt, StrPart.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
+from typing import TypeAlias
+
+from rapidsim.interpreter.codegen.ast_builder import At
+from rapidsim.interpreter.codegen.expression_code import Code, Owed, finished
+from rapidsim.interpreter.codegen.operands import Operands
+from rapidsim.library.mathematics import abs_, sqrt
+from rapidsim.library.strings import MAX_DECIMALS, num_to_str, str_part
+from rapidsim.library.table import LibraryRoutine
+from rapidsim.syntax import tree
+
+_Form: TypeAlias = Callable[[Sequence[tree.Expression], Operands, ast.expr, At], Code | None]
+
+
+def function_in_place(
+    routine: LibraryRoutine,
+    call: tree.FunctionCall,
+    expressions: Operands,
+    function: ast.expr,
+    at: At,
+) -> Code | None:
+    """A call of an installed function as an expression; None where it must be called."""
+    form = _FORMS.get(routine.function)
+    values = [
+        one.value for one in call.arguments if isinstance(one, tree.Required) and one.name is None
+    ]
+    if form is None or len(values) != len(call.arguments):
+        return None
+    return form(values, expressions, function, at)
+
+
+def _character(
+    values: Sequence[tree.Expression], expressions: Operands, function: ast.expr, at: At
+) -> Code | None:
+    """StrPart of length 1: `text[i - 1] if 0 < i <= _len(text) else strpart(text, i, 1)`."""
+    text, place, length = values
+    string, position = expressions.value(text), expressions.code(place)
+    one = expressions.value(length)
+    # Both are written down more than once.
+    if one.literal != 1.0 or not (_is_plain(string.node) and _is_simple(position.node)):
+        return None
+    if not position.stays_integer:
+        return None
+    name = position.node if isinstance(position.node, ast.Name) else at.name("_i")
+    first = name if name is position.node else at.named("_i", position.node)
+    inside = at.compare(
+        at.constant(0), (ast.Lt(), first), (ast.LtE(), at.call("_len", [string.node]))
+    )
+    found = at.item(string.node, at.operation(name, ast.Sub(), at.constant(1)))
+    refused = at.call(function, [string.node, finished(position, at).node, one.node])
+    return Code(at.choice(inside, found, refused), may_raise=True)
+
+
+def _decimals(
+    values: Sequence[tree.Expression], expressions: Operands, function: ast.expr, at: At
+) -> Code | None:
+    """NumToStr without its option: no num is too long for a string."""
+    del function
+    number, decimals = values
+    count = expressions.value(decimals).literal
+    if count is None or not (count.is_integer() and 0 <= count <= MAX_DECIMALS):
+        return None
+    value = expressions.value(number)
+    node = at.operation(at.constant(f"%.{int(count)}f"), ast.Mod(), value.node)
+    return Code(node, may_raise=value.may_raise, calls=value.calls)
+
+
+def _magnitude(
+    values: Sequence[tree.Expression], expressions: Operands, function: ast.expr, at: At
+) -> Code | None:
+    """Abs: a num without its sign is a num."""
+    del function
+    value = expressions.value(values[0])
+    node = at.call("_magnitude", [value.node])
+    return Code(node, may_raise=value.may_raise, calls=value.calls)
+
+
+def _root(
+    values: Sequence[tree.Expression], expressions: Operands, function: ast.expr, at: At
+) -> Code | None:
+    """The root of what has one, rounded; of the rest the refusal."""
+    value = expressions.value(values[0])
+    has_root = at.compare(at.constant(0.0), (ast.LtE(), at.named("_x", value.node)))
+    root = finished(Code(at.call("_root", [at.name("_x")]), Owed.SINGLE), at)
+    node = at.choice(has_root, root.node, at.call(function, [at.name("_x")]))
+    return Code(node, may_raise=True, calls=value.calls)
+
+
+def _is_plain(node: ast.expr) -> bool:
+    return isinstance(node, ast.Name | ast.Constant)
+
+
+def _is_simple(node: ast.expr) -> bool:
+    """Whether it is no longer than a sum of two plain operands."""
+    if isinstance(node, ast.BinOp):
+        return _is_plain(node.left) and _is_plain(node.right)
+    return _is_plain(node)
+
+
+_FORMS: Mapping[Callable[..., object], _Form] = MappingProxyType(
+    {abs_: _magnitude, num_to_str: _decimals, sqrt: _root, str_part: _character}
+)
+"""By the function that they would call."""

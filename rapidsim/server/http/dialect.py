@@ -1,0 +1,73 @@
+"""What the two generations of Robot Web Services have in common for who serves them."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from aiohttp import web
+
+from rapidsim.server.messages import Refusal, Reply
+
+
+class Users(Protocol):
+    """Who may come in."""
+
+    @property
+    def challenge(self) -> str:
+        """What a client is asked."""
+        ...
+
+    def user(self, header: str, method: str, target: str) -> str | None:
+        """Who sends a header; None if nobody who may come in.
+
+        Args:
+            header: `Authorization` of the request.
+            method: Of the request.
+            target: Its address as it was sent, with the query.
+        """
+        ...
+
+
+class Dialect(Protocol):
+    """How one generation speaks."""
+
+    @property
+    def generation(self) -> int:
+        """1 or 2."""
+        ...
+
+    @property
+    def users(self) -> Users:
+        """Who may come in, and how they say so."""
+        ...
+
+    @property
+    def protocol(self) -> str:
+        """The subprotocol of its websockets."""
+        ...
+
+    @property
+    def clients_may_speak(self) -> bool:
+        """Whether a client may send anything on a websocket."""
+        ...
+
+    def objection(self, request: web.Request) -> web.Response | None:
+        """Why a request is not even looked at; None if it is."""
+        ...
+
+    def shown(self, request: web.Request, reply: Reply) -> web.Response:
+        """A reply in the form that was asked for."""
+        ...
+
+    def file_refused(self, request: web.Request, refusal: Refusal) -> web.Response:
+        """The refusal of a file, which controllers show in a form of its own."""
+        ...
+
+    def subscribed(self, request: web.Request, group: int) -> web.Response:
+        """A group of subscriptions that has begun, with the address of its websocket."""
+        ...
+
+
+def base(request: web.Request) -> str:
+    """The root that a client has called."""
+    return f"{request.scheme}://{request.host}/"

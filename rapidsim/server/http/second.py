@@ -1,0 +1,100 @@
+"""Robot Web Services 2.0, RobotWare 7: over TLS; the header `Accept` chooses the form of answers.
+
+What is read is HAL JSON or XHTML, what is written answers in XHTML; both name their version, and so
+must whoever writes.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Final
+
+from aiohttp import web
+
+from rapidsim.server.http.bodies import (
+    hal_body,
+    hal_refusal,
+    subscribed,
+    xhtml_body,
+    xhtml_refusal,
+)
+from rapidsim.server.http.dialect import Users, base
+from rapidsim.server.messages import Refusal, Reply
+
+_HAL: Final = "application/hal+json"
+_XHTML: Final = "application/xhtml+xml"
+_FORM: Final = "application/x-www-form-urlencoded;v=2.0"
+_ACCEPTED: Final = re.compile(r"(application/(?:hal\+json|xhtml\+xml)|\*/\*)(?:;v=(2\.\d))?")
+"""A form of answers; only one that takes any may leave out the version."""
+
+
+@dataclass(frozen=True, slots=True)
+class SecondGeneration:
+    """Implements `dialect.Dialect`."""
+
+    users: Users
+    generation: int = 2
+    protocol: str = "rws_subscription"
+    clients_may_speak: bool = False
+
+    def objection(self, request: web.Request) -> web.Response | None:
+        """Why a request is not even looked at: forms of another version."""
+        is_file = request.path.startswith("/fileservice/")
+        if request.method == "GET":
+            is_socket = request.path.startswith("/poll/")
+            if is_file or is_socket or _accepted(request) is not None:
+                return None
+            return web.Response(status=406, text=f"Accept is {_HAL};v=2.0 or {_XHTML};v=2.0\n")
+        written = _squeezed(request.headers.get("Content-Type", ""))
+        if written.startswith(_FORM) or (is_file and ";v=2." in written):
+            return None
+        return web.Response(status=415, text=f"Content-Type is {_FORM}\n")
+
+    def shown(self, request: web.Request, reply: Reply) -> web.Response:
+        """See `Dialect`."""
+        form, version = _accepted(request) or (_XHTML, "2.0")
+        # What is written answers in XHTML, whatever is asked for.
+        as_json = form == _HAL and (request.method == "GET" or isinstance(reply, Refusal))
+        if isinstance(reply, Refusal):
+            write = hal_refusal if as_json else xhtml_refusal
+            text, status = write(reply, base(request)), reply.status
+        elif reply.content is not None:
+            return web.Response(body=reply.content, content_type="application/octet-stream")
+        elif reply.status == 204:
+            return web.Response(status=204)
+        else:
+            text = (hal_body if as_json else xhtml_body)(reply, base(request))
+            status = reply.status
+        headers = {"Content-Type": f"{_HAL if as_json else _XHTML};v={version}"}
+        return web.Response(status=status, body=text.encode(), headers=headers)
+
+    def file_refused(self, request: web.Request, refusal: Refusal) -> web.Response:
+        """JSON that calls itself HTML, as controllers do."""
+        body = hal_refusal(refusal, base(request))
+        return web.Response(status=refusal.status, text=body, content_type="text/html")
+
+    def subscribed(self, request: web.Request, group: int) -> web.Response:
+        """With both addresses: that of the websocket and that of the group."""
+        link = f"wss://{request.host}/poll/{group}"
+        body = subscribed(group, link, base(request))
+        headers = {"Location": link, "Content-Type": f"{_XHTML};v=2.0"}
+        return web.Response(status=201, headers=headers, body=body.encode())
+
+
+def _accepted(request: web.Request) -> tuple[str, str] | None:
+    """The first form that a client takes and there is, with its version; None if there is none."""
+    header = _squeezed(request.headers.get("Accept", "*/*"))
+    for one in header.split(","):
+        matched = _ACCEPTED.match(one)
+        if matched is None:
+            continue
+        if matched[1] == "*/*":
+            return _XHTML, "2.0"
+        if matched[2]:
+            return matched[1], matched[2]
+    return None
+
+
+def _squeezed(header: str) -> str:
+    return header.replace(" ", "").lower()
