@@ -46,8 +46,8 @@ class WorldZoneTable:
     world_from_base: Transform
     _zones: dict[float, WatchedZone] = field(default_factory=dict)
     _looked_to_s: float = 0.0
-    _next: tuple[tuple[int, int], float | None] | None = None
-    """For which version of the path what was found."""
+    _next: tuple[tuple[int, int], float | None, list[WatchedZone]] | None = None
+    """For which version of the path what was found, and of which zones."""
 
     def add(self, zone: WatchedZone, now_s: float) -> float:
         """Watch a zone; what holds at once is told at once. Returns its number."""
@@ -92,9 +92,11 @@ class WorldZoneTable:
             return None
         if self._next is None or self._next[0] != self.unit.version:
             preview = self.unit.queue.preview()
-            times = [self._crossing(z, preview) for z in self._zones.values() if z.enabled]
+            zones = [zone for zone in self._zones.values() if zone.enabled]
+            times = [self._crossing(zone, preview) for zone in zones]
             found = min((time_s for time_s in times if time_s is not None), default=None)
-            self._next = (self.unit.version, found)
+            crossed = [zone for zone, time_s in zip(zones, times, strict=True) if time_s == found]
+            self._next = (self.unit.version, found, crossed)
         return self._next[1]
 
     def pass_next(self, passed_s: float, until_s: float) -> float:
@@ -102,15 +104,13 @@ class WorldZoneTable:
         del until_s
         time_s = self.next_s()
         assert time_s is not None
-        preview = self.unit.queue.preview()
+        assert self._next is not None
+        crossed = self._next[2]
         self._looked_to_s, self._next = time_s, None
-        for zone in list(self._zones.values()):
-            if (
-                zone.enabled
-                and self._inside(zone, preview.at(np.array([time_s])))[0] != zone.inside
-            ):
-                zone.inside = not zone.inside
-                zone.crossed(zone.inside, max(time_s, passed_s))
+        # Not looked at again: at the border a single instant is rounded otherwise than many.
+        for zone in crossed:
+            zone.inside = not zone.inside
+            zone.crossed(zone.inside, max(time_s, passed_s))
         return time_s
 
     def look_from(self, time_s: float) -> None:
@@ -128,7 +128,7 @@ class WorldZoneTable:
     def _crossing(self, zone: WatchedZone, preview: Trajectory) -> float | None:
         """The first time [s] after the last look at which being in a zone changes."""
         looks = _looks(preview, self._looked_to_s)
-        for begin in range(0, len(looks), _LOOKS):
+        for begin in range(1, len(looks), _LOOKS):
             times = looks[begin : begin + _LOOKS]
             changed = np.flatnonzero(self._inside(zone, preview.at(times)) != zone.inside)
             if len(changed):
@@ -136,7 +136,7 @@ class WorldZoneTable:
         else:
             return None
         late = float(times[changed[0]])
-        early = float(looks[max(begin + int(changed[0]) - 1, 0)])
+        early = float(looks[begin + int(changed[0]) - 1])
         for _ in range(_HALVINGS):
             middle = 0.5 * (early + late)
             if self._inside(zone, preview.at(np.array([middle])))[0] == zone.inside:
