@@ -347,6 +347,7 @@ class TaskClock:
         """Let everything due by a time happen; returns when the last of it ended [s]."""
         ended_s = 0.0
         while True:
+            self._cell.watchdog.look()
             times = [one.next_s() for one in self.happenings]
             next_s = min((time_s for time_s in times if time_s is not None), default=math.inf)
             turn_s = min(next_s, until_s)
