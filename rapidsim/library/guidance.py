@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Annotated, Final, TypedDict, Unpack, cast
+from typing import Annotated, Final, Unpack, cast
 
 from rapidsim.language import types
 from rapidsim.language.annotations import (
@@ -20,15 +20,12 @@ from rapidsim.language.annotations import (
     Mode,
     Num,
     Pers,
-    SignalAi,
-    SignalAo,
-    SignalGi,
     String,
     Switch,
     Var,
 )
 from rapidsim.language.controller import Controller
-from rapidsim.language.data import EgmMinMax, LoadData, Pose, Signal, ToolData, WobjData
+from rapidsim.language.data import LoadData, Pose, Signal, ToolData, WobjData
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.errors import NotAllowed
 from rapidsim.language.guidance import (
@@ -41,6 +38,19 @@ from rapidsim.language.guidance import (
     SensorSetup,
 )
 from rapidsim.language.reference import Reference
+from rapidsim.library.guidance_arguments import (
+    EXTERNAL,
+    JOINTS,
+    POSE_AXES,
+    SIGNALS,
+    AnalogInputs,
+    AnalogOutputs,
+    GroupInputs,
+    JointBands,
+    JointSwitches,
+    PoseBands,
+    PoseSwitches,
+)
 from rapidsim.library.honesty import ignored
 from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
@@ -59,95 +69,6 @@ TIMEOUT_S: Final = 1.0
 CONDITION_S: Final = 1.0
 RAMP_S: Final = 1.0
 _LONGEST_SAMPLE_MS: Final = 1e6
-_JOINTS: Final = ("j1", "j2", "j3", "j4", "j5", "j6", "j7")
-_SIGNALS: Final = ("r1x", "r2y", "r3z", "r4rx", "r5ry", "r6rz")
-_EXTERNAL: Final = ("e1", "e2", "e3", "e4", "e5", "e6")
-_POSE_AXES: Final = ("x", "y", "z", "rx", "ry", "rz")
-
-
-class _Purposes(TypedDict):
-    joint: Switch
-    pose: Switch
-    path_corr: Switch
-    aptr: Switch
-    latr: Switch
-
-
-class _JointBands(TypedDict, total=False):
-    j1: EgmMinMax
-    j2: EgmMinMax
-    j3: EgmMinMax
-    j4: EgmMinMax
-    j5: EgmMinMax
-    j6: EgmMinMax
-    j7: EgmMinMax
-
-
-class _PoseBands(TypedDict, total=False):
-    x: EgmMinMax
-    y: EgmMinMax
-    z: EgmMinMax
-    rx: EgmMinMax
-    ry: EgmMinMax
-    rz: EgmMinMax
-
-
-class _AnalogInputs(TypedDict, total=False):
-    ai_r1x: Var[SignalAi]
-    ai_r2y: Var[SignalAi]
-    ai_r3z: Var[SignalAi]
-    ai_r4rx: Var[SignalAi]
-    ai_r5ry: Var[SignalAi]
-    ai_r6rz: Var[SignalAi]
-    ai_e1: Var[SignalAi]
-    ai_e2: Var[SignalAi]
-    ai_e3: Var[SignalAi]
-    ai_e4: Var[SignalAi]
-    ai_e5: Var[SignalAi]
-    ai_e6: Var[SignalAi]
-
-
-class _AnalogOutputs(TypedDict, total=False):
-    ao_r1x: Var[SignalAo]
-    ao_r2y: Var[SignalAo]
-    ao_r3z: Var[SignalAo]
-    ao_r4rx: Var[SignalAo]
-    ao_r5ry: Var[SignalAo]
-    ao_r6rz: Var[SignalAo]
-
-
-class _GroupInputs(TypedDict, total=False):
-    gi_r1x: Var[SignalGi]
-    gi_r2y: Var[SignalGi]
-    gi_r3z: Var[SignalGi]
-    gi_r4rx: Var[SignalGi]
-    gi_r5ry: Var[SignalGi]
-    gi_r6rz: Var[SignalGi]
-    gi_e1: Var[SignalGi]
-    gi_e2: Var[SignalGi]
-    gi_e3: Var[SignalGi]
-    gi_e4: Var[SignalGi]
-    gi_e5: Var[SignalGi]
-    gi_e6: Var[SignalGi]
-
-
-class _JointSwitches(TypedDict, total=False):
-    j1: Switch
-    j2: Switch
-    j3: Switch
-    j4: Switch
-    j5: Switch
-    j6: Switch
-    j7: Switch
-
-
-class _PoseSwitches(TypedDict, total=False):
-    x: Switch
-    y: Switch
-    z: Switch
-    rx: Switch
-    ry: Switch
-    rz: Switch
 
 
 def egm_get_id(controller: Guidance, egmid: Var[EgmIdent]) -> None:
@@ -204,7 +125,7 @@ def egm_setup_ai(
     path_corr: Switch = False,
     aptr: Switch = False,
     latr: Switch = False,
-    **signals: Unpack[_AnalogInputs],
+    **signals: Unpack[AnalogInputs],
 ) -> None:
     """Let analog inputs guide: of joints [deg], or of a pose [mm, deg]; external axes stay."""
     del mec_unit, aptr, latr
@@ -223,7 +144,7 @@ def egm_setup_ao(
     path_corr: Switch = False,
     aptr: Switch = False,
     latr: Switch = False,
-    **signals: Unpack[_AnalogOutputs],
+    **signals: Unpack[AnalogOutputs],
 ) -> None:
     """Let analog outputs guide, as EGMSetupAI does inputs."""
     del mec_unit, aptr, latr
@@ -242,7 +163,7 @@ def egm_setup_gi(
     path_corr: Switch = False,
     aptr: Switch = False,
     latr: Switch = False,
-    **signals: Unpack[_GroupInputs],
+    **signals: Unpack[GroupInputs],
 ) -> None:
     """Let group inputs guide, as EGMSetupAI does analog ones."""
     del mec_unit, aptr, latr
@@ -263,7 +184,7 @@ def egm_act_joint(
     sample_rate: Num | None = None,
     max_pos_deviation: Num | None = None,
     max_speed_deviation: Num | None = None,
-    **bands: Unpack[_JointBands],
+    **bands: Unpack[JointBands],
 ) -> None:
     """Say that the sensor's goals are joints, and how near to them the robot is there."""
     del tload
@@ -271,7 +192,7 @@ def egm_act_joint(
     controller.guidance.activate(
         _known(egmid, "EGMActJoint"),
         Activation(
-            tuple(bands.get(name) for name in _JOINTS),  # type: ignore[misc]
+            tuple(bands.get(name) for name in JOINTS),  # type: ignore[misc]
             tool.value if tool else None,
             wobj.value if wobj else None,
             LP_FILTER_HZ if lp_filter is None else _positive("LpFilter", lp_filter),
@@ -302,7 +223,7 @@ def egm_act_pose(
     sample_rate: Num | None = None,
     max_pos_deviation: Num | None = None,
     max_speed_deviation: Num | None = None,
-    **bands: Unpack[_PoseBands],
+    **bands: Unpack[PoseBands],
 ) -> None:
     """Say that the sensor's goals are poses of the TCP, in which frames, and how near is there."""
     del tload
@@ -310,7 +231,7 @@ def egm_act_pose(
     controller.guidance.activate(
         _known(egmid, "EGMActPose"),
         Activation(
-            tuple(bands.get(name) for name in _POSE_AXES),  # type: ignore[misc]
+            tuple(bands.get(name) for name in POSE_AXES),  # type: ignore[misc]
             tool.value if tool else None,
             wobj.value if wobj else None,
             LP_FILTER_HZ if lp_filter is None else _positive("LpFilter", lp_filter),
@@ -335,11 +256,11 @@ def egm_run_joint(
     ramp_in_time: Num | None = None,
     ramp_out_time: Num | None = None,
     pos_corr_gain: Num | None = None,
-    **chosen: Unpack[_JointSwitches],
+    **chosen: Unpack[JointSwitches],
 ) -> None:
     """Let the sensor move the joints until they are where it wants them."""
     terms = _terms(
-        [bool(chosen.get(name)) for name in _JOINTS],
+        [bool(chosen.get(name)) for name in JOINTS],
         mode,
         not no_wait_cond,
         (cond_time, ramp_in_time, ramp_out_time),
@@ -360,11 +281,11 @@ def egm_run_pose(
     ramp_out_time: Num | None = None,
     offset: Pose | None = None,
     pos_corr_gain: Num | None = None,
-    **chosen: Unpack[_PoseSwitches],
+    **chosen: Unpack[PoseSwitches],
 ) -> None:
     """Let the sensor move the TCP until it is where it wants it."""
     terms = _terms(
-        [bool(chosen.get(name)) for name in _POSE_AXES],
+        [bool(chosen.get(name)) for name in POSE_AXES],
         mode,
         not no_wait_cond,
         (cond_time, ramp_in_time, ramp_out_time),
@@ -415,10 +336,10 @@ def _guide_by(
 ) -> None:
     """Let signals guide; they are known at any time, so there is no silence."""
     kind = routine_name[-2:]
-    given = {name: signals.get(f"{kind.lower()}_{name}") for name in (*_SIGNALS, *_EXTERNAL)}
-    external = {rf"\{kind.lower()}{name.upper()}": given[name] for name in _EXTERNAL}
+    given = {name: signals.get(f"{kind.lower()}_{name}") for name in (*SIGNALS, *EXTERNAL)}
+    external = {rf"\{kind.lower()}{name.upper()}": given[name] for name in EXTERNAL}
     ignored(controller.honesty, routine_name, external)
-    names = tuple(_name_of(given[name]) for name in _SIGNALS)
+    names = tuple(_name_of(given[name]) for name in SIGNALS)
     if purpose is Purpose.PATH_CORRECTION:
         controller.honesty.not_simulated(rf"{routine_name} \PathCorr", "paths are not corrected")
     setup = SensorSetup(routine_name, configuration, purpose, math.inf, names)
@@ -497,11 +418,11 @@ _SIX = r"\x \y \z \rx \ry \rz"
 
 
 def _signals(kind: str) -> str:
-    return " ".join(rf"\{kind}{name[:2].upper()}{name[2:]}" for name in _SIGNALS)
+    return " ".join(rf"\{kind}{name[:2].upper()}{name[2:]}" for name in SIGNALS)
 
 
 def _axes(kind: str) -> str:
-    return " ".join(rf"\{kind}{name.upper()}" for name in _EXTERNAL)
+    return " ".join(rf"\{kind}{name.upper()}" for name in EXTERNAL)
 
 
 _GUIDES = Does.WAIT | Does.LEAVE_PATH

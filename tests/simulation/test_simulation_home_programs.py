@@ -76,6 +76,10 @@ def test_what_the_disk_refuses_has_the_manuals_errors(tmp_path: Path) -> None:
         ("is:=ReadDir(folder,name);", "ERR_FILEACC"),
         ('n:=FileSize("none.txt");', "ERR_FILEACC"),
         ('MakeDir "full";', "ERR_FILEACC"),
+        ('Open "a.txt",file\\Append; n:=ReadNum(file);', "ERR_FILEACC"),
+        ('Open "a.bin",file\\Write\\Bin; ReadAnyBin file,n;', "ERR_FILEACC"),
+        ('Open "a.bin",file\\Append\\Bin; n:=ReadBin(file);', "ERR_FILEACC"),
+        ('Open "a.txt",file\\Read; Write file,"x";', "ERR_FILEACC"),
     )
     for number, (statement, error) in enumerate(cases):
         home = tmp_path / str(number)

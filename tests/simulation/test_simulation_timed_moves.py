@@ -1,5 +1,7 @@
 r"""The argument \T: kept where the arm can, reported where it cannot."""
 
+import re
+
 import pytest
 from simulation_program import ran
 
@@ -32,7 +34,12 @@ def test_a_move_with_too_little_time_says_what_it_needs() -> None:
         - it.run.moves[1].start_s
         - model_of(it.run.only.robot, it.run.model).window
     )
-    assert found.violation.message == f"the move takes {needed:.3f} s; `\\T` gives it 0.2 s"
+    told = re.fullmatch(
+        r"the move takes (\d\.\d{3}) s; `\\T` gives it 0\.2 s", found.violation.message
+    )
+    assert told
+    # What is told ends with the command, the record where the arm has come to rest.
+    assert float(told[1]) == pytest.approx(needed, abs=0.001)
     assert it.end == "ended"
 
 

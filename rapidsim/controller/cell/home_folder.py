@@ -93,20 +93,22 @@ class HomeFile:
         """Append bytes.
 
         Raises:
-            RapidError: ERR_FILEACC once the run has filled its disk.
+            RapidError: ERR_FILEACC for a file to read, and once the run has filled its disk.
         """
         stream = self._open()
+        if not stream.writable():
+            raise RapidError(ERR_FILEACC, f"{self._name} is open to be read, not written")
         self._disk.use(len(data))
         stream.write(data)
 
     def read_line(self) -> bytes | None:
         """The next line without its end; None at the end of the file."""
-        line = self._open().readline(_LONGEST_LINE)
+        line = self._to_read().readline(_LONGEST_LINE)
         return line.rstrip(b"\r\n") if line else None
 
     def read(self, count: int) -> bytes:
         """Up to `count` bytes; none at the end of the file."""
-        return self._open().read(count)
+        return self._to_read().read(count)
 
     def rewind(self) -> None:
         """Go back to the first byte."""
@@ -130,6 +132,12 @@ class HomeFile:
         if self._stream.closed:
             raise RapidError(ERR_FILEACC, f"{self._name} is closed")
         return self._stream
+
+    def _to_read(self) -> BinaryIO:
+        stream = self._open()
+        if not stream.readable():
+            raise RapidError(ERR_FILEACC, f"{self._name} is open to be written, not read")
+        return stream
 
 
 class HomeFolder:

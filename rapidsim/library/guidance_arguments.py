@@ -1,0 +1,107 @@
+"""The arguments that EGM instructions have by the dozen: bands, switches and signals of each axis.
+
+Source: Application manual Externally Guided Motion.
+"""
+
+from __future__ import annotations
+
+from typing import Final, TypedDict
+
+from rapidsim.language.annotations import SignalAi, SignalAo, SignalGi, Switch, Var
+from rapidsim.language.data import EgmMinMax
+
+JOINTS: Final = ("j1", "j2", "j3", "j4", "j5", "j6", "j7")
+SIGNALS: Final = ("r1x", "r2y", "r3z", "r4rx", "r5ry", "r6rz")
+EXTERNAL: Final = ("e1", "e2", "e3", "e4", "e5", "e6")
+POSE_AXES: Final = ("x", "y", "z", "rx", "ry", "rz")
+
+
+class JointBands(TypedDict, total=False):
+    """How near each axis is to its goal where it is there [deg]."""
+
+    j1: EgmMinMax
+    j2: EgmMinMax
+    j3: EgmMinMax
+    j4: EgmMinMax
+    j5: EgmMinMax
+    j6: EgmMinMax
+    j7: EgmMinMax
+
+
+class PoseBands(TypedDict, total=False):
+    """The same of the TCP [mm, deg]."""
+
+    x: EgmMinMax
+    y: EgmMinMax
+    z: EgmMinMax
+    rx: EgmMinMax
+    ry: EgmMinMax
+    rz: EgmMinMax
+
+
+class AnalogInputs(TypedDict, total=False):
+    """The analog inputs of EGMSetupAI."""
+
+    ai_r1x: Var[SignalAi]
+    ai_r2y: Var[SignalAi]
+    ai_r3z: Var[SignalAi]
+    ai_r4rx: Var[SignalAi]
+    ai_r5ry: Var[SignalAi]
+    ai_r6rz: Var[SignalAi]
+    ai_e1: Var[SignalAi]
+    ai_e2: Var[SignalAi]
+    ai_e3: Var[SignalAi]
+    ai_e4: Var[SignalAi]
+    ai_e5: Var[SignalAi]
+    ai_e6: Var[SignalAi]
+
+
+class AnalogOutputs(TypedDict, total=False):
+    """The analog outputs of EGMSetupAO."""
+
+    ao_r1x: Var[SignalAo]
+    ao_r2y: Var[SignalAo]
+    ao_r3z: Var[SignalAo]
+    ao_r4rx: Var[SignalAo]
+    ao_r5ry: Var[SignalAo]
+    ao_r6rz: Var[SignalAo]
+
+
+class GroupInputs(TypedDict, total=False):
+    """The group inputs of EGMSetupGI."""
+
+    gi_r1x: Var[SignalGi]
+    gi_r2y: Var[SignalGi]
+    gi_r3z: Var[SignalGi]
+    gi_r4rx: Var[SignalGi]
+    gi_r5ry: Var[SignalGi]
+    gi_r6rz: Var[SignalGi]
+    gi_e1: Var[SignalGi]
+    gi_e2: Var[SignalGi]
+    gi_e3: Var[SignalGi]
+    gi_e4: Var[SignalGi]
+    gi_e5: Var[SignalGi]
+    gi_e6: Var[SignalGi]
+
+
+class JointSwitches(TypedDict, total=False):
+    """The axes that a sensor moves."""
+
+    j1: Switch
+    j2: Switch
+    j3: Switch
+    j4: Switch
+    j5: Switch
+    j6: Switch
+    j7: Switch
+
+
+class PoseSwitches(TypedDict, total=False):
+    """The directions in which a sensor moves the TCP."""
+
+    x: Switch
+    y: Switch
+    z: Switch
+    rx: Switch
+    ry: Switch
+    rz: Switch
