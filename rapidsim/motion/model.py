@@ -28,7 +28,7 @@ _BRIEF_S = 4.0 * INTERPOLATION_CYCLE_S
 _SHORTER = 0.59
 """Share by which a stop is shorter at next to no speed: 57 ms at v50 where it is 102 from v300 on.
 
-Seen in steps of 24 ms, which nobody can predict; this is their mean."""
+Seen to last 32 to 86 ms there, by a rule that is not known; this is their mean."""
 REAL_STOP_S = 0.018
 """How much longer a real arm takes at a stop point than a virtual controller: 16 to 20 ms."""
 
