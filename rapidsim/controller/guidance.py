@@ -282,7 +282,7 @@ class TaskGuidance:
         if run.is_over:
             self.unit.own.end_guidance()
             self._settle()
-            failed = run.ended in (Ended.SILENT, Ended.OUT_OF_REACH)
+            failed = run.ended is not None and run.ended.is_failure
             if failed and not under_way.waits:
                 error = self._failure(identity, run.ended)
                 raise NotAllowed(str(error))
@@ -320,9 +320,8 @@ class TaskGuidance:
                     raise WaitsForever("a sensor guides the robot, and nothing ends that")
             wait.ended_by = "the sensor that guides the robot"
         last, self._last = self._last, None
-        if last is None or last[0] is not one or last[1] in (Ended.CONVERGED, Ended.STOPPED):
-            return
-        raise self._failure(one, last[1])
+        if last is not None and last[0] is one and last[1].is_failure:
+            raise self._failure(one, last[1])
 
     def _guides(self, one: _Identity) -> bool:
         self._settle()
@@ -337,8 +336,7 @@ class TaskGuidance:
         assert identity.sensor is not None
         identity.sensor.end(under_way.told.feedback(under_way.run, under_way.next_s))
         if identity.stream is not None:
-            failed = ended in (Ended.SILENT, Ended.OUT_OF_REACH)
-            identity.stream.guided = Guided.FAILED if failed else Guided.STOPPED
+            identity.stream.guided = Guided.FAILED if ended.is_failure else Guided.STOPPED
             identity.stream.next_s = under_way.next_s
         if ended is Ended.SILENT and not under_way.run.has_heard:
             assert identity.setup is not None

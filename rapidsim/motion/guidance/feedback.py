@@ -100,6 +100,6 @@ def standing_feedback(
 
 
 def _told(ended: Ended | None, *, is_over: bool) -> Guided:
-    if ended in (Ended.SILENT, Ended.OUT_OF_REACH):
+    if ended is not None and ended.is_failure:
         return Guided.FAILED
     return Guided.STOPPED if is_over else Guided.RUNNING

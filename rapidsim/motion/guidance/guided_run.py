@@ -31,6 +31,11 @@ class Ended(Enum):
     OUT_OF_REACH = auto()
     """The arm cannot get where the sensor wants it."""
 
+    @property
+    def is_failure(self) -> bool:
+        """Whether nobody wanted it to end."""
+        return self in (Ended.SILENT, Ended.OUT_OF_REACH)
+
 
 @dataclass(frozen=True, slots=True)
 class Terms:
