@@ -328,9 +328,9 @@ class BlockPlanner:
         Raises:
             MotionError: See `append`.
         """
-        if not self._goes_on(now_s, slack_s):
+        tentative = self._open_plan(now_s, slack_s)
+        if tentative is None:
             return
-        tentative = self._to_travel()
         s = tentative.timing.s_at(now_s - tentative.start_s)
         starts = tentative.path.segment_starts
         index = tentative.first + int(np.searchsorted(starts, s, side="right")) - 1
@@ -347,14 +347,14 @@ class BlockPlanner:
         Raises:
             MotionError: See `append`.
         """
-        self._goes_on(now_s, 0.0)
+        self._open_plan(now_s, 0.0)
 
-    def _goes_on(self, now_s: float, slack_s: float) -> bool:
-        """Whether the block is still open so long after what is fixed; too late, and it ends."""
+    def _open_plan(self, now_s: float, slack_s: float) -> BlockPlan | None:
+        """The plan of a block that is open so long after what is fixed; too late, and it ends."""
         if not self.is_open or self.block.is_halted:
-            return False
+            return None
         if now_s <= self.block.commit.time_s + slack_s:
-            return False
+            return None
         tentative = self._to_travel()
         last = self.block.moves[-1].segment
         radius = last.zone.position if last.zone else 0.0
@@ -362,8 +362,8 @@ class BlockPlanner:
         entry = tentative.path.length - min(radius, length / 2.0)
         if now_s >= tentative.time_at(entry):
             self.close(CornerKind.STOP_CORNER_PATH_FAILURE)
-            return False
-        return True
+            return None
+        return tentative
 
     def _spent_s(self, index: int, now_s: float) -> float | None:
         """Time [s] that a move of the block has taken up to now; None if it was stopped."""
