@@ -42,7 +42,7 @@ class Operator:
         text = self._ask(prompt)
         default = f"{DEFAULT_NUMBER:g}"
         while text is not None:
-            value = _number(text)
+            value = number_said(text)
             if value is not None:
                 return OperatorAnswer(value)
             if not self.can_be_asked_again:
@@ -61,9 +61,9 @@ class Operator:
         offered = f"{prompt} {' / '.join(choices[index] for index in keys)}"
         text = self._ask(offered)
         while text is not None:
-            for index in keys:
-                if text.strip().lower() in (choices[index].strip().lower(), str(index + 1)):
-                    return OperatorAnswer(index)
+            index = key_said(text, choices)
+            if index is not None:
+                return OperatorAnswer(index)
             if not self.can_be_asked_again:
                 return OperatorAnswer(first, (AnswerNotAChoice(prompt, text, choices[first]),))
             text = self._ask(f"`{text}` is none of the keys. {offered}")
@@ -84,10 +84,19 @@ class Operator:
         return self.answers(prompt) if self.answers else None
 
 
-def _number(text: str) -> float | None:
+def number_said(text: str) -> float | None:
     """The finite number that a text says; None if it says none."""
     try:
         value = float(text)
     except ValueError:
         return None
     return value if math.isfinite(value) else None
+
+
+def key_said(text: str, choices: Sequence[str]) -> int | None:
+    """The index of the key that a text means, by its text or its number from 1; "" is no key."""
+    said = text.strip().lower()
+    for index, choice in enumerate(choices):
+        if choice and said in (choice.strip().lower(), str(index + 1)):
+            return index
+    return None

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import field
 from typing import TypeAlias
 
+from rapidsim.controller.cell.operator import key_said, number_said
 from rapidsim.values import dataclass
 
 AnswerValue: TypeAlias = float | int | str
@@ -35,18 +35,14 @@ class Question:
         if self.wants is str:
             return text
         if self.wants is float:
-            try:
-                value = float(text)
-            except ValueError:
-                value = math.nan
-            if not math.isfinite(value):
+            value = number_said(text)
+            if value is None:
                 raise ValueError(f"`{text}` is not a number")
             return value
-        for index, choice in enumerate(self.choices):
-            said = text.strip().lower()
-            if choice and said in (choice.strip().lower(), str(index + 1)):
-                return index
-        raise ValueError(f"`{text}` is none of {' / '.join(filter(None, self.choices))}")
+        index = key_said(text, self.choices)
+        if index is None:
+            raise ValueError(f"`{text}` is none of {' / '.join(filter(None, self.choices))}")
+        return index
 
 
 @dataclass(slots=True)
