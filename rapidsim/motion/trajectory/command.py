@@ -52,6 +52,8 @@ class MotionCommand:
         self._rows = 1
         self._joined_timings: _JoinedTimings | None = None
         self._joined_paths: _JoinedPaths | None = None
+        self._taking: Index | None = None
+        """The rows that take time or way, and the number behind the last row."""
 
     def copy(self) -> MotionCommand:
         """The same, to be added to on its own."""
@@ -115,11 +117,12 @@ class MotionCommand:
         rows[:, _Column.PIECE] = len(self._pieces)
         rows[:, _Column.MARK] = marks
         self._rows += len(marks)
+        self._taking = None
         return place
 
     def cut(self, time_s: float) -> None:
         """Take back what is commanded after a time [s]."""
-        self._joined_timings = self._joined_paths = None
+        self._joined_timings = self._joined_paths = self._taking = None
         kept = self._rows
         while kept > 1 and self._table[kept - 1, _Column.START] >= time_s:
             kept -= 1
@@ -266,9 +269,11 @@ class MotionCommand:
         Moves without length leave rows that take neither, thousands of them where a loop makes
         nothing else.
         """
-        table = self._table[: self._rows]
-        taking = np.flatnonzero((table[:, _Column.DURATION] > 0.0) | (table[:, _Column.WAY] > 0.0))
-        return np.append(taking, self._rows)[np.searchsorted(taking, row, side="right")]
+        if self._taking is None:
+            table = self._table[: self._rows]
+            taking = (table[:, _Column.DURATION] > 0.0) | (table[:, _Column.WAY] > 0.0)
+            self._taking = np.append(np.flatnonzero(taking), self._rows)
+        return self._taking[np.searchsorted(self._taking[:-1], row, side="right")]
 
     def speed(self, row: Index, times: Array) -> Array:
         """Speed dS/dt (k,) [m/s] in rows (k,)."""
