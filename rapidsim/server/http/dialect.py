@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Protocol
 
 from aiohttp import web
 
-from rapidsim.server.messages import Refusal, Reply
+from rapidsim.server.messages import Answer, Refusal, Reply
 
 
 class Users(Protocol):
@@ -71,3 +72,24 @@ class Dialect(Protocol):
 def base(request: web.Request) -> str:
     """The root that a client has called."""
     return f"{request.scheme}://{request.host}/"
+
+
+def shown(
+    request: web.Request,
+    reply: Reply,
+    body: Callable[[Answer, str], str],
+    refusal: Callable[[Refusal, str], str],
+    content_type: str,
+) -> web.Response:
+    """A reply in a form, by who writes answers and refusals in it."""
+    if isinstance(reply, Refusal):
+        text = refusal(reply, base(request))
+    elif reply.content is not None:
+        return web.Response(body=reply.content, content_type="application/octet-stream")
+    elif reply.status == 204:
+        return web.Response(status=204)
+    else:
+        text = body(reply, base(request))
+    # The whole header is compared by a public client: no charset.
+    headers = {"Content-Type": content_type}
+    return web.Response(status=reply.status, body=text.encode(), headers=headers)

@@ -15,7 +15,7 @@ from rapidsim.server.http.bodies import (
     xhtml_body,
     xhtml_refusal,
 )
-from rapidsim.server.http.dialect import Users, base
+from rapidsim.server.http.dialect import Users, base, shown
 from rapidsim.server.messages import Refusal, Reply
 
 
@@ -35,20 +35,9 @@ class FirstGeneration:
 
     def shown(self, request: web.Request, reply: Reply) -> web.Response:
         """See `Dialect`."""
-        as_json = request.query.get("json") == "1"
-        if isinstance(reply, Refusal):
-            write = json_refusal if as_json else xhtml_refusal
-            text, status = write(reply, base(request)), reply.status
-        elif reply.content is not None:
-            return web.Response(body=reply.content, content_type="application/octet-stream")
-        elif reply.status == 204:
-            return web.Response(status=204)
-        else:
-            text = (json_body if as_json else xhtml_body)(reply, base(request))
-            status = reply.status
-        # The whole header is compared by a public client: no charset.
-        headers = {"Content-Type": JSON if as_json else XHTML}
-        return web.Response(status=status, body=text.encode(), headers=headers)
+        if request.query.get("json") == "1":
+            return shown(request, reply, json_body, json_refusal, JSON)
+        return shown(request, reply, xhtml_body, xhtml_refusal, XHTML)
 
     def file_refused(self, request: web.Request, refusal: Refusal) -> web.Response:
         """XHTML whatever was asked for, as controllers do."""

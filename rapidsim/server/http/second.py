@@ -19,7 +19,7 @@ from rapidsim.server.http.bodies import (
     xhtml_body,
     xhtml_refusal,
 )
-from rapidsim.server.http.dialect import Users, base
+from rapidsim.server.http.dialect import Users, base, shown
 from rapidsim.server.messages import Refusal, Reply
 
 _HAL: Final = "application/hal+json"
@@ -55,19 +55,9 @@ class SecondGeneration:
         """See `Dialect`."""
         form, version = _accepted(request) or (_XHTML, "2.0")
         # What is written answers in XHTML, whatever is asked for.
-        as_json = form == _HAL and (request.method == "GET" or isinstance(reply, Refusal))
-        if isinstance(reply, Refusal):
-            write = hal_refusal if as_json else xhtml_refusal
-            text, status = write(reply, base(request)), reply.status
-        elif reply.content is not None:
-            return web.Response(body=reply.content, content_type="application/octet-stream")
-        elif reply.status == 204:
-            return web.Response(status=204)
-        else:
-            text = (hal_body if as_json else xhtml_body)(reply, base(request))
-            status = reply.status
-        headers = {"Content-Type": f"{_HAL if as_json else _XHTML};v={version}"}
-        return web.Response(status=status, body=text.encode(), headers=headers)
+        if form == _HAL and (request.method == "GET" or isinstance(reply, Refusal)):
+            return shown(request, reply, hal_body, hal_refusal, f"{_HAL};v={version}")
+        return shown(request, reply, xhtml_body, xhtml_refusal, f"{_XHTML};v={version}")
 
     def file_refused(self, request: web.Request, refusal: Refusal) -> web.Response:
         """JSON that calls itself HTML, as controllers do."""
