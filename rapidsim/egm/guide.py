@@ -159,8 +159,7 @@ class _Talk:
         """Do what the controller wants."""
         match order:
             case Begun(number, run, told):
-                self.socket.hear()
-                self.socket.take()
+                self.socket.begin()
                 self.stream.clear()
                 self.guidance, self.last = _Guidance(number, run, told), None
                 behind_s = monotonic() - self.due_s()

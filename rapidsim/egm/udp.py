@@ -92,6 +92,11 @@ class SensorSocket:
         answer, self._answer = self._answer, None
         return answer
 
+    def begin(self) -> None:
+        """What was said before a guidance is no answer to it."""
+        self.hear()
+        self._answer = None
+
 
 @dataclass(slots=True, eq=False)
 class PacedSensor(SilentSensor):
@@ -107,8 +112,7 @@ class PacedSensor(SilentSensor):
         """Count from now."""
         del run
         self._sample_s, self._due_s = told.samples * CYCLE_S, monotonic()
-        self.socket.hear()
-        self.socket.take()
+        self.socket.begin()
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
         """Say a word and wait for the answer until the next one is due."""
@@ -160,8 +164,7 @@ class StepSensor(SilentSensor):
         """See `Sensor`."""
         del run
         self.sample_s = told.samples * CYCLE_S
-        self.socket.hear()
-        self.socket.take()
+        self.socket.begin()
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
         """Say a word; the answer to the last one."""
@@ -189,7 +192,6 @@ class StepSensors:
 
     devices: SensorDevices
     _open: list[StepSensor] = field(default_factory=list)
-
     _ports: Ports = field(default_factory=Ports)
 
     def open(self, device: str) -> StepSensor:
