@@ -67,6 +67,11 @@ class Interpolation(Enum):
     EXTERNAL_AXES = "external axes"
     """MoveExtJ: only the external axes."""
 
+    @property
+    def leads_tcp(self) -> bool:
+        """Whether the TCP follows a curve in space; else axes move straight to where they end."""
+        return self in (Interpolation.LINE, Interpolation.CIRCLE)
+
 
 @dataclass(frozen=True, slots=True)
 class StopTime:

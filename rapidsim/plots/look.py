@@ -16,6 +16,7 @@ from matplotlib.patheffects import withStroke
 
 from rapidsim.frames.transform import Array
 from rapidsim.language.moves import Interpolation
+from rapidsim.simulation.results.move_kinds import CORNER, MOVE_KINDS
 from rapidsim.values import dataclass
 
 DPI = 144
@@ -42,21 +43,6 @@ class Theme:
     joints: tuple[str, ...]
 
 
-_LIGHT_MOVES = {
-    Interpolation.JOINT: "#2f6fe0",
-    Interpolation.AXES: "#6a5be8",
-    Interpolation.EXTERNAL_AXES: "#6a5be8",
-    Interpolation.LINE: "#14954f",
-    Interpolation.CIRCLE: "#b53bb8",
-}
-_DARK_MOVES = {
-    Interpolation.JOINT: "#5b96ff",
-    Interpolation.AXES: "#9184ff",
-    Interpolation.EXTERNAL_AXES: "#9184ff",
-    Interpolation.LINE: "#3fd07c",
-    Interpolation.CIRCLE: "#e26be4",
-}
-
 LIGHT = Theme(
     name="light",
     page="#ffffff",
@@ -66,10 +52,10 @@ LIGHT = Theme(
     programmed="#8a93a1",
     tcp="#d97800",
     limit="#c62828",
-    corner="#e08a00",
+    corner=CORNER.on_light,
     failed="#c62828",
     bar="#0b62c4",
-    moves=MappingProxyType(_LIGHT_MOVES),
+    moves=MappingProxyType({way: kind.on_light for way, kind in MOVE_KINDS.items()}),
     joints=(
         "#d93b38", "#2f9a44", "#2f6fe0", "#c79000", "#9440b8", "#0f97ad", "#e0663c", "#77828c",
     ),
@@ -83,10 +69,10 @@ DARK = Theme(
     programmed="#7d8796",
     tcp="#ffa12e",
     limit="#ff6b62",
-    corner="#ffc107",
+    corner=CORNER.on_dark,
     failed="#ff6b62",
     bar="#6db1ff",
-    moves=MappingProxyType(_DARK_MOVES),
+    moves=MappingProxyType({way: kind.on_dark for way, kind in MOVE_KINDS.items()}),
     joints=(
         "#ef5350", "#66bb6a", "#4f93ff", "#ffca28", "#c17bd3", "#26c6da", "#ff8a65", "#b0bec5",
     ),

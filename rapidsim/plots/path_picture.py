@@ -11,7 +11,6 @@ from mpl_toolkits.mplot3d.axes3d import Axes3D
 
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.frames.transform import Array
-from rapidsim.language.moves import Interpolation
 from rapidsim.library.motion import PLAIN_MOVES
 from rapidsim.plots.drawn import MM, end_mm, frame_of, pieces, places_mm, target_name, title_of
 from rapidsim.plots.look import Theme, mark_start, new_figure, write_name
@@ -144,9 +143,7 @@ def _label(axes: Axes, shown: tuple[int, int]) -> None:
 def _drawing(run: SampledRun) -> Array | None:
     """The box (2, 3) [mm] around lines and arcs, where it would be a blot in the whole view."""
     lines = [
-        number
-        for number, move in enumerate(run.one.moves)
-        if move.move.interpolation in (Interpolation.LINE, Interpolation.CIRCLE)
+        number for number, move in enumerate(run.one.moves) if move.move.interpolation.leads_tcp
     ]
     swept = places_mm(run)
     drawn = swept[np.isin(run.samples.move, lines)]

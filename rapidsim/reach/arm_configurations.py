@@ -14,7 +14,6 @@ import numpy as np
 from rapidsim.controller.moves.configuration_choice import nearest_without_switch
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import RobTarget
-from rapidsim.language.moves import Interpolation
 from rapidsim.motion.configurations.confdata import (
     configuration,
     configurations,
@@ -42,7 +41,6 @@ MOST_SEARCHED = 40
 """Targets for which an arm without a closed form is searched; the others are left to a run."""
 _BATCH = 4096
 _MOST = 9999.0
-_CURVES = (Interpolation.LINE, Interpolation.CIRCLE)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -148,7 +146,7 @@ def stances_of(
             joints[row], sure[row] = ends.stored[row], ends.stored_works[row]
         elif known.previous is not None and sure[known.previous] and ends.reachable[row]:
             start = joints[known.previous]
-            if known.move.interpolation in _CURVES:
+            if known.move.interpolation.leads_tcp:
                 stop = _end_of_chain(posed, ends, robot, {*arrivals, *lost}, row)
                 if row not in lost:
                     _follow(posed, robot, range(row, stop), start, joints, sure)
@@ -166,14 +164,14 @@ def stances_of(
 
 def is_monitored(known: KnownMove, robot: Robot) -> bool:
     """Whether the controller insists on the stored configuration at the end of a move for sure."""
-    field = "conf_l" if known.move.interpolation in _CURVES else "conf_j"
+    field = "conf_l" if known.move.interpolation.leads_tcp else "conf_j"
     monitored = bool(getattr(known.settings, field)) and field not in known.uncertain
     return monitored and told_apart(robot.kinematics) and not led_by_wrist(known, robot)
 
 
 def is_free(known: KnownMove) -> bool:
     """Whether the configuration is not monitored for sure: ConfJ or ConfL is off."""
-    field = "conf_l" if known.move.interpolation in _CURVES else "conf_j"
+    field = "conf_l" if known.move.interpolation.leads_tcp else "conf_j"
     return not getattr(known.settings, field) and field not in known.uncertain
 
 
@@ -221,7 +219,7 @@ def _end_of_chain(
     while (
         stop < len(posed.moves)
         and (known := posed.moves[stop]).previous == stop - 1
-        and known.move.interpolation in _CURVES
+        and known.move.interpolation.leads_tcp
         and stop not in settled
         and not may_be_led_by_wrist(known, robot)
         and ends.reachable[stop]

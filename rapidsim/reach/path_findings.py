@@ -20,7 +20,7 @@ from rapidsim.findings.reachability import (
     ZoneTooLarge,
 )
 from rapidsim.frames.transform import Array
-from rapidsim.language.moves import Interpolation, SingularArea
+from rapidsim.language.moves import SingularArea
 from rapidsim.motion.configurations.confdata import confdata_of, told_apart
 from rapidsim.motion.geometry.curves import circle_fault
 from rapidsim.motion.geometry.segments import Segment, Waypoint
@@ -53,7 +53,6 @@ _HARDLY = 0.5
 """Share of the programmed speed below which a singularity is a warning."""
 _SLOWER = 0.95
 _PASSES = 3
-_CURVES = (Interpolation.LINE, Interpolation.CIRCLE)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -126,7 +125,7 @@ class WayFinder:
         rows = [
             row
             for row, known in enumerate(self.posed.moves)
-            if known.move.interpolation in _CURVES
+            if known.move.interpolation.leads_tcp
             and known.previous is not None
             and stances.sure[known.previous]
             and self.ends.looked_at[row]

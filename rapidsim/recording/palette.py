@@ -10,8 +10,16 @@ from types import MappingProxyType
 
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.language.moves import Interpolation
+from rapidsim.simulation.results import move_kinds
+from rapidsim.simulation.results.move_kinds import MOVE_KINDS
 
 Colour = tuple[int, int, int]
+
+
+def _rgb(colour: str) -> Colour:
+    red, green, blue = bytes.fromhex(colour[1:])
+    return red, green, blue
+
 
 BACKGROUND: Colour = (22, 25, 31)
 GRID: Colour = (64, 72, 88)
@@ -29,15 +37,9 @@ JOINTS: tuple[Colour, ...] = (
 """Axis 1, 2, ...; automatic colours give the first two nearly the same pink."""
 
 MOVES: Mapping[Interpolation, Colour] = MappingProxyType(
-    {
-        Interpolation.JOINT: (74, 144, 255),
-        Interpolation.AXES: (120, 110, 255),
-        Interpolation.EXTERNAL_AXES: (120, 110, 255),
-        Interpolation.LINE: (52, 211, 120),
-        Interpolation.CIRCLE: (226, 92, 228),
-    }
+    {way: _rgb(kind.on_dark) for way, kind in MOVE_KINDS.items()}
 )
-CORNER: Colour = (255, 193, 7)
+CORNER = _rgb(move_kinds.CORNER.on_dark)
 STANDSTILL: Colour = (62, 68, 80)
 PROGRAMMED: Colour = (150, 158, 172)
 """What was asked for, beside what was done: path and speed."""

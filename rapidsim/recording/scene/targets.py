@@ -11,7 +11,6 @@ import rerun as rr
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Severity
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.language.moves import Interpolation
 from rapidsim.recording import palette
 from rapidsim.recording.samples import RecordedRobot
 from rapidsim.simulation.results.time_shares import end_point
@@ -60,7 +59,7 @@ def targets_of(run: RecordedRobot) -> tuple[Target, ...]:
         target = Target(
             target_name(move),
             still_from_tcp,
-            move.move.interpolation in (Interpolation.LINE, Interpolation.CIRCLE),
+            move.move.interpolation.leads_tcp,
             (move.place.span.file, move.place.span.line) in warned,
         )
         key = (target.name, *place)

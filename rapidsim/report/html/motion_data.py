@@ -15,10 +15,10 @@ from rapidsim.controller.journal.events import Event, EventKind
 from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.language.moves import Interpolation
 from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.report.html.arm_shapes import arm_data
 from rapidsim.report.html.packing import packed, packed_columns
+from rapidsim.simulation.results.move_kinds import CORNER, DRAWN_KINDS, MOVE_KINDS
 from rapidsim.simulation.results.relative_motion import (
     is_shown_in_world,
     shown_end,
@@ -38,15 +38,6 @@ MOST_MARKS = 500
 _DEFAULT_DT = 0.012
 _MM = 1000.0
 _NAME_LETTERS = 24
-_KINDS = {
-    Interpolation.JOINT: "joint",
-    Interpolation.AXES: "axes",
-    Interpolation.EXTERNAL_AXES: "axes",
-    Interpolation.LINE: "line",
-    Interpolation.CIRCLE: "circle",
-}
-_NUMBERED = ("joint", "axes", "line", "circle", "corner")
-"""The kinds in the order that the page numbers them in."""
 
 
 def motion_data(simulation: Simulation) -> dict[str, object]:
@@ -91,14 +82,14 @@ def _robot(run: SampledRun) -> dict[str, object]:
 
 
 def _kinds(run: SampledRun) -> Array:
-    """How the TCP moves at each sample (k,): a place in `_NUMBERED`."""
+    """How the TCP moves at each sample (k,): a place in `DRAWN_KINDS`."""
     moves, samples = run.one.moves, run.samples
     if not moves:
         return np.zeros(len(samples.times))
-    numbers = [_NUMBERED.index(_KINDS[move.move.interpolation]) for move in moves]
+    numbers = [DRAWN_KINDS.index(MOVE_KINDS[move.move.interpolation]) for move in moves]
     of_move = np.array(numbers, dtype=np.float64)
     kinds = of_move[np.clip(samples.move, 0, len(moves) - 1)]
-    return np.where(run.in_corner, float(_NUMBERED.index("corner")), kinds)
+    return np.where(run.in_corner, float(DRAWN_KINDS.index(CORNER)), kinds)
 
 
 def _arm(one: RobotRun, end_s: float, in_world: bool) -> dict[str, object]:
@@ -144,7 +135,7 @@ def _move(move: ExecutedMove) -> list[object]:
     return [
         round(move.start_s, 4),
         round(move.end_s, 4),
-        _KINDS[move.move.interpolation],
+        MOVE_KINDS[move.move.interpolation].name,
         f"{move.move.instruction} {name[:_NAME_LETTERS]}",
         round(move.move.speed.v_tcp, 1),
         move.place.span.line,
@@ -163,7 +154,7 @@ def _targets(one: RobotRun, in_world: bool) -> list[list[object]]:
         shown = shown_end(one, move, in_world=in_world).translation
         place = tuple(round(_MM * float(x), 1) + 0.0 for x in shown)
         visits.setdefault(place, Counter())[end_point(move)[:_NAME_LETTERS]] += 1
-        if move.move.interpolation in (Interpolation.LINE, Interpolation.CIRCLE):
+        if move.move.interpolation.leads_tcp:
             on_lines.add(place)
         if len(visits) > MOST_NAMES:
             return []

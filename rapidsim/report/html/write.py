@@ -18,6 +18,7 @@ from rapidsim.report.html.elements import text
 from rapidsim.report.html.motion_data import motion_data
 from rapidsim.report.run.figures import figures
 from rapidsim.shipped import shipped
+from rapidsim.simulation.results.move_kinds import DRAWN_KINDS
 from rapidsim.simulation.results.simulation import Simulation
 
 _SCRIPTS = ("data.js", "plot.js", "lanes.js", "path.js", "arm.js", "page.js")
@@ -48,7 +49,7 @@ def report_page(simulation: Simulation, findings: Sequence[Diagnostic]) -> str:
     """The page as text."""
     parts = {
         "title": text(simulation.title),
-        "style": _shipped("style.css"),
+        "style": _colours_of_moves() + _shipped("style.css"),
         "head": sections.head(simulation),
         "summary": sections.summary(simulation, figures(simulation), findings),
         "findings": sections.findings(simulation, findings),
@@ -66,6 +67,13 @@ def report_page(simulation: Simulation, findings: Sequence[Diagnostic]) -> str:
         name, rest = piece.split("}}", 1)
         filled += [parts[name], rest]
     return "".join(filled)
+
+
+def _colours_of_moves() -> str:
+    """The variables of the style sheet that colour moves."""
+    light = "".join(f" --{kind.name}: {kind.on_light};" for kind in DRAWN_KINDS)
+    dark = "".join(f" --{kind.name}: {kind.on_dark};" for kind in DRAWN_KINDS)
+    return f":root {{{light} }}\n:root.dark {{{dark} }}\n"
 
 
 def _json(value: object) -> str:
