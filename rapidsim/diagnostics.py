@@ -103,6 +103,10 @@ class Span:
         """The characters themselves."""
         return self.source.text[self.start : self.end]
 
+    def begins_in(self, other: Span) -> bool:
+        """Whether its first character lies in another span."""
+        return self.file == other.file and other.start <= self.start < other.end
+
     def __repr__(self) -> str:
         """One line."""
         return f"{self.file[-60:]}:{self.line}:{self.column}"

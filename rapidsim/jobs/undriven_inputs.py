@@ -52,9 +52,7 @@ def not_told(undriven: Iterable[Diagnostic], told: Iterable[Diagnostic]) -> Iter
     ends = [one.span for one in told if isinstance(one.violation, EndlessWait) and one.span]
     for one in undriven:
         span = one.span
-        if span is None or not any(
-            end.file == span.file and end.start <= span.start < end.end for end in ends
-        ):
+        if span is None or not any(span.begins_in(end) for end in ends):
             yield one
 
 

@@ -146,16 +146,10 @@ def _not_sure(
 ) -> Iterator[Diagnostic]:
     """The findings; what depends on inputs as a run has them when nobody sets them is no error."""
     moved = moved_by_outside(program)
-    unsure = [
-        (module.source.file, call.start, call.end)
-        for call, module in walked.written
-        if call in moved
-    ]
+    unsure = [module.span(call) for call, module in walked.written if call in moved]
     for one in found:
         span = one.span
-        inside = span is not None and any(
-            file == span.file and start <= span.start < end for file, start, end in unsure
-        )
+        inside = span is not None and any(span.begins_in(call) for call in unsure)
         is_reach = one.violation.code.startswith("K") or one.violation.code == "C104"
         yield replace(one, assumed=True) if inside and is_reach else one
 

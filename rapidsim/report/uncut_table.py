@@ -15,6 +15,11 @@ class UncutTable(Table):
     A column that may wrap is narrowed instead, as in any table.
     """
 
+    @classmethod
+    def without_lines(cls, padding: int = 2) -> UncutTable:
+        """An empty one: nothing but space between columns, so much of it."""
+        return cls(box=None, padding=(0, padding, 0, 0), pad_edge=False, header_style="cyan")
+
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
         """Draw as wide as the cells are."""
         if all(column.no_wrap for column in self.columns):

@@ -99,7 +99,7 @@ def regions_json(regions: Sequence[Region]) -> list[dict[str, object]]:
 
 
 def _table(*names: str) -> Table:
-    table = UncutTable(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
+    table = UncutTable.without_lines()
     for name in names:
         right = name.startswith(">")
         table.add_column(name.lstrip(">"), justify="right" if right else "left", no_wrap=True)

@@ -326,7 +326,7 @@ def _slowest_narrow(lines: Sequence[Share]) -> Table:
 
 
 def _slowest(lines: Sequence[Share], bars: Bars) -> Table:
-    table = UncutTable(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
+    table = UncutTable.without_lines()
     table.add_column("slowest lines", no_wrap=True)
     table.add_column("routine", no_wrap=True, max_width=_ROUTINE_CELLS)
     table.add_column("move or wait", no_wrap=True, max_width=_MOVE_CELLS)

@@ -293,7 +293,7 @@ def _pitch(point: PointReach) -> tuple[str, str]:
 
 
 def _table(first: str, *others: str) -> Table:
-    table = UncutTable(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
+    table = UncutTable.without_lines()
     table.add_column(first, no_wrap=True)
     for name in others:
         table.add_column(name, justify="right", no_wrap=True)

@@ -218,7 +218,7 @@ def _title(robot: Robot) -> Text:
 
 
 def _table(first: str, *others: str, padding: int = 2) -> Table:
-    table = UncutTable(box=None, padding=(0, padding, 0, 0), pad_edge=False, header_style="cyan")
+    table = UncutTable.without_lines(padding)
     table.add_column(first, no_wrap=True)
     for name in others:
         table.add_column(name, justify="right", no_wrap=True)

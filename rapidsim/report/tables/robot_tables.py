@@ -24,7 +24,7 @@ _MEANING = (
 
 def catalogue_table(robots: Sequence[tuple[Robot, Sequence[str]]]) -> RenderableType:
     """One row a robot with its short names, maker by maker."""
-    table = UncutTable(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
+    table = UncutTable.without_lines()
     table.add_column("name", style="bold", no_wrap=True)
     table.add_column("short", no_wrap=True)
     table.add_column("payload", justify="right", no_wrap=True)
@@ -97,7 +97,7 @@ def robot_page(robot: Robot, aliases: Sequence[str]) -> RenderableType:
     ):
         for number, line in enumerate(lines):
             facts.add_row("" if number else label, line)
-    axes = UncutTable(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
+    axes = UncutTable.without_lines()
     axes.add_column("axis", style="bold", no_wrap=True)
     axes.add_column("from", justify="right", no_wrap=True)
     axes.add_column("to", justify="right", no_wrap=True)
