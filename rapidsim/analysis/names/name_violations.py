@@ -60,8 +60,8 @@ class DuplicateName(Violation, code="N202"):
             )
         if self.between_modules and self.duplicate.lower() == "main":
             return (
-                "what is named together is one task: name each program by itself, or give each a "
-                "[[task]] in rapidsim.toml"
+                "what is named together is one task: name each program by itself, or let "
+                "`rapidsim init` give each a [[task]] in rapidsim.toml"
             )
         if self.between_modules:
             return "rename one of them, or make one LOCAL to its module"
