@@ -183,6 +183,10 @@ class _Talk:
             case Over(feedback):
                 if self.correcting is not None:
                     self.stream.clear()
+                    if self.last is not None:
+                        # The sensor was told on time, whatever the controller was behind.
+                        after_s = max(feedback.time_s, self.last.time_s)
+                        feedback = replace(feedback, time_s=after_s)
                 self.guidance = self.correcting = self.last = None
                 self.socket.send(feedback)
             case Streamed(stream):
