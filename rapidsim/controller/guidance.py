@@ -18,6 +18,7 @@ from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.journal.stop_reasons import WaitsForever
 from rapidsim.controller.motion_state import MotionState
+from rapidsim.controller.moves.guidance_frames import told_frames
 from rapidsim.controller.moves.guidance_start import (
     DEFAULT_DATA,
     AskedGuidance,
@@ -26,6 +27,7 @@ from rapidsim.controller.moves.guidance_start import (
     started,
 )
 from rapidsim.controller.moves.resolve import Resolver
+from rapidsim.controller.path_correction import PathCorrecting
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.sensor_streams import SensorStream
 from rapidsim.controller.signal_sensor import SignalSensor
@@ -41,10 +43,13 @@ from rapidsim.language.guidance import (
     Purpose,
     SensorSetup,
 )
+from rapidsim.language.moves import Move
 from rapidsim.motion.guidance.feedback import Guided
 from rapidsim.motion.guidance.guided_run import Ended, GuidedRun
 from rapidsim.motion.guidance.joint_law import CYCLE_S
+from rapidsim.motion.guidance.path_correction import PathCorrection
 from rapidsim.motion.guidance.sensor import SensorAnswer
+from rapidsim.motion.trajectory.corrected_stretch import CorrectedStretch
 from rapidsim.motion.trajectory.guided_stretch import GuidedStretch
 from rapidsim.values import dataclass
 
@@ -59,6 +64,8 @@ class _Identity:
     data: ExternalMotionData = DEFAULT_DATA
     sensor: Sensor | None = None
     activation: Activation | None = None
+    sample_s: float | None = None
+    """Of a sensor that corrects paths: how often [s] it does; None before EGMActMove."""
     stream: SensorStream | None = None
 
 
@@ -108,6 +115,10 @@ class TaskGuidance:
     journal: Journal
     _identities: dict[int, _Identity] = field(default_factory=dict)
     _under_way: _UnderWay | None = None
+    _correcting: tuple[_Identity, PathCorrecting] | None = None
+    """Who corrects the path, until the robot leaves it."""
+    _puts: bool = False
+    """Whether a move is put on a path that is corrected."""
     _last: tuple[_Identity, Ended] | None = None
     """Whose guidance has ended last, and how, until somebody has asked."""
 
@@ -131,7 +142,7 @@ class TaskGuidance:
         self.clock.come_up()
         data = external_motion_data(self.cell.parameters, setup.configuration)
         self._close(one)
-        one.setup, one.data, one.activation = setup, data, None
+        one.setup, one.data, one.activation, one.sample_s = setup, data, None, None
         one.sensor, one.state = self._sensor(setup), CONNECTED
 
     def activate(self, identity: int, activation: Activation) -> None:
@@ -156,6 +167,7 @@ class TaskGuidance:
             raise NotAllowed("a sensor guides the robot already; EGMStop ends that")
         if self.unit.seat is not None:
             raise NotAllowed("robots that move together cannot be guided by a sensor")
+        self._end_correction()
         if len(terms.chosen) != len(one.activation.bands):
             raise NotAllowed("EGMRunJoint follows EGMActJoint, and EGMRunPose EGMActPose")
         self.clock.note_line()
@@ -164,6 +176,41 @@ class TaskGuidance:
         self._begin(one, terms)
         if terms.waits:
             self._await(one)
+
+    def activate_path(self, identity: int, sample_s: float) -> None:
+        """Say how often the sensor corrects a path."""
+        one, setup = self._connected(identity)
+        if setup.purpose is not Purpose.PATH_CORRECTION:
+            raise NotAllowed(r"EGMSetupUC has not set this EGM identity up with \PathCorr")
+        one.sample_s = sample_s
+
+    def correct(self, identity: int, move: Move, put: Callable[[], None]) -> None:
+        """Let the sensor correct the path of a move."""
+        one, _ = self._connected(identity)
+        if one.sample_s is None:
+            raise NotAllowed(f"{move.instruction}: EGMActMove comes first")
+        if self.unit.seat is not None:
+            raise NotAllowed("the path of robots that move together cannot be corrected")
+        self.clock.note_line()
+        if self._correcting is None or self._correcting[0] is not one:
+            self._end_correction()
+            self.clock.come_to_rest()
+            self.clock.await_restart()
+        correcting = self._correction_of(one, move)
+        if not correcting.runs:
+            correcting.begin(self.clock.observe())
+        one.state, self._puts = RUNNING, True
+        self.clock.grant()
+        try:
+            put()
+        except (RapidError, NotAllowed):
+            if correcting.ended is not None:
+                self._stop_here(correcting)
+            raise
+        finally:
+            self._puts = False
+        if not self.unit.own.is_open:
+            self._pause(one, correcting)
 
     def await_condition(self, identity: int) -> None:
         """Wait until the robot that is guided is there."""
@@ -180,6 +227,8 @@ class TaskGuidance:
         self.clock.note_line()
         self.clock.come_up()
         under_way = self._under_way
+        if self._corrects(one):
+            self._end_correction()
         if under_way is None or under_way.identity is not one:
             return
         under_way.run.stop(goes_back=goes_back, ramp_out_s=ramp_out_s)
@@ -204,6 +253,8 @@ class TaskGuidance:
             self.unit.own.end_guidance()
             self._settle()
             self.clock.come_to_rest()
+        if self._corrects(one):
+            self._end_correction()
         self._close(one)
         del self._identities[identity]
 
@@ -217,6 +268,9 @@ class TaskGuidance:
     def forget_all(self) -> None:
         """The program is taken off: no sensor is talked to any more."""
         self._settle()
+        if self.unit.own.corrected is not None:
+            self.unit.own.corrected.settle()
+        self._correcting = None
         for one in self._identities.values():
             self._close(one)
         self._identities.clear()
@@ -228,20 +282,23 @@ class TaskGuidance:
         self._settle()
         streams = (stream.next_s for _, stream in self._streams())
         under_way_s = math.inf if self._under_way is None else self._under_way.next_s
-        next_s = min(under_way_s, min(streams, default=math.inf))
+        next_s = min(under_way_s, self._corrected_s(), min(streams, default=math.inf))
         return None if math.isinf(next_s) else next_s
 
     def pass_next(self, passed_s: float, until_s: float) -> float:
-        """Go on by a cycle, or tell a sensor where the robot is."""
-        del passed_s, until_s
-        under_way = self._under_way
+        """Go on by a cycle or a sample, or tell a sensor where the robot is."""
+        del until_s
+        under_way, corrected_s = self._under_way, self._corrected_s()
+        due_s = min(corrected_s, math.inf if under_way is None else under_way.next_s)
         for one, stream in self._streams():
-            if under_way is None or stream.next_s <= under_way.next_s:
+            if stream.next_s <= due_s:
                 now_s, activation = stream.next_s, one.activation
                 tool = None if activation is None else activation.tool
                 wobj = None if activation is None else activation.wobj
                 stream.tell(self.unit, self.resolver, self.state_of_motion, tool, wobj)
                 return now_s
+        if corrected_s <= due_s:
+            return self._sample(passed_s)
         assert under_way is not None
         return self._cycle(under_way)
 
@@ -253,6 +310,8 @@ class TaskGuidance:
     def _streams(self) -> list[tuple[_Identity, SensorStream]]:
         """Who is told where the robot is, the earliest first; a sensor that guides hears it so."""
         guides = None if self._under_way is None else self._under_way.identity
+        if self._correcting is not None and self._correcting[1].runs:
+            guides = self._correcting[0]
         found = [
             (one, one.stream)
             for one in self._identities.values()
@@ -312,6 +371,86 @@ class TaskGuidance:
         self.clock.tell()
         self.clock.grant()
 
+    def _corrects(self, one: _Identity) -> bool:
+        return self._correcting is not None and self._correcting[0] is one
+
+    def _corrected_s(self) -> float:
+        """When the next sample of a correction is [s]; infinite if none is."""
+        if self._correcting is None or not self._correcting[1].runs:
+            return math.inf
+        return self._correcting[1].next_s
+
+    def _correction_of(self, one: _Identity, move: Move) -> PathCorrecting:
+        """The correction of a path on which a move is put; a new one where it begins."""
+        queue = self.unit.own
+        external = queue.end.external
+        frames = told_frames(self.resolver, self.state_of_motion, move.tool, move.wobj, external)
+        if self._correcting is not None and queue.corrected is self._correcting[1]:
+            self._correcting[1].frames = frames
+            return self._correcting[1]
+        assert one.setup is not None
+        assert one.sensor is not None
+        assert one.sample_s is not None
+        stretch = CorrectedStretch(self.clock.observe(), self.resolver.robot.kinematics)
+        law = PathCorrection(one.data.gain, (one.data.bandwidth_hz,) if one.data.filters else ())
+        correcting = PathCorrecting(
+            self.unit,
+            self.resolver,
+            one.sensor,
+            law,
+            stretch,
+            one.sample_s,
+            one.setup.silence_s,
+            self.clock.come_to_rest,
+            frames,
+        )
+        queue.trajectory.correct(stretch)
+        self._correcting, queue.corrected = (one, correcting), correcting
+        device = one.setup.device
+        self.clock.event(EventKind.GUIDANCE, f"path corrected by {device}", device=device)
+        return correcting
+
+    def _sample(self, passed_s: float) -> float:
+        """Correct the path up to the next sample; the time [s] of this one."""
+        assert self._correcting is not None
+        one, correcting = self._correcting
+        ended, now_s = correcting.sample(passed_s), max(passed_s, correcting.told_s)
+        if ended is not None:
+            correcting.ended, correcting.runs = ended, False
+            if ended is Ended.SILENT and not correcting.law.has_heard:
+                self._tell_nobody(one)
+            failure = self._failure(one, ended)
+            raise failure if self._puts else NotAllowed(str(failure))
+        return now_s
+
+    def _stop_here(self, correcting: PathCorrecting) -> None:
+        """Stop on a path that is corrected no more, and forget the rest of it."""
+        queue = self.unit.own
+        rest_s = queue.halt(correcting.told_s)
+        self.clock.go_to(max(queue.trajectory.seen_s(rest_s), correcting.rest()))
+        correcting.last_word(Guided.FAILED)
+        queue.clear()
+        queue.resume(self.clock.observe())
+        assert self._correcting is not None
+        self._correcting[0].state, self._correcting = CONNECTED, None
+
+    def _pause(self, one: _Identity, correcting: PathCorrecting) -> None:
+        """The robot has come to a stop point of its path."""
+        if correcting.runs:
+            self.clock.pass_time(max(self.clock.observe(), correcting.rest()))
+            correcting.last_word(Guided.STOPPED)
+        one.state = CONNECTED
+
+    def _end_correction(self) -> None:
+        """Let the robot come to the end of a path that is corrected, and stay beside it."""
+        if self._correcting is None:
+            return
+        one, correcting = self._correcting
+        self.clock.come_to_rest()
+        self._pause(one, correcting)
+        correcting.settle()
+        self._correcting = None
+
     def _await(self, one: _Identity) -> None:
         """Wait until the guidance of an identity has ended."""
         with self.clock.waiting("the sensor that guides the robot") as wait:
@@ -339,12 +478,15 @@ class TaskGuidance:
             identity.stream.guided = Guided.FAILED if ended.is_failure else Guided.STOPPED
             identity.stream.next_s = under_way.next_s
         if ended is Ended.SILENT and not under_way.run.has_heard:
-            assert identity.setup is not None
-            told = NobodyGuides(identity.setup.device)
-            self.journal.finding(told, self.clock.place, once=told)
+            self._tell_nobody(identity)
         self._under_way, self._last = None, (identity, ended)
         identity.state = CONNECTED
         self.cell.happenings += 1
+
+    def _tell_nobody(self, one: _Identity) -> None:
+        assert one.setup is not None
+        told = NobodyGuides(one.setup.device)
+        self.journal.finding(told, self.clock.place, once=told)
 
     def _failure(self, one: _Identity, ended: Ended | None) -> RapidError | NotAllowed:
         assert one.setup is not None
@@ -374,7 +516,7 @@ class TaskGuidance:
     def _sensor(self, setup: SensorSetup) -> Sensor:
         if not setup.signals:
             return self.cell.sensors.open(setup.device)
-        return SignalSensor(self.cell, setup.signals, is_pose=setup.purpose is Purpose.POSE)
+        return SignalSensor(self.cell, setup.signals, setup.purpose)
 
     def _close(self, one: _Identity) -> None:
         if one.sensor is not None:

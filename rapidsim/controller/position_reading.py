@@ -62,7 +62,7 @@ class PositionReader:
         if self._version != self.unit.version:
             self._version, self._last = self.unit.version, None
             self._ahead.clear()
-        if self.unit.own.guided is not None:
+        if self.unit.own.is_led:
             # Only the sensor knows where it will be.
             self._step_s = math.inf
             self._ahead.clear()
@@ -78,7 +78,7 @@ class PositionReader:
         """Until when [s] nobody gets another reading, if nothing else happens."""
         queue = self.unit.queue
         waits = queue.is_open and not queue.is_halted
-        waits |= self.unit.own.guided is not None
+        waits |= self.unit.own.is_led
         still = not waits and queue.trajectory.duration <= reading.time_s
         return math.inf if still else reading.time_s + HOLDS_S
 

@@ -5,8 +5,10 @@ Nothing of the run hangs on it: the path is looked at, not decided.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 from typing import Final
 
 import numpy as np
@@ -20,13 +22,13 @@ from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.frames.transform import Array
 from rapidsim.language.data import ToolData, WobjData
-from rapidsim.motion.guidance.feedback import Guided, standing_feedback
+from rapidsim.motion.guidance.feedback import Feedback, Frames, Guided, standing_feedback
 from rapidsim.motion.trajectory.trajectory import Samples
 
 TELLS_S: Final = 0.020
 """So often [s] the controller looks where the robot is."""
 _AHEAD_S: Final = 0.060
-_NEXT_S: Final = 0.001
+SPEED_STEP_S: Final = 0.001
 """[s]; from an instant to the one by which the speed of axes is found."""
 
 
@@ -58,27 +60,57 @@ class SensorStream:
         times: Array = np.arange(max(first, 0), last, dtype=np.float64) * self.sample_s
         if not len(times):
             return
-        trajectory = unit.queue.trajectory
-        with suppress(MotionError):
-            trajectory = unit.queue.preview()
-        here, later = trajectory.at(times), trajectory.at(times + _NEXT_S)
-        frames = told_frames(resolver, state, tool, wobj, here.external[0])
-        speeds = np.abs(later.joints - here.joints) / _NEXT_S
-        fastest = unit.own.planner.limits.max_speed[: here.joints.shape[1]]
-        utilised = 100.0 * np.max(speeds / fastest, axis=1, initial=0.0)
-        self.sensor.tell(
-            [
-                standing_feedback(
-                    frames,
-                    time_s,
-                    here.joints[k],
-                    _external(resolver, here, k),
-                    self.guided,
-                    float(utilised[k]),
-                )
-                for k, time_s in enumerate(times.tolist())
-            ]
+        told = partial(told_frames, resolver, state, tool, wobj)
+        self.sensor.tell(told_along(unit, resolver, told, times, self.guided))
+
+
+def told_along(
+    unit: MechanicalUnit,
+    resolver: Resolver,
+    told_in: Callable[[Array], Frames],
+    times: Array,
+    guided: Guided,
+) -> list[Feedback]:
+    """What a sensor is told of a robot on its path at instants (k,) [s].
+
+    Args:
+        unit: Whose robot it is.
+        resolver: Likewise.
+        told_in: The frames in which it is told, by where external axes (e,) stand [m or rad].
+        times: Of the words.
+        guided: What is told of guidance.
+    """
+    trajectory = unit.queue.trajectory
+    with suppress(MotionError):
+        trajectory = unit.queue.preview()
+    samples = trajectory.at(np.concatenate([times, times + SPEED_STEP_S]))
+    return told_of(unit, resolver, told_in(samples.external[0]), samples, len(times), guided)
+
+
+def told_of(
+    unit: MechanicalUnit,
+    resolver: Resolver,
+    frames: Frames,
+    samples: Samples,
+    count: int,
+    guided: Guided,
+) -> list[Feedback]:
+    """The same of samples: so many, and behind them those `SPEED_STEP_S` later."""
+    now, later = samples.joints[:count], samples.joints[count : 2 * count]
+    speeds = np.abs(later - now) / SPEED_STEP_S
+    fastest = unit.own.planner.limits.max_speed[: now.shape[1]]
+    utilised = 100.0 * np.max(speeds / fastest, axis=1, initial=0.0)
+    return [
+        standing_feedback(
+            frames,
+            float(samples.times[k]),
+            now[k],
+            _external(resolver, samples, k),
+            guided,
+            float(utilised[k]),
         )
+        for k in range(count)
+    ]
 
 
 def _external(resolver: Resolver, samples: Samples, row: int) -> tuple[float, ...]:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.cell.sensors import SilentSensor
 from rapidsim.frames.quaternion import from_zyx
+from rapidsim.language.guidance import Purpose
 from rapidsim.motion.guidance.feedback import Feedback
 from rapidsim.motion.guidance.sensor import SensorAnswer
 
@@ -16,21 +17,23 @@ from rapidsim.motion.guidance.sensor import SensorAnswer
 class SignalSensor(SilentSensor):
     """Says what signals show; implements `sensors.Sensor`.
 
-    Of joints [deg], or of a pose: x, y, z [mm], then the angles about fixed x, y and z [deg]. What
-    no signal says is where it was when the guidance began.
+    Of joints [deg], of a pose: x, y, z [mm], then the angles about fixed x, y and z [deg], or of
+    what corrects a path: x, y, z [mm]. What no signal says is where it was when the guidance began.
     """
 
     cell: Cell
     signals: tuple[str, ...]
     """By name; empty for what none says."""
-    is_pose: bool
+    purpose: Purpose
     _first: Feedback | None = None
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
         """What they show now."""
         self._first = first = self._first or feedback
         values = [self.cell.signals.read(name) if name else None for name in self.signals]
-        if not self.is_pose:
+        if self.purpose is Purpose.PATH_CORRECTION:
+            return SensorAnswer(correction=tuple(value or 0.0 for value in values[:3]))
+        if self.purpose is not Purpose.POSE:
             told = zip(values, first.joints, strict=False)
             joints = [here if value is None else value for value, here in told]
             return SensorAnswer(joints=(*joints, *first.joints[len(values) :]))

@@ -25,7 +25,7 @@ from rapidsim.findings.ramps import RampWaits
 from rapidsim.language.error_log import CORNER_PATH_FAILURE
 from rapidsim.language.error_numbers import ERR_CONC_MAX, rapid_error
 from rapidsim.language.errors import NotAllowed
-from rapidsim.language.moves import Move
+from rapidsim.language.moves import Move, Sensed
 from rapidsim.values import dataclass
 
 MAX_CONCURRENT_MOVES = 5
@@ -77,6 +77,8 @@ class SoloMoves:
             raise NotAllowed(
                 f"{move.instruction}: a sensor guides the robot; EGMStop, or EGMWaitCond, ends that"
             )
+        if queue.corrected is not None and move.sensed is Sensed.NEVER:
+            queue.corrected.end()
         queued = self.resolver.resolve(
             move, self.clock.place, queue.end, self.state.settings, index=len(queue.moves)
         )

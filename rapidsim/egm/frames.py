@@ -10,6 +10,8 @@ from typing import Any, Final
 from rapidsim.controller.cell.inputs import START_OF_TIME
 from rapidsim.egm.codec import DecodeError, Fields, decode, encode
 from rapidsim.egm.messages import (
+    HEADED,
+    PATH_CORRECTION,
     ROBOT,
     SENSOR,
     ExecutionState,
@@ -80,18 +82,38 @@ def robot_datagram(number: int, feedback: Feedback) -> bytes:
 
 
 def sensor_answer(data: bytes) -> SensorAnswer:
-    """What a sensor says in a message EgmSensor.
+    """What a sensor says in a message EgmSensor or EgmSensorPathCorr.
 
     Raises:
         DecodeError: If it is none, or its numbers are beyond all reason.
     """
+    kind = decode(HEADED, data).get("header", {}).get("mtype")
+    answer = _correction(data) if kind == MessageType.PATH_CORRECTION else _goal(data)
+    said: Sequence[tuple[float, ...]] = (
+        answer.joints,
+        answer.position,
+        answer.joint_speed,
+        answer.tcp_speed,
+        answer.correction,
+    )
+    if any(abs(value) > _MOST for part in said for value in part):
+        raise DecodeError("a number is beyond all reason")
+    return answer
+
+
+def _correction(data: bytes) -> SensorAnswer:
+    told = decode(PATH_CORRECTION, data).get("pathCorr", {})
+    return SensorAnswer(correction=_numbers(told.get("pos", {}), ("x", "y", "z")))
+
+
+def _goal(data: bytes) -> SensorAnswer:
     read = decode(SENSOR, data)
     planned, speed = read.get("planned", {}), read.get("speedRef", {})
     pose = planned.get("cartesian", {})
     orientation = _numbers(pose.get("orient", {}), ("u0", "u1", "u2", "u3"))
     if "euler" in pose:
         orientation = _quaternion(_numbers(pose["euler"], ("x", "y", "z")))
-    answer = SensorAnswer(
+    return SensorAnswer(
         joints=(*_list(planned, "joints"), *_list(planned, "externalJoints")),
         position=_numbers(pose.get("pos", {}), ("x", "y", "z")),
         orientation=orientation,
@@ -99,15 +121,6 @@ def sensor_answer(data: bytes) -> SensorAnswer:
         tcp_speed=tuple(speed.get("cartesians", {}).get("value", ())),
         values=tuple(read.get("RAPIDtoRobot", {}).get("dnum", ())),
     )
-    said: Sequence[tuple[float, ...]] = (
-        answer.joints,
-        answer.position,
-        answer.joint_speed,
-        answer.tcp_speed,
-    )
-    if any(abs(value) > _MOST for part in said for value in part):
-        raise DecodeError("a number is beyond all reason")
-    return answer
 
 
 def _list(fields: Mapping[str, Any], name: str) -> tuple[float, ...]:

@@ -55,6 +55,16 @@ class Begun:
 
 
 @dataclass(frozen=True, slots=True)
+class Correcting:
+    """A path is corrected from now on: what is streamed is answered."""
+
+    number: int
+    first_s: float
+    """Of the first sample [s]."""
+    sample_s: float
+
+
+@dataclass(frozen=True, slots=True)
 class Stopping:
     """The program ends it."""
 
@@ -81,7 +91,7 @@ class Closed:
     """Nobody talks to it any more."""
 
 
-Order: TypeAlias = Opened | Begun | Stopping | Over | Streamed | Closed
+Order: TypeAlias = Opened | Begun | Correcting | Stopping | Over | Streamed | Closed
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,6 +124,7 @@ class _Talk:
     opened: Opened
     socket: SensorSocket
     guidance: _Guidance | None = None
+    correcting: Correcting | None = None
     stream: list[Feedback] = field(default_factory=list)
     """What is to be told, by time."""
     last: Feedback | None = None
@@ -137,8 +148,7 @@ class _Talk:
         """Do what is due [s]; what the controller is told."""
         guidance = self.guidance
         if guidance is None:
-            self._tell()
-            return None
+            return self._tell()
         behind_s = now_s - self.due_s()
         if behind_s > _MOST_LATE * CYCLE_S / self.opened.speed:
             guidance.late_s += behind_s
@@ -164,10 +174,20 @@ class _Talk:
                 self.guidance, self.last = _Guidance(number, run, told), None
                 behind_s = monotonic() - self.due_s()
                 self.guidance.late_s = max(0.0, behind_s)
+            case Correcting():
+                self.socket.begin()
+                self.stream.clear()
+                self.correcting, self.last, self.held_s = order, None, 0.0
             case Stopping(goes_back, ramp_out_s) if self.guidance is not None:
                 self.guidance.run.stop(goes_back=goes_back, ramp_out_s=ramp_out_s)
             case Over(feedback):
-                self.guidance = None
+                if self.correcting is not None:
+                    self.stream.clear()
+                    if self.last is not None:
+                        # The sensor was told on time, whatever the controller was behind.
+                        after_s = max(feedback.time_s, self.last.time_s)
+                        feedback = replace(feedback, time_s=after_s)
+                self.guidance = self.correcting = self.last = None
                 self.socket.send(feedback)
             case Streamed(stream):
                 after_s = -math.inf if self.last is None else self.last.time_s
@@ -179,7 +199,12 @@ class _Talk:
             case _:
                 pass
 
-    def _tell(self) -> None:
+    def _tell(self) -> Heard | None:
+        """Tell what is due of the stream; what the sensor has answered, if that counts."""
+        answer, one = None, self.correcting
+        if one is not None:
+            self.socket.hear()
+            answer = self.socket.take()
         if self.stream:
             told = self.stream.pop(0)
             if self.last is not None:
@@ -190,6 +215,10 @@ class _Talk:
             self.held_s += self.sample_s / self.opened.speed
         self.last = told
         self.socket.send(told)
+        if one is None:
+            return None
+        sample = round((told.time_s - one.first_s) / one.sample_s)
+        return Heard(self.number, one.number, sample, answer)
 
     def _wall_s(self, virtual_s: float) -> float:
         return self.opened.began_s + virtual_s / self.opened.speed

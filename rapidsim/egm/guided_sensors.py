@@ -10,7 +10,17 @@ from typing import Final
 
 from rapidsim.controller.cell.sensors import Teller
 from rapidsim.egm.devices import SensorDevices
-from rapidsim.egm.guide import Begun, Closed, Heard, Opened, Order, Over, Stopping, Streamed
+from rapidsim.egm.guide import (
+    Begun,
+    Closed,
+    Correcting,
+    Heard,
+    Opened,
+    Order,
+    Over,
+    Stopping,
+    Streamed,
+)
 from rapidsim.motion.guidance.feedback import Feedback
 from rapidsim.motion.guidance.guided_run import GuidedRun
 from rapidsim.motion.guidance.sensor import SensorAnswer
@@ -78,17 +88,26 @@ class GuidedSensor:
     looks_ahead: bool = True
     _guidance: int = 0
     _samples: int = 0
+    _correcting: Correcting | None = None
 
     def begin(self, run: GuidedRun, told: Teller) -> None:
         """Let the guide begin, too."""
         self._guidance, self._samples = self._guidance + 1, 0
+        self._correcting = None
         self.all.send(self.number, Begun(self._guidance, run, told))
+
+    def correct(self, first_s: float, sample_s: float) -> None:
+        """Let the guide hear what the sensor answers to what it is told."""
+        self._guidance += 1
+        self._correcting = Correcting(self._guidance, first_s, sample_s)
+        self.all.send(self.number, self._correcting)
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
         """What has been said by this sample; the guide has told the sensor long ago."""
-        del feedback
-        self._samples += 1
-        return self.all.next(self.number, self._guidance, self._samples - 1)
+        sample, self._samples = self._samples, self._samples + 1
+        if (one := self._correcting) is not None:
+            sample = round((feedback.time_s - one.first_s) / one.sample_s)
+        return self.all.next(self.number, self._guidance, sample)
 
     def stop(self, *, goes_back: bool, ramp_out_s: float) -> None:
         """Let the guide stop, too."""

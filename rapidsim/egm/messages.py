@@ -77,6 +77,8 @@ SENSOR: Final = message(
     header=(1, _HEADER), planned=(2, _PLANNED), speedRef=(3, _SPEED_REF), RAPIDtoRobot=(4, _DATA)
 )
 """What a sensor answers."""
+HEADED: Final = message(header=(1, _HEADER))
+"""Any message, as far as it says of itself what it is."""
 PATH_CORRECTION: Final = message(
     header=(1, _HEADER),
     pathCorr=(2, message(pos=(1, _CARTESIAN, True), age=(2, _N, True))),

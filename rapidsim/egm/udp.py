@@ -111,7 +111,12 @@ class PacedSensor(SilentSensor):
     def begin(self, run: GuidedRun, told: Teller) -> None:
         """Count from now."""
         del run
-        self._sample_s, self._due_s = told.samples * CYCLE_S, monotonic()
+        self.correct(told.first_s, told.samples * CYCLE_S)
+
+    def correct(self, first_s: float, sample_s: float) -> None:
+        """Count from now."""
+        del first_s
+        self._sample_s, self._due_s = sample_s, monotonic()
         self.socket.begin()
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
@@ -163,7 +168,12 @@ class StepSensor(SilentSensor):
     def begin(self, run: GuidedRun, told: Teller) -> None:
         """See `Sensor`."""
         del run
-        self.sample_s = told.samples * CYCLE_S
+        self.correct(told.first_s, told.samples * CYCLE_S)
+
+    def correct(self, first_s: float, sample_s: float) -> None:
+        """See `Sensor`."""
+        del first_s
+        self.sample_s = sample_s
         self.socket.begin()
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:

@@ -5,10 +5,12 @@ Everything is in RAPID's units: mm, degrees, seconds.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from enum import Enum, auto
 from typing import Final, Protocol
 
 from rapidsim.language.data import EgmMinMax, Pose, ToolData, WobjData
+from rapidsim.language.moves import Move
 from rapidsim.values import dataclass
 
 DISCONNECTED: Final = 0.0
@@ -104,6 +106,23 @@ class Guidance(Protocol):
 
     def guide(self, identity: int, terms: GuidanceTerms) -> None:
         """Let the sensor guide the robot; returns when it is there, or at once.
+
+        Raises:
+            RapidError: ERR_UDPUC_COMM, if the sensor says nothing for too long.
+        """
+        ...
+
+    def activate_path(self, identity: int, sample_s: float) -> None:
+        """Say how often the sensor tells how far from its path the robot shall be."""
+        ...
+
+    def correct(self, identity: int, move: Move, put: Callable[[], None]) -> None:
+        """Let the sensor correct the path of a move.
+
+        Args:
+            identity: Of the sensor.
+            move: Which begins the path, or goes on with it.
+            put: Puts the move on the path; returns when the program would go on.
 
         Raises:
             RapidError: ERR_UDPUC_COMM, if the sensor says nothing for too long.

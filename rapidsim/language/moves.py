@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import field
-from enum import Enum
+from enum import Enum, auto
 
 from rapidsim.diagnostics import Span
 from rapidsim.language.data import (
@@ -82,6 +82,16 @@ class StopTime:
     """Whether the program waits with the robot."""
 
 
+class Sensed(Enum):
+    """What a sensor has to do with the path of a move."""
+
+    NEVER = auto()
+    """Nothing: all moves but EGMMoveL and EGMMoveC."""
+    NOT_HERE = auto()
+    """It corrects the moves before and behind: \\NoCorr."""
+    CORRECTED = auto()
+
+
 @dataclass(frozen=True, slots=True)
 class Move:
     """One move instruction with its arguments evaluated."""
@@ -104,6 +114,8 @@ class Move:
     """The argument \\Inpos, where it gives a time."""
     programmed: RobTarget | None = None
     """The target as programmed, where \\Corr moves it."""
+    sensed: Sensed = Sensed.NEVER
+    """Whether a sensor corrects its path."""
 
 
 class SingularArea(Enum):

@@ -1,7 +1,7 @@
 r"""Externally guided motion (EGM): a sensor moves the robot, every few milliseconds.
 
 Who the sensor is, the controller knows: a program over the network where a run may use it, signals,
-or nobody. Correcting a path that is programmed (EGMActMove, EGMMoveL) is only declared.
+or nobody.
 
 Source: Application manual Externally Guided Motion; Technical reference manual RAPID Instructions,
 Functions and Data types, "EGMActJoint" and its like.
@@ -10,7 +10,8 @@ Functions and Data types, "EGMActJoint" and its like.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from typing import Annotated, Final, Unpack, cast
 
 from rapidsim.language import types
@@ -25,7 +26,17 @@ from rapidsim.language.annotations import (
     Var,
 )
 from rapidsim.language.controller import Controller
-from rapidsim.language.data import LoadData, Pose, Signal, ToolData, WobjData
+from rapidsim.language.data import (
+    IDENTITY_POSE,
+    LoadData,
+    Pose,
+    RobTarget,
+    Signal,
+    SpeedData,
+    ToolData,
+    WobjData,
+    ZoneData,
+)
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.errors import NotAllowed
 from rapidsim.language.guidance import (
@@ -37,6 +48,7 @@ from rapidsim.language.guidance import (
     Purpose,
     SensorSetup,
 )
+from rapidsim.language.moves import Interpolation, Sensed
 from rapidsim.language.reference import Reference
 from rapidsim.library.guidance_arguments import (
     EXTERNAL,
@@ -45,6 +57,7 @@ from rapidsim.library.guidance_arguments import (
     SIGNALS,
     AnalogInputs,
     AnalogOutputs,
+    CorrectedOptions,
     GroupInputs,
     JointBands,
     JointSwitches,
@@ -52,6 +65,7 @@ from rapidsim.library.guidance_arguments import (
     PoseSwitches,
 )
 from rapidsim.library.honesty import ignored
+from rapidsim.library.motion import asked, each_way
 from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
 from rapidsim.library.traits import Does
@@ -64,6 +78,9 @@ EgmStopMode = Annotated[float, types.Alias("egmstopmode", types.NUM)]
 
 LP_FILTER_HZ: Final = 20.0
 SAMPLE_MS: Final = 4.0
+PATH_SAMPLE_MS: Final = 48.0
+"""Of EGMActMove; from memory of ABB's documents."""
+PATH_STEP_MS: Final = 24.0
 MAX_SPEED_DEVIATION: Final = 1.0
 TIMEOUT_S: Final = 1.0
 CONDITION_S: Final = 1.0
@@ -246,6 +263,44 @@ def egm_act_pose(
     )
 
 
+def egm_act_move(
+    controller: Controller,
+    egmid: Var[EgmIdent],
+    sensor_frame: Pose,
+    *,
+    sample_rate: Num | None = None,
+) -> None:
+    """Say where a sensor is that corrects paths, and how often it does."""
+    if sensor_frame != IDENTITY_POSE:
+        controller.honesty.not_simulated(
+            "EGMActMove SensorFrame", "the sensor is taken to measure in path coordinates"
+        )
+    controller.guidance.activate_path(
+        _known(egmid, "EGMActMove"), _sample_s(sample_rate, PATH_SAMPLE_MS, PATH_STEP_MS)
+    )
+
+
+def _corrected(name: str, way: Interpolation) -> Callable[..., None]:
+    """The body of a move whose path a sensor corrects."""
+
+    def body(
+        controller: Controller,
+        egmid: Var[EgmIdent],
+        to_point: RobTarget,
+        speed: SpeedData,
+        zone: ZoneData,
+        tool: Pers[ToolData],
+        **options: Unpack[CorrectedOptions],
+    ) -> None:
+        sensed = Sensed.NOT_HERE if options.get("no_corr") else Sensed.CORRECTED
+        move = asked(controller, name, way, to_point, speed, zone, tool, options)
+        move = replace(move, sensed=sensed)
+        identity = _known(egmid, name)
+        controller.guidance.correct(identity, move, lambda: controller.motion.move(move))
+
+    return body
+
+
 def egm_run_joint(
     controller: Guidance,
     egmid: Var[EgmIdent],
@@ -340,8 +395,6 @@ def _guide_by(
     external = {rf"\{kind.lower()}{name.upper()}": given[name] for name in EXTERNAL}
     ignored(controller.honesty, routine_name, external)
     names = tuple(_name_of(given[name]) for name in SIGNALS)
-    if purpose is Purpose.PATH_CORRECTION:
-        controller.honesty.not_simulated(rf"{routine_name} \PathCorr", "paths are not corrected")
     setup = SensorSetup(routine_name, configuration, purpose, math.inf, names)
     controller.guidance.set_up(_known(egmid, routine_name), setup)
 
@@ -389,11 +442,13 @@ def _terms(
     )
 
 
-def _sample_s(milliseconds: float | None) -> float:
-    value = SAMPLE_MS if milliseconds is None else milliseconds
-    if not SAMPLE_MS <= value <= _LONGEST_SAMPLE_MS or value % SAMPLE_MS:
+def _sample_s(
+    milliseconds: float | None, otherwise_ms: float = SAMPLE_MS, step_ms: float = SAMPLE_MS
+) -> float:
+    value = otherwise_ms if milliseconds is None else milliseconds
+    if not step_ms <= value <= _LONGEST_SAMPLE_MS or value % step_ms:
         raise rapid_error(
-            ERR_ARGVALERR, f"SampleRate is {value:g} ms; it must be a multiple of {SAMPLE_MS:g} ms"
+            ERR_ARGVALERR, f"SampleRate is {value:g} ms; it must be a multiple of {step_ms:g} ms"
         )
     return value / 1000.0
 
@@ -459,6 +514,14 @@ GUIDANCE = table(
     ),
     routine("EGMWaitCond", egm_wait_cond, "EGMid", does=_GUIDES),
     routine("EGMStop", egm_stop, r"EGMid Mode \RampOutTime", does=_GUIDES),
+    routine("EGMActMove", egm_act_move, r"EGMid SensorFrame \SampleRate"),
+    *each_way(
+        "EGMMove*",
+        _corrected,
+        r"EGMid ToPoint Speed Zone Tool \WObj \TLoad \NoCorr",
+        besides=", on a path that a sensor corrects",
+        ways="LC",
+    ),
     routine("EGMStreamStart", egm_stream_start, r"EGMid \SampleRate"),
     routine("EGMStreamStop", egm_stream_stop, "EGMid"),
 )

@@ -9,6 +9,7 @@ from typing import Final, TypedDict
 
 from rapidsim.language.annotations import SignalAi, SignalAo, SignalGi, Switch, Var
 from rapidsim.language.data import EgmMinMax
+from rapidsim.library.motion import MoveOptions
 
 JOINTS: Final = ("j1", "j2", "j3", "j4", "j5", "j6", "j7")
 SIGNALS: Final = ("r1x", "r2y", "r3z", "r4rx", "r5ry", "r6rz")
@@ -37,6 +38,12 @@ class PoseBands(TypedDict, total=False):
     rx: EgmMinMax
     ry: EgmMinMax
     rz: EgmMinMax
+
+
+class CorrectedOptions(MoveOptions, total=False):
+    """What EGMMoveL and EGMMoveC may have beside target, speed, zone and tool."""
+
+    no_corr: Switch
 
 
 class AnalogInputs(TypedDict, total=False):

@@ -44,6 +44,9 @@ class _NotedSensor:
     def begin(self, run: GuidedRun, told: Teller) -> None:
         self.sensor.begin(run, told)
 
+    def correct(self, first_s: float, sample_s: float) -> None:
+        self.sensor.correct(first_s, sample_s)
+
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
         answer = self.sensor.exchange(feedback)
         self.all.exchanged(feedback.time_s, answer)

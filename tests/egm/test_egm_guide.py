@@ -19,7 +19,7 @@ from rapidsim.egm.codec import decode, encode
 from rapidsim.egm.devices import Address, sensor_devices
 from rapidsim.egm.guide import talk
 from rapidsim.egm.guided_sensors import GuidedSensors
-from rapidsim.egm.messages import ROBOT, SENSOR
+from rapidsim.egm.messages import PATH_CORRECTION, ROBOT, SENSOR, MessageType
 from rapidsim.frames.transform import Transform
 from rapidsim.motion.guidance.aims import Band, JointAim
 from rapidsim.motion.guidance.feedback import Frames, Guided, GuidedFeedback, standing_feedback
@@ -113,6 +113,35 @@ def test_a_stream_goes_on_where_the_controller_says_nothing_new() -> None:
     joints = [one["feedBack"]["joints"]["joints"] for one in frames]
     assert joints[4:] == [list(stream[4].joints)] * 4
     assert {one["mciState"]["state"] for one in frames} == {0}
+
+
+def test_what_is_streamed_of_a_corrected_path_is_answered() -> None:
+    # The answer to a word comes to the controller with the next sample.
+    run, feedback = begun()
+    words = [
+        standing_feedback(feedback.frames, 0.024 * k, run.start, (), Guided.RUNNING, 0.0)
+        for k in range(4)
+    ]
+    with guided() as (sensors, sensor):
+        one = sensors.open("dev")
+        one.correct(0.0, 0.024)
+        one.tell(words)
+        for y_mm in (1.0, 2.0, 3.0):
+            _, controller = heard(sensor)
+            sensor.sendto(correction(y_mm), controller)
+        answers = [one.exchange(word) for word in words]
+        one.end(words[-1])
+        one.close()
+    assert [answer and answer.correction for answer in answers] == [
+        None,
+        *[(0.0, y_mm, 0.0) for y_mm in (1.0, 2.0, 3.0)],
+    ]
+
+
+def correction(y_mm: float) -> bytes:
+    told = {"pos": {"x": 0.0, "y": y_mm, "z": 0.0}, "age": 1}
+    kind = {"mtype": MessageType.PATH_CORRECTION}
+    return encode(PATH_CORRECTION, {"header": kind, "pathCorr": told})
 
 
 def test_a_guide_that_is_gone_is_a_silent_sensor() -> None:

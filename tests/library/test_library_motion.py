@@ -88,10 +88,12 @@ def test_options_replace_speed_and_zone() -> None:
     assert moved("MoveL", P10, V100, Z10, TOOL, t=2.5).duration_s == 2.5
 
 
+# Those that a sensor corrects say first which: `EGMid`.
 TO_A_POSE = [
     row.name
     for row in ROUTINES.values()
-    if row.simulated and any(p.name == "ToPoint" for p in row.signature.parameters)
+    if row.simulated
+    and {p.name for p in row.signature.parameters} & {"ToPoint", "EGMid"} == {"ToPoint"}
 ]
 WAYS = {"J": Interpolation.JOINT, "L": Interpolation.LINE, "C": Interpolation.CIRCLE}
 

@@ -13,7 +13,7 @@ import pytest
 
 from rapidsim.egm.codec import decode, encode
 from rapidsim.egm.devices import Address, sensor_devices
-from rapidsim.egm.messages import ROBOT, SENSOR
+from rapidsim.egm.messages import PATH_CORRECTION, ROBOT, SENSOR
 from rapidsim.egm.udp import StepSensors
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
 from rapidsim.jobs.asked import Asked
@@ -48,10 +48,33 @@ ENDMODULE
 GOAL = (5.0, -5.0, 4.0, 3.0, 32.0, -7.0)
 
 
+CORRECTED = r"""MODULE corrected
+  VAR egmident id;
+  PERS string outcome := "";
+  PERS num rounds := 0;
+  CONST robtarget p1 := [[800,-20,600],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    VAR robtarget there;
+    MoveL p1, v1000, fine, tool0;
+    EGMGetId id;
+    EGMSetupUC ROB_1, id, "default", "UCdevice" \PathCorr \APTR \CommTimeout:=0.3;
+    EGMActMove id, [[0,0,0],[1,0,0,0]] \SampleRate:=24;
+    EGMMoveL id, Offs(p1, 0, 15, 0), v10, fine, tool0;
+    there := CRobT();
+    outcome := ValToStr(Round(there.trans.x));
+    EGMReset id;
+    WaitTime 1000;
+  ENDPROC
+ENDMODULE
+"""
+"""The tool points down, so y of a path along y of the base is x of that."""
+
+
 class Sensor:
     """A client of EGM on a free port."""
 
-    def __init__(self) -> None:
+    def __init__(self, corrects: bool = False) -> None:
+        self.corrects = corrects
         self.stream = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.stream.bind(("127.0.0.1", 0))
         self.stream.settimeout(5.0)
@@ -69,6 +92,11 @@ class Sensor:
 
     def answer(self) -> None:
         controller = self.hear()
+        if self.corrects:
+            told = {"pos": {"x": 0.0, "y": 4.0, "z": 0.0}, "age": 1}
+            correction = {"header": {"mtype": 4}, "pathCorr": told}
+            self.stream.sendto(encode(PATH_CORRECTION, correction), controller)
+            return
         message = {"header": {"mtype": 3}, "planned": {"joints": {"joints": GOAL}}}
         self.stream.sendto(encode(SENSOR, message), controller)
 
@@ -77,7 +105,7 @@ class Driven:
     """A controller in lock-step, its time in the hands of the test."""
 
     def __init__(self, folder: Path, sensor: Sensor) -> None:
-        (folder / "main.mod").write_text(PROGRAM)
+        (folder / "main.mod").write_text(CORRECTED if sensor.corrects else PROGRAM)
         self.made = ready(Asked(paths=(str(folder / "main.mod"),), home=str(folder)))
         self.lines: list[str] = []
         self.sensors = StepSensors(sensor_devices([("UCDEVICE", sensor.address)], {}, frozenset()))
@@ -95,7 +123,7 @@ class Driven:
     def start(self) -> None:
         """Start the program and let time pass until a sensor guides the robot."""
         self.ask("start", cycle="once")
-        for _ in range(10):
+        for _ in range(40):
             if guided(self):
                 return
             self.value("rounds")
@@ -129,8 +157,8 @@ class Driven:
 
 
 @contextmanager
-def driven(folder: Path) -> Iterator[tuple[Driven, Sensor]]:
-    sensor = Sensor()
+def driven(folder: Path, *, corrects: bool = False) -> Iterator[tuple[Driven, Sensor]]:
+    sensor = Sensor(corrects)
     with recursion_limit(RUNNING_DEPTH):
         yield Driven(folder, sensor), sensor
     sensor.stream.close()
@@ -162,7 +190,18 @@ def test_answers_let_time_pass_and_are_lived_again(tmp_path: Path) -> None:
 
 
 def guided(controller: Driven) -> bool:
-    return controller.engine.live.task("T_ROB1").unit.own.guided is not None
+    return controller.engine.live.task("T_ROB1").unit.own.is_led
+
+
+def test_a_path_is_corrected_and_that_is_lived_again(tmp_path: Path) -> None:
+    with driven(tmp_path, corrects=True) as (controller, sensor):
+        controller.start()
+        controller.guide(sensor, lambda: not guided(controller))
+        assert controller.value("outcome") == '"804"'
+        first, second = sensor.frames[:2]
+        assert first["mciState"]["state"] == 3
+        assert second["header"]["tm"] - first["header"]["tm"] == 24
+        controller.end()
 
 
 def test_who_does_not_answer_is_silent_when_time_passes(tmp_path: Path) -> None:

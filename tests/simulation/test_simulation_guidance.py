@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from simulation_program import Ran, ran
+from simulation_sensor import Devices, Script, end_s, joints_at, sensed
 
 from rapidsim.controller.cell.description import (
     CellIo,
@@ -15,45 +15,8 @@ from rapidsim.controller.cell.description import (
     SignalKind,
     Stimulus,
 )
-from rapidsim.controller.cell.network import Network
-from rapidsim.controller.cell.sensors import SilentSensor
 from rapidsim.motion.guidance.feedback import Feedback, Guided
 from rapidsim.motion.guidance.sensor import SensorAnswer
-
-Script = Callable[[Feedback], SensorAnswer | None]
-
-
-@dataclass
-class Scripted(SilentSensor):
-    """Answers what a function says of what the controller tells."""
-
-    script: Script
-    heard: list[Feedback] = field(default_factory=list)
-    streamed: list[Feedback] = field(default_factory=list)
-
-    def exchange(self, feedback: Feedback) -> SensorAnswer | None:
-        self.heard.append(feedback)
-        return self.script(feedback)
-
-    def end(self, feedback: Feedback) -> None:
-        self.heard.append(feedback)
-
-    def tell(self, stream: Sequence[Feedback]) -> None:
-        self.streamed += stream
-
-
-@dataclass
-class Devices:
-    sensor: Scripted
-    opened: list[str] = field(default_factory=list)
-
-    def open(self, device: str) -> Scripted:
-        self.opened.append(device)
-        return self.sensor
-
-    def close(self) -> None:
-        """A run is over."""
-
 
 HEAD = r"""MODULE guided
   VAR egmident id;
@@ -72,23 +35,11 @@ GOAL = (10.0, -5.0, 4.0, 3.0, 32.0, -7.0)
 
 
 def guided(body: str, script: Script, head: str = HEAD) -> tuple[Ran, Devices]:
-    devices = Devices(Scripted(script))
-    text = f"{head}  PROC main()\n{body}\n  ENDPROC\nENDMODULE\n"
-    return ran(text, network=Network(sensors=devices)), devices
+    return sensed(f"{head}  PROC main()\n{body}\n  ENDPROC\nENDMODULE\n", script)
 
 
 def to(goal: tuple[float, ...]) -> Script:
     return lambda told: SensorAnswer(joints=goal)
-
-
-def joints_at(it: Ran, time_s: float) -> np.ndarray:
-    (one,) = it.run.robots
-    joints: np.ndarray = np.degrees(one.trajectory.at(np.array([time_s])).joints[0])
-    return joints
-
-
-def end_s(it: Ran) -> float:
-    return it.run.robots[0].trajectory.duration
 
 
 def test_a_sensor_brings_the_joints_where_it_wants_them() -> None:
@@ -118,6 +69,10 @@ def test_a_sensor_brings_the_joints_where_it_wants_them() -> None:
         assert np.allclose(joints_at(it, one.time_s), one.joints, atol=1e-9)
     assert np.allclose(heard[-1].joints, GOAL, atol=0.01)
     assert np.allclose(joints_at(it, end_s(it)), (0, 0, 0, 0, 30, 0), atol=1e-6)
+    # The arm is never seen where the program had it before.
+    begins_s = it.run.robots[0].trajectory.pieces[-1].start_time
+    for later_s in (0.001, 0.01):
+        assert np.allclose(joints_at(it, begins_s + later_s), GOAL, atol=0.5)
 
 
 def test_no_axis_is_faster_than_asked_or_jumps() -> None:

@@ -34,6 +34,10 @@ class Sensor(Protocol):
         """A guidance begins; `exchange` is called at each of its cycles that is a sample."""
         ...
 
+    def correct(self, first_s: float, sample_s: float) -> None:
+        """A path is corrected from now on: `exchange` is called every so many seconds."""
+        ...
+
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
         """Tell where the robot is; what the sensor has said since the last time."""
         ...
@@ -80,6 +84,9 @@ class SilentSensor:
     looks_ahead: bool = False
 
     def begin(self, run: GuidedRun, told: Teller) -> None:
+        """See `Sensor`."""
+
+    def correct(self, first_s: float, sample_s: float) -> None:
         """See `Sensor`."""
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:

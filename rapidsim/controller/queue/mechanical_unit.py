@@ -57,6 +57,8 @@ class MechanicalUnit:
 
     def join(self, team: TeamPlanner, number: int) -> None:
         """Move together with others, as a robot of this number in the team."""
+        if self.own.corrected is not None:
+            self.own.corrected.settle()
         self._changes += 1
         self.seat = TeamQueue(self.own, team, number)
 

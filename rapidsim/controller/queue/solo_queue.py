@@ -59,6 +59,18 @@ class GuidedMotion(Protocol):
         ...
 
 
+class CorrectedMotion(Protocol):
+    """A robot whose path a sensor corrects."""
+
+    def end(self) -> None:
+        """Let the robot come to rest; its path goes on from there."""
+        ...
+
+    def settle(self) -> None:
+        """Let the robot, which stands, stay where it is; its path goes on from there."""
+        ...
+
+
 @dataclass(slots=True, eq=False)
 class SoloQueue:
     """Implements `MotionQueue` for a robot that moves alone."""
@@ -70,6 +82,8 @@ class SoloQueue:
     _stored: list[_Stored] = field(default_factory=list)
     guided: GuidedMotion | None = None
     """What moves the robot meanwhile; None where it is on its path."""
+    corrected: CorrectedMotion | None = None
+    """What leads the robot beside its path; None where it is on it."""
     _left_at: Waypoint | None = None
     """Where the path was left that was taken up again."""
 
@@ -112,6 +126,11 @@ class SoloQueue:
     def stored(self) -> int:
         """How many paths are kept."""
         return len(self._stored)
+
+    @property
+    def is_led(self) -> bool:
+        """Whether a sensor has a say in where the robot is."""
+        return self.guided is not None or self.corrected is not None
 
     def append(self, queued: QueuedMove, now_s: float) -> None:
         """Put a move on the path; see `BlockPlanner.append`."""
@@ -193,10 +212,14 @@ class SoloQueue:
         """Forget what is left of the path of a robot that stands."""
         self._left_at = None
         stopping.clear(self.planner)
+        if self.corrected is not None:
+            self.corrected.settle()
         self.end = self.standing()
 
     def store(self) -> None:
         """Keep the path of a robot that stands, and begin another."""
+        if self.corrected is not None:
+            self.corrected.settle()
         self.planner.version += 1
         stands = self.standing()
         # A path that was taken up and not gone on with is left where it was left before.

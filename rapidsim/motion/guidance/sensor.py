@@ -28,6 +28,8 @@ class SensorAnswer:
     """[deg/s]"""
     tcp_speed: tuple[float, ...] = ()
     """x, y, z [mm/s], rx, ry, rz [deg/s]."""
+    correction: tuple[float, ...] = ()
+    """So far beside its path the TCP shall be: x, y, z of path coordinates [mm]."""
     values: tuple[float, ...] = ()
     r"""For \DataFromSensor."""
 

@@ -72,6 +72,11 @@ class Windows:
         """Whether the width is the filter time throughout."""
         return len(self._steps) == 1
 
+    @property
+    def has_ramps(self) -> bool:
+        """Whether a ramp makes the window wider than the filter time somewhere."""
+        return any(one.widest_s > self.filter_time for one in self._steps)
+
     def copy(self) -> Windows:
         """The same, to be added to on its own."""
         copied = Windows(self.filter_time, self.averages)
@@ -146,7 +151,15 @@ class Windows:
             self._steps.pop()
 
     def follow(
-        self, start_s: float, path: Path, timing: Timing, from_s: float, to_s: float, *, empty: bool
+        self,
+        start_s: float,
+        path: Path,
+        timing: Timing,
+        from_s: float,
+        to_s: float,
+        *,
+        empty: bool,
+        elsewhere: bool = False,
     ) -> None:
         """Widen the window as the moves of a stretch of path ask for.
 
@@ -157,14 +170,16 @@ class Windows:
             from_s: Where on the path it starts [m].
             to_s: Where it ends [m].
             empty: Whether the arm is seen to stand when it starts.
+            elsewhere: Whether it stands where the command before did not bring it; then what was
+                commanded before does not count.
         """
-        if self.is_constant and path.window == self.filter_time:
+        if self.is_constant and path.window == self.filter_time and not elsewhere:
             return
         starts = path.segment_starts
         first = max(int(np.searchsorted(starts, from_s + _ROUNDING, side="right")) - 1, 0)
         last = max(int(np.searchsorted(starts, to_s - _ROUNDING, side="left")) - 1, first)
         if empty:
-            self._begin(start_s, self.filter_time / path.segments[first].ramp)
+            self._begin(start_s, self.filter_time / path.segments[first].ramp, elsewhere=elsewhere)
         shift_s = start_s - timing.time_at(from_s)
         for index in range(first, last + 1):
             segment = path.segments[index]
@@ -182,11 +197,11 @@ class Windows:
                 if begins_s < shift_s + timing.time_at(to_s):
                     self._widen(begins_s, stop_width_s)
 
-    def _begin(self, start_s: float, width_s: float) -> None:
+    def _begin(self, start_s: float, width_s: float, *, elsewhere: bool) -> None:
         """Begin anew with a width, unless the window is as wide."""
         self.cut(start_s)
         last = self._steps[-1]
-        if width_s != last.widest_s or last.end_s > start_s:
+        if elsewhere or width_s != last.widest_s or last.end_s > start_s:
             self._add(_Step(start_s, start_s, width_s))
 
     def _lasts(self, width_s: float) -> float:

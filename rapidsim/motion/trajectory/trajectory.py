@@ -10,6 +10,7 @@ Nothing is sampled or interpolated: within a cell of a timing S is a parabola of
 a cubic, and joints come from the exact pose.
 
 While somebody outside guides the robot there is no path: joints are those of a `GuidedStretch`.
+Where a sensor corrects the path, the arm is led beside it: a `CorrectedStretch`.
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.model import Averages, Smoothing
 from rapidsim.motion.trajectory.axis_smoothing import mean_joints
 from rapidsim.motion.trajectory.command import ROUNDING_M, Index, MotionCommand, Piece
+from rapidsim.motion.trajectory.corrected_stretch import CorrectedStretch
 from rapidsim.motion.trajectory.filter_windows import Windows
 from rapidsim.motion.trajectory.guided_stretch import GuidedStretch
 from rapidsim.motion.trajectory.zero_crossings import first_crossing
@@ -34,6 +36,8 @@ SAMPLE_STEP_S = 0.012
 """As often as ABB's controllers log positions."""
 _SAMPLES_AT_ONCE = 10_000
 _ROUNDING_S = 1e-11
+_NO_WAY = 1e-9
+"""A path whose TCP gains less than this [m/m] leads nowhere: it turns the tool."""
 _NEAR_S = 1e-10
 """A place has digits enough to tell times so far apart, and not many more."""
 
@@ -87,6 +91,7 @@ class Trajectory:
         self._windows = Windows(filter_time, averages)
         self._command = MotionCommand()
         self._guided: list[_Guided] = []
+        self._corrected: list[CorrectedStretch] = []
 
     @property
     def guided(self) -> tuple[GuidedStretch, ...]:
@@ -98,6 +103,10 @@ class Trajectory:
         if self._guided:
             self._guided[-1] = replace(self._guided[-1], until_s=stretch.start_s)
         self._guided.append(_Guided(stretch))
+
+    def correct(self, stretch: CorrectedStretch) -> None:
+        """Lead the arm beside its path from now on."""
+        self._corrected.append(stretch)
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
@@ -114,13 +123,20 @@ class Trajectory:
         Raises:
             ValueError: If the piece starts before the last one ends, or ends before it starts.
         """
-        empty = piece.start_time >= self.duration - _ROUNDING_S
+        empty, elsewhere = piece.start_time >= self.duration - _ROUNDING_S, False
         if self._guided:
             last = self._guided[-1]
+            elsewhere = np.isinf(last.until_s)
             self._guided[-1] = replace(last, until_s=min(last.until_s, piece.start_time))
         place = self._command.append(piece)
         self._windows.follow(
-            piece.start_time, piece.path, piece.timing, piece.from_s, piece.to_s, empty=empty
+            piece.start_time,
+            piece.path,
+            piece.timing,
+            piece.from_s,
+            piece.to_s,
+            empty=empty,
+            elsewhere=elsewhere,
         )
         return place
 
@@ -135,7 +151,7 @@ class Trajectory:
         """A copy with one more piece; this one stays as it is."""
         longer = Trajectory(self._start, smoothing=self._smoothing)
         longer._windows, longer._command = self._windows.copy(), self._command.copy()
-        longer._guided = self._guided.copy()
+        longer._guided, longer._corrected = self._guided.copy(), self._corrected
         longer.append(piece)
         return longer
 
@@ -148,7 +164,8 @@ class Trajectory:
     def duration(self) -> float:
         """Last instant [s] of visible motion; 0 without pieces."""
         planned_s = self.seen_s(self.command_end) if self._command.last_row else 0.0
-        return max(planned_s, self._guided[-1].stretch.end_s) if self._guided else planned_s
+        led_s = (one[-1].end_s for one in (self.guided, self._corrected) if one)
+        return max(planned_s, *led_s, 0.0)
 
     def seen_s(self, command_s: float) -> float:
         """When [s] the arm is seen to have made all that is commanded up to a time [s]."""
@@ -161,7 +178,7 @@ class Trajectory:
     @property
     def has_ramps(self) -> bool:
         """Whether a ramp of AccSet makes the window of the smoothing wider somewhere."""
-        return not self._windows.is_constant
+        return self._windows.has_ramps
 
     @property
     def length(self) -> float:
@@ -186,8 +203,12 @@ class Trajectory:
         """The arm at some instants (k,) [s], in any order."""
         times = np.atleast_1d(np.asarray(times, dtype=np.float64))
         samples = self._planned(times) if self._command.last_row else self._standing(times)
+        for led in self._corrected:
+            beside = (led.start_s <= times) & (times < led.until_s)
+            if beside.any():
+                _lead(samples, led, beside)
         for one in self._guided:
-            held = (one.stretch.start_s <= times) & (times < one.until_s)
+            held = (one.stretch.start_s <= times) & (times <= one.until_s)
             if held.any():
                 _guide(samples, one.stretch, held)
         return samples
@@ -216,6 +237,21 @@ class Trajectory:
             move[at] = indices[segment]
         arm, external = np.split(joints, [len(self._start.joints)], axis=1)
         return Samples(times, move, arm, pose, tcp_speed, external)
+
+    def directions(self, times: Array) -> Array:
+        """Where to (k, 3) the path leads at instants (k,) [s], in base; 0 where it leads nowhere.
+
+        Of an arm that stands it is where the path has led to, or begins to.
+        """
+        ways = np.zeros((len(times), 3))
+        if not self._command.last_row:
+            return ways
+        row, way, _ = self._visible(times)
+        for path, s, at in self._command.on_paths(row, way):
+            ways[at] = path.tcp_derivatives(s, path.layout.piece_at(s))[0]
+        length = np.linalg.norm(ways, axis=1, keepdims=True)
+        unit: Array = np.divide(ways, length, out=np.zeros_like(ways), where=length > _NO_WAY)
+        return unit
 
     def off_path(self, samples: Samples) -> Array:
         """How far (k,) [m] the TCP of samples is from where smoothing along the path has it.
@@ -319,6 +355,18 @@ class Trajectory:
                 return row, np.minimum(way, whole)
             way[past] -= whole[past]
             row[past] = np.minimum(self._command.following(row[past]), self._command.last_row)
+
+
+def _lead(samples: Samples, led: CorrectedStretch, beside: npt.NDArray[np.bool_]) -> None:
+    """Let samples, some of which are beside the path, be there."""
+    times = samples.times[beside]
+    ways = led.ways_at(times)
+    joints = led.joints(samples.joints[beside], ways)
+    reached = ~np.isnan(joints).any(axis=1)
+    rows = np.flatnonzero(beside)[reached]
+    samples.joints[rows] = joints[reached]
+    samples.base_from_tcp.translation[rows] += ways[reached]
+    samples.tcp_speed[rows] = np.hypot(samples.tcp_speed[rows], led.speeds_at(times)[reached])
 
 
 def _guide(samples: Samples, stretch: GuidedStretch, held: npt.NDArray[np.bool_]) -> None:

@@ -1,0 +1,160 @@
+"""A robot whose path a sensor corrects: EGMMoveL and EGMMoveC.
+
+At each sample the sensor is told where the robot is, and what it answers is decided up to the next
+one. The path itself stays as it is planned: the robot is led beside it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from rapidsim.controller.cell.sensors import Sensor
+from rapidsim.controller.moves.resolve import Resolver
+from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.controller.sensor_streams import SPEED_STEP_S, told_along, told_of
+from rapidsim.frames.transform import Array
+from rapidsim.language.moves import Sensed
+from rapidsim.motion.guidance.feedback import Frames, Guided
+from rapidsim.motion.guidance.guided_run import Ended
+from rapidsim.motion.guidance.joint_law import CYCLE_S
+from rapidsim.motion.guidance.path_correction import PathCorrection
+from rapidsim.motion.trajectory.corrected_stretch import CorrectedStretch
+from rapidsim.motion.trajectory.guided_stretch import GuidedStretch
+from rapidsim.motion.trajectory.trajectory import Samples
+
+_TOLD_AHEAD: Final = 3
+"""So many samples a sensor that is told beforehand is told."""
+_ROUNDING: Final = 1e-6
+
+
+@dataclass(slots=True, eq=False)
+class PathCorrecting:
+    """Implements `solo_queue.CorrectedMotion`."""
+
+    unit: MechanicalUnit
+    resolver: Resolver
+    sensor: Sensor
+    law: PathCorrection
+    stretch: CorrectedStretch
+    """What comes of it."""
+    sample_s: float
+    silence_s: float
+    come_to_rest: Callable[[], None]
+    """Lets the robot come to the end of its path."""
+    frames: Frames
+    """In which the sensor is told where the TCP is."""
+    next_s: float = 0.0
+    """When the next sample is [s]."""
+    runs: bool = False
+    """Whether the robot is on a path that is corrected."""
+    silent_s: float = 0.0
+    """So long [s] the sensor has said nothing."""
+    ended: Ended | None = None
+    """What has gone wrong."""
+
+    def begin(self, now_s: float) -> None:
+        """Let a path begin that is corrected."""
+        self.runs, self.silent_s = True, 0.0
+        self.next_s = math.ceil(now_s / CYCLE_S - _ROUNDING) * CYCLE_S
+        self.sensor.correct(self.next_s, self.sample_s)
+
+    def sample(self, passed_s: float) -> Ended | None:
+        """Tell and hear; why the correction must end, if it must.
+
+        Args:
+            passed_s: Nothing happens before this time [s] any more.
+        """
+        self._come_to(passed_s)
+        now_s, self.next_s = self.next_s, self.next_s + self.sample_s
+        words = _TOLD_AHEAD if self.sensor.looks_ahead else 1
+        told = now_s + self.sample_s * np.arange(words, dtype=np.float64)
+        start_s = max(now_s, self.stretch.end_s)
+        cycles = max(0, round((self.next_s - start_s) / CYCLE_S))
+        ahead = start_s + CYCLE_S * np.arange(1, cycles + 1, dtype=np.float64)
+        path = self.unit.own.preview()
+        samples = path.at(np.concatenate([told, told + SPEED_STEP_S, ahead]))
+        stream = told_of(self.unit, self.resolver, self.frames, samples, words, Guided.RUNNING)
+        if self.sensor.looks_ahead:
+            self.sensor.tell(stream)
+        answer = self.sensor.exchange(stream[0])
+        if answer is not None and self.law.hear(answer):
+            self.silent_s = 0.0
+        else:
+            self.silent_s += self.sample_s
+            if self.silent_s > self.silence_s:
+                return Ended.SILENT
+        is_there = self._decide(start_s, samples, 2 * words, path.directions(ahead))
+        return None if is_there else Ended.OUT_OF_REACH
+
+    @property
+    def told_s(self) -> float:
+        """When the last sample was [s]."""
+        return self.next_s - self.sample_s
+
+    def rest(self) -> float:
+        """End the correction of a robot that has come to the end of its path; when it stands [s].
+
+        It stays beside its path, and a path that is corrected goes on from there.
+        """
+        self.runs = False
+        self.stretch.extend(self.stretch.end_s, CYCLE_S, self.law.rest())
+        return self.stretch.end_s
+
+    def last_word(self, guided: Guided) -> None:
+        """Tell the sensor that its correction has ended."""
+        end_s = self.stretch.end_s
+        told = told_along(
+            self.unit, self.resolver, lambda _: self.frames, np.array([end_s]), guided
+        )
+        self.sensor.end(told[0])
+
+    def end(self) -> None:
+        """See `CorrectedMotion`."""
+        self.come_to_rest()
+        self.settle()
+
+    def settle(self) -> None:
+        """See `CorrectedMotion`."""
+        queue = self.unit.own
+        self.rest()
+        queue.corrected = None
+        if not self.stretch.end.any():
+            return
+        trajectory = queue.trajectory
+        end_s, stands = trajectory.duration, queue.standing()
+        tool, robot = self.frames.tcp_from_flange, self.resolver.robot
+        trajectory.guide(
+            GuidedStretch(end_s, CYCLE_S, robot.forward, tool, stands.external, stands.joints)
+        )
+        self.stretch.until_s = end_s
+        queue.continue_from(end_s)
+        queue.end = stands
+
+    def _come_to(self, now_s: float) -> None:
+        late = math.ceil((now_s - self.next_s) / self.sample_s - _ROUNDING)
+        self.next_s += max(0, late) * self.sample_s
+
+    def _decide(self, start_s: float, samples: Samples, first: int, directions: Array) -> bool:
+        """Lead the robot up to the next sample; whether it can be there.
+
+        Args:
+            start_s: From when on [s].
+            samples: Where the robot is, a cycle each.
+            first: The first of these that counts.
+            directions: Where to the path leads then (k, 3).
+        """
+        moves, stretch = self.unit.own.moves, self.stretch
+        sensed = [moves[k].move.sensed is Sensed.CORRECTED for k in samples.move[first:]]
+        tool_z = samples.base_from_tcp.rotation[first:, :, 2]
+        before = stretch.end
+        led = self.law.follow(directions, tool_z, np.array(sensed, dtype=np.bool_))
+        stretch.extend(start_s, CYCLE_S, led)
+        ways = stretch.ways_at(samples.times[first:]) - before if sensed else np.zeros((0, 3))
+        joints = stretch.joints(samples.joints[first:], ways)
+        robot = self.resolver.robot
+        return bool(((robot.lower <= joints) & (joints <= robot.upper)).all())

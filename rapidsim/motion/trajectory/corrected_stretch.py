@@ -1,0 +1,80 @@
+"""A part of a path beside which the TCP is led: the arm stands on its path and a little way off.
+
+The way off is known at knots and straight in between. Joints are those that the arm has on its
+path, followed to where it is led.
+"""
+
+from __future__ import annotations
+
+import math
+from bisect import bisect_right
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.kinematics.arm import Kinematics
+
+
+@dataclass(eq=False)
+class CorrectedStretch:
+    """It can only be added to."""
+
+    start_s: float
+    kinematics: Kinematics
+    until_s: float = math.inf
+    """From when on [s] the arm is somewhere else."""
+    _times: list[float] = field(default_factory=list)
+    _ways: list[Array] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        """Begin on the path."""
+        self.append(self.start_s, np.zeros(3))
+
+    @property
+    def end_s(self) -> float:
+        """Up to when [s] it is known; it stays so behind."""
+        return self._times[-1]
+
+    @property
+    def end(self) -> Array:
+        """The way off (3,) [m] where it ends so far."""
+        return self._ways[-1]
+
+    def append(self, time_s: float, way: Array) -> None:
+        """Go on to a time [s] at which the way off is `way` (3,) [m], in base."""
+        self._times.append(time_s)
+        self._ways.append(way)
+
+    def extend(self, start_s: float, cycle_s: float, ways: Iterable[Array]) -> None:
+        """Go on by a cycle [s] for each way, from a time [s] on."""
+        for number, way in enumerate(ways, start=1):
+            self.append(start_s + number * cycle_s, way)
+
+    def ways_at(self, times: Array) -> Array:
+        """The ways off (k, 3) [m] at instants (k,) [s], in base."""
+        # A run has many knots, and one asks for few that lie close together.
+        first = max(0, bisect_right(self._times, float(times.min())) - 1)
+        last = bisect_right(self._times, float(times.max())) + 1
+        knots, ways = self._times[first:last], np.array(self._ways[first:last])
+        return np.stack([np.interp(times, knots, ways[:, k]) for k in range(3)], axis=-1)
+
+    def speeds_at(self, times: Array) -> Array:
+        """How fast (k,) [m/s] the way off changes."""
+        step_s = 1e-3
+        change = self.ways_at(times + step_s) - self.ways_at(times - step_s)
+        speed: Array = np.linalg.norm(change, axis=1) / (2.0 * step_s)
+        return speed
+
+    def joints(self, joints: Array, ways: Array) -> Array:
+        """Joints (k, n) [rad] of an arm that is led ways (k, 3) [m] off; NaN where it cannot be."""
+        flange = self.kinematics.forward(joints)
+        led = Transform(flange.rotation, flange.translation + ways)
+        branches = self.kinematics.branch_of(joints)
+        found = np.full_like(joints, np.nan)
+        for branch in np.unique(branches).tolist():
+            (rows,) = np.nonzero(branches == branch)
+            there = self.kinematics.inverse_on_branch(led[rows], branch, joints[rows])
+            found[rows[there.exists]] = there.joints[there.exists]
+        return found
