@@ -25,9 +25,8 @@ STOPPED = [
 WAITS = "R106"
 """A check cannot know that nobody ever sets an input: to it this is a warning."""
 
-UNSURE = {"operator/key_timeout_again", "recovery/search_too_fast"}
-"""What a check cannot be sure of: its run ends at a question, for somebody may answer it; and what
-comes of an instruction that is not simulated as on a controller is a warning."""
+UNSURE = {"operator/key_timeout_again"}
+"""What a check cannot be sure of: its run ends at a question, for somebody may answer it."""
 
 Error = tuple[str, int, int, str, str]
 """File, line, column, code and words of an error."""
