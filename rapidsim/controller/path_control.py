@@ -19,6 +19,7 @@ from rapidsim.language.error_numbers import (
     rapid_error,
 )
 from rapidsim.language.errors import NotAllowed, RapidError
+from rapidsim.motion.timing.braking import PROGRAM_STOP_S
 from rapidsim.values import dataclass
 
 
@@ -37,12 +38,12 @@ class TaskPathControl:
         """How many paths are stored, counted from 1."""
         return 1.0 + self.unit.own.stored
 
-    def stop_move(self) -> None:
-        """Stop the robot on its path; returns when it stands."""
+    def stop_move(self, *, quick: bool = False) -> None:
+        """Stop the robot on its path, or as fast as it can; returns when it stands."""
         self.clock.note_line()
         now_s = self.clock.observe()
         if not self.unit.queue.is_halted:
-            rest_s = self.unit.queue.halt(now_s)
+            rest_s = self.unit.queue.halt(now_s, 0.0 if quick else PROGRAM_STOP_S)
             self.clock.pass_time(max(now_s, self.unit.queue.trajectory.seen_s(rest_s)))
 
     def fail(self, error: RapidError) -> None:

@@ -26,6 +26,7 @@ from rapidsim.language.error_numbers import (
 )
 from rapidsim.language.moves import Flank, Move, SearchStop
 from rapidsim.motion.configurations.targets import rob_joint
+from rapidsim.motion.timing.braking import PATH_STOP_S, SOFT_STOP_S
 from rapidsim.values import dataclass
 
 LOOK_S = 0.012
@@ -34,6 +35,11 @@ _AT_START = {Flank.RISING: True, Flank.FALLING: False}
 """What the value must not be when the search begins."""
 _RISING = (Flank.RISING, Flank.ONLY_RISING, Flank.EITHER)
 _FALLING = (Flank.FALLING, Flank.ONLY_FALLING, Flank.EITHER)
+_BRAKES_IN_S = {
+    SearchStop.STIFFLY: 0.0,
+    SearchStop.SOFTLY: SOFT_STOP_S,
+    SearchStop.ON_PATH: PATH_STOP_S,
+}
 
 
 @dataclass(slots=True)
@@ -128,7 +134,7 @@ class TaskSearch:
         what, number = "the persistent", ERR_PERSSUPSEARCH
         if isinstance(found, str):
             what, number = f"`{found}`", ERR_SIGSUPSEARCH
-        self._stop_here()
+        self._stop_here(in_s=0.0)
         raise rapid_error(
             number, f"{move.instruction}: {what} is {value:g} already when the search begins"
         )
@@ -145,13 +151,13 @@ class TaskSearch:
                     old = found()
                     self.clock.await_event(min(reached_s, now_s + LOOK_S))
                     watch.signal_changed("", old, found(), self.clock.observe())
-                if watch.hits and stop is SearchStop.STOP:
-                    self._stop_here()
+                if watch.hits and stop in _BRAKES_IN_S:
+                    self._stop_here(_BRAKES_IN_S[stop])
                     return
 
-    def _stop_here(self) -> None:
-        """Stop on the path and forget the rest of it."""
-        rest_s = self.unit.queue.halt(self.clock.observe())
+    def _stop_here(self, in_s: float) -> None:
+        """Stop on the path within a time [s] and forget the rest of it."""
+        rest_s = self.unit.queue.halt(self.clock.observe(), in_s)
         self.clock.pass_time(max(self.clock.observe(), self.unit.queue.trajectory.seen_s(rest_s)))
         self.unit.queue.clear()
         self.unit.queue.resume(self.clock.observe())

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import field, replace
+from functools import partial
 from os import PathLike
 from typing import TYPE_CHECKING
 
@@ -123,6 +124,7 @@ def check_job(job: Job) -> CheckResult:
         choose_move_check(job),
         even_without_moves=station.check.cycle_budget_s is not None,
         cell=job.cell,
+        together=_together(job),
     )
     undriven = find_never_driven(result.trees, station.io)
     if selection.is_looked_for(EndlessWait.rule.code):
@@ -135,6 +137,16 @@ def check_job(job: Job) -> CheckResult:
     return replace(result, diagnostics=selection.kept(unsuppressed))
 
 
+def _together(
+    job: Job,
+) -> Callable[[Sequence[tuple[TaskFiles, Loaded]]], tuple[Diagnostic, ...] | None] | None:
+    if len(job.tasks) < 2 or not (job.asked.reach and job.asked.trial_run):
+        return None
+    from rapidsim.jobs.tasks_together import errors_together
+
+    return partial(errors_together, job)
+
+
 def check_tasks(
     tasks: Iterable[TaskFiles],
     rules: Sequence[Find] | None = None,
@@ -142,8 +154,10 @@ def check_tasks(
     *,
     even_without_moves: bool = False,
     cell: CellNames = NO_CELL,
+    together: Callable[[Sequence[tuple[TaskFiles, Loaded]]], tuple[Diagnostic, ...] | None]
+    | None = None,
 ) -> CheckResult:
-    """Check tasks that have been read, each on its own.
+    """Check tasks that have been read, each on its own, and then all of them.
 
     Args:
         tasks: Their files.
@@ -153,6 +167,7 @@ def check_tasks(
         even_without_moves: Whether `moves` has something to say of programs that have none, such
             as how long they take.
         cell: What the configuration declares beside the modules.
+        together: The errors of a run of all tasks, or None where none was made.
     """
     wanted = detectors_of() if rules is None else rules
     loaded = [(task, load_task(task, cell, wanted)) for task in tasks]
@@ -160,10 +175,15 @@ def check_tasks(
         _moves_checked(one, task.name or DEFAULT_TASK, moves, even_without_moves, cell)
         for task, one in loaded
     ]
+    disagreements = _disagreements([one for _, one in loaded])
+    of_moves = [diagnostic for report in reports for diagnostic in report.diagnostics]
+    of_all = None if together is None or disagreements else together(loaded)
+    if of_all is not None:
+        of_moves = _as_all_tasks(of_moves, of_all)
     found = [
         *(diagnostic for _, one in loaded for diagnostic in one.diagnostics),
-        *(diagnostic for report in reports for diagnostic in report.diagnostics),
-        *_disagreements([one for _, one in loaded]),
+        *of_moves,
+        *disagreements,
     ]
     return CheckResult(
         files=tuple(file.name for task, _ in loaded for file in task.files),
@@ -171,6 +191,13 @@ def check_tasks(
         trees=tuple(file for _, one in loaded for file in one.files),
         coverage=sum((report.coverage for report in reports), Coverage()),
     )
+
+
+def _as_all_tasks(alone: Iterable[Diagnostic], of_all: Iterable[Diagnostic]) -> list[Diagnostic]:
+    """The findings of tasks without those of runs of one alone; a run of all tasks is surer."""
+    kept = [one for one in alone if one.violation.code[0] != _FAMILY_OF_RUNS]
+    told = {(one.violation.code, one.span) for one in kept}
+    return [*kept, *(one for one in of_all if (one.violation.code, one.span) not in told)]
 
 
 def _may_end_badly(program: Program) -> bool:

@@ -238,8 +238,12 @@ class Flank(Enum):
 class SearchStop(Enum):
     """What the robot does at the first hit."""
 
-    STOP = "stop"
+    STIFFLY = "stop stiffly"
     """It stops as fast as it can."""
+    SOFTLY = "stop softly"
+    """It stops on its path, or near it."""
+    ON_PATH = "stop on the path"
+    """It stops on its path and takes its time."""
     GO_ON = "go on"
     """It goes on to the end of the move."""
     GO_ON_ONCE = "go on, one hit"

@@ -19,8 +19,8 @@ class PathControl(Protocol):
         """How many paths are stored, counted from 1: the value of PathLevel."""
         ...
 
-    def stop_move(self) -> None:
-        """Stop the robot on its path; returns when it stands."""
+    def stop_move(self, *, quick: bool = False) -> None:
+        """Stop the robot on its path, or as fast as it can; returns when it stands."""
         ...
 
     def fail(self, error: RapidError) -> None:

@@ -29,6 +29,7 @@ from rapidsim.language.error_numbers import (
     ERR_RANYBIN_EOF,
     rapid_error,
 )
+from rapidsim.language.errors import NotAllowed
 from rapidsim.language.files import Files
 from rapidsim.language.types import NUM
 from rapidsim.library.files import opened_device
@@ -97,13 +98,15 @@ def is_file(
     block_spec: Switch = False,
     char_spec: Switch = False,
 ) -> Bool:
-    """Whether a file is there and of the kind that the switch says; a regular one without."""
-    found = controller.file_size(path)
-    if fifo or block_spec or char_spec:
-        return False
-    if directory and not reg_file:
-        return found is None and controller.is_folder(path)
-    return found is not None
+    """Whether a file is there, of the kind that the switch says if there is one."""
+    is_regular = controller.file_size(path) is not None
+    is_folder = not is_regular and controller.is_folder(path)
+    is_there = is_regular or is_folder
+    if not (directory or fifo or reg_file or block_spec or char_spec):
+        return is_there
+    if not is_there:
+        raise rapid_error(ERR_FILEACC, f"there is no file {path}, so it has no kind")
+    return (is_regular and reg_file) or (is_folder and directory)
 
 
 def file_size(controller: Files, path: String) -> Num:
@@ -124,7 +127,8 @@ def fs_size(
     mbyte: Switch = False,
 ) -> Num:
     r"""The size of the disk, or the free space on it, in bytes, kB or MB."""
-    del total
+    if not (total or free):
+        raise NotAllowed(r"FSSize needs \Total or \Free")
     controller.honesty.not_simulated("FSSize", _DISK_NOTE)
     used = controller.files.bytes_in(name) if free else 0
     unit = 1024.0 if kbyte else 1024.0**2 if mbyte else 1.0

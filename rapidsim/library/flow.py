@@ -8,7 +8,7 @@ from __future__ import annotations
 from rapidsim.language.annotations import Bool, String, Switch, SymNum
 from rapidsim.language.controller import Controller, Execution
 from rapidsim.language.errors import CycleEnded
-from rapidsim.library.honesty import ignored
+from rapidsim.library.honesty import ignored, not_in_undo
 from rapidsim.library.table import routine, table
 from rapidsim.library.traits import Does
 
@@ -23,6 +23,7 @@ def stop(
 ) -> None:
     """Stop the program when the robot stands; the run ends where nobody starts it again."""
     del no_regain
+    not_in_undo(controller, "Stop")
     ignored(controller.honesty, "Stop", {r"\AllMoveTasks": all_move_tasks})
     controller.clock.wait(0.0, in_position=True)
     controller.execution.stop("Stop")

@@ -1,10 +1,12 @@
-"""Saying which options of an instruction a run does not heed."""
+"""Saying which options of an instruction a run does not heed, and where it may not stand."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rapidsim.language.controller import Honesty
+from rapidsim.language.controller import Controller, Honesty
+from rapidsim.language.error_numbers import IN_UNDO
+from rapidsim.language.errors import NotAllowed
 
 
 def ignored(controller: Honesty, routine: str, options: Mapping[str, object]) -> None:
@@ -18,3 +20,12 @@ def ignored(controller: Honesty, routine: str, options: Mapping[str, object]) ->
     for name, value in options.items():
         if value is not None and value is not False:
             controller.not_simulated(f"{routine} {name}", "ignored")
+
+
+def not_in_undo(controller: Controller, routine: str) -> None:
+    """Refuse what may not stand in an UNDO clause: whatever moves the robot, and Stop.
+
+    Source: Technical reference manual RAPID Overview, "UNDO": limitations; of Stop from memory.
+    """
+    if controller.error_numbers.handler == IN_UNDO:
+        raise NotAllowed(f"{routine} in an UNDO clause, which only tidies up")

@@ -33,7 +33,7 @@ from rapidsim.language.moves import Interpolation, Move, StopTime
 from rapidsim.language.reference import Reference
 from rapidsim.language.single import single
 from rapidsim.library.displacement import in_object, with_axis_offsets
-from rapidsim.library.honesty import ignored
+from rapidsim.library.honesty import ignored, not_in_undo
 from rapidsim.library.path_offset import offset
 from rapidsim.library.table import LibraryRoutine, routine, table
 from rapidsim.library.traits import NOTHING, Does
@@ -80,6 +80,7 @@ def asked(
         options: All others that were given.
         sync_id: What the instruction makes of its option to move in step with other robots.
     """
+    not_in_undo(controller, name)
     left_out = {
         r"\ID": options.get("id_"),
         r"\TLoad": options.get("tload"),

@@ -1,8 +1,8 @@
 r"""Searching on a move: SearchL, SearchC and SearchExtJ.
 
 The position found is that of the TCP at the instant of the flank, without the delays of a real
-input. \Stop, \PStop and \SStop all brake on the path as fast as the axes can; a controller lets a
-\Stop leave the path, and the run says so.
+input. \Stop brakes as fast as the axes can, \SStop in a while, \PStop as a program that is stopped.
+All of them keep to the path, which on a controller a \Stop leaves by a millimetre or two.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "SearchL",
 "SearchExtJ".
@@ -14,7 +14,7 @@ from collections.abc import Callable
 from typing import Unpack
 
 from rapidsim.language.annotations import Bool, InOut, Pers, SignalDi, Switch
-from rapidsim.language.controller import Controller, Honesty
+from rapidsim.language.controller import Controller
 from rapidsim.language.data import FINE, JointTarget, RobTarget, Signal, SpeedData, ToolData
 from rapidsim.language.errors import NotAllowed
 from rapidsim.language.moves import Flank, Interpolation, Move, SearchStop
@@ -30,6 +30,11 @@ r"""The fastest search [mm/s] that \Stop may end.
 Source: event 41539 of RobotWare 5.15 stops the program above a speed; the number is from memory of
 "SearchL", unverified.
 """
+_STOPS = {
+    "stop": SearchStop.STIFFLY,
+    "s_stop": SearchStop.SOFTLY,
+    "p_stop": SearchStop.ON_PATH,
+}
 
 
 class SearchOptions(MoveOptions, total=False):
@@ -57,7 +62,7 @@ def _search(name: str, way: Interpolation) -> Callable[..., None]:
         **options: Unpack[SearchOptions],
     ) -> None:
         move = asked(controller, name, way, to_point, speed, FINE, tool, options)
-        stop = _stop(controller.honesty, name, options)
+        stop = _stop(options)
         _require_slow(name, move, options)
         found = controller.searches.search(move, _watched(signal), _flank(options), stop)
         search_point.value = in_program(controller.motion, found)
@@ -78,7 +83,7 @@ def search_ext_j(
     offsets = controller.motion.settings.axis_offsets if options.get("use_eoffs") else None
     to = JointTarget(to_joint_pos.robax, with_axis_offsets(to_joint_pos.extax, offsets))
     move = asked(controller, name, way, to, speed, FINE, None, options)
-    stop = _stop(controller.honesty, name, options)
+    stop = _stop(options)
     found = controller.searches.search_joints(move, _watched(signal), _flank(options), stop)
     search_joint_pos.value = JointTarget(found.robax, without_axis_offsets(found.extax, offsets))
 
@@ -109,11 +114,10 @@ def _require_slow(name: str, move: Move, options: SearchOptions) -> None:
         )
 
 
-def _stop(controller: Honesty, name: str, options: SearchOptions) -> SearchStop:
-    if options.get("stop"):
-        controller.not_simulated(rf"{name} \Stop", r"stops on the path, as \PStop")
-    if options.get("stop") or options.get("p_stop") or options.get("s_stop"):
-        return SearchStop.STOP
+def _stop(options: SearchOptions) -> SearchStop:
+    for option, stop in _STOPS.items():
+        if options.get(option):
+            return stop
     return SearchStop.GO_ON_ONCE if options.get("sup") else SearchStop.GO_ON
 
 

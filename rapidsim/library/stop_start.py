@@ -3,8 +3,8 @@ r"""Stopping the robot on its path and starting it again; other paths meanwhile.
 ProcerrRecovery in a trap raises its error at the statement that the trap interrupts, or at the next
 that can fail where that is a loop that computes: \SyncOrgMoveInst and \SyncLastMoveInst are one.
 
-Every stop keeps to the path and brakes as fast as the axes can: \Quick is ignored, and the run says
-so.
+StopMove brakes as a program that is stopped, \Quick as fast as the axes can; both keep to the
+path.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "StopMove",
 "StartMove", "StorePath", "RestoPath", "ClearPath".
@@ -30,11 +30,10 @@ def stop_move(
     controller: Controller, *, quick: Switch = False, all_motion_tasks: Switch = False
 ) -> None:
     """Stop the robot on its path; the program goes on when it stands."""
-    ignored(controller.honesty, "StopMove", {r"\Quick": quick})
     if all_motion_tasks:
         _require_no_robot(controller, "StopMove")
         controller.tasks.stop_other_robots()
-    controller.path_control.stop_move()
+    controller.path_control.stop_move(quick=quick)
 
 
 def start_move(controller: Controller, *, all_motion_tasks: Switch = False) -> None:

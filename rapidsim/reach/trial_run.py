@@ -7,6 +7,7 @@ on, but not at a stored configuration that cannot be had: the moves after it are
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -25,7 +26,8 @@ from rapidsim.reach.dataflow.known_moves import KnownMove, WalkedProgram
 from rapidsim.reach.outside_values import asks_outside, is_given_values, looks_at_inputs
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End, Simulation
-from rapidsim.simulation.simulate import simulate
+from rapidsim.simulation.simulate import run_tasks, simulate
+from rapidsim.simulation.task_run import TaskSetup
 from rapidsim.syntax import tree
 from rapidsim.values import dataclass
 
@@ -132,7 +134,7 @@ def run_for_moves(
         moves,
         tuple(one for one, _ in made),
         frozenset(failed | {call for _, (call, _) in made}),
-        tuple(_as_sure(one, run, program, options) for one in run.diagnostics if _is_told(one)),
+        tuple(_as_sure(one, run, (program,), options) for one in run.diagnostics if _is_told(one)),
         run.time_s if run.end in (End.ENDED, End.CYCLE_LIMIT) else None,
         f"more than {run.time_s:.0f} s"
         if run.end is End.TIME_LIMIT
@@ -162,10 +164,29 @@ def run_for_error(
     except (InputError, NotExecutableError):
         return ()
     errors = (one for one in run.diagnostics if one.severity is Severity.ERROR and _of_run(one))
-    found = tuple(_as_sure(one, run, program, options) for one in errors)
+    found = tuple(_as_sure(one, run, (program,), options) for one in errors)
     # What follows from a move that this arm cannot make is as sure as the arm is.
     unmade = any(one.failed_moves for one in run.robots)
     return tuple(replace(one, assumed=one.assumed or unmade) for one in found)
+
+
+def run_together(setups: Sequence[TaskSetup], options: RunOptions) -> tuple[Diagnostic, ...] | None:
+    """The errors that end a run of all tasks of a cell; None where a check cannot tell.
+
+    It cannot where the run would depend on what it does not have, or takes too long.
+    """
+    programs = [setup.program for setup in setups]
+    if any(map(asks_outside, programs)):
+        return None
+    limited = _limited(options, LONGEST_RUN_S, LONGEST_WORK_FOR_ERRORS_S)
+    try:
+        run = run_tasks(setups, replace(limited, home=None, network=None)).simulation
+    except (InputError, NotExecutableError):
+        return None
+    errors = [one for one in run.diagnostics if one.severity is Severity.ERROR]
+    if run.end is End.TIME_LIMIT and not errors:
+        return None
+    return tuple(_as_sure(one, run, programs, options) for one in errors if not _of_text(one))
 
 
 def _limited(options: RunOptions, longest_s: float, work_s: float) -> RunOptions:
@@ -196,21 +217,21 @@ def _of_text(found: Diagnostic) -> bool:
 
 
 def _as_sure(
-    found: Diagnostic, run: Simulation, program: Program, options: RunOptions
+    found: Diagnostic, run: Simulation, programs: Sequence[Program], options: RunOptions
 ) -> Diagnostic:
     """The finding; what may follow from what a check does not have is no error."""
     if not _of_run(found):
         return found
     guesses = (
         bool(run.unsimulated)
-        or len(options.cell_tasks) > 1
-        or program.cell.refers_late
-        or is_given_values(program)
-        or asks_outside(program)
+        or len(options.cell_tasks) > len(programs)
+        or any(one.cell.refers_late for one in programs)
+        or (len(programs) == 1 and is_given_values(programs[0]))
+        or any(map(asks_outside, programs))
     )
     if not options.io.stimuli:
         in_vain = isinstance(found.violation, EndlessWait) and found.violation.cure is None
-        guesses = guesses or in_vain or looks_at_inputs(program)
+        guesses = guesses or in_vain or any(map(looks_at_inputs, programs))
     return replace(found, assumed=True) if guesses else found
 
 

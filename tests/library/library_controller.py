@@ -142,7 +142,7 @@ class RecordingController(Undisturbed):
     def stop(self, reason: str) -> None:
         raise Stopped(reason)
 
-    def stop_move(self) -> None:
+    def stop_move(self, *, quick: bool = False) -> None:
         self.log.append("stop")
 
     def start_move(self) -> None:

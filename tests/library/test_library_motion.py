@@ -361,7 +361,7 @@ def test_searches_and_moves_with_outputs_give_the_controller_all_it_needs() -> N
     search, move = controller.moves
     assert (search.instruction, search.zone, search.to) == ("SearchL", FINE, P10)
     assert (move.zone, move.wobj, move.to) == (Z10, TABLE, P20)
-    assert controller.log == ["search doGun, rising, stop"]
+    assert controller.log == ["search doGun, rising, stop on the path"]
     assert controller.triggers == (Trigger(SetOutput("doGun", 1.0)),)
     assert not controller.unsimulated
 

@@ -14,7 +14,7 @@ from motion_programs import LIMITS, Programmer, path_of, path_or_fault, programs
 
 from rapidsim.motion.geometry.segments import Speed
 from rapidsim.motion.path.curve_following import PathFault
-from rapidsim.motion.timing.braking import stop_at
+from rapidsim.motion.timing.braking import PATH_STOP_S, stop_at
 from rapidsim.motion.timing.planning import plan
 from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
@@ -33,10 +33,25 @@ def test_a_joint_move_stops_within_its_braking_distance() -> None:
     assert braking.duration == pytest.approx(axis_speed / axis_acceleration, rel=1e-6)
 
 
+def test_an_arm_that_has_time_brakes_evenly() -> None:
+    path = path_of(Programmer(speed=Speed(0.5, 10.0)).move((1.5, 0, 0, 0, 0, 0)))
+    timing = plan(path, LIMITS)
+    time = 0.3 * timing.duration
+    s, speed = timing.s_at(time), timing.speed_at(time)
+    braking = stop_at(path, LIMITS, s, speed, PATH_STOP_S)
+    assert braking.duration == pytest.approx(PATH_STOP_S, rel=1e-6)
+    assert float(braking.s[-1]) - s == pytest.approx(0.5 * speed * PATH_STOP_S, rel=1e-6)
+
+
 @examples(40)
-@given(program=programs(), share=st.floats(0.02, 0.98), speed=st.sampled_from([0.1, 0.5, 2.0]))
+@given(
+    program=programs(),
+    share=st.floats(0.02, 0.98),
+    speed=st.sampled_from([0.1, 0.5, 2.0]),
+    in_s=st.sampled_from([0.0, PATH_STOP_S]),
+)
 def test_braking_keeps_the_accelerations_and_ends_before_the_plan(
-    program: Programmer, share: float, speed: float
+    program: Programmer, share: float, speed: float, in_s: float
 ) -> None:
     segments = [
         replace(segment, speed=Speed(speed, np.radians(500.0)), zone=segment.zone or zone(3.0))
@@ -48,11 +63,14 @@ def test_braking_keeps_the_accelerations_and_ends_before_the_plan(
     timing = plan(path, LIMITS)
     time = share * timing.duration
     s = timing.s_at(time)
-    braking = stop_at(path, LIMITS, s, timing.speed_at(time))
+    braking = stop_at(path, LIMITS, s, timing.speed_at(time), in_s)
     stands = float(braking.s[-1])
     assert s <= stands <= path.length
     assert braking.speed[-1] == 0.0
-    assert braking.duration <= timing.duration - time + 1e-3
+    if in_s:
+        assert stands >= float(stop_at(path, LIMITS, s, timing.speed_at(time)).s[-1])
+    else:
+        assert braking.duration <= timing.duration - time + 1e-3
     trajectory = Trajectory(segments[0].start, 0.0)
     trajectory.append(Piece(0.0, path, timing, 0.0, s))
     trajectory.append(Piece(trajectory.command_end, path, braking, s, stands))

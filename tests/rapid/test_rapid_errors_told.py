@@ -25,9 +25,8 @@ STOPPED = [
 WAITS = "R106"
 """A check cannot know that nobody ever sets an input: to it this is a warning."""
 
-UNSURE = {"operator/key_timeout_again", "recovery/search_too_fast"}
-"""What a check cannot be sure of: its run ends at a question, for somebody may answer it; and what
-comes of an instruction that is not simulated as on a controller is a warning."""
+UNSURE = {"operator/key_timeout_again"}
+"""What a check cannot be sure of: its run ends at a question, for somebody may answer it."""
 
 Error = tuple[str, int, int, str, str]
 """File, line, column, code and words of an error."""
@@ -47,15 +46,10 @@ def test_run_names_the_error_that_ends_it_and_check_the_same(program: Path, tmp_
     if name(program) in UNSURE:
         check = call("check", program, *robot, "--output-format", "json", cwd=tmp_path)
         assert errors_of(json.loads(check.out)) == []
-    elif tasks_of(program) < 2:  # A check runs no task beside others.
+    else:
         check = call("check", program, *robot, "--output-format", "json", cwd=tmp_path)
         assert check.code == 1
         assert errors_of(json.loads(check.out)) == errors
-
-
-def tasks_of(program: Path) -> int:
-    station = program / FILE_NAME
-    return station.read_text("utf-8").count("[[task]]") if station.exists() else 1
 
 
 def errors_of(told: dict[str, Any]) -> list[Error]:

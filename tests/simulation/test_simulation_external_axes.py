@@ -307,7 +307,7 @@ def searched(search: str, data: str = "  VAR jointtarget j;\n") -> Ran:
 
 
 def test_a_search_of_external_axes_keeps_where_they_were() -> None:
-    run = searched(r"SearchExtJ\PStop,diHit,j,far,vlin200;")
+    run = searched(r"SearchExtJ\SStop,diHit,j,far,vlin200;")
     at_hit = run.run.only.trajectory.at(np.array([2.0])).external[0, 0]
     assert run.texts == [f"hit {1000 * at_hit:.0f}", "[0,0,0,0,30,0]"]
     stands = run.run.only.trajectory.at(np.array([run.run.time_s])).external[0, 0]

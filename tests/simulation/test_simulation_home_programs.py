@@ -31,7 +31,7 @@ def test_files_and_folders(tmp_path: Path) -> None:
 ENDMODULE
 """
     it = ran(text, home=tmp_path)
-    assert it.texts == ["13", "TRUEFALSETRUE", ".", "..", "c.txt"]
+    assert it.texts == ["13", "TRUETRUETRUE", ".", "..", "c.txt"]
     assert (tmp_path / "c.txt").read_text() == "twelve chars\n"
     assert it.run.home_files[0].path == str(tmp_path / "c.txt")
     assert [e.message for e in it.run.events if e.kind == "file"] == [
@@ -76,6 +76,7 @@ def test_what_the_disk_refuses_has_the_manuals_errors(tmp_path: Path) -> None:
         ("is:=ReadDir(folder,name);", "ERR_FILEACC"),
         ('n:=FileSize("none.txt");', "ERR_FILEACC"),
         ('MakeDir "full";', "ERR_FILEACC"),
+        ('is:=IsFile("none.txt"\\RegFile);', "ERR_FILEACC"),
         ('Open "a.txt",file\\Append; n:=ReadNum(file);', "ERR_FILEACC"),
         ('Open "a.bin",file\\Write\\Bin; ReadAnyBin file,n;', "ERR_FILEACC"),
         ('Open "a.bin",file\\Append\\Bin; n:=ReadBin(file);', "ERR_FILEACC"),

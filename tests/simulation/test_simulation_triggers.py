@@ -106,10 +106,10 @@ def test_an_interrupt_at_a_place_stops_the_robot_there_and_the_rest_is_forgotten
         MoveL a,v200,fine,tool0;
         TPWrite "home "\Bool:=Distance(CPos(),a.trans)<0.001;
         """,
-        """
+        r"""
         VAR pos stopped;
         TRAP stop_here
-          StopMove;
+          StopMove\Quick;
           stopped:=CPos();
           ClearPath;
           StartMove;
@@ -132,7 +132,7 @@ def test_moves_ahead_of_the_robot_are_forgotten_with_the_path() -> None:
         TPWrite "done";
         MoveL a,v200,fine,tool0;
         """,
-        "TRAP again\nStopMove;\nClearPath;\nStartMove;\nENDTRAP",
+        "TRAP again\nStopMove\\Quick;\nClearPath;\nStartMove;\nENDTRAP",
     )
     assert done.texts == ["done"]
     assert time_of(done, "done") == pytest.approx(time_of(done, "trap again") + 0.1, abs=0.02)
@@ -210,7 +210,7 @@ def test_misuse_is_an_error_that_a_program_can_catch(statement: str, error: str)
 def test_braking_stays_on_the_line_and_within_the_axes_accelerations() -> None:
     model = MotionModel(filter_time=0.0, own_accelerations=False)
     text = f"{FRAME}CONNECT here WITH halt;\nITimer\\Single,0.2,here;\nMoveL b,v1000,fine,tool0;\n"
-    text += "ENDPROC\nTRAP halt\nStopMove;\nStartMove;\nENDTRAP\nENDMODULE\n"
+    text += "ENDPROC\nTRAP halt\nStopMove\\Quick;\nStartMove;\nENDTRAP\nENDMODULE\n"
     run = ran(text, model=model).run
     start = next(e.time_s for e in run.events if e.kind is EventKind.INTERRUPT)
     times = np.arange(start + 0.002, start + 0.4, 1e-3)
@@ -239,17 +239,6 @@ def test_a_thin_zone_is_seen_at_full_speed(thickness_mm: float) -> None:
     assert [e.message for e in done.run.events] == ["doLamp = 1", "doLamp = 0"]
     assert place_of(done, "doLamp = 1")[1] == pytest.approx(-150.0, abs=1e-5)
     assert place_of(done, "doLamp = 0")[1] == pytest.approx(thickness_mm - 150.0, abs=1e-5)
-
-
-def test_what_a_stop_does_not_do_is_said() -> None:
-    done = run(
-        r"StopMove\Quick; StartMove; SearchL\Stop,diTouch,p,b,v200,tool0;", "VAR robtarget p;"
-    )
-    said = [(one.name, one.treated_as) for one in done.run.unsimulated]
-    assert said == [
-        (r"StopMove \Quick", "ignored"),
-        (r"SearchL \Stop", r"stops on the path, as \PStop"),
-    ]
 
 
 def test_an_output_follows_the_speed_and_ends_at_nothing() -> None:

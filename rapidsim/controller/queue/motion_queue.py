@@ -92,8 +92,8 @@ class MotionQueue(Protocol):
         """The arm at a time [s] that is past, one sample."""
         ...
 
-    def halt(self, now_s: float) -> float:
-        """Stop on the path; the command time [s] at which the robot stands."""
+    def halt(self, now_s: float, in_s: float = 0.0) -> float:
+        """Stop on the path, see `stopping.halt`; the command time [s] at which the robot stands."""
         ...
 
     def resume(self, now_s: float) -> None:

@@ -177,12 +177,12 @@ class SoloQueue:
         """The arm at a time [s] that is past, one sample."""
         return self.trajectory.at(np.array([time_s]))
 
-    def halt(self, now_s: float) -> float:
+    def halt(self, now_s: float, in_s: float = 0.0) -> float:
         """Stop on the path, or whoever guides the robot; see `stopping.halt`."""
         if self.guided is not None:
             self.end_guidance()
             now_s = max(now_s, self.trajectory.duration)
-        return stopping.halt(self.planner, now_s)
+        return stopping.halt(self.planner, now_s, in_s)
 
     def guide(self, guided: GuidedMotion) -> None:
         """Let something else than the path move a robot that stands."""

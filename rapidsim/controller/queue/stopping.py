@@ -25,8 +25,13 @@ _SAME_JOINTS = np.radians(1e-3)
 """An arm that stands so near [rad] to where it left a path has nothing to regain."""
 
 
-def halt(planner: BlockPlanner, now_s: float) -> float:
-    """Stop as fast as the axes can, from a time [s] up to which the path is fixed or not.
+def halt(planner: BlockPlanner, now_s: float, in_s: float = 0.0) -> float:
+    """Stop, from a time up to which the path is fixed or not.
+
+    Args:
+        planner: Of the path.
+        now_s: When braking begins [s].
+        in_s: How long it takes [s]; as fast as the axes can if 0.
 
     Returns:
         Command time [s] at which the robot stands.
@@ -57,7 +62,7 @@ def halt(planner: BlockPlanner, now_s: float) -> float:
     under_way = block.driven[-1]
     s = under_way.timing.s_at(now_s - under_way.start_s)
     speed = under_way.timing.speed_at(now_s - under_way.start_s)
-    braking = stop_at(under_way.path, planner.limits, s, speed)
+    braking = stop_at(under_way.path, planner.limits, s, speed, in_s)
     to_m = float(braking.s[-1])
     if to_m > s:
         planner.trajectory.append(Piece(now_s, under_way.path, braking, s, to_m))

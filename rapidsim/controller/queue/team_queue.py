@@ -97,9 +97,9 @@ class TeamQueue:
         """The robot at a time [s] that is past."""
         return self.own.at_past(time_s)
 
-    def halt(self, now_s: float) -> float:
+    def halt(self, now_s: float, in_s: float = 0.0) -> float:
         """Stop all robots of the team; see `stopping.halt`."""
-        return stopping.halt(self.team.planner, now_s)
+        return stopping.halt(self.team.planner, now_s, in_s)
 
     def resume(self, now_s: float) -> None:
         """Let all robots of the team go on."""

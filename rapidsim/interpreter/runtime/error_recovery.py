@@ -71,7 +71,7 @@ class LongJump(RapidError):  # noqa: N818 - it is no new error
 
 
 class Unrecoverable(BaseException):
-    """An error where no ERROR clause may act: in an ERROR clause, out of a trap."""
+    """An error where no ERROR clause may act: in an ERROR or UNDO clause, out of a trap."""
 
     def __init__(self, error: RapidError) -> None:
         """Carry the error."""
@@ -131,10 +131,12 @@ class Recovery:
         return tries + 1
 
     def undo(self, clause: Callable[[], object]) -> None:
-        """Run the UNDO clause of a routine."""
+        """Run the UNDO clause of a routine; nothing answers an error in it."""
         around, self.numbers.handler = self.numbers.handler, IN_UNDO
         try:
             clause()
+        except ERRORS as inside:
+            raise Unrecoverable(as_rapid_error(inside)) from inside
         finally:
             self.numbers.handler = around
 

@@ -1,4 +1,9 @@
-"""Stopping on the path: the hardest braking that keeps the axes' accelerations and the path."""
+r"""Stopping on the path: braking that keeps the axes' accelerations and the path.
+
+How far the arm goes on at 50 mm/s, "SearchL" of the Technical reference manual RAPID Instructions,
+Functions and Data types tells: 15 to 25 mm with \PStop, 4 to 8 with \SStop, 1 to 3 with \Stop. That
+the time, not the way, is the same at other speeds is our choice.
+"""
 
 from __future__ import annotations
 
@@ -14,18 +19,25 @@ from rapidsim.motion.timing.stages import Stages
 from rapidsim.motion.timing.time_optimal import fastest_drive
 from rapidsim.motion.timing.time_scaling import Timing
 
+PATH_STOP_S = 0.7
+r"""How long the arm brakes [s] where it has time: \PStop."""
+PROGRAM_STOP_S = 0.3
+"""The same where a program stops it: our choice, about what tables of stopping times say."""
+SOFT_STOP_S = 0.15
+r"""The same where it hurries: \SStop."""
 _STANDSTILL = 1e-9
 """Path speed [m/s] that counts as standing."""
 
 
-def stop_at(path: Path, limits: Limits, s: float, speed: float) -> Timing:
-    """Brake from a place on a path as fast as the axes can.
+def stop_at(path: Path, limits: Limits, s: float, speed: float, in_s: float = 0.0) -> Timing:
+    """Brake from a place on a path, evenly in a given time or as fast as the axes can.
 
     Args:
         path: The geometry.
         limits: Of the axes.
         s: Where braking begins [m].
         speed: Path speed there [m/s], one that the plan of the path has.
+        in_s: How long it takes [s], where neither the axes nor the end of the path ask for another.
 
     Returns:
         The motion to rest; its last `s` is where the arm stands. Time 0 is at `s`.
@@ -37,16 +49,17 @@ def stop_at(path: Path, limits: Limits, s: float, speed: float) -> Timing:
     # The same stages as for the plan that had this speed here.
     _, motion = fastest_drive(problem, speed)
     stages = motion.stages
-    stands, x = _braked(stages, motion.x, speed)
+    hardest = speed / in_s if in_s > 0.0 else np.inf
+    stands, x = _braked(stages, motion.x, speed, hardest)
     nodes = stages.nodes[: len(x)].copy()
     nodes[-1] = stands
     return Timing(nodes, np.sqrt(x), 0.0, nothing)
 
 
-def _braked(stages: Stages, fastest: Array, speed: float) -> tuple[float, Array]:
+def _braked(stages: Stages, fastest: Array, speed: float, hardest: float) -> tuple[float, Array]:
     """Where the arm comes to rest [m], and x at the nodes on the way, the last of them 0.
 
-    `fastest` (m + 1,) is the x of the plan at the nodes.
+    `fastest` (m + 1,) is the x of the plan at the nodes, `hardest` the most to brake [m/s^2].
     """
     x = [speed**2]
     nodes = stages.nodes.tolist()
@@ -54,7 +67,7 @@ def _braked(stages: Stages, fastest: Array, speed: float) -> tuple[float, Array]
     for k, (slack, tilt, most) in enumerate(rows):
         # Every row asks u >= -slack - tilt x. In a corner that may mean to speed up for a moment:
         # an axis that the corner brakes as hard as it can must not be braked more.
-        u = float(np.max(-slack - tilt * x[-1]))
+        u = max(float(np.max(-slack - tilt * x[-1])), -hardest)
         after = min(x[-1] + 2.0 * u * (nodes[k + 1] - nodes[k]), most)
         if after <= 0.0:
             x.append(0.0)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import NoReturn
 
 from rapidsim.diagnostics import Source, Span
+from rapidsim.language.error_numbers import IN_NO_HANDLER
 from rapidsim.language.moves import MotionSettings, Move, Place
 from rapidsim.language.path_events import Trigger
 
@@ -29,6 +30,7 @@ class Recorder:
         self.left = 0
         self.place = _NOWHERE
         self.errno = 0.0
+        self.handler = IN_NO_HANDLER
         self.intno = 0.0
 
     def move(self, move: Move, triggers: tuple[Trigger, ...] = ()) -> None:

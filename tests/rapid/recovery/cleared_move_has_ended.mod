@@ -12,7 +12,7 @@ MODULE cleared_move_has_ended
     ClkStart watch;
     ITimer\Single,1,enough;
     MoveL p2,v100,fine,tool0;
-    TPWrite "goes on at once "\Bool:=ClkRead(watch)<1.2;            ! -> goes on at once TRUE
+    TPWrite "goes on at once "\Bool:=ClkRead(watch)<1.5;            ! -> goes on at once TRUE
     stopped:=CPos(\Tool:=tool0);
     TPWrite "half way "\Bool:=stopped.y>50 AND stopped.y<150;       ! -> half way TRUE
     MoveL p1,v100,fine,tool0;

@@ -16,6 +16,5 @@ MODULE search_too_fast
 
   PROC fast()
     SearchL\Stop,touched,found,p2,v200,tool0;           ! stops: SearchL \Stop at 200 mm/s: at most 100 are allowed; \PStop and \SStop stop on the path
-    ! warning: R104
   ENDPROC
 ENDMODULE

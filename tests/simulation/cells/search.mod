@@ -9,7 +9,7 @@ MODULE search
   VAR pos here;
   PROC main()
     MoveJ a,v500,fine,tool0;
-    SearchL \PStop,diTouch,found,b,v100,tool0;
+    SearchL \Stop,diTouch,found,b,v100,tool0;
     TPWrite "found at y = -96: "\Bool:=Abs(found.trans.y+96)<4;
     here:=CPos();
     TPWrite "stands 2 to 8 mm on: "\Bool:=here.y-found.trans.y>2 AND here.y-found.trans.y<8;

@@ -25,7 +25,7 @@ MODULE stop_and_start
   ENDFUNC
   TRAP door_open
     door_at:=CPos();
-    StopMove;
+    StopMove\Quick;
     StorePath;
     stopped:=CRobT();
     TPWrite "braked within 15 mm on the line: "\Bool:=OnLine() AND Distance(door_at,stopped.trans)<15;

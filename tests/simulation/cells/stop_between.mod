@@ -29,7 +29,7 @@ MODULE stop_between
   ENDPROC
   TRAP again
     TPWrite "stop";
-    StopMove;
+    StopMove\Quick;
     WaitTime 1;
     TPWrite "start";
     StartMove;

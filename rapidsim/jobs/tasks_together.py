@@ -1,0 +1,59 @@
+"""The errors that end a run of all tasks of a cell, as a check tells them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.files import InputError, TaskFiles
+from rapidsim.jobs.checked_program import Loaded
+from rapidsim.jobs.entry import require_entry
+from rapidsim.jobs.job import Job
+from rapidsim.jobs.load_tasks import LoadedTask
+from rapidsim.reach.dataflow.written_moves import written_moves
+from rapidsim.station.tasks import DEFAULT_TASK
+
+MOST_MOVES = 300
+"""Move instructions in the texts of all tasks beyond which a check does not run them."""
+
+
+def errors_together(
+    job: Job, tasks: Sequence[tuple[TaskFiles, Loaded]]
+) -> tuple[Diagnostic, ...] | None:
+    """Run all tasks as `rapidsim run` does, for a short time; None where that tells nothing.
+
+    Args:
+        job: What is checked.
+        tasks: Its tasks with what they were read as.
+    """
+    named = [
+        LoadedTask(task.name or DEFAULT_TASK, one.program, len(written_moves(one.files)))
+        for task, one in tasks
+        if one.program is not None
+    ]
+    few_moves = sum(one.moves for one in named) <= MOST_MOVES
+    if len(named) < 2 or len(named) < len(tasks) or not few_moves:
+        return None
+    # A check of one task needs no run of several.
+    from rapidsim.jobs.pointed_targets import pointed_at_targets
+    from rapidsim.jobs.run_options import run_options
+    from rapidsim.jobs.task_setups import task_setups
+    from rapidsim.reach.trial_run import run_together
+
+    try:
+        for one in named:
+            require_entry(one.program, job.entry(one.name))
+        bare = task_setups(named, job.station, job.arm(), job.open_robot)
+    except InputError:
+        return None
+    setups = [replace(setup, entry=job.entry(setup.name)) for setup in bare]
+    found = run_together(setups, run_options(job))
+    if found is None:
+        return None
+    found = pointed_at_targets(found, [one.program for one in named])
+    if job.is_arm_named:
+        return found
+    return tuple(
+        one if one.violation.code.startswith("R") else replace(one, assumed=True) for one in found
+    )
