@@ -184,9 +184,9 @@ class TaskGuidance:
             raise NotAllowed(r"EGMSetupUC has not set this EGM identity up with \PathCorr")
         one.sample_s = sample_s
 
-    def correct(self, identity: int, move: Move, put: Callable[[], None]) -> None:
+    def correct(self, identity: Callable[[], int], move: Move, put: Callable[[], None]) -> None:
         """Let the sensor correct the path of a move."""
-        one, _ = self._connected(identity)
+        one, _ = self._connected(identity())
         if one.sample_s is None:
             raise NotAllowed(f"{move.instruction}: EGMActMove comes first")
         if self.unit.seat is not None:

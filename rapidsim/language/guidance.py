@@ -116,11 +116,11 @@ class Guidance(Protocol):
         """Say how often the sensor tells how far from its path the robot shall be."""
         ...
 
-    def correct(self, identity: int, move: Move, put: Callable[[], None]) -> None:
+    def correct(self, identity: Callable[[], int], move: Move, put: Callable[[], None]) -> None:
         """Let the sensor correct the path of a move.
 
         Args:
-            identity: Of the sensor.
+            identity: Gives that of the sensor, or raises NotAllowed if there is none.
             move: Which begins the path, or goes on with it.
             put: Puts the move on the path; returns when the program would go on.
 

@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Annotated, Final, Unpack, cast
 
 from rapidsim.language import types
@@ -295,8 +296,8 @@ def _corrected(name: str, way: Interpolation) -> Callable[..., None]:
         sensed = Sensed.NOT_HERE if options.get("no_corr") else Sensed.CORRECTED
         move = asked(controller, name, way, to_point, speed, zone, tool, options)
         move = replace(move, sensed=sensed)
-        identity = _known(egmid, name)
-        controller.guidance.correct(identity, move, lambda: controller.motion.move(move))
+        put = partial(controller.motion.move, move)
+        controller.guidance.correct(lambda: _known(egmid, name), move, put)
 
     return body
 

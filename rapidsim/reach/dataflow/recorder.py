@@ -6,6 +6,7 @@ would have to answer.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import NoReturn
 
 from rapidsim.diagnostics import Source, Span
@@ -36,6 +37,11 @@ class Recorder:
     def move(self, move: Move, triggers: tuple[Trigger, ...] = ()) -> None:
         """Keep a move; what happens on its way changes nothing about it."""
         self.moves.append(move)
+
+    def correct(self, identity: Callable[[], int], move: Move, put: Callable[[], None]) -> None:
+        """What a sensor says of a path is not known; the move is judged as programmed."""
+        del identity, move
+        put()
 
     def not_simulated(self, routine: str, treated_as: str) -> None:
         """The run that meets it says so."""
