@@ -12,7 +12,7 @@ from dataclasses import field
 from typing import ClassVar, Final
 
 from rapidsim.controller.cell.cell import Cell
-from rapidsim.controller.cell.sensors import Sensor, Teller
+from rapidsim.controller.cell.sensors import Sensor
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.journal.journal import Journal
@@ -20,15 +20,14 @@ from rapidsim.controller.journal.stop_reasons import WaitsForever
 from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.guidance_frames import told_frames
 from rapidsim.controller.moves.guidance_start import (
-    DEFAULT_DATA,
     AskedGuidance,
-    ExternalMotionData,
     external_motion_data,
     started,
 )
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.path_correction import PathCorrecting
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.controller.sensor_identities import GuidanceUnderWay, SensorIdentity
 from rapidsim.controller.sensor_streams import SensorStream
 from rapidsim.controller.signal_sensor import SignalSensor
 from rapidsim.findings.guidance import NobodyGuides
@@ -45,61 +44,13 @@ from rapidsim.language.guidance import (
 )
 from rapidsim.language.moves import Move
 from rapidsim.motion.guidance.feedback import Guided
-from rapidsim.motion.guidance.guided_run import Ended, GuidedRun
-from rapidsim.motion.guidance.joint_law import CYCLE_S
+from rapidsim.motion.guidance.guided_run import Ended
 from rapidsim.motion.guidance.path_correction import PathCorrection
-from rapidsim.motion.guidance.sensor import SensorAnswer
 from rapidsim.motion.trajectory.corrected_stretch import CorrectedStretch
-from rapidsim.motion.trajectory.guided_stretch import GuidedStretch
 from rapidsim.values import dataclass
 
 MOST_IDENTITIES: Final = 4
 """So many a task may have at one time; from memory of ABB's documents."""
-
-
-@dataclass(slots=True, eq=False)
-class _Identity:
-    state: float = DISCONNECTED
-    setup: SensorSetup | None = None
-    data: ExternalMotionData = DEFAULT_DATA
-    sensor: Sensor | None = None
-    activation: Activation | None = None
-    sample_s: float | None = None
-    """Of a sensor that corrects paths: how often [s] it does; None before EGMActMove."""
-    stream: SensorStream | None = None
-
-
-@dataclass(slots=True, eq=False)
-class _UnderWay:
-    """A guidance; implements `solo_queue.GuidedMotion`."""
-
-    identity: _Identity
-    run: GuidedRun
-    told: Teller
-    stretch: GuidedStretch
-    waits: bool
-    is_let_go: Callable[[], None]
-    """Told when nobody guides the robot any more."""
-    cycles: int = 0
-
-    @property
-    def next_s(self) -> float:
-        """Of its next cycle [s]."""
-        return self.told.first_s + self.cycles * CYCLE_S
-
-    def step(self, answer: SensorAnswer | None) -> None:
-        """Go on by a cycle."""
-        self.cycles += 1
-        self.run.step(answer)
-        self.stretch.append(self.run.motion.joints, self.run.motion.speed)
-
-    def let_go(self) -> None:
-        """The robot brakes and stands; nobody guides it any more."""
-        self.run.stop(goes_back=False, ramp_out_s=0.0)
-        self.run.give_up_way_back()
-        while not self.run.is_over:
-            self.step(None)
-        self.is_let_go()
 
 
 @dataclass(slots=True, eq=False)
@@ -113,13 +64,13 @@ class TaskGuidance:
     resolver: Resolver
     state_of_motion: MotionState
     journal: Journal
-    _identities: dict[int, _Identity] = field(default_factory=dict)
-    _under_way: _UnderWay | None = None
-    _correcting: tuple[_Identity, PathCorrecting] | None = None
+    _identities: dict[int, SensorIdentity] = field(default_factory=dict)
+    _under_way: GuidanceUnderWay | None = None
+    _correcting: tuple[SensorIdentity, PathCorrecting] | None = None
     """Who corrects the path, until the robot leaves it."""
     _puts: bool = False
     """Whether a move is put on a path that is corrected."""
-    _last: tuple[_Identity, Ended] | None = None
+    _last: tuple[SensorIdentity, Ended] | None = None
     """Whose guidance has ended last, and how, until somebody has asked."""
 
     # What a program asks.
@@ -131,7 +82,7 @@ class TaskGuidance:
             raise NotAllowed(
                 f"EGMGetId: all {MOST_IDENTITIES} identities of the task are used; EGMReset first"
             )
-        self._identities[number] = _Identity()
+        self._identities[number] = SensorIdentity()
         return number
 
     def set_up(self, identity: int, setup: SensorSetup) -> None:
@@ -307,7 +258,7 @@ class TaskGuidance:
 
     # Within.
 
-    def _streams(self) -> list[tuple[_Identity, SensorStream]]:
+    def _streams(self) -> list[tuple[SensorIdentity, SensorStream]]:
         """Who is told where the robot is, the earliest first; a sensor that guides hears it so."""
         guides = None if self._under_way is None else self._under_way.identity
         if self._correcting is not None and self._correcting[1].runs:
@@ -319,14 +270,14 @@ class TaskGuidance:
         ]
         return sorted(found, key=lambda item: item[1].next_s)
 
-    def _stream(self, one: _Identity, sample_s: float | None) -> None:
+    def _stream(self, one: SensorIdentity, sample_s: float | None) -> None:
         assert one.sensor is not None
         one.stream = None
         if sample_s is not None:
             one.stream = SensorStream(one.sensor, sample_s, self.clock.observe())
             self.clock.grant()
 
-    def _cycle(self, under_way: _UnderWay) -> float:
+    def _cycle(self, under_way: GuidanceUnderWay) -> float:
         """Go on by a cycle; its time [s]."""
         now_s, answer = under_way.next_s, None
         identity, run = under_way.identity, under_way.run
@@ -347,7 +298,7 @@ class TaskGuidance:
                 raise NotAllowed(str(error))
         return now_s
 
-    def _begin(self, one: _Identity, terms: GuidanceTerms) -> None:
+    def _begin(self, one: SensorIdentity, terms: GuidanceTerms) -> None:
         assert one.activation is not None
         assert one.setup is not None
         assert one.sensor is not None
@@ -361,7 +312,7 @@ class TaskGuidance:
             queue.standing(),
             self.clock.observe(),
         )
-        self._under_way = _UnderWay(one, run, told, stretch, terms.waits, self._settle)
+        self._under_way = GuidanceUnderWay(one, run, told, stretch, terms.waits, self._settle)
         self._last = None
         queue.guide(self._under_way)
         one.state = RUNNING
@@ -371,7 +322,7 @@ class TaskGuidance:
         self.clock.tell()
         self.clock.grant()
 
-    def _corrects(self, one: _Identity) -> bool:
+    def _corrects(self, one: SensorIdentity) -> bool:
         return self._correcting is not None and self._correcting[0] is one
 
     def _corrected_s(self) -> float:
@@ -380,7 +331,7 @@ class TaskGuidance:
             return math.inf
         return self._correcting[1].next_s
 
-    def _correction_of(self, one: _Identity, move: Move) -> PathCorrecting:
+    def _correction_of(self, one: SensorIdentity, move: Move) -> PathCorrecting:
         """The correction of a path on which a move is put; a new one where it begins."""
         queue = self.unit.own
         external = queue.end.external
@@ -434,7 +385,7 @@ class TaskGuidance:
         assert self._correcting is not None
         self._correcting[0].state, self._correcting = CONNECTED, None
 
-    def _pause(self, one: _Identity, correcting: PathCorrecting) -> None:
+    def _pause(self, one: SensorIdentity, correcting: PathCorrecting) -> None:
         """The robot has come to a stop point of its path."""
         if correcting.runs:
             self.clock.pass_time(max(self.clock.observe(), correcting.rest()))
@@ -451,7 +402,7 @@ class TaskGuidance:
         correcting.settle()
         self._correcting = None
 
-    def _await(self, one: _Identity) -> None:
+    def _await(self, one: SensorIdentity) -> None:
         """Wait until the guidance of an identity has ended."""
         with self.clock.waiting("the sensor that guides the robot") as wait:
             while self._guides(one):
@@ -462,7 +413,7 @@ class TaskGuidance:
         if last is not None and last[0] is one and last[1].is_failure:
             raise self._failure(one, last[1])
 
-    def _guides(self, one: _Identity) -> bool:
+    def _guides(self, one: SensorIdentity) -> bool:
         self._settle()
         return self._under_way is not None and self._under_way.identity is one
 
@@ -483,12 +434,12 @@ class TaskGuidance:
         identity.state = CONNECTED
         self.cell.happenings += 1
 
-    def _tell_nobody(self, one: _Identity) -> None:
+    def _tell_nobody(self, one: SensorIdentity) -> None:
         assert one.setup is not None
         told = NobodyGuides(one.setup.device)
         self.journal.finding(told, self.clock.place, once=told)
 
-    def _failure(self, one: _Identity, ended: Ended | None) -> RapidError | NotAllowed:
+    def _failure(self, one: SensorIdentity, ended: Ended | None) -> RapidError | NotAllowed:
         assert one.setup is not None
         device = one.setup.device
         if ended is Ended.SILENT:
@@ -501,13 +452,13 @@ class TaskGuidance:
             "another configuration"
         )
 
-    def _of(self, identity: int) -> _Identity:
+    def _of(self, identity: int) -> SensorIdentity:
         one = self._identities.get(identity)
         if one is None:
             raise NotAllowed("the EGM identity is not there; EGMGetId makes it")
         return one
 
-    def _connected(self, identity: int) -> tuple[_Identity, SensorSetup]:
+    def _connected(self, identity: int) -> tuple[SensorIdentity, SensorSetup]:
         one = self._of(identity)
         if one.setup is None:
             raise NotAllowed("no sensor is connected with the EGM identity; EGMSetupUC comes first")
@@ -518,7 +469,7 @@ class TaskGuidance:
             return self.cell.sensors.open(setup.device)
         return SignalSensor(self.cell, setup.signals, setup.purpose)
 
-    def _close(self, one: _Identity) -> None:
+    def _close(self, one: SensorIdentity) -> None:
         if one.sensor is not None:
             one.sensor.close()
         one.sensor, one.stream, one.state = None, None, DISCONNECTED

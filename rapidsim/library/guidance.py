@@ -10,9 +10,7 @@ Functions and Data types, "EGMActJoint" and its like.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
-from functools import partial
+from collections.abc import Mapping, Sequence
 from typing import Annotated, Final, Unpack, cast
 
 from rapidsim.language import types
@@ -28,18 +26,13 @@ from rapidsim.language.annotations import (
 )
 from rapidsim.language.controller import Controller
 from rapidsim.language.data import (
-    IDENTITY_POSE,
     LoadData,
     Pose,
-    RobTarget,
     Signal,
-    SpeedData,
     ToolData,
     WobjData,
-    ZoneData,
 )
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
-from rapidsim.language.errors import NotAllowed
 from rapidsim.language.guidance import (
     RAMP_DOWN,
     Activation,
@@ -49,8 +42,8 @@ from rapidsim.language.guidance import (
     Purpose,
     SensorSetup,
 )
-from rapidsim.language.moves import Interpolation, Sensed
 from rapidsim.language.reference import Reference
+from rapidsim.library.corrected_paths import CORRECTED_PATHS
 from rapidsim.library.guidance_arguments import (
     EXTERNAL,
     JOINTS,
@@ -58,35 +51,29 @@ from rapidsim.library.guidance_arguments import (
     SIGNALS,
     AnalogInputs,
     AnalogOutputs,
-    CorrectedOptions,
+    EgmIdent,
     GroupInputs,
     JointBands,
     JointSwitches,
     PoseBands,
     PoseSwitches,
+    known,
+    sample_s,
 )
 from rapidsim.library.honesty import ignored
-from rapidsim.library.motion import asked, each_way
 from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
 from rapidsim.library.traits import Does
 
-EgmIdent = Annotated[int | None, next(one for one in types.OPAQUE if one.name == "egmident")]
-"""The number of an identity; None before EGMGetId."""
 EgmFrameType = Annotated[float, types.Alias("egmframetype", types.NUM)]
 EgmState = Annotated[float, types.Alias("egmstate", types.NUM)]
 EgmStopMode = Annotated[float, types.Alias("egmstopmode", types.NUM)]
 
 LP_FILTER_HZ: Final = 20.0
-SAMPLE_MS: Final = 4.0
-PATH_SAMPLE_MS: Final = 48.0
-"""Of EGMActMove; from memory of ABB's documents."""
-PATH_STEP_MS: Final = 24.0
 MAX_SPEED_DEVIATION: Final = 1.0
 TIMEOUT_S: Final = 1.0
 CONDITION_S: Final = 1.0
 RAMP_S: Final = 1.0
-_LONGEST_SAMPLE_MS: Final = 1e6
 
 
 def egm_get_id(controller: Guidance, egmid: Var[EgmIdent]) -> None:
@@ -129,7 +116,7 @@ def egm_setup_uc(
         _purpose(joint=joint, pose=pose, path_corr=path_corr),
         silence_s,
     )
-    controller.set_up(_known(egmid, "EGMSetupUC"), setup)
+    controller.set_up(known(egmid, "EGMSetupUC"), setup)
 
 
 def egm_setup_ai(
@@ -208,13 +195,13 @@ def egm_act_joint(
     del tload
     _tell_no_deviation(controller, "EGMActJoint", max_pos_deviation)
     controller.guidance.activate(
-        _known(egmid, "EGMActJoint"),
+        known(egmid, "EGMActJoint"),
         Activation(
             tuple(bands.get(name) for name in JOINTS),  # type: ignore[misc]
             tool.value if tool else None,
             wobj.value if wobj else None,
             LP_FILTER_HZ if lp_filter is None else _positive("LpFilter", lp_filter),
-            _sample_s(sample_rate),
+            sample_s(sample_rate),
             MAX_SPEED_DEVIATION
             if max_speed_deviation is None
             else _positive("MaxSpeedDeviation", max_speed_deviation),
@@ -247,13 +234,13 @@ def egm_act_pose(
     del tload
     _tell_no_deviation(controller, "EGMActPose", max_pos_deviation)
     controller.guidance.activate(
-        _known(egmid, "EGMActPose"),
+        known(egmid, "EGMActPose"),
         Activation(
             tuple(bands.get(name) for name in POSE_AXES),  # type: ignore[misc]
             tool.value if tool else None,
             wobj.value if wobj else None,
             LP_FILTER_HZ if lp_filter is None else _positive("LpFilter", lp_filter),
-            _sample_s(sample_rate),
+            sample_s(sample_rate),
             MAX_SPEED_DEVIATION
             if max_speed_deviation is None
             else _positive("MaxSpeedDeviation", max_speed_deviation),
@@ -262,44 +249,6 @@ def egm_act_pose(
             streams=stream_start,
         ),
     )
-
-
-def egm_act_move(
-    controller: Controller,
-    egmid: Var[EgmIdent],
-    sensor_frame: Pose,
-    *,
-    sample_rate: Num | None = None,
-) -> None:
-    """Say where a sensor is that corrects paths, and how often it does."""
-    if sensor_frame != IDENTITY_POSE:
-        controller.honesty.not_simulated(
-            "EGMActMove SensorFrame", "the sensor is taken to measure in path coordinates"
-        )
-    controller.guidance.activate_path(
-        _known(egmid, "EGMActMove"), _sample_s(sample_rate, PATH_SAMPLE_MS, PATH_STEP_MS)
-    )
-
-
-def _corrected(name: str, way: Interpolation) -> Callable[..., None]:
-    """The body of a move whose path a sensor corrects."""
-
-    def body(
-        controller: Controller,
-        egmid: Var[EgmIdent],
-        to_point: RobTarget,
-        speed: SpeedData,
-        zone: ZoneData,
-        tool: Pers[ToolData],
-        **options: Unpack[CorrectedOptions],
-    ) -> None:
-        sensed = Sensed.NOT_HERE if options.get("no_corr") else Sensed.CORRECTED
-        move = asked(controller, name, way, to_point, speed, zone, tool, options)
-        move = replace(move, sensed=sensed)
-        put = partial(controller.motion.move, move)
-        controller.guidance.correct(lambda: _known(egmid, name), move, put)
-
-    return body
 
 
 def egm_run_joint(
@@ -323,7 +272,7 @@ def egm_run_joint(
         pos_corr_gain,
         None,
     )
-    controller.guide(_known(egmid, "EGMRunJoint"), terms)
+    controller.guide(known(egmid, "EGMRunJoint"), terms)
 
 
 def egm_run_pose(
@@ -348,12 +297,12 @@ def egm_run_pose(
         pos_corr_gain,
         offset,
     )
-    controller.guide(_known(egmid, "EGMRunPose"), terms)
+    controller.guide(known(egmid, "EGMRunPose"), terms)
 
 
 def egm_wait_cond(controller: Guidance, egmid: Var[EgmIdent]) -> None:
     r"""Wait until the robot is where the sensor wants it, after a run with \NoWaitCond."""
-    controller.await_condition(_known(egmid, "EGMWaitCond"))
+    controller.await_condition(known(egmid, "EGMWaitCond"))
 
 
 def egm_stop(
@@ -365,21 +314,19 @@ def egm_stop(
 ) -> None:
     """End the guidance: the robot stays where it is, or goes back to where it began."""
     ramp_s = RAMP_S if ramp_out_time is None else _positive("RampOutTime", ramp_out_time)
-    controller.end_guidance(
-        _known(egmid, "EGMStop"), goes_back=mode == RAMP_DOWN, ramp_out_s=ramp_s
-    )
+    controller.end_guidance(known(egmid, "EGMStop"), goes_back=mode == RAMP_DOWN, ramp_out_s=ramp_s)
 
 
 def egm_stream_start(
     controller: Guidance, egmid: Var[EgmIdent], *, sample_rate: Num | None = None
 ) -> None:
     """Tell the sensor from now on where the robot is."""
-    controller.stream(_known(egmid, "EGMStreamStart"), _sample_s(sample_rate))
+    controller.stream(known(egmid, "EGMStreamStart"), sample_s(sample_rate))
 
 
 def egm_stream_stop(controller: Guidance, egmid: Var[EgmIdent]) -> None:
     """Tell it nothing more."""
-    controller.stream(_known(egmid, "EGMStreamStop"), None)
+    controller.stream(known(egmid, "EGMStreamStop"), None)
 
 
 def _guide_by(
@@ -397,18 +344,12 @@ def _guide_by(
     ignored(controller.honesty, routine_name, external)
     names = tuple(_name_of(given[name]) for name in SIGNALS)
     setup = SensorSetup(routine_name, configuration, purpose, math.inf, names)
-    controller.guidance.set_up(_known(egmid, routine_name), setup)
+    controller.guidance.set_up(known(egmid, routine_name), setup)
 
 
 def _name_of(signal: object) -> str:
     """The signal that an argument means; empty where there is none."""
     return "" if signal is None else connected(cast("Reference[Signal]", signal))
-
-
-def _known(egmid: Reference[int | None], instruction: str) -> int:
-    if egmid.value is None:
-        raise NotAllowed(f"{instruction}: the EGM identity is not there; EGMGetId makes it")
-    return egmid.value
 
 
 def _purpose(*, joint: bool, pose: bool, path_corr: bool) -> Purpose:
@@ -441,17 +382,6 @@ def _terms(
         gain,
         offset,
     )
-
-
-def _sample_s(
-    milliseconds: float | None, otherwise_ms: float = SAMPLE_MS, step_ms: float = SAMPLE_MS
-) -> float:
-    value = otherwise_ms if milliseconds is None else milliseconds
-    if not step_ms <= value <= _LONGEST_SAMPLE_MS or value % step_ms:
-        raise rapid_error(
-            ERR_ARGVALERR, f"SampleRate is {value:g} ms; it must be a multiple of {step_ms:g} ms"
-        )
-    return value / 1000.0
 
 
 def _positive(name: str, value: float) -> float:
@@ -515,14 +445,7 @@ GUIDANCE = table(
     ),
     routine("EGMWaitCond", egm_wait_cond, "EGMid", does=_GUIDES),
     routine("EGMStop", egm_stop, r"EGMid Mode \RampOutTime", does=_GUIDES),
-    routine("EGMActMove", egm_act_move, r"EGMid SensorFrame \SampleRate"),
-    *each_way(
-        "EGMMove*",
-        _corrected,
-        r"EGMid ToPoint Speed Zone Tool \WObj \TLoad \NoCorr",
-        besides=", on a path that a sensor corrects",
-        ways="LC",
-    ),
+    *CORRECTED_PATHS,
     routine("EGMStreamStart", egm_stream_start, r"EGMid \SampleRate"),
     routine("EGMStreamStop", egm_stream_stop, "EGMid"),
 )

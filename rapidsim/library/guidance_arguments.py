@@ -1,16 +1,24 @@
-"""The arguments that EGM instructions have by the dozen: bands, switches and signals of each axis.
+"""What EGM instructions are given: identity, sample time, and bands, switches, signals by the dozen.
 
 Source: Application manual Externally Guided Motion.
 """
 
 from __future__ import annotations
 
-from typing import Final, TypedDict
+from typing import Annotated, Final, TypedDict
 
+from rapidsim.language import types
 from rapidsim.language.annotations import SignalAi, SignalAo, SignalGi, Switch, Var
 from rapidsim.language.data import EgmMinMax
+from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
+from rapidsim.language.errors import NotAllowed
+from rapidsim.language.reference import Reference
 from rapidsim.library.motion import MoveOptions
 
+EgmIdent = Annotated[int | None, next(one for one in types.OPAQUE if one.name == "egmident")]
+"""The number of an identity; None before EGMGetId."""
+SAMPLE_MS: Final = 4.0
+_LONGEST_SAMPLE_MS: Final = 1e6
 JOINTS: Final = ("j1", "j2", "j3", "j4", "j5", "j6", "j7")
 SIGNALS: Final = ("r1x", "r2y", "r3z", "r4rx", "r5ry", "r6rz")
 EXTERNAL: Final = ("e1", "e2", "e3", "e4", "e5", "e6")
@@ -112,3 +120,22 @@ class PoseSwitches(TypedDict, total=False):
     rx: Switch
     ry: Switch
     rz: Switch
+
+
+def known(egmid: Reference[int | None], instruction: str) -> int:
+    """The number that EGMGetId has given."""
+    if egmid.value is None:
+        raise NotAllowed(f"{instruction}: the EGM identity is not there; EGMGetId makes it")
+    return egmid.value
+
+
+def sample_s(
+    milliseconds: float | None, otherwise_ms: float = SAMPLE_MS, step_ms: float = SAMPLE_MS
+) -> float:
+    """How often a sensor is talked to [s]; SampleRate is a time."""
+    value = otherwise_ms if milliseconds is None else milliseconds
+    if not step_ms <= value <= _LONGEST_SAMPLE_MS or value % step_ms:
+        raise rapid_error(
+            ERR_ARGVALERR, f"SampleRate is {value:g} ms; it must be a multiple of {step_ms:g} ms"
+        )
+    return value / 1000.0

@@ -1,0 +1,73 @@
+r"""Moves whose path a sensor corrects, as externally guided motion (EGM).
+
+Source: Application manual Externally Guided Motion, "EGM Path Correction".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from typing import Final, Unpack
+
+from rapidsim.language.annotations import Num, Pers, Var
+from rapidsim.language.controller import Controller
+from rapidsim.language.data import IDENTITY_POSE, Pose, RobTarget, SpeedData, ToolData, ZoneData
+from rapidsim.language.moves import Interpolation, Sensed
+from rapidsim.library.guidance_arguments import CorrectedOptions, EgmIdent, known, sample_s
+from rapidsim.library.motion import asked, each_way
+from rapidsim.library.table import routine
+
+PATH_SAMPLE_MS: Final = 48.0
+"""Of EGMActMove; from memory of ABB's documents."""
+PATH_STEP_MS: Final = 24.0
+
+
+def egm_act_move(
+    controller: Controller,
+    egmid: Var[EgmIdent],
+    sensor_frame: Pose,
+    *,
+    sample_rate: Num | None = None,
+) -> None:
+    """Say where a sensor is that corrects paths, and how often it does."""
+    if sensor_frame != IDENTITY_POSE:
+        controller.honesty.not_simulated(
+            "EGMActMove SensorFrame", "the sensor is taken to measure in path coordinates"
+        )
+    controller.guidance.activate_path(
+        known(egmid, "EGMActMove"), sample_s(sample_rate, PATH_SAMPLE_MS, PATH_STEP_MS)
+    )
+
+
+def _corrected(name: str, way: Interpolation) -> Callable[..., None]:
+    """The body of a move whose path a sensor corrects."""
+
+    def body(
+        controller: Controller,
+        egmid: Var[EgmIdent],
+        to_point: RobTarget,
+        speed: SpeedData,
+        zone: ZoneData,
+        tool: Pers[ToolData],
+        **options: Unpack[CorrectedOptions],
+    ) -> None:
+        sensed = Sensed.NOT_HERE if options.get("no_corr") else Sensed.CORRECTED
+        move = asked(controller, name, way, to_point, speed, zone, tool, options)
+        move = replace(move, sensed=sensed)
+        put = partial(controller.motion.move, move)
+        controller.guidance.correct(lambda: known(egmid, name), move, put)
+
+    return body
+
+
+CORRECTED_PATHS = (
+    routine("EGMActMove", egm_act_move, r"EGMid SensorFrame \SampleRate"),
+    *each_way(
+        "EGMMove*",
+        _corrected,
+        r"EGMid ToPoint Speed Zone Tool \WObj \TLoad \NoCorr",
+        besides=", on a path that a sensor corrects",
+        ways="LC",
+    ),
+)
