@@ -1,4 +1,4 @@
-"""What EGM instructions are given: identity, sample time, and bands, switches, signals by the dozen.
+"""What EGM instructions are given: identity, sample time; bands, switches, signals by the dozen.
 
 Source: Application manual Externally Guided Motion.
 """
