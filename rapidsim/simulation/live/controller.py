@@ -7,6 +7,7 @@ come (`advance`) and asks in between; what is asked takes effect at the time tha
 from __future__ import annotations
 
 import math
+from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import datetime, timedelta
@@ -17,7 +18,7 @@ from rapidsim.controller.cell.outside_streams import NoWire, OutsideStreams, Wir
 from rapidsim.controller.cell.pendant import Pendant
 from rapidsim.controller.cell.rendezvous import Meetings
 from rapidsim.controller.cell.sensors import NoSensors, Sensors
-from rapidsim.controller.journal.events import Event
+from rapidsim.controller.journal.events import Event, EventKind
 from rapidsim.controller.journal.journal import Instant, Journal, Moment
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError
@@ -28,13 +29,14 @@ from rapidsim.simulation.collected import FinishedRun, collected
 from rapidsim.simulation.live import event_log
 from rapidsim.simulation.live.event_log import EventLog, LogEntry
 from rapidsim.simulation.live.live_task import LiveTask
-from rapidsim.simulation.live.program_memory import load_module, unload_module
+from rapidsim.simulation.live.program_memory import load_module, load_program, unload_module
 from rapidsim.simulation.live.signal_values import limits, status_value
 from rapidsim.simulation.live.states import Cycle, Mode, Motors, Refused, StopMode, TaskState, Why
 from rapidsim.simulation.live.turns import LiveTurns
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.task_run import TaskSetup, require_limits, unit_of
 
+_SCREEN_LINES = 100
 LEAST_RATIO = 1
 """A speed ratio of 0 % moves the robot at so many percent: standing still is not modelled."""
 
@@ -66,6 +68,8 @@ class LiveController:
     cell: Cell = field(init=False)
     pendant: Pendant = field(init=False, default_factory=Pendant)
     """The questions that wait for an answer."""
+    screen: deque[str] = field(init=False, default_factory=lambda: deque(maxlen=_SCREEN_LINES))
+    """What programs have written on the FlexPendant, the newest line last."""
     outside: OutsideStreams = field(init=False)
     """Who talks to the programs' sockets."""
     log: EventLog = field(init=False)
@@ -157,10 +161,18 @@ class LiveController:
         if self.keeps_all:
             self._kept.extend(events)
         for event in events:
+            if event.kind is EventKind.TEXT:
+                self._show(event)
             self.happened(event)
         if self.executes is not self._shows_executing:
             self._show_states()
         return stepped
+
+    def _show(self, event: Event) -> None:
+        if event.details.get("cleared"):
+            self.screen.clear()
+        else:
+            self.screen.append(event.message)
 
     def advance(self, until_s: float) -> None:
         """Let virtual time come [s] and everything happen that is due by then."""
@@ -264,6 +276,29 @@ class LiveController:
         """
         self._require_stopped()
         return load_module(self.task(task), path, replace=replace)
+
+    def load_program(self, task: str, path: str) -> None:
+        """Take another program into a task; see `program_memory.load_program`.
+
+        Raises:
+            Refused: While a program executes, or if it cannot be.
+        """
+        self._require_stopped()
+        load_program(self.task(task), path)
+
+    def put_pointer(self, task: str, module: str, routine: str) -> None:
+        """Put the pointer of a normal task to a routine of a module, or of any.
+
+        Raises:
+            Refused: While a program executes, or if there is no such procedure.
+        """
+        self._require_stopped()
+        found = self.task(task)
+        if not found.is_normal:
+            raise Refused(Why.STATE, f"{found.name} is neither started nor stopped")
+        found.put_pointer(module, routine, self.now_s, self._refresh)
+        self._acquaint()
+        self._show_states()
 
     def unload_module(self, task: str, name: str) -> None:
         """Take a module out of a task.
