@@ -27,6 +27,10 @@ if os.environ.pop("PYTHONDONTWRITEBYTECODE", ""):
     _compiled = TemporaryDirectory(prefix="rapidsim-tests-", ignore_cleanup_errors=True)
     os.environ["PYTHONPYCACHEPREFIX"] = _compiled.name
 
+# Compiling loops takes seconds in each process, and once it is done short batches go through them
+# too, in all tests that follow. The tests of compiled loops compare them with these, on purpose.
+os.environ.setdefault("RAPIDSIM_NUMBA", "0")
+
 # No deadline and no verdict about slow examples: machines differ, and so do their loads.
 # Derandomised and without memory: a run must not fail for luck, nor for what stands in somebody's
 # folder. How many cases, see `laws`; to look for new ones, HYPOTHESIS_PROFILE=explore.
