@@ -21,12 +21,6 @@ from rapidsim.report.pages.rules import programs
 # NumPy reads it when it is loaded, which no import above does; processes that tests start get it.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
-# Who wants no compiled modules beside the sources gets them elsewhere while the tests run: else
-# each process, those that run tests and those that tests start, compiles all that it imports.
-if os.environ.pop("PYTHONDONTWRITEBYTECODE", ""):
-    _compiled = TemporaryDirectory(prefix="rapidsim-tests-", ignore_cleanup_errors=True)
-    os.environ["PYTHONPYCACHEPREFIX"] = _compiled.name
-
 # Compiling loops takes seconds in each process, and once it is done short batches go through them
 # too, in all tests that follow. The tests of compiled loops compare them with these, on purpose.
 os.environ.setdefault("RAPIDSIM_NUMBA", "0")
@@ -44,6 +38,19 @@ settings.register_profile(
 settings.register_profile("fast", settings.get_profile("ci"), max_examples=40)
 settings.register_profile("explore", deadline=None, max_examples=500)
 settings.load_profile(PROFILE)
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Who wants no compiled modules beside the sources gets them elsewhere for what tests start.
+
+    Else each of these processes compiles all that it imports. Those that run tests read what is
+    compiled beside the packages, and compile the rest in memory: that is quicker than all anew.
+    """
+    runs_tests = not config.getoption("numprocesses", None)
+    if runs_tests and os.environ.pop("PYTHONDONTWRITEBYTECODE", ""):
+        folder = TemporaryDirectory(prefix="rapidsim-tests-", ignore_cleanup_errors=True)
+        config.add_cleanup(folder.cleanup)
+        os.environ["PYTHONPYCACHEPREFIX"] = folder.name
 
 
 @pytest.hookimpl(wrapper=True)
