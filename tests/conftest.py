@@ -25,6 +25,9 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 # too, in all tests that follow. The tests of compiled loops compare them with these, on purpose.
 os.environ.setdefault("RAPIDSIM_NUMBA", "0")
 
+# A test makes garbage by the hundred thousand, nearly all of it without circles.
+gc.set_threshold(10_000, 20, 20)
+
 # No deadline and no verdict about slow examples: machines differ, and so do their loads.
 # Derandomised and without memory: a run must not fail for luck, nor for what stands in somebody's
 # folder. How many cases, see `laws`; to look for new ones, HYPOTHESIS_PROFILE=explore.
@@ -38,6 +41,25 @@ settings.register_profile(
 settings.register_profile("fast", settings.get_profile("ci"), max_examples=40)
 settings.register_profile("explore", deadline=None, max_examples=500)
 settings.load_profile(PROFILE)
+
+# Files with tests of seconds; the tools first, for mypy takes longer than all others.
+LONGEST = {
+    name: place
+    for place, name in enumerate(
+        (
+            "test_tidy.py",
+            "test_motion_line_rates.py",
+            "test_simulation_every_program.py",
+            "test_docs_snippets.py",
+            "test_simulation_calibration.py",
+            "test_limits_of_texts.py",
+            "test_cli_sweep.py",
+            "test_cli_seen_arms.py",
+            "test_simulation_other_machines.py",
+            "test_simulation_joint_logger.py",
+        )
+    )
+}
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -63,8 +85,8 @@ def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, object, object
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """The tools take long and one core: they start first, and the tests run beside them."""
-    items.sort(key=lambda item: item.path.name != "test_tidy.py")
+    """What takes long starts first: at the end no process runs alone."""
+    items.sort(key=lambda item: LONGEST.get(item.path.name, len(LONGEST)))
 
 
 def pytest_collection_finish() -> None:
