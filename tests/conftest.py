@@ -21,11 +21,12 @@ from rapidsim.report.pages.rules import programs
 # NumPy reads it when it is loaded, which no import above does; processes that tests start get it.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
-# Who wants no compiled modules beside the sources gets them elsewhere while the tests run: else
-# each process, those that run tests and those that tests start, compiles all that it imports.
-if os.environ.pop("PYTHONDONTWRITEBYTECODE", ""):
-    _compiled = TemporaryDirectory(prefix="rapidsim-tests-", ignore_cleanup_errors=True)
-    os.environ["PYTHONPYCACHEPREFIX"] = _compiled.name
+# Compiling loops takes seconds in each process, and once it is done short batches go through them
+# too, in all tests that follow. The tests of compiled loops compare them with these, on purpose.
+os.environ.setdefault("RAPIDSIM_NUMBA", "0")
+
+# A test makes garbage by the hundred thousand, nearly all of it without circles.
+gc.set_threshold(10_000, 20, 20)
 
 # No deadline and no verdict about slow examples: machines differ, and so do their loads.
 # Derandomised and without memory: a run must not fail for luck, nor for what stands in somebody's
@@ -41,6 +42,38 @@ settings.register_profile("fast", settings.get_profile("ci"), max_examples=40)
 settings.register_profile("explore", deadline=None, max_examples=500)
 settings.load_profile(PROFILE)
 
+# Files with tests of seconds; the tools first, for mypy takes longer than all others.
+LONGEST = {
+    name: place
+    for place, name in enumerate(
+        (
+            "test_tidy.py",
+            "test_motion_line_rates.py",
+            "test_simulation_every_program.py",
+            "test_docs_snippets.py",
+            "test_simulation_calibration.py",
+            "test_limits_of_texts.py",
+            "test_cli_sweep.py",
+            "test_cli_seen_arms.py",
+            "test_simulation_other_machines.py",
+            "test_simulation_joint_logger.py",
+        )
+    )
+}
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Who wants no compiled modules beside the sources gets them elsewhere for what tests start.
+
+    Else each of these processes compiles all that it imports. Those that run tests read what is
+    compiled beside the packages, and compile the rest in memory: that is quicker than all anew.
+    """
+    runs_tests = not config.getoption("numprocesses", None)
+    if runs_tests and os.environ.pop("PYTHONDONTWRITEBYTECODE", ""):
+        folder = TemporaryDirectory(prefix="rapidsim-tests-", ignore_cleanup_errors=True)
+        config.add_cleanup(folder.cleanup)
+        os.environ["PYTHONPYCACHEPREFIX"] = folder.name
+
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, object, object]:
@@ -52,8 +85,8 @@ def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, object, object
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """The tools take long and one core: they start first, and the tests run beside them."""
-    items.sort(key=lambda item: item.path.name != "test_tidy.py")
+    """What takes long starts first: at the end no process runs alone."""
+    items.sort(key=lambda item: LONGEST.get(item.path.name, len(LONGEST)))
 
 
 def pytest_collection_finish() -> None:

@@ -68,10 +68,13 @@ def _means(command: MotionCommand, windows: Windows, times: Array) -> tuple[Arra
     if len(moving):
         times, before, width, rate = (one[moving] for one in (times, before, width, rate))
         parts = _parts(command, before, times)
-        begin = parts.at(before)
+        instants = windows.instants(times, width, before)
+        begin, *states = np.split(
+            parts.at(np.concatenate([before, *instants])), 1 + len(instants), axis=1
+        )
         changes = [
-            _since(parts.at(one), begin, (one - before)[:, None])
-            for one in windows.instants(times, width, before)
+            _since(state, begin, (one - before)[:, None])
+            for state, one in zip(states, instants, strict=True)
         ]
         mean, rates[moving] = windows.mean(width[:, None], rate[:, None], changes)
         joints[moving] = parts.origin + begin[0] + mean

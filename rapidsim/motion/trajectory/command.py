@@ -228,23 +228,20 @@ class MotionCommand:
             ones the way since then [m], its integral [m s] and that one's [m s2], (3, k). Places
             are counted from there, so neither a long run nor a long standstill costs digits.
         """
-        row = self.row_at(before)
-        origin, stands = self.state(row, before), self.stands(row, before)
-        since = tuple(self._since(row, before, origin, stands, times) for times in instants)
-        return row, origin[0], since
-
-    def _since(self, row: Index, before: Array, origin: Array, stands: Mask, times: Array) -> Array:
-        """The same for one of the later instants (k,) [s], of rows in a state (3, k)."""
-        last, (way, once, twice) = self.row_at(times), origin
-        row = row.copy()
+        # All instants in one go: so few numbers cost what the calls of NumPy cost.
+        looks, times = len(instants), np.concatenate(instants)
+        first, last = self.row_at(before), self.row_at(times)
+        row = np.tile(first, looks)
         ahead = self.following(row)
         end = self._ends(ahead, last, times)
-        step = end - before
-        since = self.state(row, end)
+        state = self.state(np.append(first, row), np.append(before, end))
+        origin, since = state[:, : len(first)], state[:, len(first) :]
+        way, once, twice = np.tile(origin, looks)
+        step = end - np.tile(before, looks)
         since[2] -= twice + step * (once + 0.5 * way * step)
         since[1] -= once + way * step
         since[0] -= way
-        since[:, stands] = 0.0
+        since[:, np.tile(self.stands(first, before), looks)] = 0.0
         at = np.flatnonzero(ahead <= last)
         while len(at):
             row[at] = ahead[at]
@@ -256,7 +253,7 @@ class MotionCommand:
             since[1, at] += way * step + change[1]
             since[0, at] += change[0]
             at = at[ahead[at] <= last[at]]
-        return since
+        return first, origin[0], tuple(np.split(since, looks, axis=1))
 
     def _ends(self, ahead: Index, last: Index, times: Array) -> Array:
         """Until when (k,) [s] rows before others (k,) count, up to times (k,) [s] in last rows."""
