@@ -319,6 +319,7 @@ def test_joints_poses_and_rates_agree(program: Programmer, model: MotionModel) -
     s = places(path, 801)
     points = path.evaluate(s)
     assert np.isfinite(points.joints).all()
+    assert np.abs(path.joints_at(s) - points.joints).max() < 1e-11
     if path.length == 0.0:
         return
     forward = ROBOT.kinematics.forward(points.joints) @ TOOL

@@ -35,6 +35,7 @@ from rapidsim.motion.kinematics.unwrapping import in_turn_of
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.along_curves import Nodes
 from rapidsim.motion.path.curve_following import FaultKind, PathFault, follow, limit_fault
+from rapidsim.motion.path.joints_on_path import JointsOnPath
 from rapidsim.motion.path.line_derivatives import Lines, lines_of
 from rapidsim.motion.path.path_derivatives import PathPoints, PathRates, norms
 from rapidsim.motion.path.segment_columns import Programmed, programmed_of, widths_of
@@ -225,6 +226,15 @@ class Path:
         segment: Index = self.active[self.layout.row[piece]]
         return segment
 
+    @cached_property
+    def joints_on(self) -> JointsOnPath:
+        """The inverse kinematics of the path."""
+        return JointsOnPath(self.layout, self.arms, self.lines, self.nodes)
+
+    def joints_at(self, s: Array) -> Array:
+        """Joints, external axes behind them, (k, n + e) at places s (k,) [m]; see `evaluate`."""
+        return self.joints_on.at(np.clip(s, 0.0, self.length))
+
     def evaluate(self, s: Array) -> PathPoints:
         """The arm at places s (k,) [m] of the path, exactly on it."""
         s = np.clip(np.asarray(s, dtype=np.float64), 0.0, self.length)
@@ -234,11 +244,11 @@ class Path:
         position = np.empty((len(s), 3))
         rotation = np.empty((len(s), 3, 3))
         tcp_rate = np.empty(len(s))
-        on_curve, in_joints = self._spaces(piece)
+        on_curve, in_joints = self.joints_on.spaces(piece)
         if len(on_curve):
             at = piece[on_curve]
             motion = self.layout.motion(s[on_curve], at)
-            near = self._near(s[on_curve], self.layout.course(s[on_curve], at).value)
+            near = self.joints_on.near(s[on_curve], self.layout.course(s[on_curve], at).value)
             joints[on_curve] = self.arms.joints(motion, row[on_curve], near)[0]
             position[on_curve], rotation[on_curve] = motion.position, motion.rotation
             tcp_rate[on_curve] = np.linalg.norm(motion.velocity, axis=-1)
@@ -281,12 +291,12 @@ class Path:
         """The same for whatever arm and curve."""
         row = self.layout.row[piece]
         joints, first, second = np.empty((3, len(s), self.axis_count))
-        on_curve, in_joints = self._spaces(piece)
+        on_curve, in_joints = self.joints_on.spaces(piece)
         speeds = np.empty((len(s), 2))
         if len(on_curve):
             motion = self.layout.motion(s[on_curve], piece[on_curve])
             course = self.layout.course(s[on_curve], piece[on_curve])
-            near = self._near(s[on_curve], course.value)
+            near = self.joints_on.near(s[on_curve], course.value)
             joints[on_curve], first[on_curve], second[on_curve] = self.arms.rates(
                 motion, row[on_curve], course, near
             )
@@ -305,7 +315,7 @@ class Path:
         """Both derivatives (k, 3) of the TCP's position at places (k,) of pieces (k,)."""
         velocity = np.empty((len(s), 3))
         acceleration = np.empty((len(s), 3))
-        on_curve, in_joints = self._spaces(piece)
+        on_curve, in_joints = self.joints_on.spaces(piece)
         if len(on_curve):
             motion = self.layout.motion(s[on_curve], piece[on_curve])
             velocity[on_curve], acceleration[on_curve] = motion.velocity, motion.acceleration
@@ -337,7 +347,7 @@ class Path:
         """TCP travel (k,) [m] from start to end (k,) within pieces (k,), by Gauss's quadrature."""
         half = 0.5 * (end - start)
         s = (start + half)[:, None] + half[:, None] * _GAUSS_PLACES
-        on_curve, in_joints = self._spaces(piece)
+        on_curve, in_joints = self.joints_on.spaces(piece)
         rate = np.empty_like(s)
         count = len(_GAUSS_PLACES)
         if len(on_curve):
@@ -350,25 +360,6 @@ class Path:
             rate[in_joints] = np.linalg.norm(velocity, axis=-1).reshape(-1, count)
         travel: Array = half * (rate @ _GAUSS_WEIGHTS)
         return travel
-
-    def _spaces(self, piece: Index) -> tuple[Index, Index]:
-        """Which of some pieces (k,) are made in Cartesian space and which in joint space.
-
-        A wrist that turns in joints counts as joint space: only then do the joints tell the pose.
-        """
-        row = self.layout.row[piece]
-        joint = self.layout.curves.in_joints[row]
-        joint = joint | self.arms.wrist_rows[row] | self.arms.pair_rows[row]
-        joint = joint | (self.layout.joint_corner[piece] >= 0)
-        return np.flatnonzero(~joint), np.flatnonzero(joint)
-
-    def _near(self, s: Array, external: Array) -> Array:
-        """Joints (k, n + e) close to those at places (k,) of Cartesian curves."""
-        nodes = self.nodes
-        joints = [np.interp(s, nodes.place, joint) for joint in nodes.joints.T]
-        near = np.stack(joints, axis=-1)
-        near[:, self.kinematics.joint_count :] = external
-        return near
 
     def _in_joint_space(self, s: Array, piece: Index) -> tuple[Array, Array, Array]:
         """Joints and derivatives (k, n) on joint moves and in corners made in joint space."""
@@ -417,7 +408,7 @@ class Path:
     ) -> tuple[Array, Array, Array]:
         """The same on curves that are not straight in joint space; `course` of external axes."""
         s = self.layout.places[row] + x
-        near = self._near(s, course.value)
+        near = self.joints_on.near(s, course.value)
         if self.lines is None:
             return self.arms.rates(self.layout.curves.at(row, x), row, course, near)
         rates, holds = self.lines.alone.rates(s, row)

@@ -1,0 +1,118 @@
+"""Joints at places of a path and nothing beside them: what smoothing asks for by the thousand.
+
+They are those of `Path.evaluate`; without derivatives and poses they cost a third.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.geometry.curves import Index
+from rapidsim.motion.geometry.joint_mapping import Arms
+from rapidsim.motion.geometry.parameterisation import Layout
+from rapidsim.motion.kinematics.unwrapping import in_turn_of
+from rapidsim.motion.path.along_curves import Nodes
+from rapidsim.motion.path.line_derivatives import Lines
+from rapidsim.values import dataclass
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class JointsOnPath:
+    """The inverse kinematics of a path."""
+
+    layout: Layout
+    arms: Arms
+    lines: Lines | None
+    nodes: Nodes
+
+    def spaces(self, piece: Index) -> tuple[Index, Index]:
+        """Which of some pieces (k,) are made in Cartesian space and which in joint space.
+
+        A wrist that turns in joints counts as joint space: only then do the joints tell the pose.
+        """
+        row = self.layout.row[piece]
+        joint = self.layout.curves.in_joints[row]
+        joint = joint | self.arms.wrist_rows[row] | self.arms.pair_rows[row]
+        joint = joint | (self.layout.joint_corner[piece] >= 0)
+        return np.flatnonzero(~joint), np.flatnonzero(joint)
+
+    def near(self, s: Array, external: Array) -> Array:
+        """Joints (k, n + e) close to those at places (k,) of Cartesian curves."""
+        nodes = self.nodes
+        joints = [np.interp(s, nodes.place, joint) for joint in nodes.joints.T]
+        near = np.stack(joints, axis=-1)
+        near[:, self.arms.kinematics.joint_count :] = external
+        return near
+
+    def at(self, s: Array) -> Array:
+        """Joints, external axes behind them, (k, n + e) at places s (k,) [m] of the path."""
+        piece = self.layout.piece_at(s)
+        joints = np.empty((len(s), self.nodes.joints.shape[1]))
+        on_curve, in_joints = self.spaces(piece)
+        if len(on_curve):
+            at, of = s[on_curve], piece[on_curve]
+            row, near = self.layout.row[of], self.near(at, self.layout.course(at, of).value)
+            found = self._solved(
+                self.lines, at, of, near,
+                lambda some: self.arms.joints(
+                    self.layout.motion(at[some], of[some]), row[some], near[some]
+                )[0],
+            )  # fmt: skip
+            joints[on_curve] = found
+        if len(in_joints):
+            joints[in_joints] = self._in_joint_space(s[in_joints], piece[in_joints])
+        return joints
+
+    def _in_joint_space(self, s: Array, piece: Index) -> Array:
+        """The same on joint moves and in corners made in joint space."""
+        layout, corner = self.layout, self.layout.joint_corner[piece]
+        row, whole, cut = layout.row[piece], np.flatnonzero(corner < 0), np.flatnonzero(corner >= 0)
+        at = corner[cut]
+        before, after = layout.sides(at, layout.corners.radius[at], s[cut], layout.shape)
+        on_curves = self._on_curve(
+            np.concatenate([row[whole], at, at + 1]),
+            np.concatenate([s[whole] - layout.places[row[whole]], before[0], after[0]]),
+        )
+        joints = np.empty((len(s), on_curves.shape[1]))
+        joints[whole], into, out = np.split(on_curves, np.cumsum([len(whole), len(cut)]))
+        joints[cut] = into + out - layout.curves.start_joints[at + 1]
+        return joints
+
+    def _on_curve(self, row: Index, x: Array) -> Array:
+        """The same at places x (k,) [m] of programmed curves (k,)."""
+        curves = self.layout.curves
+        x = np.clip(x, 0.0, curves.length[row])
+        joints = curves.joints_at(row, x)
+        line = np.flatnonzero(~curves.in_joints[row])
+        if len(line):
+            row, x = row[line], x[line]
+            s = self.layout.places[row] + x
+            near = self.near(s, joints[line, self.arms.kinematics.joint_count :])
+            alone = None if self.lines is None else self.lines.alone
+            joints[line] = self._solved(
+                alone, s, row, near,
+                lambda some: self.arms.joints(
+                    curves.at(row[some], x[some]), row[some], near[some]
+                )[0],
+            )  # fmt: skip
+        return joints
+
+    def _solved(
+        self,
+        lines: Lines | None,
+        s: Array,
+        piece: Index,
+        near: Array,
+        in_general: Callable[[Index], Array],
+    ) -> Array:
+        """Joints (k, n + e) by the formulas of lines where these hold, elsewhere in general."""
+        if lines is None:
+            return in_general(np.arange(len(s)))
+        joints, holds = lines.joints(s, piece)
+        joints, others = in_turn_of(joints, holds, near), np.flatnonzero(~holds)
+        if len(others):
+            joints[others] = in_general(others)
+        return joints
