@@ -49,6 +49,7 @@ def test_a_team_of_two_equal_robots_takes_as_long_as_one() -> None:
     assert timing_of(team).duration == pytest.approx(plan(alone, LIMITS).duration, rel=1e-3)
     s = np.linspace(0.0, team.length, 50)
     assert np.array_equal(team.part(0).evaluate(s).joints, team.part(1).evaluate(s).joints)
+    assert np.abs(team.part(0).joints_at(s) - team.part(0).evaluate(s).joints).max() < 1e-11
 
 
 def test_each_robot_begins_and_ends_its_segments_with_the_others() -> None:
