@@ -90,7 +90,7 @@ def glance(task: LiveTask) -> Glance:
     moves = task.unit.own.moves
     moves_on = now_s < path.duration and task.unit.own.guided is None
     return Glance(
-        JointTarget(targets.rob_joint(arm), resolver.ext_joint(external)),
+        resolver.joint_target(arm, external),
         resolver.target(arm, external, tool, wobj, task.place),
         moves[move].place if moves_on and move < len(moves) else None,
     )
