@@ -44,8 +44,8 @@ _BYTE_ORDER_MARKS = (
 _ENCODINGS = ("utf-8", "cp1252")
 _LAST_RESORT = "latin-1"
 
-MOST_BYTES = 100_000_000
-"""No file that is read is larger; RAPID modules, logs and tables are far smaller."""
+MOST_BYTES = 200_000_000
+"""No file that is read is larger: a million moves with their targets have 140 MB."""
 
 # Never wait for a pipe; Windows has none.
 _NEVER_WAIT = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)

@@ -13,6 +13,8 @@ _WITHOUT_NODES = frozenset(
         *("int", "str", "bool", "float", "str | None", "Name", "Name | None", "Source"),
         *("tuple[Name, ...]", "tuple[LiteralValue, ...]"),
         *("tuple[int, ...]", "tuple[tuple[float, ...], ...]"),
+        # A statement of the tree stands for these.
+        *("tuple[Run, ...]", "Offsets", "Numbers"),
     }
 )
 # By kind of node; looked up for every node of a program, several times over.

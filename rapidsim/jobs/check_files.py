@@ -27,9 +27,10 @@ from rapidsim.jobs.job import Job, job
 from rapidsim.jobs.misspelt_signals import misspelt_in
 from rapidsim.jobs.move_checks import CheckMoves, choose_move_check
 from rapidsim.jobs.selection import choose_selection
+from rapidsim.jobs.standing_rows import stand_for_all
 from rapidsim.jobs.undriven_inputs import find_never_driven, not_told
-from rapidsim.reach.checked_moves import Coverage, ReachReport, UncheckedMove
-from rapidsim.reach.dataflow.written_moves import written_moves
+from rapidsim.reach.checked_moves import MOST_MOVES, Coverage, ReachReport, UncheckedMove
+from rapidsim.reach.dataflow.written_moves import RunNotFollowedError, written_moves
 from rapidsim.station.tasks import DEFAULT_TASK
 from rapidsim.syntax import tree
 from rapidsim.syntax.collection import seldom_collected
@@ -170,13 +171,10 @@ def check_tasks(
         together: The errors of a run of all tasks, or None where none was made.
     """
     wanted = detectors_of() if rules is None else rules
-    loaded = [(task, load_task(task, cell, wanted)) for task in tasks]
-    reports = [
-        _moves_checked(one, task.name or DEFAULT_TASK, moves, even_without_moves, cell)
-        for task, one in loaded
-    ]
+    checked = [(task, *_checked(task, wanted, moves, even_without_moves, cell)) for task in tasks]
+    loaded = [(task, one) for task, one, _ in checked]
     disagreements = _disagreements([one for _, one in loaded])
-    of_moves = [diagnostic for report in reports for diagnostic in report.diagnostics]
+    of_moves = [diagnostic for *_, report in checked for diagnostic in report.diagnostics]
     of_all = None if together is None or disagreements else together(loaded)
     if of_all is not None:
         of_moves = _as_all_tasks(of_moves, of_all)
@@ -186,10 +184,10 @@ def check_tasks(
         *disagreements,
     ]
     return CheckResult(
-        files=tuple(file.name for task, _ in loaded for file in task.files),
+        files=tuple(file.name for task, *_ in checked for file in task.files),
         diagnostics=tuple(sorted(found, key=lambda diagnostic: diagnostic.order)),
-        trees=tuple(file for _, one in loaded for file in one.files),
-        coverage=sum((report.coverage for report in reports), Coverage()),
+        trees=tuple(file for _, one, _ in checked for file in one.files),
+        coverage=sum((report.coverage for *_, report in checked), Coverage()),
     )
 
 
@@ -198,6 +196,31 @@ def _as_all_tasks(alone: Iterable[Diagnostic], of_all: Iterable[Diagnostic]) -> 
     kept = [one for one in alone if one.violation.code[0] != _FAMILY_OF_RUNS]
     told = {(one.violation.code, one.span) for one in kept}
     return [*kept, *(one for one in of_all if (one.violation.code, one.span) not in told)]
+
+
+def _checked(
+    task: TaskFiles,
+    rules: Sequence[Find],
+    moves: CheckMoves | None,
+    even_without_moves: bool,
+    cell: CellNames,
+) -> tuple[Loaded, ReachReport]:
+    """One task, and what is found of its moves.
+
+    Long runs of moves are looked at as runs, as long as nothing is to be said of the statements
+    that stand for them. Only rules that are looked for by default are written to be content with
+    these.
+    """
+    name = task.name or DEFAULT_TASK
+    if frozenset(rules) <= frozenset(detectors_of()):
+        loaded = load_task(task, cell, rules, runs_of=MOST_MOVES)
+        try:
+            if stand_for_all(loaded.files, loaded.diagnostics):
+                return loaded, _moves_checked(loaded, name, moves, even_without_moves, cell)
+        except RunNotFollowedError:
+            pass
+    loaded = load_task(task, cell, rules)
+    return loaded, _moves_checked(loaded, name, moves, even_without_moves, cell)
 
 
 def _may_end_badly(program: Program) -> bool:

@@ -33,6 +33,7 @@ def load(
     cell: CellNames = NO_CELL,
     unseen: Sequence[str] = (),
     refers_late: bool = False,
+    runs_of: int | None = None,
 ) -> Loaded:
     """Parse and check the modules of one task; mistakes in them are findings, never raised.
 
@@ -42,8 +43,9 @@ def load(
         cell: What the configuration declares beside the modules.
         unseen: Modules of the task that nobody can read here.
         refers_late: Whether its controller loads it with references that nothing declares.
+        runs_of: See `parse`.
     """
-    parsed = [parse(Source(file.name, file.text)) for file in files]
+    parsed = [parse(Source(file.name, file.text), runs_of=runs_of) for file in files]
     trees = tuple(one.file for one in parsed)
     names = replace(cell, unseen=tuple(unseen), refers_late=refers_late)
     checked = check(trees, rules, cell=names)
@@ -56,6 +58,15 @@ def load(
     return Loaded(trees, program, diagnostics)
 
 
-def load_task(task: TaskFiles, cell: CellNames, rules: Sequence[Find] = ()) -> Loaded:
+def load_task(
+    task: TaskFiles, cell: CellNames, rules: Sequence[Find] = (), *, runs_of: int | None = None
+) -> Loaded:
     """The same for a task, with what is known of its modules; see `load`."""
-    return load(task.files, rules, cell=cell, unseen=task.unseen, refers_late=task.refers_late)
+    return load(
+        task.files,
+        rules,
+        cell=cell,
+        unseen=task.unseen,
+        refers_late=task.refers_late,
+        runs_of=runs_of,
+    )

@@ -13,7 +13,7 @@ import numpy as np
 
 from rapidsim.controller.moves.configuration_choice import nearest_without_switch
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.language.data import RobTarget
+from rapidsim.language.data import ConfData, RobTarget
 from rapidsim.motion.configurations.confdata import (
     configuration,
     configurations,
@@ -177,14 +177,19 @@ def is_free(known: KnownMove) -> bool:
 
 def stored_confdata(known: KnownMove) -> tuple[int, int, int, int]:
     """cf1, cf4, cf6 and cfx of a move to a pose; numbers far beyond any turn stay countable."""
-    assert isinstance(known.move.to, RobTarget)
-    cf1, cf4, cf6, cfx = (round(min(max(n, -_MOST), _MOST)) for n in known.move.to.robconf)
+    cf1, cf4, cf6, cfx = (round(min(max(n, -_MOST), _MOST)) for n in _robconf(known))
     return cf1, cf4, cf6, cfx
+
+
+def _robconf(known: KnownMove) -> ConfData:
+    assert isinstance(known.move.to, RobTarget)
+    return known.move.to.robconf
 
 
 def confdata_columns(moves: Sequence[KnownMove]) -> Array:
     """What the targets of moves to poses store: cf1, cf4, cf6 and cfx, shape (k, 4)."""
-    return np.array([stored_confdata(known) for known in moves], dtype=np.float64)
+    written = np.array([_robconf(known) for known in moves], dtype=np.float64).reshape(-1, 4)
+    return np.rint(np.clip(written, -_MOST, _MOST))
 
 
 def _end_of_led(

@@ -7,6 +7,9 @@ from dataclasses import field
 from rapidsim.diagnostics import Diagnostic, Span
 from rapidsim.values import dataclass
 
+MOST_MOVES = 4000
+"""Move instructions in a text beyond which a check does not run it."""
+
 
 @dataclass(frozen=True, slots=True)
 class UncheckedMove:

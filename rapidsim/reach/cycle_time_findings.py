@@ -36,7 +36,7 @@ def budget_findings(
 
 def stop_findings(program: Program, posed: PosedMoves, ways: Ways) -> Iterator[Diagnostic]:
     """D702: a stop point between two lines in one direction with nothing between them."""
-    for after, segment in ways.segments.items():
+    for after in ways.segments:
         known = posed.moves[after]
         before = known.previous
         if before is None or before not in ways.segments:
@@ -50,7 +50,7 @@ def stop_findings(program: Program, posed: PosedMoves, ways: Ways) -> Iterator[D
             continue
         into, out = (
             one.end.base_from_tcp.translation - one.start.base_from_tcp.translation
-            for one in (ways.segments[before], segment)
+            for one in (ways.segments[before], ways.segments[after])
         )
         lengths = float(np.linalg.norm(into)), float(np.linalg.norm(out))
         if min(lengths) > _SHORTEST and into @ out >= _STRAIGHT * lengths[0] * lengths[1]:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
+from functools import partial
 
 import numpy as np
 
@@ -20,7 +21,7 @@ from rapidsim.findings.reachability import (
     ZoneTooLarge,
 )
 from rapidsim.frames.transform import Array
-from rapidsim.language.moves import SingularArea
+from rapidsim.language.moves import Interpolation, SingularArea
 from rapidsim.motion.configurations.confdata import confdata_of, told_apart
 from rapidsim.motion.geometry.curves import circle_fault
 from rapidsim.motion.geometry.segments import Segment, Waypoint
@@ -47,12 +48,38 @@ _SAME_JOINTS = 1e-3
 _STANDSTILL = 1e-5
 _NO_TURN = 1e-3
 _REDUCED = 0.99
-_SMALL_ZONE = 1.1e-3
-"""z0 and z1 [m] on close points are how dense paths are written; nobody wants them smaller."""
+_SMALL_ZONE_MM = 1.1
+"""z0 and z1 on close points are how dense paths are written; nobody wants them smaller."""
 _HARDLY = 0.5
 """Share of the programmed speed below which a singularity is a warning."""
 _SLOWER = 0.95
 _PASSES = 3
+_BLOCK = 2000
+"""Ways that are surveyed at once."""
+
+
+class _Segments(Mapping[int, Segment]):
+    """The segments of rows, each made when it is asked for: few are, and each is many arrays."""
+
+    def __init__(
+        self, rows: Mapping[int, object], make: Callable[[Sequence[int]], tuple[Segment, ...]]
+    ) -> None:
+        self._rows = rows
+        self._make = make
+
+    def __getitem__(self, row: int) -> Segment:
+        if row not in self._rows:
+            raise KeyError(row)
+        return self._make([row])[0]
+
+    def __iter__(self) -> Iterator[int]:
+        return iter(self._rows)
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    def __contains__(self, row: object) -> bool:
+        return row in self._rows
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -133,17 +160,19 @@ class WayFinder:
             and known.settings.singular_area is SingularArea.OFF
             and not {"singular_area", "circle_path"} & known.uncertain
         ]
-        segments = segments_of(self.posed, stances.joints, robot, self.model, rows)
-        faults = {
-            row: fault
-            for row, segment in zip(rows, segments, strict=True)
-            if (fault := circle_fault(segment)) is not None
-        }
-        by_row = {
-            row: segment for row, segment in zip(rows, segments, strict=True) if row not in faults
-        }
-        surveyed = survey_ways(robot, list(by_row.values()), self._max_speed)
-        return Ways(stances, by_row, dict(zip(by_row, surveyed, strict=True)), faults, strays)
+        make = partial(segments_of, self.posed, stances.joints, robot, self.model)
+        faults: dict[int, str] = {}
+        surveyed: dict[int, SurveyedWay] = {}
+        for first in range(0, len(rows), _BLOCK):
+            block = rows[first : first + _BLOCK]
+            by_row = dict(zip(block, make(block), strict=True))
+            for row, segment in tuple(by_row.items()):
+                if (fault := circle_fault(segment)) is not None:
+                    faults[row] = fault
+                    del by_row[row]
+            ways = survey_ways(robot, list(by_row.values()), self._max_speed)
+            surveyed.update(zip(by_row, ways, strict=True))
+        return Ways(stances, _Segments(surveyed, make), surveyed, faults, strays)
 
     def _strays(self, row: int, way: SurveyedWay, ways: Ways) -> bool:
         if way.broken or way.arrival is None or not ways.stances.sure[row] or row in ways.strays:
@@ -183,6 +212,8 @@ class WayFinder:
 
     def _led(self, row: int, ways: Ways) -> Iterator[Diagnostic]:
         """What is worth a word of an arc that two wrist axes lead."""
+        if self.posed.moves[row].move.interpolation is not Interpolation.CIRCLE:
+            return
         segment = ways.segments[row]
         if segment.wrist_pair is None:
             return
@@ -272,11 +303,14 @@ class WayFinder:
     def _reduced_zone(
         self, row: int, ways: Ways, following: Mapping[int, list[int]]
     ) -> ZoneTooLarge | None:
-        zone = zone_of(self.posed.moves[row].move)
+        move = self.posed.moves[row].move
+        if move.zone.pzone_tcp <= _SMALL_ZONE_MM:
+            return None
+        zone = zone_of(move)
         after = [
             ways.surveyed[one].travel for one in following.get(row, ()) if one in ways.surveyed
         ]
-        if zone is None or zone.position <= _SMALL_ZONE or not after:
+        if zone is None or not after:
             return None
         sides = [(ways.surveyed[row].travel, "before"), (min(after), "after")]
         length, which = min(sides)

@@ -16,7 +16,7 @@ from rapidsim.reach.checked_moves import Coverage, ReachReport, UncheckedMove
 from rapidsim.reach.cures import Cures
 from rapidsim.reach.cycle_time_findings import budget_findings, stop_findings
 from rapidsim.reach.dataflow.interpretation import walk_program
-from rapidsim.reach.dataflow.known_moves import WalkedProgram
+from rapidsim.reach.dataflow.known_moves import WalkedProgram, in_tree
 from rapidsim.reach.outside_values import moved_by_outside
 from rapidsim.reach.path_findings import WayFinder, Ways
 from rapidsim.reach.target_findings import (
@@ -146,7 +146,7 @@ def _not_sure(
 ) -> Iterator[Diagnostic]:
     """The findings; what depends on inputs as a run has them when nobody sets them is no error."""
     moved = moved_by_outside(program)
-    unsure = [module.span(call) for call, module in walked.written if call in moved]
+    unsure = [module.span(call) for call, module in walked.written if in_tree(call) in moved]
     for one in found:
         span = one.span
         inside = span is not None and any(span.begins_in(call) for call in unsure)

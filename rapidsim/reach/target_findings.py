@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -152,8 +153,12 @@ def wind_up_findings(
 ) -> Iterator[Diagnostic]:
     """K608: the same move of the same place arrives with an axis whole turns further."""
     first_of: dict[object, int] = {}
-    for row in np.flatnonzero(stances.sure & ~posed.to_axes).tolist():
+    rows = np.flatnonzero(stances.sure & ~posed.to_axes).tolist()
+    times = Counter(posed.moves[row].call for row in rows)
+    for row in rows:
         known = posed.moves[row]
+        if times[known.call] == 1:
+            continue
         first = first_of.setdefault((known.call, known.move), row)
         step = stances.joints[row] - stances.joints[first]
         turns = np.round(step / robot.kinematics.turns)

@@ -22,13 +22,13 @@ from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.language.errors import Stopped
 from rapidsim.language.moves import MotionSettings
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.reach.dataflow.known_moves import KnownMove, WalkedProgram
+from rapidsim.reach.checked_moves import MOST_MOVES
+from rapidsim.reach.dataflow.known_moves import KnownMove, MoveStatement, WalkedProgram
 from rapidsim.reach.outside_values import asks_outside, is_given_values, looks_at_inputs
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.simulation.simulate import run_tasks, simulate
 from rapidsim.simulation.task_run import TaskSetup
-from rapidsim.syntax import tree
 from rapidsim.values import dataclass
 
 if TYPE_CHECKING:
@@ -39,8 +39,6 @@ LONGEST_RUN_S = 120.0
 LONGEST_WORK_S = 60.0
 """Time on the computer's clock after which it is over, too: many times what so much virtual time
 takes in a program that gets on."""
-MOST_MOVES = 4000
-"""Move instructions in a text beyond which a check does not run it."""
 MOST_MOVES_FOR_ERRORS = 300
 """Likewise, where all moves are known and only an error can be found."""
 LONGEST_WORK_FOR_ERRORS_S = 2.0
@@ -63,7 +61,7 @@ class RunMoves:
     moves: tuple[KnownMove, ...]
     """The moves it made, in order; `previous` counts from `first_row`."""
     executed: tuple[ExecutedMove, ...]
-    met: frozenset[tree.Call]
+    met: frozenset[MoveStatement]
     """Also those that it could not make."""
     diagnostics: tuple[Diagnostic, ...]
     """Its findings about moves."""

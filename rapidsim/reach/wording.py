@@ -9,7 +9,7 @@ from rapidsim.controller.moves.target_words import named_target
 from rapidsim.diagnostics import Edit, Fix, Related, Span
 from rapidsim.interpreter.codegen.calls import Given, match_arguments
 from rapidsim.interpreter.codegen.data_access import bare
-from rapidsim.reach.dataflow.known_moves import KnownMove
+from rapidsim.reach.dataflow.known_moves import KnownMove, in_tree
 from rapidsim.syntax import tree
 
 _TARGETS = ("topoint", "tojointpos")
@@ -17,9 +17,15 @@ _TARGETS = ("topoint", "tojointpos")
 
 def argument(program: Program, known: KnownMove, *keys: str) -> tree.Expression | None:
     """What a move gives for a parameter, by the first of some folded names that it has."""
-    symbol = program.symbol_of[known.call]
+    return _argument(program, known, known.statement, keys)
+
+
+def _argument(
+    program: Program, known: KnownMove, statement: tree.Call, keys: Sequence[str]
+) -> tree.Expression | None:
+    symbol = program.symbol_of[in_tree(known.call)]
     assert isinstance(symbol, LibrarySymbol)
-    given = match_arguments(known.call.arguments, symbol.routine.signature.parameters)
+    given = match_arguments(statement.arguments, symbol.routine.signature.parameters)
     found = next((given[key] for key in keys if key in given), Given())
     return None if found.value is None else bare(found.value)
 
@@ -40,7 +46,8 @@ def target_span(program: Program, known: KnownMove) -> Span:
 
 def data_of(program: Program, known: KnownMove, *keys: str) -> DataSymbol | None:
     """The module data that an argument of a move names, where it is no more than a name."""
-    written = argument(program, known, *keys)
+    # Only what is in the tree has symbols.
+    written = _argument(program, known, in_tree(known.call), keys)
     if not isinstance(written, tree.Reference):
         return None
     symbol = program.symbol_of.get(written)

@@ -8,7 +8,9 @@ becomes a STRING that ends where its line's code seems to go on; both are report
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from functools import cache
+from itertools import pairwise
 
 from rapidsim.syntax import tree
 from rapidsim.syntax.stored_table import rapid_table
@@ -52,8 +54,13 @@ class _Lexicon:
     words: dict[str, str]
 
 
-def lex(text: str) -> Tokens:
-    """Split a text into tokens."""
+def lex(text: str, left_out: Sequence[tuple[int, int]] = ()) -> Tokens:
+    """Split a text into tokens.
+
+    Args:
+        text: What is split.
+        left_out: Stretches of whole lines, in order, to be passed over.
+    """
     lexicon = _lexicon()
     words: dict[str, str] = {}
     kinds: list[str] = []
@@ -62,33 +69,36 @@ def lex(text: str) -> Tokens:
     comments: list[tree.Comment] = []
     unterminated: list[int] = []
     header = lexicon.header.match(text)
-    matches = lexicon.pattern.finditer(text, header.end() if header else 0)
-    while found := next(matches, None):
-        kind = found.lastgroup or UNKNOWN
-        start, end = found.span()
-        if kind == "BLANK":
-            continue
-        if kind == "WORD":
-            word = found.group()
-            known = words.get(word)
-            if known is None:
-                known = words[word] = lexicon.words.get(word.upper(), "NAME")
-            kind = known
-            if kind != "NAME" and kinds and kinds[-1] == "BACKSLASH" and kind not in _MODES:
-                kind = "NAME"
-        elif kind == "MARK":
-            kind = lexicon.marks[found.group().upper()]
-        elif kind == "COMMENT":
-            comments.append(tree.Comment(start, found.group()))
-            continue
-        elif kind == "UNCLOSED":
-            kind = "STRING"
-            end = _string_end(text, start, end)
-            unterminated.append(start)
-            matches = lexicon.pattern.finditer(text, end)
-        kinds.append(kind)
-        starts.append(start)
-        ends.append(end)
+    begin = header.end() if header else 0
+    pieces = [(0, begin), *left_out, (len(text), len(text))]
+    for (_, begin), (stop, _) in pairwise(pieces):
+        matches = lexicon.pattern.finditer(text, begin, stop)
+        while found := next(matches, None):
+            kind = found.lastgroup or UNKNOWN
+            start, end = found.span()
+            if kind == "BLANK":
+                continue
+            if kind == "WORD":
+                word = found.group()
+                known = words.get(word)
+                if known is None:
+                    known = words[word] = lexicon.words.get(word.upper(), "NAME")
+                kind = known
+                if kind != "NAME" and kinds and kinds[-1] == "BACKSLASH" and kind not in _MODES:
+                    kind = "NAME"
+            elif kind == "MARK":
+                kind = lexicon.marks[found.group().upper()]
+            elif kind == "COMMENT":
+                comments.append(tree.Comment(start, found.group()))
+                continue
+            elif kind == "UNCLOSED":
+                kind = "STRING"
+                end = _string_end(text, start, end)
+                unterminated.append(start)
+                matches = lexicon.pattern.finditer(text, end, stop)
+            kinds.append(kind)
+            starts.append(start)
+            ends.append(end)
     kinds.append(END)
     starts.append(len(text))
     ends.append(len(text))

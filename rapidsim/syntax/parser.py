@@ -6,7 +6,10 @@ tokens repaired, and built again; that is why errors cost correct programs nothi
 
 from __future__ import annotations
 
+from bisect import bisect_left
+from collections.abc import Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from rapidsim.diagnostics import Diagnostic, Source, Span
 from rapidsim.syntax import tree
@@ -19,6 +22,13 @@ from rapidsim.syntax.repair import cut_calls_ended, repaired
 from rapidsim.syntax.text_violations import NoModule, UnterminatedString
 from rapidsim.syntax.violations import RepeatedClause
 from rapidsim.values import dataclass
+
+if TYPE_CHECKING:
+    from rapidsim.syntax.runs import Stretch
+
+
+_SHORTEST_MOVE = 60
+"""Characters of a move with its target written out."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,14 +45,81 @@ class Parsed:
 
 
 @uncollected()
-def parse(source: Source) -> Parsed:
+def parse(source: Source, *, runs_of: int | None = None) -> Parsed:
     """Read a file.
+
+    Args:
+        source: Its text.
+        runs_of: Leave runs of moves out of the tree, as columns of their modules, if there are more
+            statements in them than this; None leaves all in the tree.
 
     Returns:
         All modules that the text holds, with `tree.Broken` for statements that could not be read,
         and every error of syntax and of size. Errors that need names or types are not looked for.
     """
-    tokens, diagnostics = bounded(lex(source.text), source)
+    if runs_of is not None and len(source.text) > runs_of * _SHORTEST_MOVE:
+        parsed = _parsed_with_runs(source, runs_of)
+        if parsed is not None:
+            return parsed
+    return _parsed(source, ())
+
+
+def _parsed_with_runs(source: Source, runs_of: int) -> Parsed | None:
+    """A file whose runs are left out; None where there are too few, or not all can be."""
+    # For files of which most have none, and it takes numpy.
+    from rapidsim.syntax.runs import stretches  # noqa: PLC0415
+
+    found = tuple(stretches(source.text))
+    if sum(len(one.numbers) for one in found) <= runs_of:
+        return None
+    parsed = _parsed(source, [(int(one.lines[0]), int(one.lines[-1])) for one in found])
+    modules = tuple(_with_runs(module, found) for module in parsed.file.modules)
+    if sum(len(module.runs) for module in modules) < len(found):
+        return None
+    return replace(parsed, file=replace(parsed.file, modules=modules))
+
+
+def _with_runs(module: tree.Module, found: Sequence[Stretch]) -> tree.Module:
+    """A module with the runs that stand in the bodies of its routines, outside of any block."""
+    runs: list[tree.Run] = []
+    for routine in module.routines:
+        starts = [statement.start for statement in routine.body]
+        first = bisect_left(found, routine.start, key=_place)
+        for one in found[first : bisect_left(found, routine.end, key=_place)]:
+            at = bisect_left(starts, one.like)
+            run = _run(one, routine.body[at : at + 2], module.source.text)
+            if run is not None:
+                runs.append(run)
+    return replace(module, runs=tuple(runs))
+
+
+def _place(stretch: Stretch) -> int:
+    return stretch.like
+
+
+def _run(found: Stretch, around: tree.Body, text: str) -> tree.Run | None:
+    """A run between two statements; None where the lines around it are read as anything else."""
+    match around:
+        case (
+            tree.Call(
+                arguments=(tree.Required(value=tree.LiteralAggregate(), name=None), *_)
+            ) as like,
+            tree.Call() as behind,
+        ):
+            first, last = int(found.lines[0]), int(found.lines[-1])
+            indent = like.start - found.like
+            is_line = not text[found.like : like.start].strip()
+            if is_line and like.end < first and behind.start == last + indent:
+                starts = found.lines[:-1] + indent
+                ends = found.lines[1:] - (first - like.end)
+                return tree.Run(first, last, like, starts, ends, found.numbers)
+        case _:
+            pass
+    return None
+
+
+def _parsed(source: Source, left_out: Sequence[tuple[int, int]]) -> Parsed:
+    tokens, diagnostics = bounded(lex(source.text, left_out), source)
     builder = Builder(source)
     modules = build_tree(tokens, builder)
     if modules is None:

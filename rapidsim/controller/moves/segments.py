@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from operator import is_
 
 import numpy as np
 
@@ -21,9 +22,17 @@ from rapidsim.controller.moves.move_data import (
 from rapidsim.controller.moves.move_request import MoveRequest
 from rapidsim.frames.transform import Transform
 from rapidsim.motion.configurations import targets
-from rapidsim.motion.geometry.segments import WRIST_PAIRS, Segment, Waypoint
+from rapidsim.motion.geometry.segments import (
+    WRIST_PAIRS,
+    CircleMode,
+    Segment,
+    Speed,
+    Waypoint,
+    Zone,
+)
 from rapidsim.motion.path.wrist_circle import start_on_circle
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.values import dataclass
 
 
 def segments(
@@ -55,27 +64,69 @@ def segments(
     else:
         branches = robot.kinematics.branch_of(np.array([one.joints for one in starts])).tolist()
     of_robot = (robot, payload_acceleration)
-    rows = zip(requests, starts, begins, ends, branches, strict=True)
-    return tuple(_segment(first + row, *one, *of_robot) for row, one in enumerate(rows))
+    asked = _all_asked(requests, *of_robot)
+    rows = zip(requests, asked, starts, begins, ends, branches, strict=True)
+    return tuple(_segment(first + row, *one) for row, one in enumerate(rows))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Asked:
+    """What a move asks for beside where it goes; most moves of a program ask for the same."""
+
+    speed: Speed
+    zone: Zone | None
+    share: float
+    load: float
+    stop_ramp: float
+    mode: CircleMode
+    in_joints: bool
+    external_linear: tuple[bool, ...]
+    external_speeds: tuple[float, ...]
+
+
+def _all_asked(
+    requests: Sequence[MoveRequest], robot: Robot, payload_acceleration: float | None
+) -> Iterator[_Asked]:
+    last, of_last = None, None
+    for request in requests:
+        move, settings, carrier = request.move, request.settings, request.placed.carrier
+        of = (move.interpolation, move.speed, move.zone, move.tool, settings, carrier)
+        if of_last is None or last is None or not all(map(is_, of, of_last)):
+            last, of_last = _asked(request, robot, payload_acceleration), of
+        yield last
+
+
+def _asked(request: MoveRequest, robot: Robot, payload_acceleration: float | None) -> _Asked:
+    move, settings, placed = request.move, request.settings, request.placed
+    share, load = acceleration_share_of(move, settings, robot.payload_kg, payload_acceleration)
+    mode = circle_mode_of(move, settings, placed.carrier, robot)
+    in_joints = wrist_asked_in_joints(move, settings) and can_turn_wrist_in_joints(move, robot)
+    return _Asked(
+        speed_of(move, settings),
+        zone_of(move),
+        share,
+        load,
+        stop_ramp_of(settings),
+        mode,
+        in_joints and mode not in WRIST_PAIRS,
+        tuple(axis.linear for axis in robot.external),
+        external_speeds_of(move, settings, robot.external),
+    )
 
 
 def _segment(
     index: int,
     request: MoveRequest,
+    asked: _Asked,
     start: Waypoint,
     begin: Transform,
     end: Waypoint,
     branch: int,
-    robot: Robot,
-    payload_acceleration: float | None,
 ) -> Segment:
     move, settings, placed = request.move, request.settings, request.placed
-    mode = circle_mode_of(move, settings, placed.carrier, robot)
-    if mode in WRIST_PAIRS:
+    if asked.mode in WRIST_PAIRS:
         begin = start_on_circle(begin, start.aim)
-    in_joints = wrist_asked_in_joints(move, settings) and can_turn_wrist_in_joints(move, robot)
     via = move.circle_point
-    share, load = acceleration_share_of(move, settings, robot.payload_kg, payload_acceleration)
     return Segment(
         index=index,
         geometry=GEOMETRY[move.interpolation],
@@ -83,22 +134,22 @@ def _segment(
         end=end,
         tcp_from_flange=placed.tcp_from_flange,
         branch=branch,
-        speed=speed_of(move, settings),
-        zone=zone_of(move),
+        speed=asked.speed,
+        zone=asked.zone,
         via=None if via is None else placed.curve_from_tcp(via),
         duration=move.duration_s,
         # Only the move after it tells.
         joint_corner=False,
-        acceleration_share=share,
+        acceleration_share=asked.share,
         ramp=settings.ramp_percent / 100.0,
-        stop_ramp=stop_ramp_of(settings),
+        stop_ramp=asked.stop_ramp,
         carrier=placed.carrier,
-        wrist_in_joints=in_joints and mode not in WRIST_PAIRS,
-        circle_mode=mode,
+        wrist_in_joints=asked.in_joints,
+        circle_mode=asked.mode,
         tcp_acceleration=unbounded(settings.tcp_acceleration_m_s2),
         tcp_deceleration=unbounded(settings.tcp_deceleration_m_s2),
         world_acceleration=unbounded(settings.world_acceleration_m_s2),
-        external_linear=tuple(axis.linear for axis in robot.external),
-        external_speeds=external_speeds_of(move, settings, robot.external),
-        load=load,
+        external_linear=asked.external_linear,
+        external_speeds=asked.external_speeds,
+        load=asked.load,
     )

@@ -96,15 +96,18 @@ def _survey(
     hold_ups = (
         {} if max_speed is None else _hold_ups(robot, segments, curves, arms, nodes, max_speed)
     )
+    arrivals, exists = joints[last], nodes.exists[last]
     return [
         SurveyedWay(
-            travel=float(curves.travel[i]),
-            turned=float(curves.angle[i]),
-            arrival=joints[at] if nodes.exists[at] else None,
-            broken=bool(broken[i]),
-            hold_up=None if broken[i] else hold_ups.get(i),
+            travel=travel,
+            turned=turned,
+            arrival=arrivals[i] if exists[i] else None,
+            broken=is_broken,
+            hold_up=None if is_broken else hold_ups.get(i),
         )
-        for i, at in enumerate(last.tolist())
+        for i, (travel, turned, is_broken) in enumerate(
+            zip(curves.travel.tolist(), curves.angle.tolist(), broken.tolist(), strict=True)
+        )
     ]
 
 

@@ -14,6 +14,8 @@ def led_by_wrist(known: KnownMove, robot: Robot) -> bool:
 
     Moves of a carried work object are looked at by runs alone, so none is asked for here.
     """
+    if known.move.interpolation is not Interpolation.CIRCLE:
+        return False
     mode = circle_mode_of(known.move, known.settings, None, robot)
     return mode in WRIST_PAIRS and "circle_path" not in known.uncertain
 

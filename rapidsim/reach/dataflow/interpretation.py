@@ -30,13 +30,15 @@ from rapidsim.language.moves import Move
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.traits import Does
 from rapidsim.reach.dataflow.data_places import empty_data, replaced
-from rapidsim.reach.dataflow.known_moves import KnownMove, WalkedProgram
+from rapidsim.reach.dataflow.known_moves import KnownMove, MoveStatement, WalkedProgram
 from rapidsim.reach.dataflow.known_values import Evaluator, Known, Unknown
 from rapidsim.reach.dataflow.motion_settings import DISPLACEMENTS, KnownSettings
 from rapidsim.reach.dataflow.recorder import Recorder
+from rapidsim.reach.dataflow.run_moves import Runs, moves_of_run, runs_of, with_rows
 from rapidsim.reach.dataflow.side_effects import Effects, ProgramEffects, root_of
 from rapidsim.reach.dataflow.state import Frame, State, joined
 from rapidsim.reach.dataflow.transfer_functions import Performed, perform
+from rapidsim.reach.dataflow.written_moves import RunNotFollowedError
 from rapidsim.syntax import tree
 from rapidsim.syntax.collection import uncollected
 
@@ -59,22 +61,31 @@ _START = KnownSettings()
 
 @uncollected()
 def walk_program(program: Program) -> WalkedProgram:
-    """Walk through all routines of a program that move the robot."""
+    """Walk through all routines of a program that move the robot.
+
+    Raises:
+        RunNotFollowedError: If the moves of a run are not known, or not as they are written. Then
+            they must be in the tree.
+    """
+    runs = runs_of(program)
     written = tuple(
-        (node, module)
+        (one, module)
         for module in program.modules
         for routine in module.routines
         for node in statements(*clauses(routine))
         if isinstance(node, tree.Call) and Does.MOVE in does(program.symbol_of.get(node))
+        for one in with_rows(node, runs)
     )
     effects = ProgramEffects(program)
-    walker = _Walker(program, effects)
+    walker = _Walker(program, effects, runs)
     if written:
         walker.walk_all()
     met = {known.call for known in walker.moves} | walker.unknown.keys()
     for call, _ in written:
         if call not in met:
             walker.unknown[call] = walker.unreached.get(call, _TOO_LONG)
+    if not runs.keys() <= met or runs.keys() & (walker.unknown.keys() | walker.unreached.keys()):
+        raise RunNotFollowedError
     settings_set = effects.everything.settings if written else frozenset()
     return WalkedProgram(written, tuple(walker.moves), walker.unknown, settings_set)
 
@@ -83,10 +94,11 @@ def walk_program(program: Program) -> WalkedProgram:
 class _Walker:
     program: Program
     effects: ProgramEffects
+    runs: Runs
     state: State = field(default_factory=State)
     moves: list[KnownMove] = field(default_factory=list)
-    unknown: dict[tree.Call, str] = field(default_factory=dict)
-    unreached: dict[tree.Call, str] = field(default_factory=dict)
+    unknown: dict[MoveStatement, str] = field(default_factory=dict)
+    unreached: dict[MoveStatement, str] = field(default_factory=dict)
     """As `unknown`, where no way through the program leads there; it counts if nothing else does.
     """
     _index: dict[object, int] = field(default_factory=dict)
@@ -96,6 +108,8 @@ class _Walker:
     _body_effects: dict[int, Effects] = field(default_factory=dict)
     _turns: list[list[State]] = field(default_factory=list)
     """For each loop that is walked, what was known where CONTINUE ended its turn."""
+    _run_ends: dict[int, int] = field(default_factory=dict)
+    """By the move before a run, the last move of the run."""
     _ghosts: set[int] = field(default_factory=set)
     _as_ghost: int = 0
     """Above 0 while statements are walked that this way through the program does not reach."""
@@ -128,7 +142,10 @@ class _Walker:
     def _walk_alone(self, routine: RoutineSymbol, state: State) -> None:
         state.forget(routine.parameters, "parameter `{name}` differs from call to call")
         self.state = state
-        self._left += sum(1 for _ in statements(*clauses(routine.node)))
+        for statement in statements(*clauses(routine.node)):
+            self._left += 1
+            if isinstance(statement, tree.Call) and statement in self.runs:
+                self._left += len(self.runs[statement][0])
         self._walk_body(routine)
 
     def _walk_clauses(self, routine: RoutineSymbol) -> None:
@@ -467,6 +484,8 @@ class _Walker:
             self.state.last = None
             return
         self._record(call, moves[0])
+        if call in self.runs:
+            self._record_run(call)
         if Does.SEARCH in routine.does:
             self.state.last = None
 
@@ -490,3 +509,15 @@ class _Walker:
                 )
             )
         self.state.last = index
+
+    def _record_run(self, call: tree.Call) -> None:
+        """What a run behind a move does: the same as that move, to targets of its own."""
+        before = self.state.last
+        assert before is not None
+        run, rows = self.runs[call]
+        self._left -= len(run)
+        if before not in self._run_ends:
+            assert before == len(self.moves) - 1, "the first of them starts where it ends"
+            self.moves += moves_of_run(run, rows, self.moves[before], len(self.moves))
+            self._run_ends[before] = len(self.moves) - 1
+        self.state.last = self._run_ends[before]

@@ -2,17 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import TypeAlias
+
 from rapidsim.diagnostics import Span
 from rapidsim.language.moves import MotionSettings, Move
 from rapidsim.syntax import tree
+from rapidsim.syntax.run_rows import statement_of
 from rapidsim.values import dataclass
+
+MoveStatement: TypeAlias = tree.Call | tree.RunRow
+"""A move instruction where it is written, in the tree or in a run of alike ones."""
+
+
+def in_tree(call: MoveStatement) -> tree.Call:
+    """The statement in the tree that says what a move says, but for the numbers of its target."""
+    return call.like if isinstance(call, tree.RunRow) else call
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class KnownMove:
     """A move instruction with known arguments, in one of the ways the program comes to it."""
 
-    call: tree.Call
+    call: MoveStatement
     module: tree.Module
     routine: str
     move: Move
@@ -27,15 +39,23 @@ class KnownMove:
         """Where the instruction stands."""
         return self.module.span(self.call)
 
+    @property
+    def statement(self) -> tree.Call:
+        """The instruction as it is written."""
+        call = self.call
+        if isinstance(call, tree.RunRow):
+            return statement_of(call, self.module.source.text)
+        return call
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class WalkedProgram:
     """The moves of a program, as far as they are known."""
 
-    written: tuple[tuple[tree.Call, tree.Module], ...]
+    written: tuple[tuple[MoveStatement, tree.Module], ...]
     """Every move instruction of the text."""
     known: tuple[KnownMove, ...]
-    unknown: dict[tree.Call, str]
+    unknown: Mapping[MoveStatement, str]
     """Why a move is not known in at least one of the ways the program comes to it."""
     settings_set: frozenset[str]
     """Fields of the settings that some instruction of the program sets."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Sequence
 
 from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.program import DataSymbol, LibrarySymbol, Program, does
@@ -14,18 +14,24 @@ from rapidsim.syntax import tree
 NO_WOBJ = "wobj0"
 
 
-def written_moves(files: Iterable[tree.File]) -> tuple[Span, ...]:
+class RunNotFollowedError(Exception):
+    """Moves of a run are not known as they are written, so they must be looked at one by one."""
+
+
+def written_moves(files: Sequence[tree.File]) -> tuple[Span, ...]:
     """The places of all move instructions; files need not be free of errors."""
+    runs = {run.like: run for file in files for module in file.modules for run in module.runs}
     modules = [module for file in files for module in file.modules]
     hidden = {routine.name.key for module in modules for routine in module.routines}
     return tuple(
-        module.span(node)
+        module.span(one)
         for module in modules
         for routine in module.routines
         for node in statements(*clauses(routine))
         if isinstance(node, tree.Call)
         and node.name.key not in hidden
         and Does.MOVE in does(installed_symbol(node.name.key))
+        for one in (node, *(runs[node].rows() if node in runs else ()))
     )
 
 

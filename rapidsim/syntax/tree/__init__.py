@@ -53,6 +53,7 @@ from rapidsim.syntax.tree.expressions import (
     String,
     Unary,
 )
+from rapidsim.syntax.tree.runs import Run, RunRow
 from rapidsim.syntax.tree.statements import (
     Assignment,
     Body,
@@ -134,6 +135,8 @@ __all__ = [
     "Return",
     "Routine",
     "RoutineNode",
+    "Run",
+    "RunRow",
     "Statement",
     "String",
     "Test",

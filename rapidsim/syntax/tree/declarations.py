@@ -14,6 +14,7 @@ from rapidsim.syntax.tree.expressions import (
     keeping_node,
     node,
 )
+from rapidsim.syntax.tree.runs import Run
 from rapidsim.syntax.tree.statements import Body, Broken, Data
 from rapidsim.values import dataclass
 
@@ -117,6 +118,8 @@ class Module(Node):
     name: Name
     attributes: tuple[Name, ...]
     items: tuple[Item, ...]
+    runs: tuple[Run, ...] = ()
+    """What is not in the tree because a statement of it stands for it; in the order of the text."""
 
     def span(self, node: Node) -> Span:
         """The place of a node of this module."""

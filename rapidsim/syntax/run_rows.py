@@ -1,0 +1,39 @@
+"""The statements of a run, as the parser would have read them."""
+
+from __future__ import annotations
+
+from dataclasses import fields, is_dataclass, replace
+from typing import Any
+
+from rapidsim.syntax import tree
+from rapidsim.syntax.literals import aggregate
+
+_OFFSETS = frozenset({"start", "end", "operator_start"})
+"""Fields of nodes that are places in the text."""
+
+
+def statement_of(row: tree.RunRow, text: str) -> tree.Call:
+    """A statement of a run."""
+    first = row.like.arguments[0]
+    assert isinstance(first, tree.Required)
+    before, behind = row.start - row.like.start, row.end - row.like.end
+    moved: tree.Call = _moved(row.like, first.start, before, behind)
+    start, end = first.start + before, first.end + behind
+    value = tree.LiteralAggregate(start, end, aggregate(text[start:end]))
+    return replace(moved, arguments=(tree.Required(start, end, value), *moved.arguments[1:]))
+
+
+def _moved(part: Any, place: int, before: int, behind: int) -> Any:
+    """A part of a tree elsewhere: so far what stands up to a place, so far what stands behind."""
+    if isinstance(part, tuple):
+        return tuple(_moved(one, place, before, behind) for one in part)
+    if not is_dataclass(part) or isinstance(part, type):
+        return part
+    new: dict[str, Any] = {}
+    for one in fields(part):
+        value = getattr(part, one.name)
+        if one.name in _OFFSETS:
+            new[one.name] = value + (before if value <= place else behind)
+        else:
+            new[one.name] = _moved(value, place, before, behind)
+    return replace(part, **new)

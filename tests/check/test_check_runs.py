@@ -1,0 +1,105 @@
+"""Long runs of moves are looked at as runs; what is found is what looking at each one finds."""
+
+from __future__ import annotations
+
+import random
+import re
+
+import pytest
+from exports import export
+from laws import cases
+from run_law import assert_runs_change_nothing, rows_in_runs
+from run_texts import harmed, program
+
+_COUNT = 40
+_AT = 21
+"""The move that something is done to."""
+
+
+def _text(form: str = "inline") -> str:
+    return export(form, "raster", _COUNT)
+
+
+def _at(old: str, new: str) -> str:
+    """A program with one of its moves changed."""
+    lines = _text().split("\n")
+    move = lines[2 + _AT]
+    lines[2 + _AT] = re.sub(old, lambda match: match.expand(new), move, count=1)
+    assert lines[2 + _AT] != move
+    return "\n".join(lines)
+
+
+def test_moves_are_looked_at_as_a_run() -> None:
+    found = assert_runs_change_nothing(_text())
+    assert not found.diagnostics
+    assert found.coverage.by_value == _COUNT
+    # The first move is a MoveJ, the last one stops; of a run three lines are parsed.
+    assert rows_in_runs(found) == _COUNT - 2 - 3
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "code"),
+    [
+        (r"\[\[[0-9.]+", "[[9000.000", "K601"),
+        (r"MoveL", "MovL", "N209"),
+        (r"\]\],v", "],v", "E1"),
+        (r";", "", "E1"),
+        (r"1\.000000", "1.100000", "M501"),
+        (r"\[\[[^]]*\]", "[[0.5,0.1,0.4]", "M516"),
+        (r"9E9", "9E39", "T3"),
+        (r"\[0,0,0,0\]", "[0,0,0]", "T3"),
+        (r"z1", "zz1", "N2"),
+        (r"tool0", "undefined", "N2"),
+    ],
+)
+def test_a_planted_fault_is_found_where_it_stands(old: str, new: str, code: str) -> None:
+    found = assert_runs_change_nothing(_at(old, new))
+    assert rows_in_runs(found)
+    assert any(one.code.startswith(code) and one.line == 3 + _AT for one in found.diagnostics), (
+        found.diagnostics
+    )
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "is_run"),
+    [
+        # What is said of all of them is said of each.
+        ("z1", "zz1", False),
+        ("MODULE export\n", "MODULE export\nPROC MoveL(robtarget a,speeddata b,zonedata c,"
+         "PERS tooldata d\\PERS wobjdata WObj)\nENDPROC\n", False),
+        ("ConfL\\Off;", "PDispSet [[5,0,0],[1,0,0,0]];", False),
+        ("ConfL\\Off;", "IF reg1=1 THEN", False),
+        ("ConfL\\Off;", "ConfL\\Off;\n    reg1:=1;", True),
+        ("ConfL\\Off;", "", True),
+        ("\n", "\r\n", True),
+        ("\n", "\r\r\n", False),
+        (",", ", ", True),
+        ("WObj", "wobj", True),
+        ("    MoveL", "\tmovel", True),
+        ("tool0\\WObj:=wobj0", "tool0 \\WObj := wobj0 ", True),
+        ("wobj0;", "wobj0; ! here", False),
+        ("wobj0;", "wobj0; Stop;", False),
+    ],
+)  # fmt: skip
+def test_other_ways_to_write_it(old: str, new: str, is_run: bool) -> None:
+    text = _text().replace(old, new)
+    if "IF" in new:
+        text = text.replace("  ENDPROC", "    ENDIF\n  ENDPROC")
+    assert bool(rows_in_runs(assert_runs_change_nothing(text))) is is_run
+
+
+def test_a_routine_that_is_called_twice_makes_its_moves_twice() -> None:
+    text = _text().replace("main()", "path()")
+    calls = "FOR i FROM 1 TO 2 DO\npath;\nENDFOR\npath;"
+    main = f"MODULE other\nPROC main()\n{calls}\nENDPROC\nENDMODULE\n"
+    assert rows_in_runs(assert_runs_change_nothing(main, text))
+
+
+# Each case checks a program twice; that is the law.
+@pytest.mark.parametrize("seed", range(cases(40)))
+def test_whatever_goes_wrong_in_a_program(seed: int) -> None:
+    dice = random.Random(f"runs {seed}")
+    text = program(dice)
+    for _ in range(dice.randrange(4)):
+        text = harmed(text, dice)
+    assert_runs_change_nothing(text)
