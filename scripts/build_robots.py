@@ -18,16 +18,18 @@ import shape_irb120
 import shape_irb1600
 import shape_irb6640
 import shape_palletizer
+import shape_scara
 import shape_serial
 from shape_palletizer import Follower
 from solids import Body, glb
 
 from rapidsim.frames.transform import Transform
-from rapidsim.motion.kinematics.arm import Kinematics
+from rapidsim.motion.kinematics.arm import METRES_PER_UNIT, Kinematics
 from rapidsim.motion.kinematics.closed_form.five_axis import FiveAxisGeometry
 from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
 from rapidsim.motion.kinematics.closed_form.opw_geometry import OpwGeometry
 from rapidsim.motion.kinematics.closed_form.palletizer import Palletizer, PalletizerGeometry
+from rapidsim.motion.kinematics.closed_form.scara import ScaraGeometry
 from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry
 from rapidsim.motion.robot.catalogue import (
     CatalogueEntry,
@@ -78,6 +80,8 @@ def links(entry: CatalogueEntry) -> dict[str, list[Body]]:
             return shape_five_axis.links(geometry)
         case PalletizerGeometry() as geometry:
             return shape_palletizer.links(geometry)
+        case ScaraGeometry() as geometry:
+            return shape_scara.links(geometry, entry.limits)
         case AxisRowGeometry() as geometry:
             return shape_axis_row.links(geometry, entry.reach_m or 1.0)
 
@@ -131,9 +135,9 @@ def urdf_text(entry: CatalogueEntry) -> str:
             if rod.carries == name:
                 lines += _follower(entry, rod)
                 parent, origin = rod.link, origin - np.array(rod.origin)
-        limit = _limit(*entry.limits[index], entry.max_speeds[index])
         place = _numbers(origin), _numbers(axes[index])
-        lines += _revolute(name, parent, names[index + 1], *place, limit)
+        said = parent, names[index + 1], *place, _limit_of(entry, index, slides=arm.slides[index])
+        lines += _joint("prismatic" if arm.slides[index] else "revolute", name, *said)
     for rod in rods:
         if not rod.carries:
             lines += _follower(entry, rod)
@@ -145,11 +149,12 @@ def urdf_text(entry: CatalogueEntry) -> str:
 
 
 def _axes(arm: Kinematics) -> np.ndarray:
-    """The axis (n, 3) that each joint's own link turns about, rods aside, with all joints at 0."""
+    """The axis (n, 3) that each joint's own link turns about or slides along, rods aside, at 0."""
     if isinstance(arm, Palletizer):
         directions: np.ndarray = arm.chain.axes.directions[list(arm.chain.links)]
         return directions
-    axes = arm.jacobian(np.zeros(arm.joint_count))[3:].T
+    moving, turning = np.split(arm.jacobian(np.zeros(arm.joint_count)).T, 2, axis=1)
+    axes: np.ndarray = np.where(arm.slides[:, None], moving / METRES_PER_UNIT, turning)
     if isinstance(arm, OrthoParallel):
         axes[1] -= arm.geometry.coupling * axes[2]
     return axes
@@ -165,7 +170,16 @@ def _follower(entry: CatalogueEntry, rod: Follower) -> list[str]:
     bare = [] if rod.drawn else [f'  <link name="{rod.link}"/>']
     place = _numbers(np.array(rod.origin)), "0 1 0"
     pivot = rod.pivot or f"{rod.link}_joint"
-    return bare + _revolute(pivot, rod.parent, rod.link, *place, *limits)
+    return bare + _joint("revolute", pivot, rod.parent, rod.link, *place, *limits)
+
+
+def _limit_of(entry: CatalogueEntry, index: int, *, slides: bool) -> str:
+    """The limits of a joint of the arm [rad], [m] of one that slides."""
+    values = *entry.limits[index], entry.max_speeds[index]
+    if not slides:
+        return _limit(*values)
+    lower, upper, speed = (round((one or 0.0) * METRES_PER_UNIT, 12) for one in values)
+    return _limit(lower, upper, speed)
 
 
 def _limit(lower: float, upper: float, speed: float | None) -> str:
@@ -175,11 +189,11 @@ def _limit(lower: float, upper: float, speed: float | None) -> str:
     )
 
 
-def _revolute(
-    name: str, parent: str, child: str, origin: str, axis: str, *limits: str
+def _joint(
+    kind: str, name: str, parent: str, child: str, origin: str, axis: str, *limits: str
 ) -> list[str]:
     return [
-        f'  <joint name="{name}" type="revolute">',
+        f'  <joint name="{name}" type="{kind}">',
         f'    <parent link="{parent}"/>',
         f'    <child link="{child}"/>',
         f'    <origin xyz="{origin}" rpy="0 0 0"/>',

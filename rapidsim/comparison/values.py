@@ -100,8 +100,14 @@ def _turned(old: Sequence[float], new: Sequence[float], what: str = "") -> list[
 
 
 def _axes(old: object, new: object) -> list[str]:
-    pairs = zip(_row(old)[0], _row(new)[0], strict=True)
-    told = [f"axis {n} by {b - a:+.3f} deg" for n, (a, b) in enumerate(pairs, 1) if a != b]
+    pairs = list(zip(_row(old)[0], _row(new)[0], strict=True))
+    # Axis 3 of a SCARA, which has no axes 5 and 6, slides; which arm it is, the text does not say.
+    slides = {3} if pairs[4:] == [(0.0, 0.0)] * 2 else set()
+    told = [
+        f"axis {n} by {b - a:+.3f} {'deg or mm' if n in slides else 'deg'}"
+        for n, (a, b) in enumerate(pairs, 1)
+        if a != b
+    ]
     axes = zip("abcdef", _row(old)[1], _row(new)[1], strict=True)
     return told + [f"eax_{n} {shown(a)} -> {shown(b)}" for n, a, b in axes if a != b]
 

@@ -18,7 +18,6 @@ from rapidsim.frames.vectors import length, minus
 from rapidsim.language.data import JointTarget, Pos, RobTarget, ToolData, WobjData
 from rapidsim.language.moves import MotionSettings, Move
 from rapidsim.language.path_events import Trigger
-from rapidsim.motion.configurations.targets import rob_joint
 
 _LOOKS_BACK_S = 1e-3
 _ARRIVED_MM = 0.01
@@ -60,7 +59,7 @@ class TaskMotion:
         """Where the axes are now."""
         self.clock.note_line()
         reading = self._reading()
-        return JointTarget(rob_joint(reading.joints), self.resolver.ext_joint(reading.external))
+        return self.resolver.joint_target(reading.joints, reading.external)
 
     def current_speeds(self) -> JointTarget:
         """How fast the axes are now [deg/s or mm/s]: their change in the last millisecond."""
@@ -69,7 +68,7 @@ class TaskMotion:
         seen = queue.seen(now_s, np.array([max(0.0, now_s - _LOOKS_BACK_S), now_s]))
         joints = (seen.joints[1] - seen.joints[0]) / _LOOKS_BACK_S
         external = (seen.external[1] - seen.external[0]) / _LOOKS_BACK_S
-        return JointTarget(rob_joint(joints), self.resolver.ext_joint(external))
+        return self.resolver.joint_target(joints, external)
 
     def is_moving(self) -> bool:
         """Whether the robot has moves under way."""
@@ -127,7 +126,7 @@ class TaskMotion:
         """
         end = self.unit.queue.end
         joints = self.resolver.reach(target, tool, wobj, end, self.clock.place)
-        return JointTarget(rob_joint(joints), target.extax)
+        return JointTarget(self.resolver.rob_joint(joints), target.extax)
 
     def finish(self) -> None:
         """Let the robot come to rest after the last statement."""

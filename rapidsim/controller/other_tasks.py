@@ -22,7 +22,6 @@ from rapidsim.controller.position_reading import PositionReader
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.language.data import JointTarget, RobTarget, ToolData, WobjData
 from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_TASKNAME, rapid_error
-from rapidsim.motion.configurations.targets import rob_joint
 
 
 @dataclass(slots=True, eq=False)
@@ -90,7 +89,7 @@ class TaskOthers:
         """
         other = self._robot_of(task)
         reading = other.reader.read(self.clock.come_up())
-        return JointTarget(rob_joint(reading.joints), other.resolver.ext_joint(reading.external))
+        return other.resolver.joint_target(reading.joints, reading.external)
 
     def target_of(self, task: str, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
         """Where the TCP of a task's robot is now; None takes what its last move used.

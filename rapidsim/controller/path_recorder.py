@@ -27,7 +27,6 @@ from rapidsim.frames import quaternion
 from rapidsim.language.data import FINE, JointTarget, Pos, RobTarget, SpeedData
 from rapidsim.language.error_numbers import ERR_PATH, rapid_error
 from rapidsim.language.moves import Interpolation, Move
-from rapidsim.motion.configurations.targets import rob_joint
 from rapidsim.motion.geometry.segments import Waypoint
 
 _SAME_JOINTS = 1e-4
@@ -172,7 +171,7 @@ class TaskPathRecorder:
         move = queued.move
         external = self.resolver.ext_joint(stands.external)
         if move.interpolation is Interpolation.AXES and offset is None:
-            return JointTarget(rob_joint(stands.joints), external)
+            return JointTarget(self.resolver.rob_joint(stands.joints), external)
         target = self.resolver.target(
             stands.joints, stands.external, move.tool, move.wobj, queued.place
         )

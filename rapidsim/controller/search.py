@@ -25,7 +25,6 @@ from rapidsim.language.error_numbers import (
     rapid_error,
 )
 from rapidsim.language.moves import Flank, Move, SearchStop
-from rapidsim.motion.configurations.targets import rob_joint
 from rapidsim.motion.timing.braking import PATH_STOP_S, SOFT_STOP_S
 from rapidsim.values import dataclass
 
@@ -94,7 +93,7 @@ class TaskSearch:
     ) -> JointTarget:
         """As `search`, but tell where all axes were at the first hit."""
         arm = self.unit.queue.at_past(self._hit_s(move, found, flank, stop))
-        return JointTarget(rob_joint(arm.joints[0]), self.resolver.ext_joint(arm.external[0]))
+        return self.resolver.joint_target(arm.joints[0], arm.external[0])
 
     def _hit_s(
         self,

@@ -2,8 +2,8 @@
 
 Names are those of the joints in the robot's description, with the task before them where several
 robots move; external axes are in the other traces.
-Positions are rad, speeds rad/s, accelerations rad/s2, times seconds and nanoseconds from the start,
-as `trajectory_msgs/JointTrajectory` has them.
+Positions are rad, speeds rad/s, accelerations rad/s2 (m for a joint that slides), times seconds and
+nanoseconds from the start, as `trajectory_msgs/JointTrajectory` has them.
 """
 
 from __future__ import annotations
@@ -15,10 +15,9 @@ import numpy as np
 
 from rapidsim.export.table import BLOCK, sample_times
 from rapidsim.frames.transform import Array
-from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.output_files import whole_file
 from rapidsim.simulation.results.sampling import evaluate, joint_rates
-from rapidsim.simulation.results.simulation import Simulation
+from rapidsim.simulation.results.simulation import RobotRun, Simulation
 
 SUFFIX = ".ros.json"
 _NANOSECONDS = 1_000_000_000
@@ -55,7 +54,7 @@ def write_joint_trajectory(simulation: Simulation, path: Path, dt: float) -> Pat
         separator = "\n"
         for begin in range(0, len(times), BLOCK):
             instants = times[begin : begin + BLOCK]
-            columns = zip(*(_columns(one.trajectory, instants) for one in robots), strict=True)
+            columns = zip(*(_columns(one, instants) for one in robots), strict=True)
             joints, speed, acceleration = (np.concatenate(all_of, axis=1) for all_of in columns)
             for row, time_s in enumerate(instants.tolist()):
                 rates = (joints[row], speed[row], acceleration[row])
@@ -65,10 +64,12 @@ def write_joint_trajectory(simulation: Simulation, path: Path, dt: float) -> Pat
     return path
 
 
-def _columns(trajectory: Trajectory, times: Array) -> tuple[Array, Array, Array]:
-    """Joints (k, n) [rad], their speeds and accelerations at some instants (k,) [s]."""
-    samples = evaluate(trajectory, times)
-    return samples.joints, *joint_rates(trajectory, samples)
+def _columns(one: RobotRun, times: Array) -> tuple[Array, Array, Array]:
+    """Joints (k, n) [rad, m], their speeds and accelerations at some instants (k,) [s]."""
+    units = np.array([joint.unit for joint in one.robot.joints])
+    samples = evaluate(one.trajectory, times)
+    speed, acceleration = joint_rates(one.trajectory, samples)
+    return units * samples.joints, units * speed, units * acceleration
 
 
 def _point(time_s: float, joints: Array, speed: Array, acceleration: Array) -> dict[str, object]:

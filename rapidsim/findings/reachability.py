@@ -29,6 +29,7 @@ class LowJointMargin(Violation, code="K607"):
     degrees: float
     margin: float
     limit: float
+    measure: str
 
 
 class AxisSpeedLimits(Violation, code="K609"):

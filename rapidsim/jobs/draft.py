@@ -19,6 +19,7 @@ from rapidsim.diagnostics import Source
 from rapidsim.files import InputError, SourceFile, TaskFiles, backup_folders, read_tasks
 from rapidsim.jobs.checked_program import load_task
 from rapidsim.motion.robot.catalogue import find_entry
+from rapidsim.motion.robot.robot import load_robot
 from rapidsim.reach.dataflow.written_moves import written_moves
 from rapidsim.station.backup.backup import backup_station
 from rapidsim.station.backup.loose_configuration import (
@@ -118,7 +119,7 @@ def _without_speeds(station: Station) -> Iterator[str]:
         if None in find_entry(name).max_speeds:
             yield (
                 f"no source gives the axis speeds of {name}, which a run needs: "
-                "[motion] axis_speed = [...] in deg/s, one value an axis"
+                f"[motion] axis_speed = [...] in {load_robot(name).units('/s')}, one value an axis"
             )
 
 

@@ -76,6 +76,8 @@ class Sweep:
     """Shape (k,); see `PlacedReach`."""
     runs: tuple[Outcome | None, ...]
     """None for a variant that was not run."""
+    margin_measure: str = "deg"
+    """RAPID's unit of margins: `deg or mm` where an axis of the arm slides."""
 
     @property
     def works(self) -> Array:
@@ -170,6 +172,7 @@ def sweep(
         reach.other_configuration,
         np.degrees(reach.margin),
         tuple(runs),
+        "deg or mm" if ready.robot.kinematics.slides.any() else "deg",
     )
 
 

@@ -90,5 +90,5 @@ def _require_axes(station: Station, arm: Robot, start: tuple[float, ...] | None)
         if not lower - _ROUNDING_DEG <= angle <= upper + _ROUNDING_DEG:
             raise InputError(
                 f"{station.file}: robot.start: joint {number} of {arm.name} goes from {lower:g} to "
-                f"{upper:g} deg, not to {angle:g}"
+                f"{upper:g} {joint.measure}, not to {angle:g}"
             )

@@ -16,6 +16,8 @@ from mpl_toolkits.mplot3d.axes3d import Axes3D
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.moves import Interpolation
 from rapidsim.motion.configurations.postures import Postures
+from rapidsim.motion.robot.external_axes import with_unit
+from rapidsim.motion.robot.robot import Robot
 from rapidsim.plots.look import Theme, new_figure
 from rapidsim.plots.stick_arm import MM, as_cube, draw_floor, draw_stick, draw_triads, stick
 from rapidsim.plots.write import write_pictures
@@ -56,13 +58,22 @@ def pose_picture(shown: Postures, theme: Theme) -> Figure:
     everything = np.concatenate([_stick(shown, row) for row in range(count)])
     for number, posture in enumerate(shown.rows):
         axes: Axes3D = figure.add_subplot(rows, columns, number + 1, projection="3d")
-        angles = ", ".join(f"{round(angle) + 0}" for angle in np.degrees(posture.joints).tolist())
+        angles = joints_text(shown.robot, posture.joints)
         beyond = "" if posture.within_limits else "\noutside the limits"
-        axes.set_title(f"{posture.name}\n{angles}°{beyond}", fontsize=8.5)
+        axes.set_title(f"{posture.name}\n{angles}{beyond}", fontsize=8.5)
         colour = theme.bar if posture.within_limits else theme.failed
         _draw(axes, shown, number, colour, theme, (0, 1, 2))
         _dress(axes, shown, theme, everything)
     return figure
+
+
+def joints_text(robot: Robot, joints: Array) -> str:
+    """Joints (n,) [rad] rounded to degrees, the sign of the unit behind the last."""
+    values = [f"{round(value) + 0}" for value in np.degrees(joints).tolist()]
+    if not robot.kinematics.slides.any():
+        return f"{', '.join(values)}°"
+    pairs = zip(values, robot.joints, strict=True)
+    return ", ".join(with_unit(value, joint.measure) for value, joint in pairs)
 
 
 def matrix_picture(shown: Postures, theme: Theme) -> Figure:

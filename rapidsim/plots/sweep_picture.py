@@ -35,7 +35,7 @@ def _picture(sweep: Sweep, theme: Theme) -> Figure:
     axes.set_xlabel(_label(first))
     if margin.ndim == 1:
         axes.plot(first.values, margin, color=theme.bar, marker="o", markersize=3.0)
-        axes.set_ylabel("least way to a limit [°]")
+        axes.set_ylabel(_margin_label(sweep))
         axes.set_xlim(*_edges(first)[[0, -1]])
         axes.set_ylim(bottom=0.0)
         return figure
@@ -53,7 +53,7 @@ def _picture(sweep: Sweep, theme: Theme) -> Figure:
     if (np.isfinite(_reached(sweep)) & np.isnan(margin)).any():
         handle = Patch(color=theme.programmed, label="reached in other configurations")
         figure.legend(handles=[handle], loc="upper right")
-    figure.colorbar(shown, ax=axes, label="least way to a limit [°]")
+    figure.colorbar(shown, ax=axes, label=_margin_label(sweep))
     return figure
 
 
@@ -81,6 +81,10 @@ def _title(sweep: Sweep) -> str:
     title = f"{int(sweep.works.sum())} of {len(sweep.number)} variants reach every move"
     others = ", ".join(axis.key for axis in sweep.axes[2:])
     return f"{title}; the best of {others}" if others else title
+
+
+def _margin_label(sweep: Sweep) -> str:
+    return f"least way to a limit [{sweep.margin_measure.replace('deg', '°')}]"
 
 
 def _label(axis: Axis) -> str:

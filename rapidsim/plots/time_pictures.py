@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rapidsim.frames.transform import Array
+from rapidsim.motion.robot.external_axes import with_unit
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.waypoints.attitudes import unbroken
 from rapidsim.plots.drawn import MM, title_of
@@ -37,18 +38,19 @@ def joints_picture(run: SampledRun, theme: Theme) -> Figure:
 
 
 def draw_joint(axes: Axes, robot: Robot, k: int, times: Array, joints: Array, theme: Theme) -> None:
-    """Joint k, counted from 0, of joints (n, joints) [rad] over times (n,) [s] with its limits."""
+    """Joint k, counted from 0, of joints (n, joints) [rad] over times (n,) [s], with its limits."""
     angle = np.degrees(joints[:, k])
     lower, upper = np.degrees(robot.lower[k]), np.degrees(robot.upper[k])
     axes.plot(times, angle, color=theme.joints[k % len(theme.joints)])
-    axes.set_ylabel("angle [°]")
+    joint = robot.joints[k]
+    axes.set_ylabel("way [mm]" if joint.slides else "angle [°]")
     if not np.isfinite([lower, upper]).all():
         axes.set_title(f"joint {k + 1}: turns without end")
         return
     for limit in (lower, upper):
         axes.axhline(limit, color=theme.limit, linestyle="--", linewidth=0.9)
     margin = min(float((angle - lower).min()), float((upper - angle).min()))
-    axes.set_title(f"joint {k + 1}: {margin:.1f}° from a limit")
+    axes.set_title(f"joint {k + 1}: {with_unit(f'{margin:.1f}', joint.measure)} from a limit")
     air = 0.08 * (upper - lower)
     axes.set_ylim(min(lower, angle.min()) - air, max(upper, angle.max()) + air)
 

@@ -142,6 +142,7 @@ def margin_findings(
             float(np.degrees(stances.joints[row, axis])),
             max(0.0, float(np.degrees(margin[row, axis]))),
             round(float(np.degrees(limit)), 6),
+            robot.joints[axis].measure,
         )
         yield Diagnostic(found, target_span(program, known), routine=known.routine)
 
@@ -155,7 +156,7 @@ def wind_up_findings(
         known = posed.moves[row]
         first = first_of.setdefault((known.call, known.move), row)
         step = stances.joints[row] - stances.joints[first]
-        turns = np.round(step / (2.0 * np.pi))
+        turns = np.round(step / robot.kinematics.turns)
         axis = int(np.abs(turns).argmax())
         if not turns[axis] or not is_free(known):
             continue
@@ -168,7 +169,8 @@ def wind_up_findings(
 def _over(robot: Robot, joints: Array) -> str:
     excess = programmed_excess(robot, joints)
     return ", ".join(
-        f"axis {axis + 1} at {np.degrees(joints[axis]):.1f} deg, "
-        f"{amount_text(float(np.degrees(abs(excess[axis]))))} deg past its limit"
+        f"axis {axis + 1} at {np.degrees(joints[axis]):.1f} {robot.joints[axis].measure}, "
+        f"{amount_text(float(np.degrees(abs(excess[axis]))))} {robot.joints[axis].measure} "
+        "past its limit"
         for axis in np.flatnonzero(excess)
     )

@@ -76,7 +76,7 @@ def posed(
         if move.interpolation is Interpolation.EXTERNAL_AXES:
             left_out[row] = "only external axes move"
         elif isinstance(move.to, JointTarget):
-            axes[row] = targets.joints(move.to, len(robot.joints))
+            axes[row] = targets.joints(move.to, robot.kinematics)
             to_axes[row] = True
         if isinstance(move.to, JointTarget):
             continue

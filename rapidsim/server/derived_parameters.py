@@ -49,7 +49,8 @@ def _motion(setups: Sequence[TaskSetup]) -> _Types:
         assert setup.robot is not None
         names = [f"rob{number}_{axis}" for axis in range(1, len(setup.robot.joints) + 1)]
         for index, (name, joint) in enumerate(zip(names, setup.robot.joints, strict=True)):
-            _add_axis(types, name, index, index, (joint.lower, joint.upper), rotates=True)
+            limits = joint.unit * joint.lower, joint.unit * joint.upper
+            _add_axis(types, name, index, index, limits, rotates=not joint.slides)
         types["ROBOT"].append(
             Attributes(
                 {

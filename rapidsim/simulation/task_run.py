@@ -170,7 +170,8 @@ def require_limits(robot: Robot, options: RunOptions) -> None:
     except RobotError as error:
         raise InputError(
             str(error),
-            "give one value an axis in rapidsim.toml: [motion] axis_speed = [...] in deg/s",
+            "give one value an axis in rapidsim.toml: [motion] axis_speed = [...] in "
+            f"{robot.units('/s')}",
         ) from None
 
 

@@ -34,7 +34,8 @@ class StationRobot:
     unknown: str | None = None
     """What a backup calls an arm that the catalogue does not have."""
     bounds: tuple[tuple[float, float] | None, ...] = ()
-    """Of each axis what a backup lets it do [rad], None where that is not said."""
+    """Of each axis what a backup lets it do [rad, m of one that slides], None where it does not
+    say."""
     carried_by: str | None = None
     """The mechanical unit that moves its base, where what its axes do is not known."""
     external: tuple[ExternalAxis, ...] = ()
@@ -56,7 +57,7 @@ class StationRobot:
         if len(self.bounds) != len(arm.joints):
             return arm
         joints = tuple(
-            joint if bound is None else replace(joint, lower=bound[0], upper=bound[1])
+            joint if bound is None else joint.within(*bound)
             for joint, bound in zip(arm.joints, self.bounds, strict=True)
         )
         return replace(arm, joints=joints)

@@ -20,6 +20,7 @@ from rapidsim.motion.kinematics.arm import Branches, Kinematics
 from rapidsim.motion.kinematics.closed_form.five_axis import FiveAxis
 from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
 from rapidsim.motion.kinematics.closed_form.palletizer import Palletizer
+from rapidsim.motion.kinematics.closed_form.scara import Scara
 from rapidsim.motion.robot.robot import Robot, load_robot, robot_names
 
 EXACT = 1e-9
@@ -173,6 +174,8 @@ def singular_vectors(robot: Robot) -> Mapping[str, Array]:
             return singular_five_axis(arm, joints)
         case Palletizer():
             return singular_palletizer(arm, joints)
+        case Scara():
+            return singular_scara(joints)
         case _:
             raise AssertionError(f"{robot.name} is of a kind without a test")
 
@@ -239,6 +242,16 @@ def singular_palletizer(arm: Palletizer, joints: Array) -> Mapping[str, Array]:
     above = above[np.abs(share) < 0.99]
     above[:, 1] = np.arcsin(share[np.abs(share) < 0.99])
     places["flange on axis 1"] = above
+    return places
+
+
+def singular_scara(joints: Array) -> Mapping[str, Array]:
+    """Both arms in line, which limits allow stretched only."""
+    places = {}
+    for nudge in NUDGES:
+        stretched = joints.copy()
+        stretched[:, 1] = nudge
+        places[f"elbow stretched, {nudge}"] = stretched
     return places
 
 

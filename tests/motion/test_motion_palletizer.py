@@ -14,6 +14,7 @@ from rapidsim.motion.configurations import targets
 from rapidsim.motion.kinematics.closed_form.palletizer import Palletizer, PalletizerGeometry
 from rapidsim.motion.kinematics.unwrapping import principal
 from rapidsim.motion.robot.catalogue import RobotError, kinematics_of, read_entry
+from rapidsim.motion.robot.robot import load_robot
 
 G = PalletizerGeometry(
     a1=0.26, c1=0.745, c2=0.945, c3=1.025, wrist_forward=0.225, flange_down=0.2515
@@ -110,19 +111,22 @@ def test_the_catalogue_reads_one(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("count", "axes", "external"),
+    ("name", "axes", "external"),
     [
-        (4, (10, 20, 30, 0, 0, 40), 9e9),
-        (5, (10, 20, 30, 40, 50, 0), 9e9),
-        (7, (1, 2, 4, 5, 6, 7), 3),
+        ("irb460", (10, 20, 30, 0, 0, 40), 9e9),
+        ("irb910sc", (10, 20, 30, 40, 0, 0), 9e9),
+        ("rv-m1", (10, 20, 30, 40, 50, 0), 9e9),
+        ("irb14000", (1, 2, 4, 5, 6, 7), 3),
     ],
 )
 def test_joints_stand_where_rapid_keeps_them(
-    count: int, axes: tuple[float, ...], external: float
+    name: str, axes: tuple[float, ...], external: float
 ) -> None:
-    """The fourth joint of palletizers is axis 6, the third of seven-axis arms is eax_a."""
+    """The fourth joint of palletizers is axis 6, of SCARAs axis 4; the third of seven is eax_a."""
+    arm = load_robot(name).kinematics
     outside = ExtJoint(external, *(9e9,) * 5)
-    found = np.degrees(targets.joints(JointTarget(RobJoint(*axes), outside), count))
+    found = np.degrees(targets.joints(JointTarget(RobJoint(*axes), outside), arm))
+    count = arm.joint_count
     expected = [1, 2, 3, 4, 5, 6, 7] if count == 7 else [10, 20, 30, 40, 50][:count]
     assert found == pytest.approx(expected)
-    assert targets.rob_joint(np.radians(found)) == pytest.approx(axes)
+    assert targets.rob_joint(np.radians(found), arm) == pytest.approx(axes)

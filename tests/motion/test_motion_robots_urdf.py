@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from rapidsim.motion.kinematics.arm import METRES_PER_UNIT
 from rapidsim.motion.kinematics.closed_form.palletizer import Palletizer
 from rapidsim.motion.kinematics.numerical.solver import Numerical
 from rapidsim.motion.robot.catalogue import find_entry
@@ -25,7 +26,10 @@ SERIAL = (
 """One of each kind whose joints turn one axis each."""
 
 
-@pytest.fixture(params=[*SERIAL, "irb2400-16-1.55", "irb4400l-30-2.43"], scope="module")
+@pytest.fixture(
+    params=[*SERIAL, "irb2400-16-1.55", "irb4400l-30-2.43", "irb920t-6-0.45", "irb910sc-3-0.55"],
+    scope="module",
+)
 def robot(request: pytest.FixtureRequest) -> Robot:
     return load_robot(request.param)
 
@@ -60,7 +64,16 @@ def test_the_description_is_what_the_generator_writes(
 
 @pytest.mark.parametrize(
     "name",
-    [*SERIAL, "irb2400-16-1.55", "irb4400-60-1.95", "rv-m1", "irb460", "gofa", "irb14000"],
+    [
+        *SERIAL,
+        "irb2400-16-1.55",
+        "irb4400-60-1.95",
+        "rv-m1",
+        "irb460",
+        "gofa",
+        "irb14000",
+        "irb910sc",
+    ],
 )
 def test_the_description_moves_like_the_catalogue(name: str) -> None:
     """Our forward kinematics against yourdfpy's, link by link and at tool0; rods included."""
@@ -71,7 +84,8 @@ def test_the_description_moves_like_the_catalogue(name: str) -> None:
     for joints in np.random.default_rng(2).uniform(
         robot.lower, robot.upper, (20, len(robot.joints))
     ):
-        description.update_cfg(joints)
+        slid = METRES_PER_UNIT * joints
+        description.update_cfg(np.where(robot.kinematics.slides, slid, joints))
         links = robot.kinematics.link_frames(joints)
         for number in range(len(robot.joints)):
             theirs = description.get_transform(f"link_{number + 1}", "base_link")
@@ -104,10 +118,12 @@ def test_a_urdf_gives_the_same_robot(robot: Robot) -> None:
     assert loaded.name == robot.name
     assert [j.name for j in loaded.joints] == [j.name for j in robot.joints]
     assert loaded.lower == pytest.approx(robot.lower, abs=1e-12)
-    assert [j.max_speed for j in loaded.joints] == [j.max_speed for j in robot.joints]
-    joints = np.random.default_rng(4).uniform(robot.lower, robot.upper, (200, 6))
-    ours, theirs = robot.forward(joints), loaded.forward(joints)
-    assert np.max(np.abs(ours.matrix - theirs.matrix)) < 1e-12
+    for theirs, own in zip(loaded.joints, robot.joints, strict=True):
+        assert theirs.slides is own.slides
+        assert theirs.max_speed == (own.max_speed and pytest.approx(own.max_speed, rel=1e-12))
+    joints = np.random.default_rng(4).uniform(robot.lower, robot.upper, (200, len(robot.joints)))
+    ours, same = robot.forward(joints), loaded.forward(joints)
+    assert np.max(np.abs(ours.matrix - same.matrix)) < 1e-12
     frames, their_frames = (
         robot.kinematics.link_frames(joints),
         loaded.kinematics.link_frames(joints),

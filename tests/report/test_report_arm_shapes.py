@@ -10,14 +10,15 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.robot.robot import Robot, load_robot
 from rapidsim.report.html.arm_shapes import arm_data
 
-ARMS = ["irb1600", "irb120", "kr10", "rvm1", "irb6640", "irb2400-10-1.55"]
+ARMS = ["irb1600", "irb120", "kr10", "rvm1", "irb6640", "irb2400-10-1.55", "irb910sc", "irb920t"]
 
 
 def drawn_flange(data: Any, joints_deg: Array) -> tuple[Array, Array]:
     """Turn and place [mm] of the flange as the page computes them."""
     turn, place = np.eye(3), np.zeros(3)
     for link in data["links"]:
-        place = place + turn @ np.array(link["place"])
+        slid = joints_deg @ np.array(link["slide"]) if "slide" in link else np.zeros(3)
+        place = place + turn @ (np.array(link["place"]) + slid)
         angle = np.radians(np.array(link["shares"]) @ joints_deg)
         own = rotation_from_vector(np.array(link["axis"]) * angle)
         turn = turn @ np.array(link["turn"]).reshape(3, 3) @ own
@@ -37,6 +38,17 @@ def test_the_page_moves_the_arm_as_its_kinematics_do(name: str) -> None:
         assert place == pytest.approx(1000.0 * flange.translation, abs=0.01)
     lower = [low for low, _ in data["limits"]]
     assert lower == pytest.approx(np.degrees(robot.lower).tolist(), abs=0.001)
+
+
+def test_a_slider_tells_the_unit_of_its_joint() -> None:
+    data: Any = arm_data(load_robot("irb910sc"))
+    assert data["units"] == ["°", "°", " mm", "°"]
+    assert data["limits"][2] == [-180.0, 0.0]
+    assert [link.get("slide") for link in data["links"]] == [
+        *(None, None),
+        [[0.0] * 3, [0.0] * 3, [0.0, 0.0, 1.0], [0.0] * 3],  # 1 mm a mm
+        *(None, None),
+    ]
 
 
 def test_bodies_are_as_large_as_the_arm() -> None:

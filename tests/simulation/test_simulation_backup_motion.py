@@ -8,8 +8,10 @@ import pytest
 from rapidsim.files import backup_folders
 from rapidsim.jobs.check_files import check
 from rapidsim.jobs.run_files import simulate
+from rapidsim.motion.robot.robot import load_robot
 from rapidsim.station.backup.backup import backup_station
 from rapidsim.station.backup.robots import catalogue_name
+from rapidsim.station.robot import StationRobot
 from rapidsim.station.station import Station
 
 MAIN = """MODULE m
@@ -85,6 +87,18 @@ def backup(folder: Path, arm: str = "ROB1_1200_0.7_7") -> Path:
 
 def said(folder: Path) -> Station:
     return backup_station(backup_folders([str(folder)]))
+
+
+@pytest.mark.parametrize("name", ["ROB1_910SC_0.55_3", "ROB1_IRB910SC_3_0.55"])
+def test_reach_and_payload_of_a_type_stand_in_either_order(name: str) -> None:
+    assert catalogue_name(name) == "irb910sc-3-0.55"
+
+
+def test_a_backup_bounds_an_axis_that_slides_in_metres() -> None:
+    robot = StationRobot(name="irb910sc", bounds=((-1.0, 1.0), None, (-0.1, -0.02), None))
+    arm = robot.bounded(load_robot("irb910sc"))
+    assert (arm.lower[0], arm.upper[0]) == (-1.0, 1.0)
+    assert np.degrees([arm.lower[2], arm.upper[2]]) == pytest.approx([-100.0, -20.0])
 
 
 @pytest.mark.parametrize("name", ["ROB_L_14000_05_05", "ROB_R_14000_0.5_0.5"])

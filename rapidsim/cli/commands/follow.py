@@ -128,7 +128,10 @@ SHORTEST_DT, LONGEST_DT = 0.0001, 0.05
     help="Configuration at the first point; without it, the one that turns least.",
 )
 @click.option(
-    "--start", type=numbers(), metavar="A,B,...", help="Joints that it begins near to [deg]."
+    "--start",
+    type=numbers(),
+    metavar="A,B,...",
+    help="Joints that it begins near to [deg; mm where one slides].",
 )
 @click.option("--skip-unreachable", is_flag=True, help="Skip points that cannot be reached.")
 @click.option(

@@ -77,7 +77,13 @@ def kin(context: click.Context) -> int | None:
 
 
 @kin.command()
-@click.option("--joints", type=numbers(), required=True, metavar="A,B,...", help="Joints [deg].")
+@click.option(
+    "--joints",
+    type=numbers(),
+    required=True,
+    metavar="A,B,...",
+    help="Joints [deg; mm where one slides].",
+)
 @click.option("--tables", is_flag=True, help="Also the matrix of each link, and the arm's tables.")
 @_common
 def fk(
@@ -109,7 +115,7 @@ def fk(
         poses.world_from_base(base),
         poses.tool(tool),
         (Posture(angles, "joints"),),
-        f"{arm.title} at {_list(joints)} deg",
+        f"{arm.title} at {_list(joints)} {arm.units()}",
     )
     if output_format == "json":
         _print_json(forward_json(shown, Convention(convention)))
@@ -217,14 +223,20 @@ def ik(
         current_terminal().show(inverse_page(arm, name, asked, found, searched))
     if found.solutions:
         title = f"{arm.title} with the TCP at {_list(position)} mm"
-        rows = kin_steps.solved_postures(found)
+        rows = kin_steps.solved_postures(found, arm.kinematics.turns)
         shown = Postures(arm, stands, flange_from_tcp, rows, title)
         kin_steps.write(shown, files, quiet=output_format == "json")
     return ExitCode.CLEAN if found.why is None else ExitCode.FINDINGS
 
 
 @kin.command(short_help="Show how joints move the TCP, and how close singularities are.")
-@click.option("--joints", type=numbers(), required=True, metavar="A,B,...", help="Joints [deg].")
+@click.option(
+    "--joints",
+    type=numbers(),
+    required=True,
+    metavar="A,B,...",
+    help="Joints [deg; mm where one slides].",
+)
 @click.option(
     "--twist",
     type=numbers(6),
@@ -272,7 +284,7 @@ def jacobian(
         poses.world_from_base(base),
         flange_from_tcp,
         (Posture(angles, "joints"),),
-        f"{arm.title} at {_list(joints)} deg",
+        f"{arm.title} at {_list(joints)} {arm.units()}",
         found,
     )
     kin_steps.write(shown, files, quiet=output_format == "json")
@@ -292,7 +304,8 @@ def _joints(arm: Robot, degrees: tuple[float, ...]) -> Array:
     angles: Array = np.radians(np.array(degrees, dtype=np.float64))
     for number, excess in enumerate(limit_excess(arm, angles).tolist(), start=1):
         if excess and not current_terminal().quiet:
-            message = Unreachable(0.0, joint=number, excess=excess).message
+            measure = arm.joints[number - 1].measure
+            message = Unreachable(0.0, joint=number, excess=excess, measure=measure).message
             say(f"note: {message}", err=True)
     return angles
 

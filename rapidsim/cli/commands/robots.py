@@ -103,6 +103,7 @@ def _as_json(robot: Robot, aliases: tuple[str, ...]) -> dict[str, object]:
         "joints": [
             {
                 "name": joint.name,
+                "slides": joint.slides,
                 "lower_deg": degrees(joint.lower),
                 "upper_deg": degrees(joint.upper),
                 "max_speed_deg_s": _in_degrees(joint.max_speed),

@@ -13,6 +13,7 @@ from rapidsim.cli.terminal import current_terminal, say
 from rapidsim.cli.tools.opened_viewer import open_viewer
 from rapidsim.cli.viewer import require_screen
 from rapidsim.extras import require
+from rapidsim.frames.transform import Array
 from rapidsim.motion.configurations.confdata import distinct
 from rapidsim.motion.configurations.pose_solutions import PoseSolutions
 from rapidsim.motion.configurations.postures import Posture, Postures
@@ -68,14 +69,16 @@ def write(shown: Postures, asked: PostureOutputs, *, quiet: bool) -> tuple[Writt
     return tuple(files)
 
 
-def solved_postures(found: PoseSolutions) -> tuple[Posture, ...]:
-    """The solutions of a pose to be looked at side by side: whole turns look alike."""
+def solved_postures(found: PoseSolutions, turns: Array) -> tuple[Posture, ...]:
+    """The solutions of a pose to be looked at side by side: whole turns (n,) look alike."""
     postures = []
-    for looks in distinct(np.array([solution.joints for solution in found.solutions])):
-        turns = [
-            one for one in found.solutions if len(distinct(np.array([looks, one.joints]))) == 1
+    for looks in distinct(np.array([solution.joints for solution in found.solutions]), turns):
+        alike = [
+            one
+            for one in found.solutions
+            if len(distinct(np.array([looks, one.joints]), turns)) == 1
         ]
-        shown = min(turns, key=lambda one: float(np.abs(one.joints).sum()))
+        shown = min(alike, key=lambda one: float(np.abs(one.joints).sum()))
         name = f"[{','.join(map(str, shown.confdata))}]"
         postures.append(Posture(shown.joints, name, shown.within_limits))
     return tuple(postures)

@@ -20,7 +20,7 @@ def swept_text(sweep: Sweep, written: Sequence[Path]) -> str:
     if works.any():
         best = int(np.argmax(np.where(works, sweep.margin_deg, -np.inf)))
         if np.isfinite(sweep.margin_deg[best]):
-            margin = f"{sweep.margin_deg[best]:.1f} deg"
+            margin = f"{sweep.margin_deg[best]:.1f} {sweep.margin_measure}"
             lines.append(f"Farthest from its limits, by {margin}: {_place(sweep, best)}.")
         runs = [
             (one.time_s, row) for row, one in enumerate(sweep.runs) if one and one.end == "ended"

@@ -35,7 +35,15 @@ from rapidsim.controller.moves.target_checks import (
 from rapidsim.controller.moves.target_words import named_target
 from rapidsim.findings.reach_and_motion_data import NothingMovesTool
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.language.data import ConfData, ExtJoint, JointTarget, RobTarget, ToolData, WobjData
+from rapidsim.language.data import (
+    ConfData,
+    ExtJoint,
+    JointTarget,
+    RobJoint,
+    RobTarget,
+    ToolData,
+    WobjData,
+)
 from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH
 from rapidsim.language.moves import CirclePathMode, Interpolation, MotionSettings, Move, Place
 from rapidsim.motion.configurations import targets
@@ -139,8 +147,16 @@ class Resolver:
         )
 
     def joints(self, target: JointTarget) -> Array:
-        """Axis positions [deg] as joints (n,) [rad]."""
-        return targets.joints(target, len(self.robot.joints))
+        """Axis positions [deg, mm where the arm's axis slides] as joints (n,) [rad]."""
+        return targets.joints(target, self.robot.kinematics)
+
+    def rob_joint(self, joints: Array) -> RobJoint:
+        """Joints (n,) [rad] in RAPID's units."""
+        return targets.rob_joint(joints, self.robot.kinematics)
+
+    def joint_target(self, joints: Array, external: Array) -> JointTarget:
+        """Joints (n,) [rad] and external axes (e,) [m or rad] in RAPID's units."""
+        return JointTarget(self.rob_joint(joints), self.ext_joint(external))
 
     def external(self, extax: ExtJoint) -> Array:
         """External axes (e,) [m or rad]; those that are not given are 0."""

@@ -258,7 +258,7 @@ class SoloQueue:
         off = np.abs(self.standing().joints - left_at.joints)
         axis = int(np.argmax(off))
         return (
-            f"with axis {axis + 1} {np.degrees(off[axis]):.0f} deg"
+            f"with axis {axis + 1} {np.degrees(off[axis]):.0f} {self.robot.joints[axis].measure}"
             if off[axis] > _OTHER_STANCE
             else ""
         )

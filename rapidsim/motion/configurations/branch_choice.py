@@ -15,7 +15,6 @@ import numpy.typing as npt
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.reachability import limit_excess, turns_within_limits
 from rapidsim.motion.kinematics.arm import Mask
-from rapidsim.motion.kinematics.unwrapping import TURN
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.values import dataclass
 
@@ -93,9 +92,10 @@ def _candidates(robot: Robot, base_from_flange: Transform) -> tuple[Array, Mask]
 
 def _other_turns(robot: Robot) -> Array:
     """Whole turns (t, n) [rad] that a joint vector in the middle of the range may be moved by."""
+    turns = robot.kinematics.turns
     ranges = [
         range(-round(half), round(half) + 1) if np.isfinite(half) else range(1)
-        for half in (0.5 * (robot.upper - robot.lower) / TURN).tolist()
+        for half in (0.5 * (robot.upper - robot.lower) / turns).tolist()
     ]
-    shifts: Array = TURN * np.array(list(product(*ranges)), dtype=np.float64)
+    shifts: Array = turns * np.array(list(product(*ranges)), dtype=np.float64)
     return shifts

@@ -11,6 +11,7 @@ digits, which stand for its arm angle, are not modelled.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from itertools import product
 from math import ceil, floor, isinf, pi
 
@@ -19,16 +20,17 @@ import numpy.typing as npt
 
 from rapidsim.frames import rigid
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.configurations.reachability import LIMIT_TOLERANCE, turns_within_limits
+from rapidsim.motion.configurations.reachability import limit_tolerance, turns_within_limits
 from rapidsim.motion.kinematics.arm import Kinematics, Mask
 from rapidsim.motion.kinematics.numerical.solver import Numerical
+from rapidsim.motion.kinematics.unwrapping import TURN
+from rapidsim.motion.kinematics.unwrapping import whole_turns as nearest_turns
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.values import dataclass
 
 Integers = npt.NDArray[np.int64]
 
 QUARTER = pi / 2.0
-TURN = 2.0 * pi
 SNAP = 2e-8
 """A joint this close [rad] below a quarter counts as standing on it: 90 deg computed."""
 BORDER = pi / 1800.0
@@ -73,9 +75,9 @@ def confdata_of(kinematics: Kinematics, joints: Array) -> Integers:
     joints = np.asarray(joints, dtype=np.float64)
     branch = kinematics.branch_of(joints)
     if joints.ndim == 1:
-        counted = [0 if a is None else joints.item(a) for a in _counted_axes(len(joints))]
+        counted = [0 if a is None else joints.item(a) for a in _counted_axes(kinematics)]
         return np.array([*(floor((angle + SNAP) / QUARTER) for angle in counted), int(branch)])
-    return np.concatenate([_counted_quarters(joints), branch[..., None]], axis=-1)
+    return np.concatenate([_counted_quarters(kinematics, joints), branch[..., None]], axis=-1)
 
 
 def configuration(kinematics: Kinematics, joints: Array) -> Configuration:
@@ -90,8 +92,8 @@ def stands_as(kinematics: Kinematics, joints: Array, confdata: Array | Integers)
     """
     wanted = np.asarray(confdata)
     branch = kinematics.branch_of(np.asarray(joints)) == wanted[..., 3]
-    below = _counted_quarters(joints - BORDER) <= wanted[..., :3]
-    above = _counted_quarters(joints + BORDER) >= wanted[..., :3]
+    below = _counted_quarters(kinematics, joints - BORDER) <= wanted[..., :3]
+    above = _counted_quarters(kinematics, joints + BORDER) >= wanted[..., :3]
     as_said: Mask = branch & (below & above).all(axis=-1)
     return as_said
 
@@ -127,8 +129,8 @@ def select(
             found = robot.kinematics.inverse_on_branch(base_from_flange[rows], branch, held[rows])
             joints[rows], exists[rows] = found.joints, found.exists
     joints = turns_within_limits(robot, joints)
-    turns = np.round((wanted[:, :3] - _counted_quarters(joints)) / 4.0)
-    for column, axis in enumerate(_counted_axes(joints.shape[1])):
+    turns = np.round((wanted[:, :3] - _counted_quarters(robot.kinematics, joints)) / 4.0)
+    for column, axis in enumerate(_counted_axes(robot.kinematics)):
         if axis is not None:
             joints[:, axis] += TURN * turns[:, column]
     if robot.kinematics.spherical_wrist:
@@ -137,7 +139,7 @@ def select(
             joints[undetermined], wanted[undetermined], held[undetermined]
         )
     joints[~exists] = 0.0
-    return Selected(joints, exists, _counted_quarters(joints) - wanted[:, :3])
+    return Selected(joints, exists, _counted_quarters(robot.kinematics, joints) - wanted[:, :3])
 
 
 def configurations(robot: Robot, base_from_flange: Transform) -> tuple[Configuration, ...]:
@@ -149,8 +151,8 @@ def configurations(robot: Robot, base_from_flange: Transform) -> tuple[Configura
     branches = robot.kinematics.inverse(base_from_flange)
     vectors = [
         turned
-        for joints in distinct(branches.joints[branches.exists])
-        for turned in product(*map(whole_turns, joints, robot.lower, robot.upper))
+        for joints in distinct(branches.joints[branches.exists], robot.kinematics.turns)
+        for turned in within_limits(robot, joints)
     ]
     if not vectors:
         return ()
@@ -176,11 +178,11 @@ def named(
     found = arm.single.inverse_on_branch(rigid.from_transform(base_from_flange), branch, None)
     if found is None:
         return None
-    quarters = dict(zip(_counted_axes(len(found)), confdata, strict=False))
+    quarters = dict(zip(_counted_axes(arm), confdata, strict=False))
     joints = []
-    for axis, (angle, limits) in enumerate(zip(found, robot.joints, strict=True)):
+    for axis, turns in enumerate(_turns_of_each(robot, found)):
         quarter = quarters.get(axis)
-        for turned in whole_turns(angle, limits.lower, limits.upper):
+        for turned in turns:
             if quarter is None or quarter == floor((turned + SNAP) / QUARTER):
                 joints.append(turned)
                 break
@@ -192,28 +194,34 @@ def named(
     return Configuration(np.array(joints), confdata)
 
 
-def distinct(joints: Array) -> list[Array]:
-    """Joint vectors (k, n) [rad] without those that an earlier one is but for whole turns."""
+def within_limits(robot: Robot, joints: Array) -> Iterator[tuple[float, ...]]:
+    """A joint vector (n,) [rad] in all the whole turns that lie within the limits."""
+    return product(*_turns_of_each(robot, joints.tolist()))
+
+
+def distinct(joints: Array, turns: Array) -> list[Array]:
+    """Joint vectors (k, n) [rad] without those that an earlier one is but for whole turns (n,)."""
     difference = joints[:, None] - joints
-    difference -= TURN * np.round(difference / TURN)
+    difference -= nearest_turns(difference, turns)
     alike = np.max(np.abs(difference), axis=-1, initial=0.0) < SAME
     first = np.argmax(alike, axis=-1) if len(joints) else []
     return [row for index, row in enumerate(joints) if first[index] == index]
 
 
-def _counted_axes(joint_count: int) -> tuple[int | None, ...]:
+def _counted_axes(kinematics: Kinematics) -> tuple[int | None, ...]:
     """The joints, counted from 0, that are RAPID's axes 1, 4 and 6; None where there is no such.
 
-    Palletizers have no axis 4; five-axis arms roll with the last; the joint that a seven-axis arm
-    has more stands third in its chain.
+    Palletizers have no axis 4, SCARAs no axis 6; five-axis arms roll with the last.
     """
-    axis_4 = {5: 3, 6: 3, 7: 4}.get(joint_count)
-    return 0, axis_4, joint_count - 1
+    axes = kinematics.rapid_axes
+    axis_4 = axes.index(3) if 3 in axes else None
+    last = len(axes) - 1
+    return 0, axis_4, None if last == axis_4 else last
 
 
-def _counted_quarters(joints: Array) -> Integers:
+def _counted_quarters(kinematics: Kinematics, joints: Array) -> Integers:
     """Quarter turns (..., 3) that axes 1, 4 and 6 of joint vectors (..., n) [rad] stand in."""
-    axes = _counted_axes(joints.shape[-1])
+    axes = _counted_axes(kinematics)
     columns = [
         np.zeros(joints.shape[:-1], np.int64) if axis is None else _quarters(joints[..., axis])
         for axis in axes
@@ -225,13 +233,19 @@ def _quarters(angles: Array) -> Integers:
     return np.floor((angles + SNAP) / QUARTER).astype(np.int64)
 
 
-def whole_turns(angle: float, lower: float, upper: float) -> tuple[float, ...]:
-    """The angle in every whole turn that lies within a range [rad], from below; one if endless."""
-    if isinf(lower) or isinf(upper):
-        return (float(angle),)
-    first = ceil((lower - LIMIT_TOLERANCE - angle) / TURN)
-    last = floor((upper + LIMIT_TOLERANCE - angle) / TURN)
-    return tuple(float(angle) + TURN * turn for turn in range(first, last + 1))
+def _turns_of_each(robot: Robot, joints: Sequence[float]) -> Iterator[tuple[float, ...]]:
+    """Each joint [rad] of a vector in the whole turns that lie within its limits, from below.
+
+    One where these are endless.
+    """
+    turns, tolerances = robot.kinematics.turns.tolist(), limit_tolerance(robot).tolist()
+    for value, limits, turn, rounded in zip(joints, robot.joints, turns, tolerances, strict=True):
+        if isinf(limits.lower) or isinf(limits.upper):
+            yield (value,)
+            continue
+        first = ceil((limits.lower - rounded - value) / turn)
+        last = floor((limits.upper + rounded - value) / turn)
+        yield tuple(value + turn * number for number in range(first, last + 1))
 
 
 def _share_out(joints: Array, wanted: Integers, near: Array) -> Array:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import product
 
 import numpy as np
 
@@ -14,11 +13,12 @@ from rapidsim.motion.configurations.confdata import (
     confdata_of,
     distinct,
     select,
-    whole_turns,
+    within_limits,
 )
 from rapidsim.motion.configurations.reachability import (
     Unreachable,
     limit_excess,
+    over_limit,
     turns_within_limits,
     why_unreachable,
 )
@@ -64,8 +64,8 @@ def solve_pose(robot: Robot, base_from_flange: Transform, *, everything: bool) -
     """
     branches = robot.inverse(base_from_flange)
     found: list[Array] = []
-    for joints in distinct(branches.joints[branches.exists]):
-        turns = list(product(*map(whole_turns, joints, robot.lower, robot.upper)))
+    for joints in distinct(branches.joints[branches.exists], robot.kinematics.turns):
+        turns = list(within_limits(robot, joints))
         if everything:
             found += [np.array(turned) for turned in turns]
             found += [] if turns else [turns_within_limits(robot, joints)]
@@ -104,9 +104,7 @@ def solve_pose_as(
     if off:
         return PoseSolutions((there,), f"on branch cfx {cfx} {', '.join(off)}")
     if excess.any():
-        joint = int(np.argmax(np.abs(excess)))
-        over = Unreachable(0.0, cfx, joint + 1, float(excess[joint]))
-        return PoseSolutions((there,), over.message)
+        return PoseSolutions((there,), over_limit(robot, cfx, excess).message)
     return PoseSolutions((there,), None)
 
 

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
-from math import degrees
+from math import degrees, radians
 
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.numerical.solver import Numerical
+from rapidsim.motion.kinematics.unwrapping import whole_turns
+from rapidsim.motion.robot.external_axes import ROUNDED_AWAY
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.values import dataclass
 
 LIMIT_TOLERANCE = 1e-9
-"""A joint counts as within its limits up to this [rad], for rounding."""
+"""A joint that turns counts as within its limits up to this [rad], for rounding."""
+SLIDING_TOLERANCE = radians(ROUNDED_AWAY)
+"""The same of a joint that slides, 0.05 mm: targets on top of its stroke are usual, and are written
+with as many digits as the way of the flange."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +32,8 @@ class Unreachable:
     """The joint that is furthest over on that branch, counted from 1."""
     excess: float = 0.0
     """How far [rad] that joint is above its upper limit, or, if negative, below its lower one."""
+    measure: str = "deg"
+    """RAPID's unit of that joint's values."""
     tilt: float = 0.0
     """How far [rad] the orientation is from those that an arm with few axes can give."""
     searched: bool = False
@@ -51,7 +58,7 @@ class Unreachable:
             return f"wrist centre {_amount(off_mm)} mm beyond reach"
         limit = "upper" if self.excess > 0.0 else "lower"
         over = degrees(abs(self.excess))
-        return f"joint {self.joint} over by {_amount(over)} deg at its {limit} limit"
+        return f"joint {self.joint} over by {_amount(over)} {self.measure} at its {limit} limit"
 
 
 def turns_within_limits(robot: Robot, joints: Array) -> Array:
@@ -62,14 +69,22 @@ def turns_within_limits(robot: Robot, joints: Array) -> Array:
     endless = np.isinf(robot.lower) | np.isinf(robot.upper)
     lower, upper = (np.where(endless, 0.0, limits) for limits in (robot.lower, robot.upper))
     middle = 0.5 * (lower + upper)
-    return joints + 2.0 * np.pi * np.round((middle - joints) / (2.0 * np.pi))
+    return joints + whole_turns(middle - joints, robot.kinematics.turns)
 
 
 def limit_excess(robot: Robot, joints: Array) -> Array:
     """How far joint vectors (..., n) [rad] are over their limits: + above, - below, 0 within."""
-    above = np.maximum(joints - robot.upper - LIMIT_TOLERANCE, 0.0)
-    below = np.maximum(robot.lower - joints - LIMIT_TOLERANCE, 0.0)
-    return above - below
+    # What is over by more than is tolerated is over by all of it but rounding.
+    tolerated = limit_tolerance(robot) - LIMIT_TOLERANCE
+    above = joints - robot.upper - LIMIT_TOLERANCE
+    below = robot.lower - joints - LIMIT_TOLERANCE
+    over: Array = np.where(above > tolerated, above, 0.0) - np.where(below > tolerated, below, 0.0)
+    return over
+
+
+def limit_tolerance(robot: Robot) -> Array:
+    """How little past its limits each joint (n,) [rad] may be."""
+    return np.where(robot.kinematics.slides, SLIDING_TOLERANCE, LIMIT_TOLERANCE)
 
 
 def programmed_excess(robot: Robot, joints: Array) -> Array:
@@ -105,8 +120,14 @@ def why_unreachable(
     best = int(np.argmin(worst))
     if worst[best] == 0.0:
         return None
-    joint = int(np.argmax(np.abs(excess[best])))
-    return Unreachable(0.0, best, joint + 1, float(excess[best, joint]))
+    return over_limit(robot, best, excess[best])
+
+
+def over_limit(robot: Robot, branch: int, excess: Array) -> Unreachable:
+    """What a joint vector that is over its limits (n,) [rad] is told with: the worst of them."""
+    joint = int(np.argmax(np.abs(excess)))
+    measure = robot.axes.measure(joint)
+    return Unreachable(0.0, branch, joint + 1, float(excess[joint]), measure)
 
 
 def _beyond(robot: Robot, base_from_flange: Transform) -> float:

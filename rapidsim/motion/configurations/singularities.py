@@ -1,7 +1,8 @@
 """How joint speeds and TCP velocity go together, and where they stop doing so: singularities.
 
 Everything rests on the singular values of the Jacobian, which stay true where it has no inverse.
-Its rows mix m/rad and rad/rad, as usual, so singular values compare poses of one arm, not arms.
+Its rows mix m/rad and rad/rad, as usual, so singular values compare poses of one arm, not arms. A
+joint that slides has a column of its own unit here: m of the flange per m of the joint.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ import numpy as np
 
 from rapidsim.frames.rotation_vectors import cross, rotate
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.kinematics.arm import Kinematics
+from rapidsim.motion.kinematics.arm import METRES_PER_UNIT, Kinematics
 from rapidsim.motion.kinematics.singularity import Singularity
 from rapidsim.values import dataclass
 
@@ -23,7 +24,8 @@ class Differential:
     """What the Jacobian says at one joint vector."""
 
     jacobian: Array
-    """Shape (6, n): velocity [m/s] and angular velocity [rad/s] in base per joint speed [rad/s]."""
+    """Shape (6, n): velocity [m/s] and angular velocity [rad/s] in base per joint speed [rad/s], of
+    a joint that slides [m/s]."""
     singular_values: Array
     """From the largest, shape (min(6, n),)."""
     manipulability: float
@@ -43,6 +45,7 @@ def differential(
 ) -> Differential:
     """The Jacobian of the TCP at joints (n,) [rad] and what follows from it."""
     jacobian = tcp_jacobian(kinematics, joints, flange_from_tcp or Transform.identity())
+    jacobian = per_metre(kinematics, jacobian)
     values: Array = np.linalg.svd(jacobian, compute_uv=False).astype(np.float64)
     return Differential(
         jacobian=jacobian,
@@ -63,6 +66,17 @@ def tcp_jacobian(kinematics: Kinematics, joints: Array, flange_from_tcp: Transfo
     return jacobian
 
 
+def per_metre(kinematics: Kinematics, jacobian: Array) -> Array:
+    """Jacobians (..., 6, n) with the columns of joints that slide per m of these."""
+    slides = kinematics.slides
+    return jacobian / np.where(slides, METRES_PER_UNIT, 1.0) if slides.any() else jacobian
+
+
+def rapid_speeds(kinematics: Kinematics, speeds: Array) -> Array:
+    """Joint speeds (..., n) [rad/s, m/s where one slides] in RAPID's units [deg/s, mm/s]."""
+    return np.where(kinematics.slides, 1e3 * speeds, np.degrees(speeds))
+
+
 def pseudo_inverse(jacobian: Array) -> Array:
     """The inverse (..., n, 6) of Jacobians (..., 6, n) that asks the least joint speeds.
 
@@ -81,7 +95,8 @@ def joint_speeds(jacobian: Array, twist: Array) -> tuple[Array, Array]:
         twist: Velocity [m/s] and angular velocity [rad/s] in base, shape (..., 6).
 
     Returns:
-        Joint speeds (..., n) [rad/s], and the part of the twist (..., 6) that no joint speeds give.
+        Joint speeds (..., n), each in the unit of its column, and the part of the twist (..., 6)
+        that no joint speeds give.
     """
     speeds = np.einsum("...ij,...j->...i", pseudo_inverse(jacobian), twist)
     return speeds, twist - np.einsum("...ij,...j->...i", jacobian, speeds)

@@ -225,20 +225,20 @@ def tcp_from_flange(tool: ToolData) -> Transform:
     return transform(tool.tframe).inverse()
 
 
-def joints(target: JointTarget, count: int) -> Array:
-    """Axis positions [deg] of a target as joints (count,) [rad].
+def joints(target: JointTarget, kinematics: Kinematics) -> Array:
+    """Axis positions [deg, mm where the arm's axis slides] of a target as joints (n,) [rad].
 
     The joint that seven-axis arms have more is `eax_a`; it stays 0 where that is not given.
     """
     axes = np.array([*target.robax, _given(target.extax.eax_a)], dtype=np.float64)
-    radians: Array = np.radians(axes[_axes(count)])
+    radians: Array = np.radians(axes[list(kinematics.rapid_axes)])
     return radians
 
 
-def rob_joint(joints: Array) -> RobJoint:
-    """Joints (n,) [rad] as axis positions [deg]; missing axes are 0."""
+def rob_joint(joints: Array, kinematics: Kinematics) -> RobJoint:
+    """Joints (n,) [rad] as axis positions [deg, mm where one slides]; missing axes are 0."""
     axes = np.zeros(7)
-    axes[_axes(len(joints))] = np.degrees(joints)
+    axes[list(kinematics.rapid_axes)] = np.degrees(joints)
     return RobJoint(*axes[:6].tolist())
 
 
@@ -263,15 +263,6 @@ def ext_joint(values: Array, external: Sequence[ExternalAxis]) -> ExtJoint:
     """External axes (e,) [m or rad] as RAPID gives them; axes that are not there are 9E9."""
     given = {a.component: single(float(v) * a.scale) for a, v in zip(external, values, strict=True)}
     return NO_EXTERNAL_AXES._replace(**given)
-
-
-def _axes(count: int) -> list[int]:
-    """Which of RAPID's six axes and `eax_a` the joints of an arm are, from base to flange.
-
-    Palletizers keep their fourth joint as axis 6; the additional joint of seven-axis arms stands
-    third in their chain.
-    """
-    return {4: [0, 1, 2, 5], 7: [0, 1, 6, 2, 3, 4, 5]}.get(count, list(range(count)))
 
 
 def _given(external_axis: float) -> float:

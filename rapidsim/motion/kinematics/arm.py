@@ -2,11 +2,16 @@
 
 Everything is batch first: N poses in one call, one pose is N = 1. `Kinematics.single` is for one
 pose at a time. What any arm can be asked has an answer here; an arm with formulas has a better one.
+
+A joint that slides stands among joints that turn, and wherever these are rad and degrees it counts
+one of RAPID's millimetres as they count a degree: `value [rad] = way [mm] * pi / 180`. So the same
+conversion gives RAPID's number of every joint. `Kinematics.slides` tells which they are.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import degrees
 from typing import Protocol
 
 import numpy as np
@@ -16,9 +21,14 @@ from rapidsim.frames import rigid
 from rapidsim.frames.rigid import Rigid
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.singularity import Singularity, by_idle_motion
+from rapidsim.motion.kinematics.unwrapping import ENDLESS, TURN
 from rapidsim.values import dataclass
 
 Mask = npt.NDArray[np.bool_]
+
+METRES_PER_UNIT = 1e-3 * degrees(1.0)
+"""The way [m] of a joint that slides where its value is 1: what a joint that turns calls a rad is
+57.3 mm."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,6 +102,29 @@ class Kinematics(Protocol):
         return np.zeros((len(joints), 4))
 
     @property
+    def slides(self) -> Mask:
+        """Which joints (n,) slide along their axis: their values are millimetres * pi / 180."""
+        return np.zeros(self.joint_count, dtype=np.bool_)
+
+    @property
+    def turns(self) -> Array:
+        """What each joint (n,) [rad] may be moved by with the arm standing as before.
+
+        A whole turn; `ENDLESS` for a joint that slides, which has none.
+        """
+        return np.where(self.slides, ENDLESS, TURN)
+
+    @property
+    def rapid_axes(self) -> tuple[int, ...]:
+        """Which of RAPID's axes each joint is, from base to flange: 0 to 5 `robax`, 6 `eax_a`.
+
+        The additional joint of seven-axis arms stands third in their chain. The last of four joints
+        is axis 6, as on palletizers, unless the arm says otherwise.
+        """
+        known = {4: (0, 1, 2, 5), 7: (0, 1, 6, 2, 3, 4, 5)}
+        return known.get(self.joint_count, tuple(range(self.joint_count)))
+
+    @property
     def single(self) -> Single:
         """The same for one pose."""
         return BatchOfOne(self)
@@ -124,7 +157,10 @@ class Kinematics(Protocol):
         ...
 
     def jacobian(self, joints: Array) -> Array:
-        """Twist of the flange per joint speed, (..., 6, n): [m/rad] over [rad/rad], in base."""
+        """Twist of the flange per joint speed, (..., 6, n): [m/rad] over [rad/rad], in base.
+
+        For a joint that slides, m per unit of its value and no turn.
+        """
         ...
 
     def inverse(self, base_from_flange: Transform) -> Branches:

@@ -1,39 +1,75 @@
-"""Whole turns of joints: a pose tells angles, the way to it tells how often they went round."""
+"""Whole turns of joints: a pose tells angles, the way to it tells how often they went round.
+
+A joint that slides has no turns. Where turns are asked of a joint vector, its turn is `ENDLESS`:
+then nothing is ever added to it.
+"""
 
 from __future__ import annotations
 
 import numpy as np
+import numpy.typing as npt
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion.kinematics.arm import Mask
 
 TURN = 2.0 * np.pi
 HALF_TURN = np.pi
+ENDLESS = 1e300
+"""The turn of a joint that slides: finite, so that no number of them is none, and longer than any
+way, so that always none of them is nearest."""
 
 
-def principal(joints: Array) -> Array:
+def whole_turns(way: Array, turn: float | Array = TURN) -> Array:
+    """The whole turns [rad] that come nearest to ways (..., n) [rad] of joints.
+
+    Args:
+        way: Between two values of a joint.
+        turn: Of all joints, or of each (n,): see `Kinematics.turns`.
+    """
+    return turn * np.round(way / turn)
+
+
+def turning(steps: Array, turn: Array) -> Array:
+    """Steps (..., n) [rad] of joints, 0 for those that slide: these are smooth wherever a pose is.
+
+    Args:
+        steps: From one joint vector to the next.
+        turn: Of each joint (n,): see `Kinematics.turns`.
+    """
+    return np.where(turn == ENDLESS, 0.0, steps)
+
+
+def principal(joints: Array, turn: float | Array = TURN) -> Array:
     """Joint vectors (..., n) [rad], each joint in its principal turn -180..180 deg."""
-    return joints - TURN * np.round(joints / TURN)
+    return joints - whole_turns(joints, turn)
 
 
-def in_turn_of(joints: Array, exists: Mask, near: Array) -> Array:
+def in_turn_of(
+    joints: Array, exists: npt.NDArray[np.bool_], near: Array, turn: float | Array = TURN
+) -> Array:
     """Joint vectors (k, n) [rad], each joint in the whole turn that is nearest.
 
     Args:
         joints: Shape (k, n) [rad].
         exists: Shape (k,): rows that are joints at all; the others come out as 0.
         near: Shape (k, n) [rad], a row for each, or (n,), which stands before the first row.
+        turn: Of all joints, or of each (n,): see `Kinematics.turns`.
     """
     turned = np.zeros_like(joints)
     if near.ndim == 1:
         # Rows out of reach have no joints; what follows them is near to what came before.
         row = np.concatenate([near[None], joints[exists]])
-        turned[exists] = np.unwrap(row, axis=0)[1:]
+        turned[exists] = _unwrapped(row, turn)[1:]
     else:
         # What the other rows hold may be anything.
         found = joints[exists]
-        turned[exists] = found + TURN * np.round((near[exists] - found) / TURN)
+        turned[exists] = found + whole_turns(near[exists] - found, turn)
     return turned
+
+
+def _unwrapped(row: Array, turn: float | Array) -> Array:
+    """A row (k, n) [rad] without steps of more than half a turn; joints that slide as they are."""
+    unwrapped: Array = np.unwrap(row, axis=0)
+    return unwrapped if isinstance(turn, float) else np.where(turn == ENDLESS, row, unwrapped)
 
 
 def turned_towards(before: float, angle: float) -> float:

@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.kinematics.arm import Mask
-from rapidsim.motion.kinematics.unwrapping import TURN, principal
+from rapidsim.motion.kinematics.unwrapping import principal, turning
 from rapidsim.values import dataclass
 
 Index = npt.NDArray[np.int64]
@@ -44,9 +44,13 @@ class Nodes:
     exists: Mask
     """Shape (k,): where the branch of the curve reaches the place."""
 
-    def jumps(self, joint_count: int) -> Mask:
-        """Whether (k - 1,) a joint jumps from a node to the next."""
-        step = np.abs(np.diff(self.joints[:, :joint_count], axis=0))
+    def jumps(self, turns: Array) -> Mask:
+        """Whether (k - 1,) a joint of the arm jumps from a node to the next.
+
+        Args:
+            turns: Of each joint (n,), see `Kinematics.turns`.
+        """
+        step = np.abs(turning(np.diff(self.joints[:, : len(turns)], axis=0), turns))
         both = (self.curve[1:] == self.curve[:-1]) & self.exists[1:] & self.exists[:-1]
         jump: Mask = both & (step > _JUMP).any(axis=-1)
         return jump
@@ -74,7 +78,7 @@ def nodes_along(
     curve_of: Index,
     shortest: Array,
     solve: Solve,
-    joint_count: int,
+    turns: Array,
 ) -> Nodes:
     """Solve nodes, and put others between where joints turn far.
 
@@ -84,12 +88,13 @@ def nodes_along(
         curve_of: The curve of each part (p,).
         shortest: Cells of a curve (m,) that are as short as this are not halved.
         solve: Finds joints.
-        joint_count: How many of them are the arm's; others need no nodes.
+        turns: Of each joint of the arm (n,), see `Kinematics.turns`; other axes need no nodes.
     """
+    joint_count = len(turns)
     joints, exists = solve(place, part)
     while True:
         curve = curve_of[part]
-        step = principal(np.diff(joints[:, :joint_count], axis=0))
+        step = principal(turning(np.diff(joints[:, :joint_count], axis=0), turns))
         steep = np.abs(step).max(axis=-1, initial=0.0) > _LARGEST_STEP
         steep &= (curve[1:] == curve[:-1]) & exists[1:] & exists[:-1]
         at = np.flatnonzero(steep & (np.diff(place) > shortest[curve[1:]]))
@@ -101,18 +106,17 @@ def nodes_along(
         part = np.insert(part, at + 1, part[at])
         joints = np.insert(joints, at + 1, new_joints, axis=0)
         exists = np.insert(exists, at + 1, new_exists)
-    of_arm = _continuous(joints[:, :joint_count], curve)
+    of_arm = _continuous(joints[:, :joint_count], curve, turns)
     joints = np.concatenate([of_arm, joints[:, joint_count:]], axis=1)
     return Nodes(place, part, curve, joints, exists)
 
 
-def _continuous(joints: Array, curve: Index) -> Array:
+def _continuous(joints: Array, curve: Index, turns: Array) -> Array:
     """Take the turn of each curve's first node along the whole curve."""
     if len(joints) < 2:
         return joints
-    step = np.diff(joints, axis=0)
-    turns = np.cumsum(np.round((step - principal(step)) / TURN), axis=0)
-    turns = np.concatenate([np.zeros((1, joints.shape[1])), turns])
+    gone = np.cumsum(np.round(np.diff(joints, axis=0) / turns), axis=0)
+    gone = np.concatenate([np.zeros((1, joints.shape[1])), gone])
     first = np.searchsorted(curve, curve, side="left")
-    continuous: Array = joints - TURN * (turns - turns[first])
+    continuous: Array = joints - turns * (gone - gone[first])
     return continuous

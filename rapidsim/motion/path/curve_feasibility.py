@@ -92,7 +92,7 @@ def _survey(
     past = (np.abs(limit_excess(robot, joints)) > _PAST_LIMIT).any(axis=-1) | ~nodes.exists
     broken = np.zeros(len(segments), dtype=bool)
     np.logical_or.at(broken, row, past)
-    np.logical_or.at(broken, row[1:], nodes.jumps(joints.shape[1]))
+    np.logical_or.at(broken, row[1:], nodes.jumps(robot.kinematics.turns))
     hold_ups = (
         {} if max_speed is None else _hold_ups(robot, segments, curves, arms, nodes, max_speed)
     )
@@ -120,8 +120,8 @@ def _nodes(curves: Curves, arms: Arms) -> Nodes:
         return arms.joints(motion, row, curves.start_joints[row])
 
     shortest = 1.5 * 0.5**_HALVINGS / cells
-    joint_count = curves.start_joints.shape[1]
-    return nodes_along(share, row, np.arange(len(cells)), shortest, solve, joint_count)
+    turns = arms.kinematics.turns
+    return nodes_along(share, row, np.arange(len(cells)), shortest, solve, turns)
 
 
 def _hold_ups(

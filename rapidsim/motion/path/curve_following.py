@@ -15,6 +15,7 @@ from rapidsim.motion.geometry.parameterisation import Layout
 from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.interruption import Look, undisturbed
 from rapidsim.motion.kinematics.arm import Mask
+from rapidsim.motion.kinematics.unwrapping import turning
 from rapidsim.motion.path.along_curves import LONGEST_CELL, WIDEST_CELL, Nodes, nodes_along, spread
 from rapidsim.motion.path.line_derivatives import Lines
 from rapidsim.motion.path.wrist_circle import why_not_led
@@ -94,13 +95,13 @@ def follow(
         look()
         return _raw_joints(layout, arms, lines, place, piece)
 
-    nodes = nodes_along(place, piece, layout.row, shortest, solve, axes.joint_count)
+    nodes = nodes_along(place, piece, layout.row, shortest, solve, arms.kinematics.turns)
     # In corners made in joint space the arm is not on the curve.
     on_path = np.flatnonzero(layout.joint_corner[nodes.part] < 0)
     candidates = (
         _unreached(layout, arms, nodes),
-        _jump(layout, nodes, axes.joint_count),
-        _missed_waypoint(layout, nodes, segments),
+        _jump(layout, nodes, arms.kinematics.turns),
+        _missed_waypoint(layout, nodes, segments, axes),
         limit_fault(
             layout, nodes.place[on_path], nodes.curve[on_path], nodes.joints[on_path], axes
         ),
@@ -207,12 +208,14 @@ def _unreached(layout: Layout, arms: Arms, nodes: Nodes) -> PathFault | None:
     return _fault(layout, int(row[first]), place, reason)
 
 
-def _jump(layout: Layout, nodes: Nodes, joint_count: int) -> PathFault | None:
-    at = np.flatnonzero(nodes.jumps(joint_count))
+def _jump(layout: Layout, nodes: Nodes, turns: Array) -> PathFault | None:
+    at = np.flatnonzero(nodes.jumps(turns))
     if not len(at):
         return None
     first = int(at[0])
-    step = np.abs(nodes.joints[first + 1, :joint_count] - nodes.joints[first, :joint_count])
+    count = len(turns)
+    step = nodes.joints[first + 1, :count] - nodes.joints[first, :count]
+    step = np.abs(turning(step, turns))
     axis = int(step.argmax())
     reason = (
         f"axis {axis + 1} would have to jump by {math.degrees(step[axis]):.0f} deg: "
@@ -222,7 +225,9 @@ def _jump(layout: Layout, nodes: Nodes, joint_count: int) -> PathFault | None:
     return replace(fault, kind=FaultKind.SINGULARITY)
 
 
-def _missed_waypoint(layout: Layout, nodes: Nodes, segments: Sequence[Segment]) -> PathFault | None:
+def _missed_waypoint(
+    layout: Layout, nodes: Nodes, segments: Sequence[Segment], axes: Axes
+) -> PathFault | None:
     """Where the branch does not lead from a segment's start joints to its end joints."""
     row = nodes.curve
     rows = np.unique(row)
@@ -244,8 +249,8 @@ def _missed_waypoint(layout: Layout, nodes: Nodes, segments: Sequence[Segment]) 
             axis = int(miss[i].argmax())
             reason = (
                 f"the move {verb} with axis {axis + 1} at "
-                f"{math.degrees(nodes.joints[node[i], axis]):.1f} deg where {other} "
-                f"{math.degrees(waypoint[i, axis]):.1f} deg"
+                f"{math.degrees(nodes.joints[node[i], axis]):.1f} {axes.measure(axis)} where "
+                f"{other} {math.degrees(waypoint[i, axis]):.1f} {axes.measure(axis)}"
             )
             faults.append(_fault(layout, int(rows[i]), float(nodes.place[node[i]]), reason))
     return min(faults, key=lambda fault: fault.place, default=None)

@@ -24,6 +24,7 @@ from rapidsim.motion.kinematics.closed_form.five_axis import FiveAxis, FiveAxisG
 from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
 from rapidsim.motion.kinematics.closed_form.opw_geometry import JOINT_COUNT, OpwGeometry
 from rapidsim.motion.kinematics.closed_form.palletizer import Palletizer, PalletizerGeometry
+from rapidsim.motion.kinematics.closed_form.scara import Scara, ScaraGeometry
 from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry, searched_arm
 from rapidsim.motion.robot.dynamics import Dynamics, Torques, prior
 from rapidsim.motion.robot.structures import Geometry, geometry_from_table
@@ -136,6 +137,8 @@ def kinematics_of(entry: CatalogueEntry) -> Kinematics:
             return FiveAxis(geometry)
         case PalletizerGeometry() as geometry:
             return Palletizer(geometry)
+        case ScaraGeometry() as geometry:
+            return Scara(geometry)
         case AxisRowGeometry() as geometry:
             return searched_arm(geometry, entry.limits)
 
@@ -184,11 +187,9 @@ def _entry(table: Mapping[str, Any], folder: Path) -> CatalogueEntry:
         maker=table["maker"],
         geometry=geometry,
         joint_names=tuple(f"joint_{number}" for number in range(1, len(joints) + 1)),
-        limits=tuple(
-            (radians(lower), radians(upper)) for lower, upper in (j["limits_deg"] for j in joints)
-        ),
-        max_speeds=_radians(joints, "max_speed_deg_s"),
-        max_accelerations=_radians(joints, "max_acceleration_deg_s2"),
+        limits=tuple((radians(lower), radians(upper)) for lower, upper in map(_limits, joints)),
+        max_speeds=_radians(joints, "max_speed_deg_s", "max_speed_mm_s"),
+        max_accelerations=_radians(joints, "max_acceleration_deg_s2", "max_acceleration_mm_s2"),
         torques=_torques(table["dynamics"]) if "dynamics" in table else None,
         payload_kg=table.get("payload_kg"),
         reach_m=table.get("reach_m"),
@@ -214,10 +215,21 @@ def _torques(table: Mapping[str, Any]) -> Torques:
     )
 
 
-def _radians(joints: Sequence[Mapping[str, Any]], key: str) -> tuple[float | None, ...]:
-    """A value of each joint that is given in degrees, or may not be given at all."""
-    degrees = (joint.get(key) for joint in joints)
-    return tuple(None if value is None else radians(value) for value in degrees)
+def _limits(joint: Mapping[str, Any]) -> tuple[float, float]:
+    """Lower and upper limit of a joint [deg], or [mm] where it slides."""
+    lower, upper = joint["limits_mm"] if "limits_mm" in joint else joint["limits_deg"]
+    return lower, upper
+
+
+def _radians(
+    joints: Sequence[Mapping[str, Any]], key: str, key_mm: str
+) -> tuple[float | None, ...]:
+    """A value of each joint that may not be given at all.
+
+    A joint that slides is given in mm, each of which counts as one degree; see `Kinematics`.
+    """
+    given = (joint.get(key_mm if "limits_mm" in joint else key) for joint in joints)
+    return tuple(None if value is None else radians(value) for value in given)
 
 
 def _by_number(name: str) -> list[tuple[int, str]]:

@@ -70,9 +70,12 @@ class Axes:
     """All axes of a robot and its external axes: names and ranges, shape (n + e,)."""
 
     lower: Array
-    """[rad], [m] for linear axes."""
+    """[rad], [m] for linear external axes."""
     upper: Array
     external: tuple[ExternalAxis, ...] = ()
+    slides: tuple[bool, ...] = ()
+    """Which of the arm's joints slide, from the base; the others turn. RAPID gives mm of these, and
+    counts a mm as others a degree: see `Kinematics`."""
 
     @property
     def joint_count(self) -> int:
@@ -95,9 +98,20 @@ class Axes:
     def text(self, index: int, value: float) -> str:
         """A value of an axis with its unit, such as `12.5 deg`."""
         if index < self.joint_count:
-            return f"{amount_text(math.degrees(value))} deg"
+            return f"{amount_text(math.degrees(value))} {self.measure(index)}"
         axis = self.external[index - self.joint_count]
         return f"{amount_text(value * axis.scale)} {axis.measure}"
+
+    def measure(self, index: int) -> str:
+        """RAPID's unit of the values of an axis."""
+        if index >= self.joint_count:
+            return self.external[index - self.joint_count].measure
+        return "mm" if index < len(self.slides) and self.slides[index] else "deg"
+
+
+def with_unit(number: str, measure: str) -> str:
+    """A number as tables and pictures show it, such as `12.5°` or `12.5 mm`."""
+    return f"{number}°" if measure == "deg" else f"{number} {measure}"
 
 
 def amount_text(value: float) -> str:

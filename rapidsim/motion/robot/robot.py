@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
 
@@ -9,7 +10,7 @@ import numpy as np
 
 from rapidsim.extras import require
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.kinematics.arm import Branches, Kinematics
+from rapidsim.motion.kinematics.arm import METRES_PER_UNIT, Branches, Kinematics
 from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry, search_notices
 from rapidsim.motion.robot.catalogue import (
     CatalogueEntry,
@@ -39,6 +40,22 @@ class Joint:
     """[rad/s]; None where no source gives it."""
     max_acceleration: float | None = None
     """[rad/s2], as version 1 of the motion model has it; None unless it was measured."""
+    slides: bool = False
+    """Whether it slides: then all its values are mm * pi / 180; see `Kinematics`."""
+
+    @property
+    def measure(self) -> str:
+        """RAPID's unit of its values."""
+        return "mm" if self.slides else "deg"
+
+    def within(self, lower: float, upper: float) -> Joint:
+        """The same with other limits [rad], [m] where it slides."""
+        return replace(self, lower=lower / self.unit, upper=upper / self.unit)
+
+    @property
+    def unit(self) -> float:
+        """What one of its values is: 1 rad, or so many metres where it slides."""
+        return METRES_PER_UNIT if self.slides else 1.0
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -71,6 +88,15 @@ class Robot:
     external: tuple[ExternalAxis, ...] = ()
     """Axes beside the arm, in the order of their letters; the station file names them."""
 
+    def units(self, per: str = "") -> str:
+        """RAPID's units of all joints, such as `deg/s` or, where one slides, `deg, j3 in mm`.
+
+        Args:
+            per: What follows each unit, such as `/s`.
+        """
+        sliding = [f", j{n} in mm{per}" for n, joint in enumerate(self.joints, 1) if joint.slides]
+        return "".join([f"deg{per}", *sliding])
+
     @cached_property
     def lower(self) -> Array:
         """Lower joint limits (n,) [rad]."""
@@ -88,6 +114,7 @@ class Robot:
             np.append(self.lower, [axis.lower for axis in self.external]),
             np.append(self.upper, [axis.upper for axis in self.external]),
             self.external,
+            tuple(joint.slides for joint in self.joints),
         )
 
     @cached_property
@@ -141,9 +168,13 @@ def load_robot(name_or_path: str | Path, scale: float | None = None) -> Robot:
 
         parts = robot_parts_from_urdf(Path(text), 1.0 if scale is None else scale)
         joints = tuple(
-            Joint(name, lower, upper, speed)
-            for name, (lower, upper), speed in zip(
-                parts.joint_names, parts.limits, parts.max_speeds, strict=True
+            Joint(name, lower, upper, speed, slides=slides)
+            for name, (lower, upper), speed, slides in zip(
+                parts.joint_names,
+                parts.limits,
+                parts.max_speeds,
+                parts.kinematics.slides.tolist(),
+                strict=True,
             )
         )
         return Robot(
@@ -162,20 +193,22 @@ def load_robot(name_or_path: str | Path, scale: float | None = None) -> Robot:
 
 
 def _from_entry(entry: CatalogueEntry) -> Robot:
+    kinematics = kinematics_of(entry)
     return Robot(
         name=entry.name,
         title=entry.title,
         joints=tuple(
-            Joint(name, lower, upper, speed, acceleration)
-            for name, (lower, upper), speed, acceleration in zip(
+            Joint(name, lower, upper, speed, acceleration, slides)
+            for name, (lower, upper), speed, acceleration, slides in zip(
                 entry.joint_names,
                 entry.limits,
                 entry.max_speeds,
                 entry.max_accelerations,
+                kinematics.slides.tolist(),
                 strict=True,
             )
         ),
-        kinematics=kinematics_of(entry),
+        kinematics=kinematics,
         dynamics=dynamics_of(entry),
         notices=_notices(entry),
         urdf=entry.urdf,

@@ -7,13 +7,14 @@ from math import radians
 from types import MappingProxyType
 from typing import Any
 
-from rapidsim.motion.kinematics.closed_form import five_axis, opw_geometry, palletizer
+from rapidsim.motion.kinematics.closed_form import five_axis, opw_geometry, palletizer, scara
 from rapidsim.motion.kinematics.closed_form.five_axis import FiveAxisGeometry
 from rapidsim.motion.kinematics.closed_form.opw_geometry import OpwGeometry
 from rapidsim.motion.kinematics.closed_form.palletizer import PalletizerGeometry
+from rapidsim.motion.kinematics.closed_form.scara import ScaraGeometry
 from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry, Vector
 
-Geometry = OpwGeometry | FiveAxisGeometry | PalletizerGeometry | AxisRowGeometry
+Geometry = OpwGeometry | FiveAxisGeometry | PalletizerGeometry | ScaraGeometry | AxisRowGeometry
 
 
 def geometry_from_table(table: Mapping[str, Any]) -> Geometry:
@@ -54,6 +55,13 @@ def _palletizer(table: Mapping[str, Any]) -> PalletizerGeometry:
     return PalletizerGeometry(**_lengths(table))
 
 
+def _scara(table: Mapping[str, Any]) -> ScaraGeometry:
+    for number, joint in enumerate(table["joint"]):
+        if ("limits_mm" in joint) is not (number == scara.SLIDING):
+            raise ValueError(f"joint {scara.SLIDING + 1}, and no other, has `limits_mm`: it slides")
+    return ScaraGeometry(**_lengths(table))
+
+
 def _axis_row(table: Mapping[str, Any]) -> AxisRowGeometry:
     joints, flange = table["joint"], table["flange"]
     q1, q2, q3, q4 = flange["quaternion"]
@@ -85,6 +93,7 @@ _STRUCTURES: Mapping[str, tuple[_Read, int | None]] = MappingProxyType(
         "ortho-parallel": (_ortho_parallel, opw_geometry.JOINT_COUNT),
         "five-axis": (_five_axis, five_axis.JOINT_COUNT),
         "palletizer": (_palletizer, palletizer.JOINT_COUNT),
+        "scara": (_scara, scara.JOINT_COUNT),
         "axis-row": (_axis_row, None),
     }
 )

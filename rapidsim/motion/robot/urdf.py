@@ -16,10 +16,12 @@ import yourdfpy
 
 from rapidsim.files import InputError, input_text
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.kinematics.arm import Kinematics
+from rapidsim.motion.kinematics.arm import METRES_PER_UNIT, Kinematics
 from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
 from rapidsim.motion.kinematics.closed_form.opw_geometry import JOINT_COUNT
 from rapidsim.motion.kinematics.closed_form.opw_recognition import ortho_parallel_arm
+from rapidsim.motion.kinematics.closed_form.scara import Scara
+from rapidsim.motion.kinematics.closed_form.scara_recognition import scara_arm
 from rapidsim.motion.kinematics.numerical.offset_wrist import near_arm
 from rapidsim.motion.kinematics.numerical.revolute_chain import search_notices
 from rapidsim.motion.kinematics.numerical.seeds import MOST_JOINTS
@@ -33,6 +35,7 @@ FLANGE_NAMES = ("tool0", "flange")
 """Links that are the flange, the first that the file has; else the link of the last axis."""
 FEWEST_JOINTS = 2
 TURNING = ("revolute", "continuous")
+SLIDING = "prismatic"
 _FARTHEST_M = 10_000.0
 _LONGEST_LINK_M = 20.0
 """Arms that one can buy have links of 2 m; what is longer was meant in mm."""
@@ -45,7 +48,7 @@ class RobotParts:
     name: str
     joint_names: tuple[str, ...]
     limits: tuple[tuple[float, float], ...]
-    """[rad]; infinite for continuous joints."""
+    """[rad], see `Kinematics` for those that slide; infinite for continuous joints."""
     max_speeds: tuple[float | None, ...]
     """[rad/s]; None where there is none, or the 0 that exporters write for an unknown one."""
     kinematics: Kinematics
@@ -61,13 +64,23 @@ def robot_parts_from_urdf(file: Path, scale: float = 1.0) -> RobotParts:
         scale: What its lengths are multiplied by, so that they are m.
 
     Raises:
-        RobotError: If the file is no URDF, or its moving joints are not one row of turning axes.
+        RobotError: If the file is no URDF, or its moving joints are neither one row of turning axes
+            nor a SCARA.
     """
     robot, remarks = _read(file, scale)
     _require_tree(file, robot)
     joints = _moving_joints(file, robot)
     axes = _axes_at_zero(robot, joints)
-    limits = tuple(_limits(file, joint) for joint in joints)
+    limits = tuple(_limits(file, joint, scale) for joint in joints)
+    if any(joint.type == SLIDING for joint in joints):
+        return RobotParts(
+            name=robot.name,
+            joint_names=tuple(joint.name for joint in joints),
+            limits=limits,
+            max_speeds=tuple(_max_speed(joint, scale) for joint in joints),
+            kinematics=_scara(file, joints, axes),
+            notices=(*remarks, *_length_notices(file, robot)),
+        )
     closed_form: OrthoParallel | str = f"it has {len(joints)} axes"
     if len(joints) == JOINT_COUNT:
         closed_form = ortho_parallel_arm(axes)
@@ -96,10 +109,22 @@ def robot_parts_from_urdf(file: Path, scale: float = 1.0) -> RobotParts:
         name=robot.name,
         joint_names=tuple(joint.name for joint in joints),
         limits=limits,
-        max_speeds=tuple(_max_speed(joint) for joint in joints),
+        max_speeds=tuple(_max_speed(joint, scale) for joint in joints),
         kinematics=arm,
         notices=(*remarks, *_length_notices(file, robot), *notices),
     )
+
+
+def _scara(file: Path, joints: list[yourdfpy.Joint], axes: AxesAtZero) -> Scara:
+    """The only arm with a joint that slides."""
+    slides = np.array([joint.type == SLIDING for joint in joints])
+    arm = scara_arm(axes, slides)
+    if isinstance(arm, str):
+        name = joints[int(np.argmax(slides))].name
+        raise RobotError(
+            f"{file}: {SLIDING} joint `{name}` is supported only as axis 3 of a SCARA: {arm}"
+        )
+    return arm
 
 
 def _length_notices(file: Path, robot: yourdfpy.Robot) -> tuple[str, ...]:
@@ -197,7 +222,7 @@ def _moving_joints(file: Path, robot: yourdfpy.Robot) -> list[yourdfpy.Joint]:
     """The moving joints from base to flange."""
     moving = [joint for joint in robot.joints if joint.type != "fixed"]
     for joint in moving:
-        if joint.type not in TURNING:
+        if joint.type not in (*TURNING, SLIDING):
             raise RobotError(f"{file}: {joint.type} joint `{joint.name}` is not supported yet")
     moving = [joint for joint in moving if joint.mimic is None]
     if not FEWEST_JOINTS <= len(moving) <= MOST_JOINTS:
@@ -285,18 +310,26 @@ def _frames_at_zero(robot: yourdfpy.Robot) -> dict[str, Array]:
     return frames
 
 
-def _max_speed(joint: yourdfpy.Joint) -> float | None:
+def _max_speed(joint: yourdfpy.Joint, scale: float) -> float | None:
     """The speed [rad/s] of a joint; URDF demands one, and exporters write 0 where none is known."""
-    return joint.limit.velocity or None if joint.limit else None
+    if not joint.limit or not joint.limit.velocity:
+        return None
+    return float(joint.limit.velocity * _unit(joint, scale))
 
 
-def _limits(file: Path, joint: yourdfpy.Joint) -> tuple[float, float]:
+def _unit(joint: yourdfpy.Joint, scale: float) -> float:
+    """What values of a joint in the file are multiplied by; see `Kinematics`."""
+    return scale / METRES_PER_UNIT if joint.type == SLIDING else 1.0
+
+
+def _limits(file: Path, joint: yourdfpy.Joint, scale: float) -> tuple[float, float]:
     if joint.type == "continuous":
         return -inf, inf
     limit = joint.limit
     if limit is None or limit.lower is None or limit.upper is None:
         raise RobotError(f"{file}: joint `{joint.name}` has no limits")
-    return float(limit.lower), float(limit.upper)
+    unit = _unit(joint, scale)
+    return float(limit.lower) * unit, float(limit.upper) * unit
 
 
 def _transform(matrix: Array) -> Transform:

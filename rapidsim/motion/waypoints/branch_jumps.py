@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.kinematics.unwrapping import turning
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.waypoints.plan import TcpMotion
 
@@ -24,7 +25,7 @@ def jump_on(
     A jump shows between two samples, or hides there: close to a singularity joints on two branches
     nearly meet, and only the poses in between tell whether the path goes from one to the other.
     """
-    step = np.abs(np.diff(joints, axis=0))
+    step = np.abs(turning(np.diff(joints, axis=0), robot.kinematics.turns))
     row, joint = (int(i) for i in np.unravel_index(np.argmax(step), step.shape))
     if step[row, joint] > LARGEST_STEP:
         return row, joint, float(step[row, joint])
@@ -41,7 +42,7 @@ def jump_on(
                 at: robot.kinematics.inverse_on_branch(flange, at, average[None]) for at in ends
             }
             off = {
-                at: np.abs(one.joints[0] - average)
+                at: np.abs(turning(one.joints[0] - average, robot.kinematics.turns))
                 if one.exists[0]
                 else np.full_like(average, np.pi)
                 for at, one in found.items()

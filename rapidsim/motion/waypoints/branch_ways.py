@@ -12,12 +12,13 @@ from math import degrees
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.configurations.confdata import TURN, confdata_of
+from rapidsim.motion.configurations.confdata import confdata_of
 from rapidsim.motion.configurations.reachability import (
     Unreachable,
     limit_excess,
     turns_within_limits,
 )
+from rapidsim.motion.kinematics.unwrapping import turning, whole_turns
 from rapidsim.motion.robot.external_axes import amount_text
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.waypoints.branch_jumps import LARGEST_STEP
@@ -80,8 +81,7 @@ def branch_ways(
 def _shift(robot: Robot, joints: Array) -> Array:
     """Whole turns (n,) [rad] that bring the middle of each joint's way nearest to its range."""
     middle = 0.5 * (joints.min(axis=0) + joints.max(axis=0))
-    shift: Array = turns_within_limits(robot, middle) - middle
-    return TURN * np.round(shift / TURN)
+    return whole_turns(turns_within_limits(robot, middle) - middle, robot.kinematics.turns)
 
 
 def _judged(
@@ -89,7 +89,8 @@ def _judged(
 ) -> BranchWay:
     conf = tuple(confdata_of(robot.kinematics, joints[0]).tolist())
     both = exists[1:] & exists[:-1]
-    steps = np.where(both[:, None], np.abs(np.diff(joints, axis=0)), 0.0)
+    steps = np.abs(turning(np.diff(joints, axis=0), robot.kinematics.turns))
+    steps = np.where(both[:, None], steps, 0.0)
     excess = limit_excess(robot, joints)
     excess[~exists] = 0.0
     if not exists.all():
@@ -111,10 +112,11 @@ def _judged(
         over = float(excess[row, joint])
         limit = robot.upper[joint] if over > 0.0 else robot.lower[joint]
         side = "upper" if over > 0.0 else "lower"
+        measure = robot.joints[joint].measure
         why = (
-            f"joint {joint + 1} goes to {degrees(joints[row, joint]):.1f} deg, "
-            f"{amount_text(degrees(abs(over)))} deg beyond its {side} limit of "
-            f"{degrees(limit):.0f} deg"
+            f"joint {joint + 1} goes to {degrees(joints[row, joint]):.1f} {measure}, "
+            f"{amount_text(degrees(abs(over)))} {measure} beyond its {side} limit of "
+            f"{degrees(limit):.0f} {measure}"
         )
         first = int(np.argmax(np.abs(excess).max(axis=1) > 0.0))
         return BranchWay(conf, joints, why, first, (1, abs(over)))

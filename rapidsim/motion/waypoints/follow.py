@@ -234,7 +234,8 @@ def _of_joints(
         limit = "upper" if excess[row, joint] > 0.0 else "lower"
         return Refused(
             f"{when(points, segment, times, row)}: joint {joint + 1} would go "
-            f"{amount_text(degrees(abs(excess[row, joint])))} deg beyond its {limit} limit",
+            f"{amount_text(degrees(abs(excess[row, joint])))} {robot.joints[joint].measure} beyond "
+            f"its {limit} limit",
             "give lower speeds at the points, or more time between them",
             int(segment[row]),
         )

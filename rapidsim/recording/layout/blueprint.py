@@ -149,7 +149,7 @@ def _joints(run: RecordedRobot) -> list[rrb.View]:
     time = rrb.TimeAxis(link="LinkToGlobal")
     angles = rrb.TimeSeriesView(
         origin=f"/{run.entity(plots.ANGLES)}",
-        name=_titled(run, "Joint angle [deg]"),
+        name=_titled(run, f"Joint angle [{run.robot.units()}]"),
         axis_x=time,
         plot_legend=emptiest_corner(run.samples.times, run.samples.joints, 0.14, 0.5),
     )

@@ -211,7 +211,7 @@ def _figures(followed: Followed, title: str, remarks: tuple[str, ...]) -> str:
     ]
     for joint, peak in zip(followed.robot.joints, followed.joint_peaks.tolist(), strict=True):
         limit = "?" if joint.max_speed is None else f"{degrees(joint.max_speed):g}"
-        rows.append((joint.name, f"{degrees(peak):.1f} of {limit} deg/s"))
+        rows.append((joint.name, f"{degrees(peak):.1f} of {limit} {joint.measure}/s"))
     table = "\n".join(f"| {name} | {value} |" for name, value in rows)
     said = "".join(f"\n\n{remark}" for remark in remarks)
     return f"### {title}\n\n| | |\n|---|---|\n{table}{said}\n"
@@ -249,8 +249,8 @@ def _blueprint(followed: Followed, world_from_base: Transform) -> rrb.Blueprint:
         )
 
     plots: list[rrb.View | rrb.Container] = [
-        plot(ANGLES, "Joint angles [deg]", legend),
-        plot(SPEEDS, "Joint speeds [deg/s]"),
+        plot(ANGLES, f"Joint angles [{followed.robot.units()}]", legend),
+        plot(SPEEDS, f"Joint speeds [{followed.robot.units('/s')}]"),
         rrb.Tabs(
             plot(TCP_SPEED, "TCP speed [mm/s]", top, tcp_top),
             plot(POSITION, "Position [mm]"),

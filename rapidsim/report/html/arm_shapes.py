@@ -1,7 +1,8 @@
 """What a page needs to draw an arm at any joints: how its links hang together, and their shapes.
 
-A link turns about one axis by a sum of joints: rods couple them. Shapes are those that ship with
-the catalogue. They are made of convex bodies, and of each the page gets the outermost corners.
+A link turns about one axis by a sum of joints, for rods couple them, or slides. Shapes are those
+that ship with the catalogue. They are made of convex bodies, and of each the page gets the
+outermost corners.
 """
 
 from __future__ import annotations
@@ -10,13 +11,14 @@ import json
 from collections.abc import Iterator
 from functools import cache
 from itertools import chain
-from math import degrees, isfinite
+from math import degrees, isfinite, radians
 from pathlib import Path
 
 import numpy as np
 
 from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.robot.external_axes import with_unit
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.shipped import shipped
 
@@ -35,7 +37,10 @@ _NUMBERS = {5121: "<u1", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 
 
 def arm_data(robot: Robot) -> dict[str, object] | None:
-    """Links, limits and shapes as JSON values: mm and degrees; None for an arm of another kind."""
+    """Links, limits and shapes as JSON values: mm and degrees; None for an arm of another kind.
+
+    Values of a joint that slides are mm, as RAPID has them.
+    """
     links = _links(robot)
     if links is None:
         return None
@@ -45,6 +50,7 @@ def arm_data(robot: Robot) -> dict[str, object] | None:
             [_bound(joint.lower, -_TURN_DEG), _bound(joint.upper, _TURN_DEG)]
             for joint in robot.joints
         ],
+        "units": [with_unit("", joint.measure) for joint in robot.joints],
         "bodies": list(_bodies(robot, len(links) - 1)),
     }
 
@@ -58,7 +64,9 @@ def _links(robot: Robot) -> list[dict[str, object]] | None:
     """Each link in the one before it, the first in base; the last is the flange."""
     count = len(robot.joints)
     at_zero = _relative(robot, np.zeros(count))
-    turns = np.array([_turns(robot, at_zero, joint) for joint in range(count)]) / _TRIED
+    tried = [_relative(robot, _TRIED * one) for one in np.eye(count)]
+    turns = np.array([_turns(at_zero, one) for one in tried]) / _TRIED
+    ways = np.array([one.translation - at_zero.translation for one in tried]) / _TRIED
     largest = np.argmax(np.linalg.norm(turns, axis=-1), axis=0)
     axes = turns[largest, np.arange(turns.shape[1])]
     lengths = np.linalg.norm(axes, axis=-1, keepdims=True)
@@ -66,7 +74,8 @@ def _links(robot: Robot) -> list[dict[str, object]] | None:
     shares = np.einsum("jki,ki->kj", turns, axes)
     posture = np.linspace(0.3, 0.7, count) * (-1.0) ** np.arange(count)
     turned = _about(axes, shares @ posture)
-    expected = Transform(at_zero.rotation @ turned, at_zero.translation)
+    slid = at_zero.translation + np.einsum("jki,j->ki", ways, posture)
+    expected = Transform(at_zero.rotation @ turned, slid)
     if not np.allclose(expected.matrix, _relative(robot, posture).matrix, atol=_EXACT):
         return None
     return [
@@ -75,6 +84,7 @@ def _links(robot: Robot) -> list[dict[str, object]] | None:
             "place": np.round(_MM * at_zero.translation[k], 3).tolist(),
             "axis": np.round(axes[k], 9).tolist(),
             "shares": np.round(shares[k], 6).tolist(),
+            **_slide(ways[:, k]),
         }
         for k in range(len(at_zero))
     ]
@@ -91,12 +101,20 @@ def _relative(robot: Robot, joints: Array) -> Transform:
     return frames[:-1].inverse() @ frames[1:]
 
 
-def _turns(robot: Robot, at_zero: Transform, joint: int) -> Array:
-    """By which rotation vector (k, 3) [rad] each link turns in the one before with a joint."""
-    joints = np.zeros(len(robot.joints))
-    joints[joint] = _TRIED
-    turned = _relative(robot, joints).rotation
-    return vector_from_rotation(np.swapaxes(at_zero.rotation, -1, -2) @ turned)
+def _slide(ways: Array) -> dict[str, object]:
+    """How far [mm] a link slides in the one before it per degree of each joint, if it does.
+
+    Args:
+        ways: Shape (n, 3) [m] per rad.
+    """
+    if np.abs(ways).max() < _EXACT:
+        return {}
+    return {"slide": np.round(_MM * radians(1.0) * ways, 6).tolist()}
+
+
+def _turns(at_zero: Transform, moved: Transform) -> Array:
+    """By which rotation vectors (k, 3) [rad] links turn in the ones before from joints at 0."""
+    return vector_from_rotation(np.swapaxes(at_zero.rotation, -1, -2) @ moved.rotation)
 
 
 def _about(axes: Array, angles: Array) -> Array:

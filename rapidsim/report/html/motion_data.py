@@ -69,6 +69,7 @@ def _robot(run: SampledRun) -> dict[str, object]:
         "tcp": packed_columns(_MM * tcp, 1),
         "kind": packed(_kinds(run), 0),
         "speed": packed(_MM * samples.tcp_speed, 1),
+        "units": one.robot.units(),
         "joints": packed_columns(np.degrees(samples.joints), 2),
         "range": packed_columns(run.range_shares, 1),
         "joint_speed": packed_columns(run.speed_shares, 1),

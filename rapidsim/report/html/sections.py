@@ -10,6 +10,7 @@ from rapidsim.controller.journal.events import Event, EventKind
 from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Severity
+from rapidsim.motion.robot.external_axes import with_unit
 from rapidsim.report.findings.merging import Finding, merged
 from rapidsim.report.html.collision_section import collision_tile
 from rapidsim.report.html.elements import bar, prose, section, table, text, tile
@@ -67,7 +68,7 @@ def summary(simulation: Simulation, figures: Figures, findings: Sequence[Diagnos
         tiles.append(
             tile(
                 f"Nearest joint limit{f' of {margin.move.task}' if several else ''}",
-                f"{margin.degrees:.1f}\N{DEGREE SIGN}",
+                with_unit(f"{margin.degrees:.1f}", margin.measure),
                 f"joint {margin.joint}, {_at(simulation, margin.move)}",
             )
         )

@@ -12,6 +12,7 @@ import numpy as np
 
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.frames.transform import Array
+from rapidsim.motion.configurations.singularities import per_metre
 from rapidsim.motion.robot.dynamics import PRIOR_FACTOR
 from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.simulation.results.acceleration_sensitivity import extra_time_s
@@ -34,9 +35,11 @@ class JointMargin:
     """The nearest that any joint came to a limit."""
 
     degrees: float
-    """What is left; negative beyond the limit."""
+    """What is left [deg], [mm] of a joint that slides; negative beyond the limit."""
     joint: int
     """From 1."""
+    measure: str
+    """RAPID's unit of that joint's values."""
     time_s: float
     move: ExecutedMove
 
@@ -166,10 +169,11 @@ def _along_the_path(
     margin = JointMargin(
         degrees=float(np.degrees(left[row, joint])),
         joint=joint + 1,
+        measure=robot.joints[joint].measure,
         time_s=float(times[row]),
         move=move_at(row),
     )
-    jacobians = robot.kinematics.jacobian(samples.joints)
+    jacobians = per_metre(robot.kinematics, robot.kinematics.jacobian(samples.joints))
     smallest = np.linalg.svd(jacobians, compute_uv=False)[:, -1]
     row = int(np.argmin(smallest))
     singularity = SingularityMargin(

@@ -146,7 +146,8 @@ def models(simulation: Simulation) -> dict[str, object]:
     given_speeds = {}
     if model.max_speed is not None:
         given_speeds = {
-            "axis_speed": f"axis speeds {_degrees(model.max_speed)} deg/s, as the station file says"
+            "axis_speed": f"axis speeds {_degrees(model.max_speed)} "
+            f"{simulation.robots[0].robot.units('/s')}, as the station file says"
         }
     return {
         "motion": model.version,
@@ -196,9 +197,9 @@ def _acceleration(model: MotionModel, robot: Robot) -> str:
         return f"torques of axes 1 to 3 and accelerations of the wrist {known}{fitted}"
     measured = [a for joint in robot.joints if (a := joint.max_acceleration) is not None]
     if model.acceleration is not None:
-        return f"axis accelerations {_degrees(model.acceleration)} deg/s2"
+        return f"axis accelerations {_degrees(model.acceleration)} {robot.units('/s2')}"
     if model.version == "1" and model.own_accelerations and any(measured):
-        return f"axis accelerations {_degrees(measured)} deg/s2, measured on this arm"
+        return f"axis accelerations {_degrees(measured)} {robot.units('/s2')}, measured on this arm"
     return f"axis acceleration = axis speed / {model.acceleration_time:g} s"
 
 

@@ -18,6 +18,7 @@ from rich.text import Text
 from rapidsim.collisions.contact import FARTHEST_M
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
+from rapidsim.motion.robot.external_axes import with_unit
 from rapidsim.report.findings.source_frame import printable
 from rapidsim.report.kept_units import KeptUnits
 from rapidsim.report.run.collision_records import clearance_records, contact_records
@@ -185,7 +186,8 @@ def _corners(figures: Figures) -> Text:
 
 def _margin(margin: JointMargin, *, several: bool) -> Text:
     whose = f" of {margin.move.task}" if several else ""
-    near = f"came within {margin.degrees:.1f}° of its limit{_at(margin.move)}"
+    left = with_unit(f"{margin.degrees:.1f}", margin.measure)
+    near = f"came within {left} of its limit{_at(margin.move)}"
     text = f"joint {margin.joint}{whose} {near}"
     return Text(text, "yellow" if margin.degrees < _LOW_MARGIN_DEG else "")
 

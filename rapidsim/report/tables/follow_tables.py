@@ -232,8 +232,8 @@ def turns_page(attitudes: Array) -> RenderableType | None:
 def over_speed(followed: Followed) -> tuple[str, ...]:
     """A line for each joint that would have to be faster than it can."""
     return tuple(
-        f"joint {number} would need {degrees(peak):.1f} deg/s, "
-        f"its limit is {degrees(joint.max_speed):g} deg/s"
+        f"joint {number} would need {degrees(peak):.1f} {joint.measure}/s, "
+        f"its limit is {degrees(joint.max_speed):g} {joint.measure}/s"
         for number, (joint, peak) in enumerate(
             zip(followed.robot.joints, followed.joint_peaks.tolist(), strict=True), start=1
         )
@@ -273,13 +273,14 @@ def _joints(result: Followed) -> Table:
         result.overshoot.tolist(),
         strict=True,
     ):
-        limit = "?" if joint.max_speed is None else f"{degrees(joint.max_speed):g} deg/s"
+        unit = joint.measure
+        limit = "?" if joint.max_speed is None else f"{degrees(joint.max_speed):g} {unit}/s"
         table.add_row(
             joint.name,
-            f"{degrees(peak):.2f} deg/s",
+            f"{degrees(peak):.2f} {unit}/s",
             limit,
             "" if ratio is None else f"{100.0 * ratio:.0f} %",
-            *((f"{degrees(beyond):.3f} deg",) if quintic else ()),
+            *((f"{degrees(beyond):.3f} {unit}",) if quintic else ()),
             style="red" if ratio is not None and ratio > 1.0 else "",
         )
     return table

@@ -11,7 +11,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.confdata import confdata_of
 from rapidsim.motion.configurations.pose_solutions import PoseSolutions
 from rapidsim.motion.configurations.postures import Postures
-from rapidsim.motion.configurations.singularities import Differential, joint_speeds
+from rapidsim.motion.configurations.singularities import Differential, joint_speeds, rapid_speeds
 from rapidsim.motion.kinematics.axis_tables import dh_table_of, screws_of
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.values import dataclass
@@ -107,7 +107,7 @@ def jacobian_json(robot: Robot, found: Differential, twist: Array | None) -> dic
     }
     if twist is not None:
         speeds, missed = joint_speeds(found.jacobian, twist)
-        report["joint_speeds_deg_s"] = _plain(np.degrees(speeds))
+        report["joint_speeds_deg_s"] = _plain(rapid_speeds(robot.kinematics, speeds))
         report["missed"] = {
             "velocity_mm_s": _plain(missed[:3] * 1000.0),
             "turning_deg_s": _plain(np.degrees(missed[3:])),

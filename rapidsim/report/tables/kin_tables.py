@@ -15,7 +15,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.confdata import confdata_of
 from rapidsim.motion.configurations.pose_solutions import PoseSolutions
 from rapidsim.motion.configurations.postures import Postures
-from rapidsim.motion.configurations.singularities import Differential, joint_speeds
+from rapidsim.motion.configurations.singularities import Differential, joint_speeds, rapid_speeds
 from rapidsim.motion.kinematics.axis_tables import dh_table_of, screws_of
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.report.tables.kin_json import Searched
@@ -49,7 +49,7 @@ def forward_page(shown: Postures, convention: Convention, *, tables: bool) -> Re
     )
     parts: list[RenderableType] = [
         _title(robot),
-        Text.assemble(("joints ", "cyan"), _list(np.degrees(joints)), " deg"),
+        Text.assemble(("joints ", "cyan"), _list(np.degrees(joints)), f" {robot.units()}"),
         Text.assemble(("conf   ", "cyan"), f"[{conf}]"),
         Text.assemble(("euler  ", "cyan"), f"{convention.value}: {named} deg"),
         Text.assemble(("frame  ", "cyan"), "base" if _is_unit(shown.world_from_base) else "world"),
@@ -70,8 +70,7 @@ def axis_tables_page(robot: Robot) -> RenderableType:
     dh, screws = dh_table_of(robot.kinematics), screws_of(robot.kinematics)
     if dh is None or screws is None:
         return Text(
-            f"{robot.title} has no DH table and no screws: rods carry its links, so that a joint "
-            "turns more than one axis",
+            f"{robot.title} has no DH table and no screws: {_not_turning(robot)}",
             "dim",
         )
     table = _table("joint", "theta [deg]", "d [mm]", "a [mm]", "alpha [deg]")
@@ -103,6 +102,12 @@ def axis_tables_page(robot: Robot) -> RenderableType:
     return Group(*parts)
 
 
+def _not_turning(robot: Robot) -> str:
+    if robot.kinematics.slides.any():
+        return "tables of joints that slide are not made"
+    return "rods carry its links, so that a joint turns more than one axis"
+
+
 def posture_markdown(shown: Postures) -> str:
     """Joints, pose and matrix as Markdown, for the recording."""
     rows = [
@@ -118,7 +123,7 @@ def posture_markdown(shown: Postures) -> str:
     place = ", ".join(_number(value, 3) for value in matrix[:3, 3].tolist())
     quaternion = ", ".join(_number(q, 6) for q in shown.world_from_tcp.quaternion.tolist())
     text = (
-        "| posture | joints [deg] |\n|---|---|\n" + "\n".join(rows)
+        f"| posture | joints [{shown.robot.units()}] |\n|---|---|\n" + "\n".join(rows)
         + f"\n\nTCP at ({place}) mm, [{quaternion}]\n\n"
         + "| x | y | z | position [mm] |\n|---|---|---|---|\n" + cells
     )  # fmt: skip
@@ -150,7 +155,7 @@ def inverse_page(
                 "within" if solution.within_limits else "outside",
                 style="" if solution.within_limits else "dim",
             )
-        parts += [Text(), Text("joints in deg", "dim"), table]
+        parts += [Text(), Text(f"joints in {robot.units()}", "dim"), table]
     said = f"solver {solver}"
     if searched:
         said += (
@@ -183,16 +188,20 @@ def jacobian_page(robot: Robot, found: Differential, twist: Array | None) -> Ren
         if singularity.near:
             said = f"near, {said}: at 0 {singularity.reason}"
         facts.add_row(singularity.name, Text(said, "yellow" if singularity.near else ""))
-    parts: list[RenderableType] = [_title(robot), Text("base frame, m/rad and rad/rad", "dim")]
+    units = "base frame, m/rad and rad/rad"
+    units += "".join(f"; j{n} in m/m" for n, joint in enumerate(robot.joints, 1) if joint.slides)
+    parts: list[RenderableType] = [_title(robot), Text(units, "dim")]
     parts += [Text(), matrix, Text(), facts]
     if twist is not None:
         speeds, missed = joint_speeds(found.jacobian, twist)
         table = _table("joint", "speed", "limit")
-        for joint, speed in zip(robot.joints, np.degrees(speeds).tolist(), strict=True):
-            limit = "?" if joint.max_speed is None else f"{degrees(joint.max_speed):g} deg/s"
+        told = rapid_speeds(robot.kinematics, speeds).tolist()
+        for joint, speed in zip(robot.joints, told, strict=True):
+            unit = f"{joint.measure}/s"
+            limit = "?" if joint.max_speed is None else f"{degrees(joint.max_speed):g} {unit}"
             over = joint.max_speed is not None and abs(speed) > degrees(joint.max_speed)
             table.add_row(
-                joint.name, f"{_number(speed, 2)} deg/s", limit, style="red" if over else ""
+                joint.name, f"{_number(speed, 2)} {unit}", limit, style="red" if over else ""
             )
         short = f"missed: {_list(missed[:3] * 1000.0)} mm/s, {_list(np.degrees(missed[3:]))} deg/s"
         parts += [Text(), table, Text(short, "dim")]

@@ -11,14 +11,16 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.robot.external_axes import with_unit
+from rapidsim.motion.robot.robot import Joint, Robot
 from rapidsim.motion.waypoints.workspace import Workspace
 from rapidsim.report.uncut_table import UncutTable
 
 _UNKNOWN = "?"
 _MEANING = (
     "? is not known: no source gives it, and nothing is made up. To run a program on an arm of "
-    "unknown axis speeds, give them in rapidsim.toml: [motion] axis_speed = [...] in deg/s."
+    "unknown axis speeds, give them in rapidsim.toml: [motion] axis_speed = [...] in deg/s, "
+    "mm/s for an axis that slides."
 )
 
 
@@ -106,16 +108,20 @@ def robot_page(robot: Robot, aliases: Sequence[str]) -> RenderableType:
     if measured:
         axes.add_column("acceleration, measured", justify="right", no_wrap=True)
     for joint in robot.joints:
-        speed = _UNKNOWN if joint.max_speed is None else f"{degrees(joint.max_speed):.10g}°/s"
-        lower, upper = degrees(joint.lower), degrees(joint.upper)
-        row = [joint.name, f"{lower:.10g}°", f"{upper:.10g}°", speed]
+        row = [joint.name, _value(joint, joint.lower), _value(joint, joint.upper)]
+        row.append(_UNKNOWN if joint.max_speed is None else f"{_value(joint, joint.max_speed)}/s")
         if joint.max_acceleration is not None:
-            row.append(f"{degrees(joint.max_acceleration):.10g}°/s²")
+            row.append(f"{_value(joint, joint.max_acceleration)}/s²")
         axes.add_row(*row)
     page: list[RenderableType] = [Text(robot.title, "bold"), Text(), facts, Text(), axes]
     if _lacks_something(robot):
         page += [Text(), Text(_MEANING, "dim")]
     return Group(*page)
+
+
+def _value(joint: Joint, value: float) -> str:
+    """A value of a joint [rad] with RAPID's unit."""
+    return with_unit(f"{degrees(value):.10g}", joint.measure)
 
 
 def _maker(listed: tuple[Robot, Sequence[str]]) -> str:
@@ -135,8 +141,10 @@ def _reach(robot: Robot) -> str:
 
 
 def _speeds(robot: Robot) -> str:
-    """From the slowest axis to the fastest."""
-    known = [joint.max_speed for joint in robot.joints if joint.max_speed is not None]
+    """From the slowest axis that turns to the fastest, and what slides."""
+    known = [(joint.slides, degrees(speed)) for joint in robot.joints if (speed := joint.max_speed)]
     if len(known) < len(robot.joints):
         return _UNKNOWN
-    return f"{degrees(min(known)):.4g}-{degrees(max(known)):.4g}°/s"
+    turning = [speed for slides, speed in known if not slides]
+    sliding = [f", {speed:.4g} mm/s" for slides, speed in known if slides]
+    return "".join([f"{min(turning):.4g}-{max(turning):.4g}°/s", *sliding])

@@ -35,7 +35,7 @@ def joints(task: LiveTask) -> JointTarget:
     """Where the axes of a task's robot are [deg, mm]."""
     arm, external = _stand(task)
     resolver = task.run.controller.others.resolver
-    return JointTarget(targets.rob_joint(arm), resolver.ext_joint(external))
+    return resolver.joint_target(arm, external)
 
 
 def target(task: LiveTask, tool: str, wobj: str, frame: Coordinates) -> RobTarget:

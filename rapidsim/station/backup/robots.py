@@ -1,7 +1,7 @@
 """What a controller backup says of its robots: `SYSPAR/MOC.cfg`.
 
 The type of an arm is a name such as `ROB1_1200_0.9_5_TypeB`: type, reach in metres, payload in kg.
-Its base frame stands in metres, the bounds of its axes (ARM) in radians.
+Its base frame stands in metres, the bounds of its axes (ARM) in radians, or in metres.
 """
 
 from __future__ import annotations
@@ -53,11 +53,11 @@ def catalogue_name(type_name: str) -> str | None:
     found: dict[str, str] = {}
     for name in robot_names():
         parts = _NAME.fullmatch(name)
-        if (
-            parts
-            and parts[2] == model
-            and [float(parts[4]), float(parts[3])][-len(wanted) :] == wanted
-        ):
+        if parts is None or parts[2] != model:
+            continue
+        payload, reach = float(parts[3]), float(parts[4])
+        # Some types have the payload before the reach, as the arms' names do.
+        if wanted in ([reach, payload][-len(wanted) :], [payload, reach]):
             if len(wanted) == 1 and parts[1] in found:
                 return None
             found[parts[1]] = name

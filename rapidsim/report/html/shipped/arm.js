@@ -1,6 +1,6 @@
 // The arm: its links at any joints, drawn as the bodies they are made of, or as a row of bones.
 
-// Joints [deg] of the robot under somebody's hand, instead of those of the run.
+// Joints [deg, mm where one slides] of the robot under somebody's hand, instead of those of the run.
 const hand = { robot: null, joints: [] };
 
 function jointsAt(robot, t) {
@@ -34,6 +34,12 @@ function moved(frame, point) {
   return [frame.place[0] + x, frame.place[1] + y, frame.place[2] + z];
 }
 
+// Where a link stands in the one before it: some joints slide it.
+function placeInBefore(link, joints) {
+  if (!link.slide) return link.place;
+  return link.place.map((at, k) => link.slide.reduce((sum, way, j) => sum + way[k] * joints[j], at));
+}
+
 // Base, links and flange as the page shows them: each the link before it, turned by its joints.
 function linkFrames(robot, joints, t) {
   const k = Math.min(Math.round(t / (robot.stands.step || 1)), robot.stands.place[0].length - 1);
@@ -41,7 +47,7 @@ function linkFrames(robot, joints, t) {
   const frames = [frame];
   for (const link of robot.arm.links) {
     const angle = link.shares.reduce((sum, share, j) => sum + share * joints[j], 0) * Math.PI / 180;
-    frame = { turn: after(after(frame.turn, link.turn), about(link.axis, angle)), place: moved(frame, link.place) };
+    frame = { turn: after(after(frame.turn, link.turn), about(link.axis, angle)), place: moved(frame, placeInBefore(link, joints)) };
     frames.push(frame);
   }
   return frames;
@@ -153,7 +159,7 @@ function handTools(place, robot) {
   button(place, "back to the run", release);
   view.listeners.push(() => {
     const joints = jointsAt(robot, view.now);
-    rows.forEach(({ slider, value }, j) => { slider.value = joints[j]; value.textContent = joints[j].toFixed(1) + "°"; });
+    rows.forEach(({ slider, value }, j) => { slider.value = joints[j]; value.textContent = joints[j].toFixed(1) + robot.arm.units[j]; });
     const tcp = moved(linkFrames(robot, joints, view.now).at(-1), toolAt(robot, view.now));
     where.textContent = "TCP at " + tcp.map(x => x.toFixed(1)).join(", ") + " mm" + (hand.robot === robot ? ", by hand" : "");
   });

@@ -103,7 +103,7 @@ const sets = robots.map(robot => {
   const boxes = {};
   for (const [name, [title, column, options]] of Object.entries(CURVES)) {
     const lines = robot[column].map((values, k) => ({ name: "J" + (k + 1), colour: jointColour(k), times: robot.t, values }));
-    boxes[name] = addPlot(set, title, lines, options);
+    boxes[name] = addPlot(set, title.replace("[deg]", "[" + robot.units + "]"), lines, options);
   }
   return { robot, set, boxes };
 });
