@@ -25,7 +25,7 @@ from rapidsim.motion.geometry.blends import (
     describe_stop,
     without_skipped,
 )
-from rapidsim.motion.geometry.curves import Index, circle_fault, curves_of, unsupported
+from rapidsim.motion.geometry.curves import Index, Twists, circle_fault, curves_of, unsupported
 from rapidsim.motion.geometry.joint_mapping import Arms, arms_of
 from rapidsim.motion.geometry.parameterisation import Layout, layout_of
 from rapidsim.motion.geometry.segments import Geometry, Segment
@@ -225,6 +225,18 @@ class Path:
         segment: Index = self.active[self.layout.row[piece]]
         return segment
 
+    def joints_at(self, s: Array) -> Array:
+        """Joints of the arm, then external axes, (k, n + e) at places s (k,) [m] of the path."""
+        s = np.clip(np.asarray(s, dtype=np.float64), 0.0, self.length)
+        piece = self.layout.piece_at(s)
+        joints = np.empty((len(s), self.axis_count))
+        on_curve, in_joints = self._spaces(piece)
+        if len(on_curve):
+            joints[on_curve] = self._in_space(s[on_curve], piece[on_curve])[1]
+        if len(in_joints):
+            joints[in_joints] = self._in_joint_space(s[in_joints], piece[in_joints])[0]
+        return joints
+
     def evaluate(self, s: Array) -> PathPoints:
         """The arm at places s (k,) [m] of the path, exactly on it."""
         s = np.clip(np.asarray(s, dtype=np.float64), 0.0, self.length)
@@ -236,10 +248,7 @@ class Path:
         tcp_rate = np.empty(len(s))
         on_curve, in_joints = self._spaces(piece)
         if len(on_curve):
-            at = piece[on_curve]
-            motion = self.layout.motion(s[on_curve], at)
-            near = self._near(s[on_curve], self.layout.course(s[on_curve], at).value)
-            joints[on_curve] = self.arms.joints(motion, row[on_curve], near)[0]
+            motion, joints[on_curve] = self._in_space(s[on_curve], piece[on_curve])
             position[on_curve], rotation[on_curve] = motion.position, motion.rotation
             tcp_rate[on_curve] = np.linalg.norm(motion.velocity, axis=-1)
         if len(in_joints):
@@ -262,10 +271,17 @@ class Path:
         Returns:
             base_from_tcp, position in `segments`, and the speed of the TCP against the work object.
         """
-        row = self.layout.row[self.layout.piece_at(np.clip(s, 0.0, self.length))]
+        row = self._row_at(s)
         velocity = self.arms.curve_motion(joints, rates, row).velocity
         speed: Array = np.linalg.norm(velocity, axis=-1)
         return self.arms.base_from_tcp(joints, row), self.active[row], speed
+
+    def segment_at(self, s: Array) -> Index:
+        """Position in `segments` at places s (k,)."""
+        return self.active[self._row_at(s)]
+
+    def _row_at(self, s: Array) -> Index:
+        return self.layout.row[self.layout.piece_at(np.clip(s, 0.0, self.length))]
 
     def rates(self, s: Array, piece: Index) -> PathRates:
         """Derivatives at places s (k,) of pieces (k,); at breakpoints those of the piece's side."""
@@ -369,6 +385,12 @@ class Path:
         near = np.stack(joints, axis=-1)
         near[:, self.kinematics.joint_count :] = external
         return near
+
+    def _in_space(self, s: Array, piece: Index) -> tuple[Twists, Array]:
+        """The motion at places (k,) of Cartesian curves and corners, and the joints (k, n + e)."""
+        motion = self.layout.motion(s, piece)
+        near = self._near(s, self.layout.course(s, piece).value)
+        return motion, self.arms.joints(motion, self.layout.row[piece], near)[0]
 
     def _in_joint_space(self, s: Array, piece: Index) -> tuple[Array, Array, Array]:
         """Joints and derivatives (k, n) on joint moves and in corners made in joint space."""

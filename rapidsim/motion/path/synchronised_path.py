@@ -128,6 +128,10 @@ class PartPath(SharedPath):
         """What became of the end of each segment of the robot."""
         return self.course.path.corners
 
+    def joints_at(self, s: Array) -> Array:
+        """Joints at places of the common parameter; see `Path.joints_at`."""
+        return self.course.path.joints_at(self.course.place(*self._pieces(s)))
+
     def evaluate(self, s: Array) -> PathPoints:
         """The arm at places s (k,) [m] of the common parameter."""
         s, piece = self._pieces(s)

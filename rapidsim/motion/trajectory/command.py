@@ -312,8 +312,7 @@ class MotionCommand:
         row = self.row_at(times)
         joints = np.empty((len(times), self.piece(1).path.axis_count))
         for path, s, at in self.on_paths(row, self.state(row, times)[0]):
-            points = path.evaluate(s)
-            joints[at] = np.concatenate([points.joints, points.external], axis=1)
+            joints[at] = path.joints_at(s)
         return joints
 
     def nodes_between(self, first_s: float, last_s: float) -> Array:
