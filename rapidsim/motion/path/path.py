@@ -15,7 +15,7 @@ from functools import cached_property
 
 import numpy as np
 
-from rapidsim.frames.moving_frames import ExternalCourse
+from rapidsim.frames.moving_frames import ExternalCourse, Twists
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.blends import (
     Corner,
@@ -25,7 +25,7 @@ from rapidsim.motion.geometry.blends import (
     describe_stop,
     without_skipped,
 )
-from rapidsim.motion.geometry.curves import Index, Twists, circle_fault, curves_of, unsupported
+from rapidsim.motion.geometry.curves import Index, circle_fault, curves_of, unsupported
 from rapidsim.motion.geometry.joint_mapping import Arms, arms_of
 from rapidsim.motion.geometry.parameterisation import Layout, layout_of
 from rapidsim.motion.geometry.segments import Geometry, Segment

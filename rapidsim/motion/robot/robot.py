@@ -41,6 +41,18 @@ class Joint:
     """[rad/s2], as version 1 of the motion model has it; None unless it was measured."""
 
 
+@dataclass(frozen=True, slots=True)
+class LinkMeshes:
+    """Files with the shapes of an arm's links, the base first."""
+
+    files: tuple[Path, ...]
+    units_m: tuple[float, ...]
+    """What each counts in [m]."""
+    in_base: bool
+    """Whether all are drawn in the base frame with the joints at zero; else each in the frame of
+    its link: the origin on its axis, and turned as the base with the joints at zero."""
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Robot:
     """An arm."""
@@ -70,6 +82,8 @@ class Robot:
     """What its main axes can do; None where only axis speeds say something about that."""
     external: tuple[ExternalAxis, ...] = ()
     """Axes beside the arm, in the order of their letters; the station file names them."""
+    meshes: LinkMeshes | None = None
+    """Shapes that take the place of those of the description."""
 
     @cached_property
     def lower(self) -> Array:
