@@ -116,6 +116,10 @@ class At:
         """`name = value`."""
         return self.assign(self.store(name), value)
 
+    def minus(self, name: str, value: ast.expr) -> ast.AugAssign:
+        """`name -= value`."""
+        return ast.AugAssign(self.store(name), ast.Sub(), value, **self._where)
+
     def decrement(self, target: ast.Attribute) -> ast.AugAssign:
         """`target -= 1`."""
         return ast.AugAssign(target, ast.Sub(), self.constant(1), **self._where)
@@ -143,7 +147,11 @@ class At:
         return ast.For(target, values, self._body(body), [], None, **self._where)
 
     def attempt(
-        self, body: Sequence[ast.stmt], error: ast.expr, name: str, handler: Sequence[ast.stmt]
+        self,
+        body: Sequence[ast.stmt],
+        error: ast.expr,
+        name: str | None,
+        handler: Sequence[ast.stmt],
     ) -> ast.Try:
         """`try: body; except error as name: handler`."""
         clause = ast.ExceptHandler(error, name, self._body(handler), **self._where)

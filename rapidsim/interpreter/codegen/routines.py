@@ -22,11 +22,12 @@ The ERROR clause keeps RAPID's own word: names of the program are lower case, so
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from rapidsim.analysis.program import (
     DataSymbol,
     LibrarySymbol,
+    ParameterSymbol,
     Program,
     RoutineSymbol,
     Scope,
@@ -38,10 +39,12 @@ from rapidsim.interpreter.codegen.ast_builder import At, Positions
 from rapidsim.interpreter.codegen.escape_analysis import lent_symbols
 from rapidsim.interpreter.codegen.expressions import ConstantValue, Expressions
 from rapidsim.interpreter.codegen.goto import Jumps, goto_targets
+from rapidsim.interpreter.codegen.intervals import Interval
 from rapidsim.interpreter.codegen.names import ArrayDimension, LocalNames, ModuleNames
 from rapidsim.interpreter.codegen.rounds import Callees, callees, tick
 from rapidsim.interpreter.codegen.statements import Statements
 from rapidsim.interpreter.limits import NotExecutableError
+from rapidsim.interpreter.runtime.references import position_of
 from rapidsim.language.moves import Place
 from rapidsim.syntax import tree
 from rapidsim.values import dataclass
@@ -71,15 +74,31 @@ class ModuleContext:
     names: ModuleNames
     positions: Positions
     constant_value: ConstantValue
+    integers: Mapping[tree.Node, Interval]
 
 
-def translate_routine(symbol: RoutineSymbol, context: ModuleContext) -> TranslatedRoutine:
-    """Translate a routine with its ERROR and UNDO clauses; BACKWARD is never executed."""
-    return _RoutineTranslation(symbol, context).translate()
+def translate_routine(
+    symbol: RoutineSymbol,
+    context: ModuleContext,
+    elements: frozenset[ParameterSymbol] = frozenset(),
+) -> TranslatedRoutine:
+    """Translate a routine with its ERROR and UNDO clauses; BACKWARD is never executed.
+
+    Args:
+        symbol: The routine.
+        context: What all routines of its module have in common.
+        elements: Parameters for each of which it shall get an array and a position in it.
+    """
+    return _RoutineTranslation(symbol, context, elements).translate()
 
 
 class _RoutineTranslation:
-    def __init__(self, symbol: RoutineSymbol, context: ModuleContext) -> None:
+    def __init__(
+        self,
+        symbol: RoutineSymbol,
+        context: ModuleContext,
+        elements: frozenset[ParameterSymbol],
+    ) -> None:
         self._symbol = symbol
         self._node = symbol.node
         self._context = context
@@ -89,6 +108,7 @@ class _RoutineTranslation:
             symbol.name,
             symbol.parameters,
             in_cell=frozenset(lent_symbols(symbol, self._nodes, context.program)),
+            elements=elements,
         )
         self._expressions = Expressions(
             context.program,
@@ -96,6 +116,7 @@ class _RoutineTranslation:
             context.positions,
             symbol.module,
             context.constant_value,
+            context.integers,
         )
         self._header = context.positions.between(self._node.start, self._node.header_end)
 
@@ -119,7 +140,10 @@ class _RoutineTranslation:
         if handler is not None:
             value = at.leave(at.attribute("_l", "value"))
             body = [at.attempt(body, at.name("_Leave"), "_l", [value])]
-        name = self._context.names.routine(self._symbol)
+        names = self._context.names
+        name = names.routine(self._symbol)
+        if self._names.elements:
+            name = names.routine_for_elements(self._symbol, self._names.elements)
         function = at.define(name, parameters, [], [*self._prologue(), *clauses, *body])
         called = callees(self._nodes, self._context.program)
         return TranslatedRoutine(function, self._numbers(name), called, tick(at))
@@ -131,7 +155,11 @@ class _RoutineTranslation:
         self._names.reserved = frozenset(
             name for symbol in used.values() if (name := self._module_name(symbol)) is not None
         )
-        parameters = [self._names.declare(p, p.name) for p in self._symbol.parameters]
+        parameters = []
+        for parameter in self._symbol.parameters:
+            name = self._names.declare(parameter, parameter.name)
+            both = parameter in self._names.elements
+            parameters += [name, position_of(name)] if both else [name]
         for node in nodes:
             if isinstance(node, tree.Data) and node.storage == "VAR":
                 self._names.declare(self._context.program.symbol_of[node], node.name.text)
@@ -187,7 +215,10 @@ class _RoutineTranslation:
         self, body: tree.Body, *, is_protected: bool = False, in_handler: bool = False
     ) -> list[ast.stmt]:
         jumps = Jumps(goto_targets([body]))
-        return Statements(self._expressions, jumps, is_protected, in_handler).body(body)
+        statements = Statements(
+            self._expressions, jumps, is_protected, in_handler, routine=self._node
+        )
+        return statements.body(body)
 
     def _handler(self) -> ast.FunctionDef | None:
         clause = self._node.error
