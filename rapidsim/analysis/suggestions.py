@@ -31,8 +31,8 @@ def closest(name: str, candidates: Iterable[str]) -> str | None:
 
 
 def _most_slips(name: str) -> int:
-    """How many slips a name of this length can hide and still be recognised."""
-    return 0 if len(name) < 2 else 1 if len(name) < 7 else 2
+    """How many slips a name of this length can hide; one of three letters has too many near it."""
+    return 0 if len(name) < 4 else 1 if len(name) < 7 else 2
 
 
 def _is_near(a: str, b: str, limit: int) -> bool:

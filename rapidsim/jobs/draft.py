@@ -16,7 +16,14 @@ from pathlib import Path
 from rapidsim.analysis.names.signal_violations import UnknownSignal
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.diagnostics import Source
-from rapidsim.files import InputError, SourceFile, TaskFiles, backup_folders, read_tasks
+from rapidsim.files import (
+    PACKED_SUFFIX,
+    InputError,
+    SourceFile,
+    TaskFiles,
+    backup_folders,
+    read_tasks,
+)
 from rapidsim.jobs.checked_program import load_task
 from rapidsim.motion.robot.catalogue import find_entry
 from rapidsim.motion.robot.robot import load_robot
@@ -82,7 +89,10 @@ def draft_for(paths: Sequence[str], robot: str | None) -> DraftFile:
         raise InputError("no RAPID file was named", "name a module, a folder or a backup")
     folders = backup_folders(programs)
     if folders:
-        return _of_backup(folders, robot)
+        # A packed station is unpacked out of sight; its file lies beside the archive.
+        packed = (Path(path) for path in programs if Path(path).suffix.lower() == PACKED_SUFFIX)
+        beside = next(packed, None)
+        return _of_backup(folders, robot, None if beside is None else beside.parent)
     tasks = read_tasks(programs)
     configuration = loose_configuration(Path(configured[0])) if configured else None
     files = [file for task in tasks for file in task.files]
@@ -90,7 +100,7 @@ def draft_for(paths: Sequence[str], robot: str | None) -> DraftFile:
     return DraftFile(folder / FILE_NAME, _of_modules(files, configuration, folder, robot))
 
 
-def _of_backup(folders: Sequence[Path], robot: str | None) -> DraftFile:
+def _of_backup(folders: Sequence[Path], robot: str | None, beside: Path | None) -> DraftFile:
     station = backup_station(folders)
     root = folders[0].parent.parent
     tasks = read_tasks([str(root)])
@@ -110,7 +120,7 @@ def _of_backup(folders: Sequence[Path], robot: str | None) -> DraftFile:
     signals = _undeclared(tasks, station)
     draft = Draft(remarks, robots, (), signals)
     lacks = station.remarks if robot else (*station.remarks, *_without_speeds(station))
-    return DraftFile(root / FILE_NAME, draft, lacks)
+    return DraftFile((beside or root) / FILE_NAME, draft, lacks)
 
 
 def _without_speeds(station: Station) -> Iterator[str]:

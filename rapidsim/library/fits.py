@@ -1,8 +1,8 @@
-"""Frames, circles and tool centre points that fit measured positions best.
+"""Frames, circles, spheres and tool centre points that fit measured positions best.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "DefAccFrame",
-"FitCircle", "CalcRotAxFrameZ", "MToolTCPCalib"; Kabsch (1976), A solution for the best rotation to
-relate two sets of vectors.
+"FitCircle", "FitSphere", "CalcRotAxFrameZ", "MToolTCPCalib"; Kabsch (1976), A solution for the best
+rotation to relate two sets of vectors.
 """
 
 from __future__ import annotations
@@ -13,7 +13,13 @@ from typing import TYPE_CHECKING
 from rapidsim.language.annotations import Num, Pers, Var
 from rapidsim.language.controller import Motion
 from rapidsim.language.data import TOOL0, WOBJ0, JointTarget, Orient, Pos, Pose, RobTarget, ToolData
-from rapidsim.language.error_numbers import ERR_FRAME, rapid_error
+from rapidsim.language.error_numbers import (
+    ERR_FIT_POINTS_IN_LINE,
+    ERR_FIT_TOO_FEW_POINTS,
+    ERR_FIT_TOO_MANY_POINTS,
+    ERR_FRAME,
+    rapid_error,
+)
 from rapidsim.language.reference import Reference
 from rapidsim.library.poses import from_axes, single_pos, unit
 from rapidsim.library.table import routine, table
@@ -23,7 +29,9 @@ if TYPE_CHECKING:
     from rapidsim.frames.transform import Array
 
 _FLAT_MM = 1e-3
-"""Points that lie closer to a line than this have no plane."""
+"""Points that lie closer to a line than this have no plane, and closer to a plane no sphere."""
+_MOST_POINTS = 100
+"""So many may be fitted by a circle or a sphere."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,21 +83,43 @@ def fit_circle(
     """The circle through three points or more, so that the squares of the errors are least.
 
     Raises:
-        RapidError: ERR_FRAME for fewer than three positions, or positions on a line.
+        RapidError: ERR_FIT_TOO_FEW_POINTS, ERR_FIT_TOO_MANY_POINTS, ERR_FIT_POINTS_IN_LINE.
     """
-    import numpy as np
-
-    count = _counted(len(points) if num_points is None else num_points, points)
-    circle = _circle(np.array(points[:count], dtype=np.float64))
+    circle = _circle(_fitted(points, num_points, least=3), ERR_FIT_POINTS_IN_LINE)
     center.value = Pos(*circle.centre.tolist())
     normal.value = Pos(*circle.normal.tolist())
     radius.value = circle.radius
-    if rms is not None:
-        rms.value = float(np.sqrt(np.mean(circle.errors**2)))
-    if max_err is not None:
-        max_err.value = float(circle.errors.max())
-    if index_worst is not None:
-        index_worst.value = float(circle.errors.argmax() + 1)
+    _tell_fit(circle.errors, rms, max_err, index_worst)
+
+
+def fit_sphere(
+    points: list[Pos],
+    center: Var[Pos],
+    radius: Var[Num],
+    *,
+    num_points: Num | None = None,
+    rms: Var[Num] | None = None,
+    max_err: Var[Num] | None = None,
+    index_worst: Var[Num] | None = None,
+) -> None:
+    """The sphere through four points or more, so that the squares of the errors are least.
+
+    Raises:
+        RapidError: ERR_FIT_TOO_FEW_POINTS, ERR_FIT_TOO_MANY_POINTS, ERR_FIT_POINTS_IN_LINE.
+    """
+    import numpy as np
+
+    measured = _fitted(points, num_points, least=4)
+    centred = measured - measured.mean(0)
+    if np.linalg.svd(centred, compute_uv=False)[-1] < _FLAT_MM:
+        raise rapid_error(ERR_FIT_POINTS_IN_LINE, "the positions lie in a plane, or on a line")
+    # x2 + y2 + z2 = 2 a x + 2 b y + 2 c z + d, linear in the centre (a, b, c).
+    rows = np.column_stack([2.0 * centred, np.ones(len(centred))])
+    *centre, rest = np.linalg.lstsq(rows, (centred**2).sum(1), rcond=None)[0].tolist()
+    radius.value = float(np.sqrt(rest + np.dot(centre, centre)))
+    center.value = Pos(*(measured.mean(0) + centre).tolist())
+    errors = np.abs(np.linalg.norm(centred - centre, axis=1) - radius.value)
+    _tell_fit(errors, rms, max_err, index_worst)
 
 
 def calc_rot_ax_frame_z(
@@ -147,6 +177,19 @@ def _positions(targets: Sequence[RobTarget], count: float) -> Array:
     return np.array([target.trans for target in targets[: _counted(count, targets)]])
 
 
+def _fitted(points: Sequence[Pos], count: float | None, least: int) -> Array:
+    """The points that a circle or a sphere is to go through, shape (k, 3)."""
+    import numpy as np
+
+    wanted = len(points) if count is None else count
+    if wanted < least:
+        raise rapid_error(ERR_FIT_TOO_FEW_POINTS, f"{wanted:g} points; at least {least} are needed")
+    if wanted > min(len(points), _MOST_POINTS):
+        most = f"the array has {len(points)}, and at most {_MOST_POINTS} are fitted"
+        raise rapid_error(ERR_FIT_TOO_MANY_POINTS, f"{wanted:g} points; {most}")
+    return np.array(points[: int(wanted)], dtype=np.float64)
+
+
 def _counted(count: float, positions: Sequence[object]) -> int:
     """How many positions of a list count."""
     if not 3 <= count <= len(positions):
@@ -156,21 +199,21 @@ def _counted(count: float, positions: Sequence[object]) -> int:
     return int(count)
 
 
-def _plane(points: Array) -> tuple[Array, Array]:
+def _plane(points: Array, on_line: float = ERR_FRAME) -> tuple[Array, Array]:
     """Two directions in the plane of points and its normal, as rows (3, 3); the points centred."""
     import numpy as np
 
     centred = points - points.mean(0)
     _, spread, axes = np.linalg.svd(centred, full_matrices=True)
     if len(points) < 3 or spread[1] < _FLAT_MM:
-        raise rapid_error(ERR_FRAME, "the positions lie on a line, or at one place")
+        raise rapid_error(on_line, "the positions lie on a line, or at one place")
     return axes, centred
 
 
-def _circle(points: Array) -> _Circle:
+def _circle(points: Array, on_line: float = ERR_FRAME) -> _Circle:
     import numpy as np
 
-    axes, centred = _plane(points)
+    axes, centred = _plane(points, on_line)
     flat = centred @ axes[:2].T
     # x2 + y2 = 2 a x + 2 b y + c, linear in the centre (a, b).
     rows = np.column_stack([2.0 * flat, np.ones(len(flat))])
@@ -180,6 +223,20 @@ def _circle(points: Array) -> _Circle:
     normal = np.cross(axes[0], axes[1])
     errors = np.hypot(in_plane, centred @ normal)
     return _Circle(points.mean(0) + a * axes[0] + b * axes[1], normal, radius, errors)
+
+
+def _tell_fit(
+    errors: Array,
+    rms: Reference[float] | None,
+    max_err: Reference[float] | None,
+    index_worst: Reference[float] | None,
+) -> None:
+    if rms is not None:
+        rms.value = float((errors**2).mean() ** 0.5)
+    if max_err is not None:
+        max_err.value = float(errors.max())
+    if index_worst is not None:
+        index_worst.value = float(errors.argmax() + 1)
 
 
 def _tell(errors: Array, max_err: Reference[float], mean_err: Reference[float]) -> None:
@@ -212,6 +269,11 @@ FITS = table(
         "FitCircle",
         fit_circle,
         r"Points \NumPoints Center Radius Normal \RMS \MaxErr \IndexWorst",
+    ),
+    routine(
+        "FitSphere",
+        fit_sphere,
+        r"Points \NumPoints Center Radius \RMS \MaxErr \IndexWorst",
     ),
     routine("CalcRotAxFrameZ", calc_rot_ax_frame_z),
     routine("MToolTCPCalib", m_tool_tcp_calib, "Pos1 Pos2 Pos3 Pos4 Tool MaxErr MeanErr"),

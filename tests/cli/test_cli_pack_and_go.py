@@ -71,3 +71,11 @@ def test_nothing_of_an_archive_comes_to_lie_elsewhere(evil: str, tmp_path: Path)
     room = tmp_path / "temporary"
     assert all(one.is_relative_to(room) for one in tmp_path.rglob("*.mod"))
     assert not list(tmp_path.rglob("out.txt"))
+
+
+def test_a_first_station_file_lies_beside_the_archive(tmp_path: Path) -> None:
+    packed(tmp_path, "System1")
+    assert rapidsim("init", "cell.rspag", "--robot", "irb1600", cwd=tmp_path).code == 0
+    assert (tmp_path / "rapidsim.toml").is_file()
+    ran = rapidsim("run", "cell.rspag", "--no-record", "--format", "json", cwd=tmp_path)
+    assert [event["message"] for event in json.loads(ran.out)["events"]] == ["doLamp = 1", "on"]

@@ -60,10 +60,10 @@ def sample(of: Type, name: str = "") -> Any:
 
 
 def at(value: Any, place: int) -> Any:
-    """The value; positions stand on a curve, for routines that look for a plane or a circle."""
+    """The value; positions stand on a curve, for routines that look for a plane or a sphere."""
     match value:
         case Pos():
-            return Pos(place * place / 3.0, place / 7.0, 0.0)
+            return Pos(place * place / 3.0, place / 7.0, place**3 / 11.0)
         case RobTarget():
             return value._replace(trans=at(value.trans, place))
         case _:

@@ -144,7 +144,8 @@ def _without_duplicates(homes: Sequence[Context]) -> list[tuple[Context, Declara
     shared: dict[str, tuple[Context, Declaration]] = {}
     for home in homes:
         first_home = modules.setdefault(home.module.name.key, home)
-        if first_home is not home:
+        # A name that could not be read is told, and no other name.
+        if first_home is not home and home.module.name.key:
             place = first_home.module.span(first_home.module.name)
             violation = DuplicateName(home.module.name.text, " as a module", is_module=True)
             home.report(violation, home.module.name, Related(place, "the first one is here"))

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from rapidsim.analysis.context import Context, TypeOf
 from rapidsim.analysis.installed import installed_type
 from rapidsim.analysis.parameters import Wanted
-from rapidsim.analysis.types.assignability import require
+from rapidsim.analysis.types.assignability import is_unknown, require
 from rapidsim.analysis.types.type_violations import (
     NumberOutOfRange,
     RecordShape,
@@ -60,6 +60,10 @@ def type_of_aggregate(
 def _report_untyped(
     node: tree.Aggregate | tree.LiteralAggregate, context: Context, wanted: Wanted | None
 ) -> None:
+    if wanted is not None and is_unknown(wanted.type):
+        # What it is made of, only the missing declaration could tell.
+        context.analysis.runs = False
+        return
     is_open = wanted is None or wanted.type is types.ANYTYPE
     if wanted is None or is_open or installed_type(wanted.type.name.lower()) is None:
         context.report(UntypedAggregate(context.module.span(node).text), node)

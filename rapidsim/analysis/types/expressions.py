@@ -106,10 +106,10 @@ def _binary(node: tree.Binary, context: Context, wanted: Wanted | None) -> Type 
     hint = wanted if is_dnum and node.operator in ARITHMETIC else None
     if _waits_for_other(node.left):
         right = type_of_expression(node.right, context, hint)
-        left = _operand(node.left, right, hint, context)
+        left = _operand(node.left, node.right, right, hint, context)
     else:
         left = type_of_expression(node.left, context, hint)
-        right = _operand(node.right, left, hint, context)
+        right = _operand(node.right, node.left, left, hint, context)
     if node.operator in EQUALITY:
         check_error_number(node.left, node.right, context)
         check_error_number(node.right, node.left, context)
@@ -117,13 +117,22 @@ def _binary(node: tree.Binary, context: Context, wanted: Wanted | None) -> Type 
 
 
 def _operand(
-    node: tree.Expression, other: Type | None, hint: Wanted | None, context: Context
+    node: tree.Expression,
+    opposite: tree.Expression,
+    other: Type | None,
+    hint: Wanted | None,
+    context: Context,
 ) -> Type | None:
     """The type of an operand; a literal beside a value takes the type of the value."""
+    is_aggregate = isinstance(node, tree.Aggregate | tree.LiteralAggregate)
+    if other is None and is_aggregate and not _waits_for_other(opposite):
+        # The other side is wrong or not known, and that has been said.
+        context.analysis.runs = False
+        return None
     if other is None or not _waits_for_other(node):
         return type_of_expression(node, context, hint)
     target = value_type(other)
-    if isinstance(node, tree.Aggregate | tree.LiteralAggregate):
+    if is_aggregate:
         return type_of_expression(node, context, Wanted(target, "the other side"))
     return type_of_expression(node, context, Wanted(target, "") if target == types.DNUM else None)
 

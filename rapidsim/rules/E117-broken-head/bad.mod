@@ -5,3 +5,8 @@ MODULE example
     ENDFOR
   ENDPROC
 ENDMODULE
+! ---
+MODULE 1_first ! found
+ENDMODULE
+MODULE 2_second ! found
+ENDMODULE

@@ -4,3 +4,10 @@ MODULE example
     prats:=parts+1; ! found
   ENDPROC
 ENDMODULE
+! ---
+MODULE example
+  PROC main()
+    IF prats=[1,2,3] THEN ! found
+    ENDIF
+  ENDPROC
+ENDMODULE

@@ -13,6 +13,7 @@ MODULE job
     FitCircle points\NumPoints:=3,centre,radius,normal;
     FitCircle points\NumPoints:=9,centre,radius,normal;
     FitCircle points,centre,radius,normal;
+    FitSphere points,centre,radius;
     frame:=CalcRotAxFrameZ(targets,3,targets{1},most,mean);
     frame:=DefAccFrame(targets,targets,-3,most,mean);
     frame:=DefAccFrame(targets,targets,3,most,mean);
