@@ -24,6 +24,7 @@ from rapidsim.server.journal import (
 from rapidsim.server.messages import (
     DONE,
     FromNetwork,
+    Look,
     Message,
     Note,
     Refusal,
@@ -37,6 +38,7 @@ from rapidsim.server.messages import (
 )
 from rapidsim.server.resources.context import Context
 from rapidsim.server.resources.table import answered
+from rapidsim.server.resources.view import looked
 from rapidsim.server.sensors import NotedSensors
 from rapidsim.server.watched import Subscriptions
 from rapidsim.server.wire import NotedWire
@@ -207,8 +209,10 @@ class Engine:
         """How long on the wall nothing will happen by itself [s]; None for ever."""
         return self.pace.wait_s(self.live.wants_s)
 
-    def reply(self, message: Message) -> Reply:
+    def reply(self, message: Message | Look) -> Reply:
         """Do what is asked, at the time that has come."""
+        if isinstance(message, Look):
+            return self._replied(message)
         if isinstance(message, Request):
             self.pace.asked()
         self._come_up()
@@ -228,7 +232,7 @@ class Engine:
             self.live.advance(self.pace.horizon_s())
             self.subscriptions.look()
 
-    def _replied(self, message: Message) -> Reply:
+    def _replied(self, message: Message | Look) -> Reply:
         try:
             return self._done(message)
         except RefusedRequest as refused:
@@ -239,8 +243,10 @@ class Engine:
             self.told(Note(f"error: {defect}; please report it with the request, {message!r}"))
             return Refusal(500, -1, defect)
 
-    def _done(self, message: Message) -> Reply:
+    def _done(self, message: Message | Look) -> Reply:
         match message:
+            case Look():
+                return looked(self.context, message)
             case Request():
                 return answered(self.context, message)
             case SessionEnded(session):

@@ -124,7 +124,17 @@ class FromNetwork:
     is_over: bool = False
 
 
+@dataclass(frozen=True, slots=True)
+class Look:
+    """Somebody looks at the controller: nothing comes of it, and no time passes for it."""
+
+    task: str = ""
+    """Whose program is looked at; empty looks at all but texts."""
+    module: str = ""
+
+
 Message: TypeAlias = Request | SessionEnded | Subscribe | Unsubscribe | FromNetwork
+"""What the controller's life hangs on: a journal of it has them all."""
 Reply: TypeAlias = Answer | Refusal
 
 

@@ -30,7 +30,7 @@ from rapidsim.server.engine import Engine, WallPace
 from rapidsim.server.journal import JournalFile
 from rapidsim.server.link import EngineEndedError
 from rapidsim.server.loading import engine_of, ready
-from rapidsim.server.messages import Message, Note, Reply, Told
+from rapidsim.server.messages import Look, Message, Note, Reply, Told
 from rapidsim.server.settings import EngineSettings
 from rapidsim.server.wire import SocketWire
 from rapidsim.values import dataclass
@@ -79,7 +79,7 @@ class EngineProcess:
         )
         receive.start()
 
-    async def ask(self, message: Message) -> Reply:
+    async def ask(self, message: Message | Look) -> Reply:
         """See `link.Link`."""
         if self.ended.is_set():
             raise EngineEndedError

@@ -16,6 +16,7 @@ from aiohttp import WSCloseCode, WSMsgType, web
 from rapidsim.server.http.bodies import event_text
 from rapidsim.server.http.dialect import Dialect
 from rapidsim.server.http.guard import Guard
+from rapidsim.server.http.people import shown_to_people
 from rapidsim.server.http.sessions import Session, Sessions
 from rapidsim.server.link import EngineEndedError, Link
 from rapidsim.server.messages import (
@@ -126,11 +127,14 @@ class Face:
 
     async def _handled(self, request: web.Request) -> web.StreamResponse:
         dialect = request.app[_DIALECT]
+        path = unquote(request.rel_url.raw_path).strip("/")
+        first, _, rest = path.partition("/")
+        if first == "ui":
+            # Browsers are no clients of either generation, and send what they send.
+            return await shown_to_people(request, rest, request[_SESSION].number, self.link.ask)
         objection = dialect.objection(request)
         if objection is not None:
             return objection
-        path = unquote(request.rel_url.raw_path).strip("/")
-        first, _, rest = path.partition("/")
         match first:
             case "poll":
                 return await self._poll(request, rest)

@@ -7,6 +7,7 @@ come (`advance`) and asks in between; what is asked takes effect at the time tha
 from __future__ import annotations
 
 import math
+from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import datetime, timedelta
@@ -17,7 +18,7 @@ from rapidsim.controller.cell.outside_streams import NoWire, OutsideStreams, Wir
 from rapidsim.controller.cell.pendant import Pendant
 from rapidsim.controller.cell.rendezvous import Meetings
 from rapidsim.controller.cell.sensors import NoSensors, Sensors
-from rapidsim.controller.journal.events import Event
+from rapidsim.controller.journal.events import Event, EventKind
 from rapidsim.controller.journal.journal import Instant, Journal, Moment
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError
@@ -35,6 +36,7 @@ from rapidsim.simulation.live.turns import LiveTurns
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.task_run import TaskSetup, require_limits, unit_of
 
+_SCREEN_LINES = 100
 LEAST_RATIO = 1
 """A speed ratio of 0 % moves the robot at so many percent: standing still is not modelled."""
 
@@ -66,6 +68,8 @@ class LiveController:
     cell: Cell = field(init=False)
     pendant: Pendant = field(init=False, default_factory=Pendant)
     """The questions that wait for an answer."""
+    screen: deque[str] = field(init=False, default_factory=lambda: deque(maxlen=_SCREEN_LINES))
+    """What programs have written on the FlexPendant, the newest line last."""
     outside: OutsideStreams = field(init=False)
     """Who talks to the programs' sockets."""
     log: EventLog = field(init=False)
@@ -157,10 +161,18 @@ class LiveController:
         if self.keeps_all:
             self._kept.extend(events)
         for event in events:
+            if event.kind is EventKind.TEXT:
+                self._show(event)
             self.happened(event)
         if self.executes is not self._shows_executing:
             self._show_states()
         return stepped
+
+    def _show(self, event: Event) -> None:
+        if event.details.get("cleared"):
+            self.screen.clear()
+        else:
+            self.screen.append(event.message)
 
     def advance(self, until_s: float) -> None:
         """Let virtual time come [s] and everything happen that is due by then."""

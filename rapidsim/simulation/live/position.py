@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from enum import StrEnum
 from typing import TypeVar
 
@@ -17,10 +18,12 @@ from rapidsim.language.data import (
     ToolData,
     WobjData,
 )
+from rapidsim.language.moves import Place
 from rapidsim.motion.configurations import targets
 from rapidsim.simulation.live.live_task import LiveTask
 from rapidsim.simulation.live.states import Refused, Why
 from rapidsim.simulation.live.symbols import find, value_of
+from rapidsim.values import dataclass
 
 
 class Coordinates(StrEnum):
@@ -60,6 +63,37 @@ def target(task: LiveTask, tool: str, wobj: str, frame: Coordinates) -> RobTarge
     world_from_tcp = targets.transform(Pose(found.trans, found.rot))
     pose = targets.pose(resolver.base_from_world @ world_from_tcp)
     return found._replace(trans=pose.trans, rot=pose.rot)
+
+
+@dataclass(frozen=True, slots=True)
+class Glance:
+    """Where a robot is, for somebody who looks on; to look decides nothing."""
+
+    joints: JointTarget
+    """[deg, mm]"""
+    target: RobTarget
+    """The TCP of the tool of the last move, in its work object [mm]."""
+    move: Place | None
+    """The move under way; None while the arm stands."""
+
+
+def glance(task: LiveTask) -> Glance:
+    """Where a task's robot is now."""
+    now_s, queue = task.turns.now_s, task.unit.queue
+    path = queue.trajectory
+    with suppress(MotionError):
+        path = queue.preview()
+    samples = path.at(np.array([now_s]))
+    arm, external, move = samples.joints[0], samples.external[0], int(samples.move[0])
+    resolver, motion = task.run.controller.others.resolver, task.run.controller.motion
+    tool, wobj = motion.active_tool(), motion.active_wobj()
+    moves = task.unit.own.moves
+    moves_on = now_s < path.duration and task.unit.own.guided is None
+    return Glance(
+        JointTarget(targets.rob_joint(arm), resolver.ext_joint(external)),
+        resolver.target(arm, external, tool, wobj, task.place),
+        moves[move].place if moves_on and move < len(moves) else None,
+    )
 
 
 def active_frames(task: LiveTask) -> tuple[str, str]:

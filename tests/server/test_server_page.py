@@ -1,0 +1,151 @@
+"""The page for people at `/ui`: what it tells, what a browser makes of it, and who gets in."""
+
+from __future__ import annotations
+
+from base64 import b64encode
+from pathlib import Path
+from typing import Any
+
+import aiohttp
+import pytest
+from browser import CHROMIUM, opened
+from served_controller import Served, serve
+
+PROGRAM = r"""MODULE job
+  ! A line with <b>marks</b> & "quotes".
+  PERS num rounds := 0;
+  PROC main()
+    MoveAbsJ [[20,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v100, fine, tool0;
+    TPWrite "round <i>one</i>";
+    WaitDI diGo, 1;
+    rounds := rounds + 1;
+    SetDO doDone, 1;
+    TPReadFK rounds, "Again?", "Yes", "No", stEmpty, stEmpty, stEmpty;
+    Stop;
+  ENDPROC
+ENDMODULE
+"""
+STATION = """[signals]
+diGo = { type = "di" }
+doDone = { type = "do" }
+aoSpeed = { type = "ao" }
+"""
+
+
+def cell(folder: Path) -> Path:
+    (folder / "cell").mkdir()
+    (folder / "cell" / "job.mod").write_text(PROGRAM)
+    (folder / "cell" / "rapidsim.toml").write_text(STATION)
+    return folder
+
+
+def test_to_look_takes_no_time_and_changes_nothing(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        before_s = served.engine.live.now_s
+        lines, state = list[str](), dict[str, Any]()
+        served.engine.journal = lines.append
+        for base in (served.base, served.second):
+            headers = {} if base == served.base else _basic()
+            async with served.client.get(f"{base}/ui/state", headers=headers) as response:
+                state = await response.json()
+                assert response.headers["Content-Security-Policy"].startswith("default-src 'none'")
+        assert served.engine.live.now_s == before_s
+        assert not lines
+        assert state["motors"] == "motoron"
+        assert [one["name"] for one in state["signals"]] == ["diGo", "doDone", "aoSpeed"]
+        (task,) = state["tasks"]
+        assert task["pointer"] == ["job", 4]
+        assert task["modules"] == ["job"]
+        assert len(task["joints"]) == 6
+        async with served.client.get(f"{served.base}/ui/text?task=T_ROB1&module=JOB") as response:
+            text = (await response.json())["text"]
+        assert text == PROGRAM
+        for path in ("ui/text?task=T_ROB1&module=none", "ui/text?task=none&module=x", "ui/none"):
+            async with served.client.get(f"{served.base}/{path}") as response:
+                assert response.status == 404
+
+    serve(cell(tmp_path), None, use)
+
+
+def test_nothing_is_done_by_get_or_for_a_page_from_elsewhere(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        done = {"path": "/rw/rapid/execution", "action": "start"}
+        url = f"{served.base}/ui/do"
+        async with served.client.get(url, params=done) as response:
+            assert response.status == 404
+        for headers in ({"Origin": "http://evil.example"}, {"Host": "evil.example"}):
+            async with served.client.post(url, data=done, headers=headers) as response:
+                assert response.status == 403
+        async with aiohttp.ClientSession() as nobody, nobody.get(f"{served.base}/ui") as response:
+            assert response.status == 401
+        assert not served.engine.live.executes
+        async with served.client.post(url, data=done, headers={"Origin": served.base}) as response:
+            assert response.status == 204
+        assert served.engine.live.executes
+        async with served.client.post(url, data=done) as response:
+            assert response.status == 400
+            assert await response.text() == "the program executes already"
+
+    serve(cell(tmp_path), None, use)
+
+
+@pytest.mark.process
+@pytest.mark.skipif(CHROMIUM is None, reason="no browser is here")
+def test_a_browser_shows_the_controller_and_its_buttons_do_what_they_say(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        live = served.engine.live
+        address = served.base.replace("//", "//Default%20User:robotics@")
+        async with opened(f"{address}/ui", tmp_path) as page:
+            await page.until("document.querySelector('#text li.pointer')")
+            assert (
+                await page.value("document.querySelector('#text li.pointer').textContent")
+                == (PROGRAM.splitlines()[3])
+            )
+            # Marks of a program are text.
+            assert await page.value("document.querySelectorAll('#text b').length") == 0
+            assert await page.value("document.getElementById('stop').disabled")
+            await page.value("document.getElementById('start').click()")
+            await page.until("!document.getElementById('stop').disabled")
+            live.advance(live.now_s + 0.2)
+            await page.until("document.querySelector('#text li.motion')")
+            live.advance(live.now_s + 5.0)
+            await page.until("document.getElementById('screen').textContent.includes('<i>one</i>')")
+            await page.value("document.querySelector('[aria-label=\"Set diGo to 1\"]').click()")
+            await page.until("document.querySelector('#questions button')")
+            assert live.signal_value("diGo") == 1.0
+            assert live.signal_value("doDone") == 1.0
+            await page.value(
+                "var i = document.querySelector('#signals input'); i.value = '2.5';"
+                " i.dispatchEvent(new Event('change'))"
+            )
+            row = "document.querySelector('#signals tr[data-name=aoSpeed]')"
+            await page.until(f"{row}.dataset.value === '2.5'")
+            assert live.signal_value("aoSpeed") == 2.5
+            await page.value("document.querySelector('#questions button').click()")
+            await page.until("!document.querySelector('#questions button')")
+            live.advance(live.now_s + 0.5)
+            await page.until("document.getElementById('stop').disabled")
+            await page.until("document.querySelectorAll('#log tr').length > 3")
+            await page.value("document.getElementById('main').click()")
+            await page.until(
+                "document.querySelector('#text li.pointer').textContent.includes('PROC main')"
+            )
+            for name, width, height, dark in (
+                ("desktop", 1280, 900, False),
+                ("phone", 390, 844, False),
+                ("dark", 1280, 900, True),
+            ):
+                await page.picture(tmp_path / f"{name}.png", width, height, dark=dark)
+                # Nothing is wider than the window.
+                wide = "document.documentElement.scrollWidth - window.innerWidth"
+                assert await page.value(wide) <= 0
+            await page.value("document.getElementById('motors').click()")
+            await page.until("document.getElementById('start').disabled")
+            assert await page.value("document.getElementById('trouble').hidden")
+
+    serve(cell(tmp_path), None, use)
+
+
+def _basic() -> dict[str, str]:
+    said = b64encode(b"Default User:robotics").decode()
+    return {"Authorization": f"Basic {said}"}
