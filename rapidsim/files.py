@@ -434,7 +434,7 @@ def _backinfo(folder: Path) -> Mapping[str, ListedTask]:
 
 def _in_program_file(path: Path) -> list[Path]:
     """The modules a `.pgf` lists; they lie beside it."""
-    names = _module_names(path, input_bytes(path))
+    names = module_names(path, input_bytes(path))
     if not names:
         raise InputError(f"{path} lists no module")
     beside = {entry.name.lower(): entry for entry in _entries(path.parent)}
@@ -449,7 +449,7 @@ def _in_program_file(path: Path) -> list[Path]:
     return modules
 
 
-def _module_names(path: Path, data: bytes) -> list[str]:
+def module_names(path: Path, data: bytes) -> list[str]:
     """Text of the Module elements. A document type is refused, so no entity is ever expanded."""
     parser = expat.ParserCreate()
     parser.buffer_text = True

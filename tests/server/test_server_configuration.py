@@ -6,6 +6,7 @@ import pytest
 from served_controller import Served, serve
 
 from rapidsim.language.equipment import Attributes
+from rapidsim.server.messages import Request
 
 PROGRAM = """MODULE Still
     PROC main()
@@ -98,5 +99,32 @@ def test_signals_stand_behind_their_devices_and_are_written_where_that_is_config
         assert (device["_title"], device["lstate"]) == ("DeviceNet/d651", "enabled")
         # A backup's own types count, and what it lacks is derived.
         assert "ROBOT" in [one["_title"] for one in await served.get("rw/cfg/MOC")]
+
+    serve(tmp_path, None, use)
+
+
+def test_the_inputs_of_a_device_are_set_at_once(tmp_path: Path) -> None:
+    more = """
+      -Name "diNear" -SignalType "DI" -Device "d651" -DeviceMap "7"
+
+      -Name "giPart" -SignalType "GI" -Device "d651" -DeviceMap "2-5"
+"""
+    for name, text in (("RAPID/TASK1/PROGMOD/Still.mod", PROGRAM), ("SYSPAR/EIO.cfg", EIO + more)):
+        (tmp_path / "cell" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "cell" / name).write_text(text)
+
+    async def use(served: Served) -> None:
+        def put(device: str, **form: str) -> int:
+            path = f"/rw/iosystem/devices/127.0.0.1/{device}/set-inputdata"
+            return served.engine.reply(Request("POST", path, {}, form, generation=2)).status
+
+        live = served.engine.live
+        assert put("d651", startbyte="0", signaldata="10110100", datamask="255") == 204
+        assert (live.signal_value("diNear"), live.signal_value("giPart")) == (1.0, 13.0)
+        # What the mask leaves out stays.
+        assert put("d651", startbyte="0", signaldata="00000000", datamask="132") == 204
+        assert (live.signal_value("diNear"), live.signal_value("giPart")) == (0.0, 12.0)
+        assert put("none", startbyte="0", signaldata="00000000", datamask="1") == 404
+        assert put("d651", startbyte="0", signaldata="12", datamask="1") == 400
 
     serve(tmp_path, None, use)

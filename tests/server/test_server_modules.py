@@ -48,3 +48,68 @@ def test_a_module_that_a_client_uploads_is_loaded_run_and_unloaded(tmp_path: Pat
         assert await served.post(f"{task}unloadmod", module="PartMod") == (400, -1073442816)
 
     serve(tmp_path, PROGRAM, use)
+
+
+OTHER = """MODULE Other
+    PERS num rounds := 0;
+    PROC main()
+        count;
+    ENDPROC
+    PROC count()
+        rounds := rounds + 1;
+        WaitTime 0.2;
+    ENDPROC
+    PROC give(num much)
+        rounds := much;
+    ENDPROC
+ENDMODULE
+"""
+LIST = "<Program><Module>other.mod</Module><Module>part.mod</Module></Program>"
+
+
+def test_another_program_takes_the_place_of_the_one_that_is_there(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        part = PART.replace("made := made + 1;", "")
+        texts = {"other.mod": OTHER, "part.mod": part, "all.pgf": LIST, "bad.mod": "MODULE x PROC"}
+        for name, text in texts.items():
+            file = f"{served.base}/fileservice/$HOME/{name}"
+            async with served.client.put(file, data=text.encode()) as done:
+                assert done.status == 201
+        load = "rw/rapid/tasks/T_ROB1/program?action=loadprog"
+        for wrong in ("$HOME/none.pgf", "$HOME/bad.mod", ""):
+            assert await served.post(load, progpath=wrong) == (400, -1073438708)
+        names = [one["name"] for one in await served.get("rw/rapid/modules?task=T_ROB1")]
+        assert names == ["Calling"]
+        assert await served.post(load, progpath="$HOME/all.pgf") == (204, 0)
+        names = [one["name"] for one in await served.get("rw/rapid/modules?task=T_ROB1")]
+        assert names == ["Other", "PartMod"]
+        execution = "rw/rapid/execution?action="
+        assert await served.post(f"{execution}resetpp") == (204, 0)
+        assert await served.post(f"{execution}start", cycle="once") == (204, 0)
+        while await served.executes():
+            pass
+        assert await served.value("rounds") == "1"
+
+    serve(tmp_path, PROGRAM, use)
+
+
+def test_a_pointer_is_put_to_a_routine_which_runs_once(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        put = "rw/rapid/tasks/T_ROB1/pcp?action=set-pp-routine"
+        for wrong in (
+            {"routine": "none"},
+            {"routine": "give"},
+            {"module": "none", "routine": "count"},
+        ):
+            assert (await served.post(put, **wrong))[0] == 400
+        assert await served.post(put, module="Other", routine="COUNT") == (204, 0)
+        (pointer,) = await served.get("rw/rapid/tasks/T_ROB1/pcp")
+        assert (pointer["routinename"], pointer["beginposition"]) == ("count", "6,10")
+        execution = "rw/rapid/execution?action="
+        assert await served.post(f"{execution}start", cycle="forever") == (204, 0)
+        assert (await served.post(put, routine="count"))[0] == 400
+        while await served.executes():
+            pass
+        assert await served.value("rounds") == "1"
+
+    serve(tmp_path, OTHER, use)

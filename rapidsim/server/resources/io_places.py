@@ -31,6 +31,16 @@ def devices(context: Context) -> Iterator[tuple[str, Mapping[str, str]]]:
                 yield spelled.get(network.lower(), network), one
 
 
+def inputs_of(context: Context, device: str) -> Iterator[tuple[str, range]]:
+    """The digital and group inputs of a device, with the bits that it maps to them."""
+    for one in context.live.cell.parameters.instances("EIO", "EIO_SIGNAL") or ():
+        first, _, last = one.get("DeviceMap", "").partition("-")
+        is_input = one.get("SignalType", "").upper() in ("DI", "GI")
+        mapped = first.isdecimal() and (last or first).isdecimal()
+        if is_input and mapped and one.get("Device", "").lower() == device.lower():
+            yield one.get("Name", ""), range(int(first), int(last or first) + 1)
+
+
 class SignalPlaces:
     """Where all signals are; made for a request, so that a long list costs one look."""
 

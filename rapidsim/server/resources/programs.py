@@ -159,6 +159,21 @@ def load_module(context: Context, request: Request, task: str) -> Answer:
     return DONE
 
 
+def load_program(context: Context, request: Request, task: str) -> Answer:
+    """Take a program from a file in place of the one that is there."""
+    context.require_mastership("rapid", request)
+    context.live.load_program(task, path_of_programs(request.form.get("progpath", "")))
+    return DONE
+
+
+def put_pointer(context: Context, request: Request, task: str) -> Answer:
+    """Put the pointer of a task to a routine."""
+    context.require_mastership("rapid", request)
+    routine = given(request.form, "routine")
+    context.live.put_pointer(task, request.form.get("module", ""), routine)
+    return DONE
+
+
 def unload_module(context: Context, request: Request, task: str) -> Answer:
     """Take a module out of a task."""
     context.require_mastership("rapid", request)
@@ -188,7 +203,7 @@ def _module(context: Context, name: str, task: str) -> tree.Module:
 
 
 def _module_item(one: tree.Module) -> Item:
-    kind = "SysMod" if "sysmodule" in {word.key for word in one.attributes} else "ProgMod"
+    kind = "SysMod" if program_memory.is_system_module(one) else "ProgMod"
     return Item("rap-module-info-li", one.name.text, {"name": one.name.text, "type": kind})
 
 

@@ -7,8 +7,8 @@ from typing import Final
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.server.messages import DONE, Answer, Item, Request
 from rapidsim.server.resources import io_places
-from rapidsim.server.resources.codes import READ_ONLY, refused
-from rapidsim.server.resources.context import Context, count, number
+from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, READ_ONLY, refused
+from rapidsim.server.resources.context import Context, count, given, number
 from rapidsim.server.resources.io_places import SignalPlaces
 
 _PAGE: Final = 100
@@ -61,6 +61,30 @@ def set_signal(
     if is_output and not SignalPlaces(context).may_be_written(name):
         raise refused(READ_ONLY, f"the configuration gives clients no access to {found.name}")
     context.live.set_signal(name, number(request.form, "lvalue"))
+    return DONE
+
+
+def set_device_inputs(context: Context, request: Request, network: str, device: str) -> Answer:
+    """Set the inputs that a device maps to some bytes, the bits of each from the highest on."""
+    del network
+    named = {one.get("Name", "").lower() for _, one in io_places.devices(context)}
+    if device.lower() not in named:
+        raise refused(NOT_FOUND, f"there is no device {device}")
+    first, mask = 8 * count(request.form, "startbyte", 0), count(request.form, "datamask", 255)
+    data = given(request.form, "signaldata")
+    if not data or set(data) - set("01") or len(data) % 8:
+        raise refused(BAD_PARAMETER, "`signaldata` takes bytes of eight bits, such as 01111111")
+    bits = {
+        first + 8 * byte + bit: data[8 * byte + 7 - bit] == "1"
+        for byte in range(len(data) // 8)
+        for bit in range(8)
+        if mask >> bit & 1
+    }
+    for name, places in io_places.inputs_of(context, device):
+        if places[0] in bits or places[-1] in bits:
+            old = int(context.live.signal_value(name))
+            told = (bits.get(at, bool(old >> k & 1)) for k, at in enumerate(places))
+            context.live.set_signal(name, float(sum(one << k for k, one in enumerate(told))))
     return DONE
 
 

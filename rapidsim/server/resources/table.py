@@ -107,6 +107,8 @@ _FIRST: Final = (
     Route("POST", _TASK, programs.deactivate, "deactivate"),
     Route("POST", _TASK, programs.load_module, "loadmod"),
     Route("POST", _TASK, programs.unload_module, "unloadmod"),
+    Route("POST", f"{_TASK}/program", programs.load_program, "loadprog"),
+    Route("POST", f"{_TASK}/pcp", programs.put_pointer, "set-pp-routine"),
     Route("GET", "rw/rapid/modules", programs.modules),
     Route("GET", "rw/rapid/modules/{module}", programs.module),
     Route("GET", _SYMBOL, symbols.value),
@@ -129,6 +131,8 @@ _FIRST: Final = (
     Route("POST", "rw/dipc/{queue}", queues.send, "dipc-send"),
     Route("POST", "rw/dipc/{queue}", queues.send, "send"),
     Route("POST", "rw/mastership", system.take_mastership, "request"),
+    # A public client leaves the action out.
+    Route("POST", "rw/mastership", system.take_mastership),
     Route("POST", "rw/mastership", system.give_mastership, "release"),
     Route("POST", "rw/mastership/{domain}", system.take_mastership, "request"),
     Route("POST", "rw/mastership/{domain}", system.give_mastership, "release"),
@@ -153,6 +157,8 @@ _SECOND: Final = (
     Route("GET", f"{_TASK}/modules/{{module}}/text", programs.module_text),
     Route("POST", f"{_TASK}/loadmod", programs.load_module),
     Route("POST", f"{_TASK}/unloadmod", programs.unload_module),
+    Route("POST", f"{_TASK}/program/load", programs.load_program),
+    Route("POST", f"{_TASK}/pcp/routine", programs.put_pointer),
     Route("POST", f"{_TASK}/pcp/reset", programs.reset_pointers),
     Route("GET", f"{_SYMBOL_2}/data", symbols.value),
     Route("POST", f"{_SYMBOL_2}/data", symbols.set_value),
@@ -162,6 +168,9 @@ _SECOND: Final = (
     Route("POST", f"{_ACTIVE}/param/{{parameter...}}", questions.answer),
     Route("POST", "rw/iosystem/signals/signal-search", signals.search),
     *(Route("POST", f"{one}/set-value", signals.set_signal) for one in _SIGNAL),
+    Route(
+        "POST", "rw/iosystem/devices/{network}/{device}/set-inputdata", signals.set_device_inputs
+    ),
     Route("POST", "rw/elog/clearall", event_log.clear_all),
     Route("POST", "rw/elog/{domain}/clear", event_log.clear),
     Route("POST", f"{_INSTANCES}/{{name}}", configuration.change),

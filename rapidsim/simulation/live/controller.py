@@ -29,7 +29,7 @@ from rapidsim.simulation.collected import FinishedRun, collected
 from rapidsim.simulation.live import event_log
 from rapidsim.simulation.live.event_log import EventLog, LogEntry
 from rapidsim.simulation.live.live_task import LiveTask
-from rapidsim.simulation.live.program_memory import load_module, unload_module
+from rapidsim.simulation.live.program_memory import load_module, load_program, unload_module
 from rapidsim.simulation.live.signal_values import limits, status_value
 from rapidsim.simulation.live.states import Cycle, Mode, Motors, Refused, StopMode, TaskState, Why
 from rapidsim.simulation.live.turns import LiveTurns
@@ -276,6 +276,29 @@ class LiveController:
         """
         self._require_stopped()
         return load_module(self.task(task), path, replace=replace)
+
+    def load_program(self, task: str, path: str) -> None:
+        """Take another program into a task; see `program_memory.load_program`.
+
+        Raises:
+            Refused: While a program executes, or if it cannot be.
+        """
+        self._require_stopped()
+        load_program(self.task(task), path)
+
+    def put_pointer(self, task: str, module: str, routine: str) -> None:
+        """Put the pointer of a normal task to a routine of a module, or of any.
+
+        Raises:
+            Refused: While a program executes, or if there is no such procedure.
+        """
+        self._require_stopped()
+        found = self.task(task)
+        if not found.is_normal:
+            raise Refused(Why.STATE, f"{found.name} is neither started nor stopped")
+        found.put_pointer(module, routine, self.now_s, self._refresh)
+        self._acquaint()
+        self._show_states()
 
     def unload_module(self, task: str, name: str) -> None:
         """Take a module out of a task.

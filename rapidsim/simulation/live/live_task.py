@@ -16,11 +16,13 @@ from rapidsim.interpreter.linking.loader import FatalError, Task, load, running
 from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents
 from rapidsim.language.errors import CycleEnded, Stopped
 from rapidsim.language.moves import Place
+from rapidsim.simulation.live.states import Refused, Why
 from rapidsim.simulation.live.turns import LiveTurns
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End
 from rapidsim.simulation.task_run import Outcome, TaskRun, TaskSetup, begun, outcome_of
 from rapidsim.station.task_kind import TaskKind
+from rapidsim.syntax import tree
 
 
 class Chief(Protocol):
@@ -62,6 +64,8 @@ class LiveTask:
     has_pointer: bool = True
     """Whether the pointer stands somewhere from which the program can go on."""
     _begun: bool = False
+    _routine: str = ""
+    """Where the pointer was put; empty for the entry."""
     _own: tuple[Listener, ...] = ()
     _found: tuple[Diagnostic, ...] = ()
     _failed_moves: tuple[FailedMove, ...] = ()
@@ -110,6 +114,7 @@ class LiveTask:
             refresh_percent: The operator's speed ratio.
         """
         self.end(now_s)
+        self._routine = ""
         before = len(self.cell.listeners)
         self.run = begun(self.setup, self.unit, self.cell, self.journal, self.options)
         self._own = tuple(self.cell.listeners[before:])
@@ -127,6 +132,30 @@ class LiveTask:
             if old is not None:
                 self.task.keep(old)
         self.has_pointer = True
+
+    def put_pointer(self, module: str, routine: str, now_s: float, refresh_percent: float) -> None:
+        """Put the pointer to a procedure; variables begin anew, as at main.
+
+        Args:
+            module: Where it is; empty for any.
+            routine: Its name, in any case.
+            now_s: Now.
+            refresh_percent: The operator's speed ratio.
+
+        Raises:
+            Refused: If there is no such procedure without parameters.
+        """
+        program = self.setup.program if self.task is None else self.task.program
+        symbol = program.routines.get(routine.lower())
+        if symbol is not None and module.lower() not in ("", symbol.module.name.key):
+            symbol = None
+        is_plain = symbol is not None and isinstance(symbol.node, tree.Proc)
+        if symbol is None or not is_plain or any(not one.optional for one in symbol.parameters):
+            raise Refused(Why.NO_SYMBOL, f"{self.name} has no procedure {routine} to begin with")
+        self.begin(now_s, refresh_percent)
+        self._routine = symbol.name
+        place = Place(symbol.module.span(symbol.node.name), symbol.name)
+        self.run.controller.clock.place = place
 
     def end(self, now_s: float) -> None:
         """Take the program off; its robot forgets what is left of its path."""
@@ -186,9 +215,11 @@ class LiveTask:
             assert self.task is not None
             with running():
                 while True:
+                    routine, self._routine = self._routine, ""
                     with suppress(CycleEnded):
-                        self.task.run(self.entry)
-                    goes_on = self.chief.cycle_ended(self)
+                        self.task.run(routine or self.entry)
+                    # Behind a routine that somebody has chosen nothing comes.
+                    goes_on = self.chief.cycle_ended(self) and not routine
                     clock.begin_again()
                     if goes_on or not self.is_normal:
                         continue

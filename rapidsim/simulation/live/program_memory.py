@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rapidsim.diagnostics import Source
-from rapidsim.files import decode
+from rapidsim.files import InputError, decode, module_names
 from rapidsim.interpreter.linking.loader import FatalError
 from rapidsim.language.errors import RapidError
 from rapidsim.library.loading import LARGEST_FILE
@@ -46,6 +46,42 @@ def load_module(task: LiveTask, path: str, *, replace: bool) -> str:
     except (RapidError, FatalError) as error:
         raise Refused(Why.NO_FILE, str(error)) from None
     return names[0]
+
+
+def load_program(task: LiveTask, path: str) -> None:
+    """Take a program file's modules in place of all program modules of a task that stands.
+
+    Args:
+        task: The task.
+        path: Of a `.pgf` file, or of a module that is the program, as programs name it.
+
+    Raises:
+        Refused: If a file is missing or wrong; then nothing has changed, or if they do not fit.
+    """
+    memory, home = task.run.controller.concerns.modules, task.cell.home
+    try:
+        place, data = home.read(path, LARGEST_FILE)
+        folder, paths = path.rpartition("/")[0], [path]
+        if place.suffix.lower() == ".pgf":
+            paths = [f"{folder}/{name}" for name in module_names(place, data)]
+        read = [home.read(one, LARGEST_FILE) for one in paths]
+        sources = [Source(str(file), decode(text)[0]) for file, text in read]
+        for source in sources:
+            wrong = parse(source).diagnostics
+            if wrong:
+                raise Refused(Why.NO_FILE, f"{wrong[0].file}: {wrong[0].message}")
+        for one in modules(task):
+            if not is_system_module(one):
+                memory.erase(one.name.text)
+        for source, one_path in zip(sources, paths, strict=True):
+            memory.load(source, one_path, check_references=False)
+    except (RapidError, FatalError, InputError) as error:
+        raise Refused(Why.NO_FILE, str(error)) from None
+
+
+def is_system_module(module: tree.Module) -> bool:
+    """Whether a module stays when another program is loaded."""
+    return "sysmodule" in {word.key for word in module.attributes}
 
 
 def unload_module(task: LiveTask, name: str) -> None:
