@@ -59,16 +59,19 @@ class PositionReader:
 
     def read(self, now_s: float) -> Reading:
         """Where the robot is at a time [s] that has come, or was found no longer ago than holds."""
+        before = None if self._last is None else self._last.time_s
         if self._version != self.unit.version:
+            # Whoever reads evenly goes on with it, but what comes may soon be something else again.
             self._version, self._last = self.unit.version, None
             self._ahead.clear()
+            self._count = max(1, self._count // 8)
         if self.unit.own.is_led:
             # Only the sensor knows where it will be.
             self._step_s = math.inf
             self._ahead.clear()
         last = self._last
         if last is None or not 0.0 <= now_s - last.time_s < HOLDS_S - _SAME_S:
-            step_s = math.inf if last is None else now_s - last.time_s
+            step_s = math.inf if before is None else now_s - before
             self._last = last = self._next(now_s, step_s)
             # What it was too late for may have come to light.
             self._version = self.unit.version

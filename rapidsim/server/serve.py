@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from aiohttp import web
 
 from rapidsim.files import InputError
-from rapidsim.server.http.app import Face
+from rapidsim.server.http.app import Face, runner_of
 from rapidsim.server.http.basic import BasicAuthentication
 from rapidsim.server.http.dialect import Dialect
 from rapidsim.server.http.digest import DigestAuthentication
@@ -65,7 +65,7 @@ async def _serve(
     noted: Callable[[str], None],
 ) -> bool:
     guard = Guard(settings.host)
-    face = Face(engine, guard, settings.most_sessions, settings.session_timeout_s)
+    face = Face(engine, guard, settings.most_sessions, settings.session_timeout_s, noted)
 
     def told(what: Told) -> None:
         if isinstance(what, Note):
@@ -116,7 +116,7 @@ async def _listen(
         InputError: If the port is taken.
     """
     app = face.app(dialect)
-    runner = web.AppRunner(app, handle_signals=False, access_log=None, shutdown_timeout=1.0)
+    runner = runner_of(app)
     runners.append(runner)
     await runner.setup()
     try:

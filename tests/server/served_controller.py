@@ -13,7 +13,7 @@ from aiohttp import web
 
 from rapidsim.jobs.asked import Asked
 from rapidsim.server.engine import Engine
-from rapidsim.server.http.app import Face
+from rapidsim.server.http.app import Face, runner_of
 from rapidsim.server.http.basic import BasicAuthentication
 from rapidsim.server.http.digest import DigestAuthentication
 from rapidsim.server.http.first import FirstGeneration
@@ -118,7 +118,7 @@ async def _serve(
         FirstGeneration(users),
         SecondGeneration(BasicAuthentication(DEFAULT_USERS)),
     )
-    runners = [web.AppRunner(face.app(one)) for one in dialects]
+    runners = [runner_of(face.app(one)) for one in dialects]
     try:
         for runner in runners:
             await runner.setup()

@@ -1,5 +1,6 @@
 """Who comes in, and what nobody may do."""
 
+import asyncio
 from pathlib import Path
 
 import aiohttp
@@ -139,6 +140,33 @@ def test_files_come_and_go_and_nobody_leaves_the_home_folder(tmp_path: Path) -> 
         assert (tmp_path / "secret.txt").read_text() == "secret"
 
     serve(tmp_path, IDLE, use)
+
+
+def test_half_a_request_and_none_are_no_faults_of_the_server(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    async def use(served: Served) -> None:
+        await served.get("rw/system")
+        cookie = "; ".join(f"{one.key}={one.value}" for one in served.client.cookie_jar)
+        host = served.base.removeprefix("http://")
+        head = f"PUT /fileservice/$HOME/x HTTP/1.1\r\nHost: {host}\r\nCookie: {cookie}\r\n"
+        for sent in (
+            f"{head}Content-Length: 100\r\n\r\nabc",
+            f"{head}Transfer-Encoding: chunked\r\n\r\n10\r\nabc",
+            f"GET /{'a' * 20_000} HTTP/1.1\r\n\r\n",
+            "\x16\x03\x01\0\0",
+        ):
+            _, writer = await asyncio.open_connection(*host.split(":"))
+            writer.write(sent.encode())
+            await writer.drain()
+            await asyncio.sleep(0.05)
+            writer.close()
+            await asyncio.sleep(0.05)
+        await served.get("rw/system")
+
+    serve(tmp_path, IDLE, use)
+    assert not caplog.records
+    assert not (tmp_path / "home" / "x").exists()
 
 
 def test_nothing_that_a_client_sends_ends_the_server(tmp_path: Path) -> None:

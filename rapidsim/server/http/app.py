@@ -6,6 +6,7 @@ The engine decides what becomes of a request. Both generations share sessions an
 from __future__ import annotations
 
 import asyncio
+import logging
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass, field
 from typing import Final
@@ -48,6 +49,18 @@ _SESSION: Final = web.RequestKey("session", Session)
 _DIALECT: Final = web.AppKey("dialect", Dialect)
 
 
+_QUIET: Final = logging.getLogger("rapidsim.requests")
+"""The library would log each request that it cannot read, with a traceback."""
+_QUIET.disabled = True
+
+
+def runner_of(app: web.Application) -> web.AppRunner:
+    """What serves an application."""
+    return web.AppRunner(
+        app, handle_signals=False, access_log=None, shutdown_timeout=1.0, logger=_QUIET
+    )
+
+
 @dataclass(eq=False)
 class _Group:
     """What one websocket is told."""
@@ -67,6 +80,8 @@ class Face:
     guard: Guard
     most_sessions: int = 70
     idle_s: float = 300.0
+    noted: Callable[[str], None] = print
+    """Told a line at what whoever started the server should know."""
     sessions: Sessions = field(init=False)
     _groups: dict[int, _Group] = field(default_factory=dict)
     _last_group: int = 0
@@ -119,6 +134,16 @@ class Face:
             return web.Response(status=500, text="the controller has ended\n")
         except (UnicodeError, ValueError):
             return web.Response(status=400, text="the request cannot be read\n")
+        except ConnectionError:
+            # Who has sent half a request hears nothing of it.
+            return web.Response(status=400)
+        except web.HTTPException:
+            raise
+        except Exception as error:
+            # A defect of ours ends a request, not the server.
+            defect = f"rapidsim has a defect: {type(error).__name__}: {error}"
+            self.noted(f"error: {defect}; please report it with {request.method} {request.path}")
+            return web.Response(status=500, text=f"{defect}\n")
         if fresh and not response.prepared:
             for name, value in session.cookies.items():
                 # By hand: one of the names would not pass `set_cookie`.

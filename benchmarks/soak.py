@@ -1,0 +1,284 @@
+"""A served controller for an hour among clients that do everything wrong.
+
+    python benchmarks/soak.py --minutes 60
+
+Four random clients on this computer send garbage, half requests and uploads that break off, open
+more sessions than there are, subscribe and vanish, start and stop programs. Meanwhile this script
+looks at the memory of the controller's processes, at what it says on standard error, and at whether
+each file that was uploaded is one of those that somebody sent whole. At the end it is killed in the
+midst of uploads, and the files must still be whole. It ends with 1 where anything was not so.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import contextlib
+import hashlib
+import json
+import random
+import re
+import signal
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import aiohttp
+
+PROGRAM = r"""MODULE soaked
+  PERS num rounds := 0;
+  VAR num total := 0;
+  PROC main()
+    MoveAbsJ [[20,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v500, z10, tool0;
+    MoveAbsJ [[0,10,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v500, fine, tool0;
+    rounds := rounds + 1;
+    total := total + 1;
+    WaitDI diGo, 1 \MaxTime:=0.5;
+    IF total MOD 50 = 0 ErrWrite \W, "Fifty", "rounds";
+  ERROR
+    TRYNEXT;
+  ENDPROC
+ENDMODULE
+"""
+STATION = '[signals]\ndiGo = { type = "di" }\ndoOut = { type = "do" }\n'
+USER = ("Default User", "robotics")
+PAGE_BYTES = 4096
+
+
+def text_of(number: int) -> bytes:
+    """A file that says itself whether it is whole."""
+    body = random.Random(number).randbytes(20_000 + number % 7 * 30_000)
+    return hashlib.sha256(body).hexdigest().encode() + body
+
+
+def is_whole(data: bytes) -> bool:
+    """Whether that is such a file."""
+    return hashlib.sha256(data[64:]).hexdigest().encode() == data[:64]
+
+
+class Soak:
+    """What the clients share."""
+
+    def __init__(self, port: int, home: Path, until: float) -> None:
+        """Begin."""
+        self.port, self.home, self.until = port, home, until
+        self.base = f"http://127.0.0.1:{port}"
+        self.counts: dict[str, int] = {}
+        self.faults: list[str] = []
+
+    def note(self, what: str) -> None:
+        """Count something."""
+        self.counts[what] = self.counts.get(what, 0) + 1
+
+    def goes_on(self) -> bool:
+        """Whether there is time left."""
+        return time.monotonic() < self.until and len(self.faults) < 20
+
+    def client(self) -> aiohttp.ClientSession:
+        """Somebody who may come in."""
+        digest = aiohttp.DigestAuthMiddleware(*USER)
+        jar = aiohttp.CookieJar(unsafe=True)
+        patience = aiohttp.ClientTimeout(total=60)
+        return aiohttp.ClientSession(middlewares=(digest,), cookie_jar=jar, timeout=patience)
+
+    async def asked(
+        self, client: aiohttp.ClientSession, method: str, path: str, **form: str
+    ) -> int:
+        """The status of a request; 500 is a fault."""
+        async with client.request(method, f"{self.base}/{path}", data=form or None) as response:
+            body = await response.read()
+            self.note(str(response.status))
+            if response.status == 500:
+                self.faults.append(f"{method} {path}: {body[:200]!r}")
+            return response.status
+
+
+async def worker(soak: Soak, dice: random.Random) -> None:
+    """Uses the controller as one should, in a random order."""
+    async with soak.client() as client:
+        while soak.goes_on():
+            what = dice.choice(
+                [
+                    ("POST", "rw/rapid/execution?action=start", {"cycle": "forever"}),
+                    ("POST", "rw/rapid/execution?action=stop", {"stopmode": "stop"}),
+                    ("POST", "rw/rapid/execution?action=resetpp", {}),
+                    ("POST", "rw/iosystem/signals/diGo?action=set", {"lvalue": dice.choice("01")}),
+                    ("POST", "rw/rapid/symbol/data/RAPID/T_ROB1/rounds?action=set", {"value": "1"}),
+                    ("POST", "rw/panel/ctrlstate?action=setctrlstate", {"ctrl-state": "motoron"}),
+                    ("GET", "rw/motionsystem/mechunits/ROB_1/jointtarget?json=1", {}),
+                    ("GET", "rw/elog/0?lang=en&json=1", {}),
+                    ("GET", "rw/rapid/symbol/data/RAPID/T_ROB1/rounds", {}),
+                    ("GET", "ui/state", {}),
+                ]
+            )
+            await soak.asked(client, what[0], what[1], **what[2])
+            await asyncio.sleep(dice.uniform(0.0, 0.2))
+
+
+async def babbler(soak: Soak, dice: random.Random) -> None:
+    """Sends what is no request, or half of one."""
+    words = [
+        b"GET / HTTP/1.1\r\nHost: 127.0.0.1\r\n",
+        b"POST /rw/rapid/execution?action=start HTTP/1.1\r\nContent-Length: 1000\r\n\r\ncyc",
+        b"\x16\x03\x01" + b"\x00" * 50,
+        b"PUT /fileservice/$HOME/x HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\nzz\r\n",
+        b"GET /" + b"a" * 20_000 + b" HTTP/1.1\r\n\r\n",
+    ]
+    async with soak.client() as client:
+        while soak.goes_on():
+            with contextlib.suppress(OSError):
+                reader, writer = await asyncio.open_connection("127.0.0.1", soak.port)
+                word = dice.choice(words) if dice.random() < 0.7 else dice.randbytes(300)
+                writer.write(word[: dice.randrange(1, len(word) + 1)])
+                await writer.drain()
+                with contextlib.suppress(TimeoutError):
+                    await asyncio.wait_for(reader.read(1000), dice.uniform(0.0, 0.5))
+                writer.close()
+                soak.note("garbage")
+            path = dice.choice(
+                ["rw/none", "rw/%00", "fileservice/$HOME/../../etc/passwd", "rw/cfg/x/y/instances"]
+            )
+            await soak.asked(client, "GET", path)
+            wrong = {"value": dice.choice(['{"a"', "[1,2", "9" * 5000, "\0"])}
+            await soak.asked(
+                client, "POST", "rw/rapid/symbol/data/RAPID/T_ROB1/rounds?action=set", **wrong
+            )
+            await asyncio.sleep(0.05)
+
+
+async def crowd(soak: Soak, dice: random.Random) -> None:
+    """More sessions than there are, and websockets that vanish."""
+    while soak.goes_on():
+        many = [soak.client() for _ in range(dice.choice([3, 12, 71]))]
+        statuses = [await soak.asked(one, "GET", "rw/system?json=1") for one in many]
+        if 503 in statuses:
+            soak.note("too many sessions")
+        for one in many[:5]:
+            form = {"resources": "1", "1": "/rw/iosystem/signals/diGo;state", "1-p": "2"}
+            async with one.post(f"{soak.base}/subscription", data=form) as response:
+                where = response.headers.get("Location", "")
+                soak.note(str(response.status))
+            if response.status == 201:
+                with contextlib.suppress(aiohttp.ClientError, TimeoutError):
+                    socket = await one.ws_connect(where, protocols=("robapi2_subscription",))
+                    await asyncio.wait_for(socket.receive(), 1.0)
+                    soak.note("events")
+                    if dice.random() < 0.5:
+                        await socket.close()
+        for one in many:
+            if dice.random() < 0.7:
+                with contextlib.suppress(aiohttp.ClientError):
+                    await soak.asked(one, "GET", "logout")
+            await one.close()
+        await asyncio.sleep(dice.uniform(0.2, 2.0))
+
+
+async def uploader(soak: Soak, dice: random.Random) -> None:
+    """Uploads files, some of which break off, and reads them back."""
+    async with soak.client() as client:
+        while soak.goes_on():
+            number, name = dice.randrange(1000), f"file{dice.randrange(5)}.bin"
+            url, data = f"{soak.base}/fileservice/$HOME/up/{name}", text_of(number)
+            if dice.random() < 0.5:
+                with contextlib.suppress(aiohttp.ClientError, OSError):
+
+                    async def broken(data: bytes = data) -> object:
+                        yield data[: dice.randrange(len(data))]
+                        raise OSError
+
+                    await client.put(url, data=broken())
+                soak.note("uploads cut off")
+            else:
+                async with client.put(url, data=data) as response:
+                    soak.note(f"upload {response.status}")
+            async with client.get(url) as response:
+                if response.status == 200 and not is_whole(await response.read()):
+                    soak.faults.append(f"{name} is not whole")
+            await asyncio.sleep(dice.uniform(0.0, 0.1))
+
+
+def memory_mb(pid: int) -> list[float]:
+    """Resident memory of a process and its children, the greatest first."""
+    found = []
+    for status in Path("/proc").glob("[0-9]*/status"):
+        with contextlib.suppress(OSError):
+            text = status.read_text()
+            if re.search(rf"^(Pid|PPid):\s+{pid}$", text, re.M):
+                pages = int(status.with_name("statm").read_text().split()[1])
+                found.append(pages * PAGE_BYTES / 2**20)
+    return sorted(found, reverse=True)
+
+
+async def watch(soak: Soak, pid: int) -> None:
+    """Tell every minute how it goes."""
+    began = time.monotonic()
+    while soak.goes_on():
+        megabytes = ", ".join(f"{one:.1f}" for one in memory_mb(pid))
+        print(f"{time.monotonic() - began:7.0f} s  {megabytes} MB  {soak.counts}", flush=True)
+        await asyncio.sleep(min(60.0, max(1.0, soak.until - time.monotonic())))
+
+
+async def soaked(folder: Path, minutes: float, speed: str, seed: int) -> list[str]:
+    """Serve, soak, kill; what was not as it must be."""
+    home = folder / "home"
+    (folder / "cell").mkdir()
+    home.mkdir()
+    (folder / "cell" / "soaked.mod").write_text(PROGRAM)
+    (folder / "cell" / "rapidsim.toml").write_text(STATION)
+    errors = (folder / "errors.txt").open("w")
+    process = await asyncio.create_subprocess_exec(
+        *(sys.executable, "-m", "rapidsim", "serve", str(folder / "cell"), "--home", str(home)),
+        *("--rws1-port", "0", "--rws2-port", "off", "--speed", speed, "--session-timeout", "20"),
+        *("--journal", str(folder / "journal.jsonl")),
+        stdout=asyncio.subprocess.PIPE,
+        stderr=errors,
+    )
+    assert process.stdout is not None
+    ready = json.loads(await process.stdout.readline())
+    until = time.monotonic() + 60.0 * minutes
+    soak = Soak(int(ready["rws1"].rpartition(":")[2]), home, until)
+    workers = [
+        one(soak, random.Random(seed + k))
+        for k, one in enumerate((worker, babbler, crowd, uploader))
+    ]
+    results = await asyncio.gather(*workers, watch(soak, ready["pid"]), return_exceptions=True)
+    faults = soak.faults + [repr(one) for one in results if isinstance(one, BaseException)]
+    if process.returncode is not None:
+        faults.append(f"the controller has ended with {process.returncode}")
+    # Killed in the midst of uploads.
+    soak.until = time.monotonic() + 5.0
+    last = asyncio.create_task(uploader(soak, random.Random(seed)))
+    await asyncio.sleep(1.0)
+    process.send_signal(signal.SIGKILL)
+    await process.wait()
+    last.cancel()
+    await asyncio.gather(last, return_exceptions=True)
+    faults += [
+        f"{one.name} is not whole"
+        for one in (home / "up").glob("file*")
+        if not is_whole(one.read_bytes())
+    ]
+    said = (folder / "errors.txt").read_text()
+    if "defect" in said or "Traceback" in said:
+        faults.append(said[-5000:])
+    journal = (folder / "journal.jsonl").stat().st_size / 2**20
+    print(f"journal {journal:.1f} MB; {soak.counts}")
+    return faults
+
+
+def main() -> None:
+    """Soak and tell."""
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("--minutes", type=float, default=60.0)
+    parser.add_argument("--speed", default="1")
+    parser.add_argument("--seed", type=int, default=0)
+    asked = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        faults = asyncio.run(soaked(Path(folder), asked.minutes, asked.speed, asked.seed))
+    print("\n".join(faults) or "nothing was wrong")
+    raise SystemExit(bool(faults))
+
+
+if __name__ == "__main__":
+    main()
