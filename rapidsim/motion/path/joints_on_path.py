@@ -5,17 +5,14 @@ They are those of `Path.evaluate`; without derivatives and poses they cost a thi
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
+from rapidsim.frames.moving_frames import Twists
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.geometry.joint_mapping import Arms
 from rapidsim.motion.geometry.parameterisation import Layout
-from rapidsim.motion.kinematics.unwrapping import in_turn_of
 from rapidsim.motion.path.along_curves import Nodes
-from rapidsim.motion.path.line_derivatives import Lines
 from rapidsim.values import dataclass
 
 
@@ -25,7 +22,6 @@ class JointsOnPath:
 
     layout: Layout
     arms: Arms
-    lines: Lines | None
     nodes: Nodes
 
     def spaces(self, piece: Index) -> tuple[Index, Index]:
@@ -47,21 +43,19 @@ class JointsOnPath:
         near[:, self.arms.kinematics.joint_count :] = external
         return near
 
+    def in_space(self, s: Array, piece: Index) -> tuple[Twists, Array]:
+        """The motion at places (k,) of Cartesian curves and corners, and the joints (k, n + e)."""
+        motion = self.layout.motion(s, piece)
+        near = self.near(s, self.layout.course(s, piece).value)
+        return motion, self.arms.joints(motion, self.layout.row[piece], near)[0]
+
     def at(self, s: Array) -> Array:
         """Joints, external axes behind them, (k, n + e) at places s (k,) [m] of the path."""
         piece = self.layout.piece_at(s)
         joints = np.empty((len(s), self.nodes.joints.shape[1]))
         on_curve, in_joints = self.spaces(piece)
         if len(on_curve):
-            at, of = s[on_curve], piece[on_curve]
-            row, near = self.layout.row[of], self.near(at, self.layout.course(at, of).value)
-            found = self._solved(
-                self.lines, at, of, near,
-                lambda some: self.arms.joints(
-                    self.layout.motion(at[some], of[some]), row[some], near[some]
-                )[0],
-            )  # fmt: skip
-            joints[on_curve] = found
+            joints[on_curve] = self.in_space(s[on_curve], piece[on_curve])[1]
         if len(in_joints):
             joints[in_joints] = self._in_joint_space(s[in_joints], piece[in_joints])
         return joints
@@ -91,28 +85,5 @@ class JointsOnPath:
             row, x = row[line], x[line]
             s = self.layout.places[row] + x
             near = self.near(s, joints[line, self.arms.kinematics.joint_count :])
-            alone = None if self.lines is None else self.lines.alone
-            joints[line] = self._solved(
-                alone, s, row, near,
-                lambda some: self.arms.joints(
-                    curves.at(row[some], x[some]), row[some], near[some]
-                )[0],
-            )  # fmt: skip
-        return joints
-
-    def _solved(
-        self,
-        lines: Lines | None,
-        s: Array,
-        piece: Index,
-        near: Array,
-        in_general: Callable[[Index], Array],
-    ) -> Array:
-        """Joints (k, n + e) by the formulas of lines where these hold, elsewhere in general."""
-        if lines is None:
-            return in_general(np.arange(len(s)))
-        joints, holds = lines.joints(s, piece)
-        joints, others = in_turn_of(joints, holds, near), np.flatnonzero(~holds)
-        if len(others):
-            joints[others] = in_general(others)
+            joints[line] = self.arms.joints(curves.at(row, x), row, near)[0]
         return joints

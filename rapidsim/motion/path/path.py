@@ -229,7 +229,7 @@ class Path:
     @cached_property
     def joints_on(self) -> JointsOnPath:
         """The inverse kinematics of the path."""
-        return JointsOnPath(self.layout, self.arms, self.lines, self.nodes)
+        return JointsOnPath(self.layout, self.arms, self.nodes)
 
     def joints_at(self, s: Array) -> Array:
         """Joints, external axes behind them, (k, n + e) at places s (k,) [m]; see `evaluate`."""
@@ -246,10 +246,7 @@ class Path:
         tcp_rate = np.empty(len(s))
         on_curve, in_joints = self.joints_on.spaces(piece)
         if len(on_curve):
-            at = piece[on_curve]
-            motion = self.layout.motion(s[on_curve], at)
-            near = self.joints_on.near(s[on_curve], self.layout.course(s[on_curve], at).value)
-            joints[on_curve] = self.arms.joints(motion, row[on_curve], near)[0]
+            motion, joints[on_curve] = self.joints_on.in_space(s[on_curve], piece[on_curve])
             position[on_curve], rotation[on_curve] = motion.position, motion.rotation
             tcp_rate[on_curve] = np.linalg.norm(motion.velocity, axis=-1)
         if len(in_joints):
