@@ -216,6 +216,20 @@ def test_joint_speeds_are_told_in_the_unit_of_each_joint(joints: Array, up_mm_s:
     assert missed == pytest.approx(np.zeros(6), abs=1e-9)
 
 
+@pytest.mark.parametrize(
+    ("up_mm", "said"),
+    [
+        (80.0, "joint 3 over by 80.0 mm at its upper limit"),
+        (-540.0, "joint 3 over by 360.0 mm at its lower limit"),
+        (0.04, None),  # a target on top of the stroke, written with one digit
+        (-180.04, None),
+    ],
+)
+def test_how_far_outside_the_stroke_is_told_in_mm(up_mm: float, said: str | None) -> None:
+    why = why_unreachable(ARM, down_at(0.35, 0.15, G.flange_up + 1e-3 * up_mm))
+    assert (why.message if why else None) == said
+
+
 def test_a_tilted_flange_is_refused_with_its_angle() -> None:
     pose = ARM.forward(np.radians([10.0, 40.0, -50.0, 30.0]))
     tilted = rotation_from_vector(np.array([np.radians(5.0), 0.0, 0.0]))

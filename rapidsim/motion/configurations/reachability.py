@@ -74,10 +74,12 @@ def turns_within_limits(robot: Robot, joints: Array) -> Array:
 
 def limit_excess(robot: Robot, joints: Array) -> Array:
     """How far joint vectors (..., n) [rad] are over their limits: + above, - below, 0 within."""
-    tolerance = limit_tolerance(robot)
-    above = np.maximum(joints - robot.upper - tolerance, 0.0)
-    below = np.maximum(robot.lower - joints - tolerance, 0.0)
-    return above - below
+    # What is over by more than is tolerated is over by all of it but rounding.
+    tolerated = limit_tolerance(robot) - LIMIT_TOLERANCE
+    above = joints - robot.upper - LIMIT_TOLERANCE
+    below = robot.lower - joints - LIMIT_TOLERANCE
+    over: Array = np.where(above > tolerated, above, 0.0) - np.where(below > tolerated, below, 0.0)
+    return over
 
 
 def limit_tolerance(robot: Robot) -> Array:
