@@ -62,12 +62,39 @@ def down_at(x: float, y: float, z: float, yaw: float = 0.0) -> Transform:
 
 
 def test_the_published_result_of_a_controller() -> None:
-    """CalcJointT on an IRB 920T-6/0.55: x 300, y -210, z 175 mm, 33.8 deg about z."""
+    """CalcJointT on an IRB 920T-6/0.55: x 300, y -210 mm, the tool straight down."""
     arm = load_robot("irb920t").kinematics
-    branches = arm.inverse(down_at(0.3, -0.21, 0.175, np.radians(33.8)))
+    branches = arm.inverse(down_at(0.3, -0.21, 0.175))
     assert branches.exists.all()
     assert np.degrees(branches.joints[0]) == pytest.approx([-79.8, 96.7, -65.5, 16.9], abs=0.05)
-    assert confdata_of(arm, branches.joints).tolist() == [[-1, 0, 0, 0], [0, 1, 0, 1]]
+    assert confdata_of(arm, branches.joints).tolist() == [[-1, 0, 0, 0], [0, -1, 0, 1]]
+
+
+STORED = (
+    # x, y, q2, q3 and confdata
+    (645.361628388, -74.377374159, -0.439613657, 0.89818697, (-1, 1, 0, 1)),
+    (273.164682924, 565.04175531, -0.34517174, 0.938539541, (0, 2, 0, 0)),
+    (282.890575697, -475.913992853, 0.509754155, 0.860320115, (-1, 2, 0, 0)),
+    (35.242533768, 552.520741896, -0.67125191, 0.741229299, (0, 2, 0, 0)),
+    (50.960408769, -437.765098633, 0.517953512, 0.855408768, (-2, 2, 0, 0)),
+    (-128.840894088, 593.296446909, 0.892793921, -0.450465332, (0, -2, 0, 0)),
+    (-176.287904502, -470.577490734, -0.534224663, 0.84534254, (-2, -4, 0, 0)),
+)
+"""Targets in a public backup of a controller of an IRB 910SC-3/0.65 (RobotWare 6.08), stored by it;
+at heights of 41.892741812 and 161.892741812 mm, q1 and q4 are 0."""
+
+
+@pytest.mark.parametrize("height_mm", [41.892741812, 161.892741812])
+@pytest.mark.parametrize(("x", "y", "q2", "q3", "conf"), STORED)
+def test_targets_of_a_controller_are_reached_in_their_configuration(
+    x: float, y: float, q2: float, q3: float, conf: tuple[int, int, int, int], height_mm: float
+) -> None:
+    arm = load_robot("irb910sc-3-0.65")
+    pose = Transform.from_quaternion((0.0, q2, q3, 0.0), 1e-3 * np.array([x, y, height_mm]))
+    (found,) = [one for one in configurations(arm, pose) if one.confdata == conf]
+    assert np.degrees(found.joints[2]) == pytest.approx(height_mm - 220.0)
+    reached = arm.forward(found.joints)
+    assert np.abs(reached.matrix - pose.matrix).max() < 1e-9
 
 
 @given(JOINTS)
@@ -77,7 +104,7 @@ def test_forward_is_the_published_formula(joints: Array) -> None:
     x = G.a1 * np.cos(q1) + G.a2 * np.cos(q1 + q2)
     y = G.a1 * np.sin(q1) + G.a2 * np.sin(q1 + q2)
     assert pose.translation == pytest.approx([x, y, G.flange_up + 1e-3 * np.degrees(q3)])
-    yaw = rotation_from_vector(np.array([0.0, 0.0, q1 + q2 + q4]))
+    yaw = rotation_from_vector(np.array([0.0, 0.0, q1 + q2 - q4]))
     assert pose.rotation == pytest.approx(yaw @ DOWN)
     assert ARM.kinematics.link_frames(joints)[-1].translation == pytest.approx(pose.translation)
 
@@ -90,7 +117,7 @@ def test_jacobian_is_the_derivative_of_forward(joints: Array) -> None:
         ahead, behind = (ARM.forward(joints + sign * step * np.eye(4)[joint]) for sign in (1, -1))
         velocity = (ahead.translation - behind.translation) / (2.0 * step)
         assert velocity == pytest.approx(jacobian[:3, joint], abs=1e-8)
-        assert jacobian[3:, joint] == pytest.approx([0.0, 0.0, float(joint != 2)])
+        assert jacobian[3:, joint] == pytest.approx([0.0, 0.0, (1.0, 1.0, 0.0, -1.0)[joint]])
 
 
 @examples(200)
@@ -144,11 +171,11 @@ def test_ways_of_a_configuration_are_followed_over_more_than_half_a_turn() -> No
 
 
 PROGRAM = """MODULE m
-  CONST robtarget top:=[[300,200,210],[0,1,0,0],[-1,-1,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget top:=[[300,200,210],[0,1,0,0],[-1,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
   PERS num at{5};
   PROC main()
     VAR jointtarget now;
-    MoveAbsJ [[0,90,0,-90,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v1000,fine,tool0;
+    MoveAbsJ [[0,90,0,90,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v1000,fine,tool0;
     MoveJ top,v1000,fine,tool0;
     Noted 1;
     MoveL Offs(top,0,0,-300),v1000,fine,tool0;
@@ -156,7 +183,7 @@ PROGRAM = """MODULE m
     MoveL Offs(top,50,0,-600),v1000,z50,tool0;
     MoveJ Offs(top,0,0,0),v1000,fine,tool0;
     Noted 3;
-    MoveAbsJ [[0,90,-790,-90,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v1000,fine,tool0;
+    MoveAbsJ [[0,90,-790,90,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v1000,fine,tool0;
     Noted 4;
     now:=CalcJointT(top,tool0);
     at{5}:=now.robax.rax_3;
@@ -212,7 +239,7 @@ def test_joint_speeds_are_told_in_the_unit_of_each_joint(joints: Array, up_mm_s:
     twist = np.array([0.0, 0.0, 1e-3 * up_mm_s, 0.0, 0.0, 0.5])
     speeds, missed = joint_speeds(found.jacobian, twist)
     told = rapid_speeds(ARM.kinematics, speeds)
-    assert told == pytest.approx([0.0, 0.0, up_mm_s, np.degrees(0.5)], abs=1e-6)
+    assert told == pytest.approx([0.0, 0.0, up_mm_s, -np.degrees(0.5)], abs=1e-6)
     assert missed == pytest.approx(np.zeros(6), abs=1e-9)
 
 
@@ -286,7 +313,7 @@ def test_an_entry_says_which_joint_slides(tmp_path: Path) -> None:
     [
         ('xyz="0.3 0 0.0661"', 'xyz="0.3 0.1 0.0661"', "not stretched along x"),
         ('xyz="0 0 0.1916"', 'xyz="0.1 0 0.1916"', "from axis 1 in the base's origin"),
-        ('<axis xyz="0 0 1"/>', '<axis xyz="0 0 -1"/>', "its axes do not all point up"),
+        ('<axis xyz="0 0 1"/>', '<axis xyz="0 0 -1"/>', "axes 1 to 3 do not all point up"),
         ('rpy="3.14159265358979', 'rpy="0.14159265358979', "its flange does not point down"),
         ('"revolute"', '"prismatic"', "only joint 3 of an arm with four joints may slide"),
     ],

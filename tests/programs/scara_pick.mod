@@ -2,9 +2,9 @@
 MODULE scara_pick
   ! The tool is 80 mm long, so with the flange at 220 mm (axis 3 at 0) the TCP is at 140 mm.
   PERS tooldata gripper:=[TRUE,[[0,0,80],[1,0,0,0]],[0.5,[0,0,40],[1,0,0,0],0,0,0]];
-  CONST jointtarget up:=[[-45,90,-10,-45,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-  CONST robtarget pick:=[[350,-150,20],[0,1,0,0],[-1,-1,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-  CONST robtarget place:=[[300,200,30],[0,1,0,0],[-1,-1,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST jointtarget up:=[[-45,90,-10,45,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget pick:=[[350,-150,20],[0,1,0,0],[-1,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget place:=[[300,200,30],[0,1,0,0],[-1,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
   PERS num axis_3{4};
   VAR clock watch;
 

@@ -48,7 +48,7 @@ def test_axis_3_is_where_the_comments_say(picked: Picked) -> None:
     assert noted == "[-10,-20,-120,-110]"
     (move,) = [one for one in picked.report["moves"] if one["line"] == 17]
     assert move["joints_deg"][2] == pytest.approx(-120.0, abs=1e-4)
-    assert move["conf"] == [-1, -1, 0, 0]
+    assert move["conf"] == [-1, 0, 0, 0]
     heights = [(float(row["j3"]), float(row["z_mm"])) for row in picked.trace]
     assert all(z == pytest.approx(140.0 + j3, abs=1e-6) for j3, z in heights)
     assert min(heights)[1] == pytest.approx(20.0, abs=1e-3)

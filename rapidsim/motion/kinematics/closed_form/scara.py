@@ -1,13 +1,14 @@
 """SCARA arms: two parallel turning axes, a sliding axis 3 and a turning axis 4, all upright.
 
-Joints are 0 with both arms stretched forward, the spline up. Axes 1, 2 and 4 turn counterclockwise
-seen from above; axis 3 goes down from 0, so within its stroke it is negative. The flange points
-down.
+Joints are 0 with both arms stretched forward, the spline up. Axes 1 and 2 turn counterclockwise
+seen from above, axis 4 clockwise: about z of the flange, which points down. Axis 3 goes down from
+0, so within its stroke it is negative.
 
 RAPID gives axis 3 in millimetres where it gives the others in degrees; see `Kinematics.slides`.
 
 Source: x = a1 cos q1 + a2 cos(q1 + q2), y likewise with sines, z = flange_up + q3,
-    yaw = q1 + q2 + q4.
+    yaw = q1 + q2 - q4. The sign of axis 4 and the branches are those of targets that a controller
+    of an IRB 910SC stored.
 """
 
 from __future__ import annotations
@@ -38,10 +39,11 @@ ON_AXIS_1 = 1e-10
 ROUNDING = 1e-12
 """Sines up to this are zero spoiled by rounding."""
 AXIS_2_NEGATIVE = 1
-"""The branch, RAPID's cfx, of arms whose axis 2 is negative; 0 of the others. From memory: no
-public page that gives it was found."""
+"""The branch, RAPID's cfx, of arms whose axis 2 is negative; 0 of the others."""
 _RAPID_AXES = (0, 1, 2, 3)
 _SLIDES: Mask = np.arange(JOINT_COUNT) == SLIDING
+_TURNS_UP = np.array([1.0, 1.0, 0.0, -1.0])
+"""How fast each joint turns the flange about the upright."""
 _DOWN = np.diag([1.0, -1.0, -1.0])
 """The flange with all joints at 0: x forward, z down."""
 
@@ -99,7 +101,7 @@ class Scara(Kinematics):
     @property
     def posture(self) -> Array:
         """The elbow at a right angle, the flange forward and 50 mm below its highest."""
-        return np.radians([-45.0, 90.0, -50.0, -45.0])
+        return np.radians([-45.0, 90.0, -50.0, 45.0])
 
     def forward(self, joints: Array) -> Transform:
         """base_from_flange of joint vectors (..., 4) [rad]."""
@@ -119,7 +121,7 @@ class Scara(Kinematics):
             _raised(end, height),
         ]
         q1, q12 = joints[..., 0], joints[..., 0] + joints[..., 1]
-        turns = [_about_z(angle) for angle in (q1, q12, q12, q12 + joints[..., 3])]
+        turns = [_about_z(angle) for angle in (q1, q12, q12, q12 - joints[..., 3])]
         return Transform(np.stack(turns, axis=-3), np.stack(places, axis=-2))
 
     def jacobian(self, joints: Array) -> Array:
@@ -130,7 +132,7 @@ class Scara(Kinematics):
         for joint, arm in ((0, end), (1, end - elbow)):
             twist[..., 0, joint], twist[..., 1, joint] = -arm[..., 1], arm[..., 0]
         twist[..., 2, SLIDING] = METRES_PER_UNIT
-        twist[..., 5, :] = ~_SLIDES
+        twist[..., 5, :] = _TURNS_UP
         return twist
 
     def inverse(self, base_from_flange: Transform) -> Branches:
@@ -202,7 +204,7 @@ class Scara(Kinematics):
         q3 = np.broadcast_to(((z - g.flange_up) / METRES_PER_UNIT)[..., None], q1.shape)
         r = pose.rotation
         yaw = np.arctan2(r[..., 1, 0], r[..., 0, 0])[..., None]
-        joints = np.stack([q1, q2, q3, yaw - q1 - q2], axis=-1)
+        joints = np.stack([q1, q2, q3, q1 + q2 - yaw], axis=-1)
         tilt = np.arctan2(np.hypot(r[..., 0, 2], r[..., 1, 2]), -r[..., 2, 2])
         return joints, shortfall[..., 0], tilt
 

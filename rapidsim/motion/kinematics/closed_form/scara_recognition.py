@@ -9,7 +9,8 @@ from rapidsim.motion.kinematics.closed_form.scara import JOINT_COUNT, SLIDING, S
 from rapidsim.motion.kinematics.serial_chain import AxesAtZero
 
 _EXACT = 1e-9
-"""[m] and sines: descriptions that were rounded or measured from drawings are further off."""
+"""[m] and sines; descriptions that were rounded or measured from drawings are further off."""
+_DIRECTIONS = np.array([[0.0, 0.0, 1.0]] * 3 + [[0.0, 0.0, -1.0]])
 
 
 def scara_arm(axes: AxesAtZero, slides: Mask) -> Scara | str:
@@ -21,8 +22,8 @@ def scara_arm(axes: AxesAtZero, slides: Mask) -> Scara | str:
     """
     if len(slides) != JOINT_COUNT or np.flatnonzero(slides).tolist() != [SLIDING]:
         return "only joint 3 of an arm with four joints may slide"
-    if np.abs(axes.directions - [0.0, 0.0, 1.0]).max() > _EXACT:
-        return "its axes do not all point up"
+    if np.abs(axes.directions - _DIRECTIONS).max() > _EXACT:
+        return "axes 1 to 3 do not all point up, or axis 4 not down"
     foot, elbow, _, end = axes.points
     if np.abs([*foot[:2], elbow[1], end[1]]).max() > _EXACT or not 0.0 < elbow[0] < end[0]:
         return "with its joints at 0 it is not stretched along x from axis 1 in the base's origin"
