@@ -20,13 +20,13 @@ angles = st.floats(-180.0, 180.0)
 
 
 @pytest.mark.parametrize("name", robot_names())
-def test_every_arm_without_rods_and_slides_has_tables_that_move_like_it(name: str) -> None:
+def test_every_arm_without_rods_has_tables_that_move_like_it(name: str) -> None:
     arm = load_robot(name).kinematics
     dh, screws = dh_table_of(arm), screws_of(arm)
     rods = isinstance(arm, Palletizer) or (
         isinstance(arm, OrthoParallel) and arm.geometry.coupling != 0
     )
-    assert (dh is None) == (screws is None) == (rods or arm.slides.any())
+    assert (dh is None) == (screws is None) == rods
     if dh is None or screws is None:
         return
     for joints in np.random.default_rng(7).uniform(-2.0, 2.0, (3, arm.joint_count)):
@@ -47,6 +47,22 @@ def test_the_rv_m1_has_the_table_of_its_report() -> None:
         assert table.forward(np.array(case["q"])).translation == pytest.approx(
             case["p_m"], abs=1e-9
         )
+
+
+def test_a_scara_has_the_table_of_textbooks() -> None:
+    """Both arms, then an axis that slides: its way is in d, and theta stands still."""
+    table = dh_table_of(load_robot("irb910sc").kinematics)
+    assert table is not None
+    assert table.slides.tolist() == [False, False, True, False]
+    assert 1000.0 * table.a == pytest.approx([300.0, 250.0, 0.0, 0.0], abs=1e-9)
+    assert np.degrees(table.alpha) == pytest.approx([0.0, 0.0, 180.0, 0.0], abs=1e-9)
+    assert 1000.0 * table.d == pytest.approx([0.0, 0.0, 0.0, -220.0])  # z 4 points down
+    assert np.degrees(table.theta) == pytest.approx(np.zeros(4), abs=1e-9)
+    screws = screws_of(load_robot("irb910sc").kinematics)
+    assert screws is not None
+    assert screws.turns[2] == pytest.approx([0.0, 0.0, 0.0])
+    assert screws.moments_mm[2] == pytest.approx([0.0, 0.0, 1.0])
+    assert screws.moments_mm[1] == pytest.approx([0.0, -300.0, 0.0])
 
 
 @examples(200)

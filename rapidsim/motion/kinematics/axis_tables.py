@@ -1,7 +1,8 @@
 """The axes of an arm as tables that textbooks have: screws of the product of exponentials, and DH.
 
 Both come from where the axes stand at joint values 0, so they hold for any arm in which each joint
-turns one axis and carries the next. Where rods hold a link level there is no such table.
+turns one axis, or slides along it, and carries the next. Where rods hold a link level there is no
+such table.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ import numpy as np
 
 from rapidsim.frames.rotation_vectors import rotation_from_vector
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.kinematics.arm import Kinematics
+from rapidsim.motion.kinematics.arm import METRES_PER_UNIT, Kinematics, Mask
 from rapidsim.values import dataclass
 
 _TOLERANCE = 1e-9
@@ -33,20 +34,29 @@ class Screws:
     """The point (n, 3) [m] of each axis that is nearest to the base."""
     base_from_flange: Transform
     """M: joints at 0."""
+    slides: Mask
+    """Shape (n,): which joints slide along their axis; the others turn."""
 
     @property
-    def moments(self) -> Array:
-        """The velocities (n, 3) [m/rad] of S: direction and moment are the screw."""
-        moments: Array = -np.cross(self.directions, self.points)
-        return moments
+    def turns(self) -> Array:
+        """The angular velocities (n, 3) of S; 0 of a joint that slides."""
+        return np.where(self.slides[:, None], 0.0, self.directions)
+
+    @property
+    def moments_mm(self) -> Array:
+        """The velocities (n, 3) of S [mm per rad], of a joint that slides [mm per mm]."""
+        turning: Array = -1e3 * np.cross(self.directions, self.points)
+        return np.where(self.slides[:, None], self.directions, turning)
 
     def forward(self, joints: Array) -> Transform:
-        """base_from_flange of joints (n,) [rad]."""
+        """base_from_flange of joints (n,) [rad]; see `Kinematics` for those that slide."""
         moved = Transform.identity()
-        for direction, point, angle in zip(
-            self.directions, self.points, joints.tolist(), strict=True
-        ):
-            turn = rotation_from_vector(angle * direction)
+        rows = zip(self.directions, self.points, joints.tolist(), self.slides, strict=True)
+        for direction, point, value, slides in rows:
+            if slides:
+                moved = moved @ Transform(np.eye(3), METRES_PER_UNIT * value * direction)
+                continue
+            turn = rotation_from_vector(value * direction)
             moved = moved @ Transform(turn, point - turn @ point)
         return moved @ self.base_from_flange
 
@@ -62,19 +72,23 @@ class DhTable:
     base: Transform
     """From the base frame to frame 0; the unit matrix where axis 1 is the z axis of the base."""
     theta: Array
-    """What is added to each joint (n,) [rad]."""
+    """What is added to each joint (n,) [rad]; all there is where it slides."""
     d: Array
-    """Shape (n,) [m]."""
+    """Shape (n,) [m]; a joint that slides adds its way."""
     a: Array
     alpha: Array
     """Shape (n,) [rad]."""
     flange: Transform
     """From the last frame to the flange; mostly the unit matrix."""
+    slides: Mask
+    """Shape (n,): which joints slide along their axis; the others turn."""
 
     def forward(self, joints: Array) -> Transform:
-        """base_from_flange of joints (n,) [rad]."""
+        """base_from_flange of joints (n,) [rad]; see `Kinematics` for those that slide."""
         moved = self.base
-        for theta, d, a, alpha in zip(joints + self.theta, self.d, self.a, self.alpha, strict=True):
+        thetas = self.theta + np.where(self.slides, 0.0, joints)
+        ways = self.d + np.where(self.slides, METRES_PER_UNIT * joints, 0.0)
+        for theta, d, a, alpha in zip(thetas, ways, self.a, self.alpha, strict=True):
             about_z = rotation_from_vector(np.array([0.0, 0.0, theta]))
             about_x = rotation_from_vector(np.array([alpha, 0.0, 0.0]))
             along = about_z @ np.array([a, 0.0, 0.0]) + np.array([0.0, 0.0, d])
@@ -83,18 +97,21 @@ class DhTable:
 
 
 def screws_of(kinematics: Kinematics) -> Screws | None:
-    """The screws of an arm; None where its joints do not each turn one axis."""
+    """The screws of an arm; None where its joints do not each turn one axis, or slide along it."""
     zero = np.zeros(kinematics.joint_count)
     flange = kinematics.forward(zero)
     jacobian = kinematics.jacobian(zero)
-    directions = jacobian[3:].T
+    slides = kinematics.slides
+    directions = np.where(slides[:, None], jacobian[:3].T / METRES_PER_UNIT, jacobian[3:].T)
     lengths = np.linalg.norm(directions, axis=1)
     if np.abs(lengths - 1.0).max() > _TOLERANCE:
         return None
     # The velocity of the flange is the direction crossed with the way from the axis to it.
-    points = flange.translation + np.cross(directions, jacobian[:3].T)
+    # Of an axis that slides only the direction counts; this one passes through the flange.
+    away = np.where(slides[:, None], 0.0, np.cross(directions, jacobian[:3].T))
+    points = flange.translation + away
     points = points - np.sum(points * directions, axis=1, keepdims=True) * directions
-    screws = Screws(directions, points, flange)
+    screws = Screws(directions, points, flange, slides)
     return screws if _agrees(screws, kinematics) else None
 
 
@@ -111,7 +128,7 @@ def dh_table_of(kinematics: Kinematics) -> DhTable | None:
     rows = np.array([_row(before, after) for before, after in pairwise(frames)])
     theta, d, a, alpha = rows.T
     flange = frames[-1].inverse() @ screws.base_from_flange
-    table = DhTable(frames[0], theta, d, a, alpha, flange)
+    table = DhTable(frames[0], theta, d, a, alpha, flange, screws.slides)
     return table if _agrees(table, kinematics) else None
 
 

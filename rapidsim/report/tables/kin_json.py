@@ -126,8 +126,12 @@ def axis_tables_json(robot: Robot) -> dict[str, object]:
             "base": _plain(_in_mm(dh.base)),
             "rows": [
                 {"theta_deg": degrees(t), "d_mm": 1000.0 * d, "a_mm": 1000.0 * a,
-                 "alpha_deg": degrees(alpha)}
-                for t, d, a, alpha in np.column_stack([dh.theta, dh.d, dh.a, dh.alpha]).tolist()
+                 "alpha_deg": degrees(alpha), "slides": slides}
+                for (t, d, a, alpha), slides in zip(
+                    np.column_stack([dh.theta, dh.d, dh.a, dh.alpha]).tolist(),
+                    dh.slides.tolist(),
+                    strict=True,
+                )
             ],
             "flange": _plain(_in_mm(dh.flange)),
         },
@@ -136,8 +140,8 @@ def axis_tables_json(robot: Robot) -> dict[str, object]:
             "axes": [
                 {"direction": turn, "moment_mm": moment, "point_mm": point}
                 for turn, moment, point in zip(
-                    _plain(screws.directions),
-                    _plain(1000.0 * screws.moments),
+                    _plain(screws.turns),
+                    _plain(screws.moments_mm),
                     _plain(1000.0 * screws.points),
                     strict=True,
                 )

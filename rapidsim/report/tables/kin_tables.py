@@ -70,26 +70,24 @@ def axis_tables_page(robot: Robot) -> RenderableType:
     dh, screws = dh_table_of(robot.kinematics), screws_of(robot.kinematics)
     if dh is None or screws is None:
         return Text(
-            f"{robot.title} has no DH table and no screws: {_not_turning(robot)}",
+            f"{robot.title} has no DH table and no screws: rods carry its links, so that a joint "
+            "turns more than one axis",
             "dim",
         )
     table = _table("joint", "theta [deg]", "d [mm]", "a [mm]", "alpha [deg]")
     for number, row in enumerate(zip(dh.theta, dh.d, dh.a, dh.alpha, strict=True), start=1):
         theta, d, a, alpha = (float(value) for value in row)
-        added = degrees(theta)
-        sign = "-" if added < -_SMALL else "+"
-        joint = f"q{number}" if abs(added) < _SMALL else f"q{number} {sign} {abs(added):g}"
-        table.add_row(
-            str(number), joint, _number(1000.0 * d, 3), _number(1000.0 * a, 3),
-            _number(degrees(alpha), 3),
-        )  # fmt: skip
+        turn, way = f"q{number}{_added(degrees(theta))}", _number(1000.0 * d, 3)
+        if dh.slides[number - 1]:
+            turn, way = _number(degrees(theta), 3), f"q{number}{_added(1000.0 * d)}"
+        table.add_row(str(number), turn, way, _number(1000.0 * a, 3), _number(degrees(alpha), 3))
     parts: list[RenderableType] = [Text("DH, standard form", "bold"), table]
     for name, frame in (("base, before row 1", dh.base), ("flange, behind the last", dh.flange)):
         if not _is_unit(frame):
             parts += [Text(), _matrix(name, frame)]
     poe = _table("joint", "wx", "wy", "wz", "vx [mm]", "vy [mm]", "vz [mm]")
     for number, (turn, moment) in enumerate(
-        zip(screws.directions.tolist(), (1000.0 * screws.moments).tolist(), strict=True), start=1
+        zip(screws.turns.tolist(), screws.moments_mm.tolist(), strict=True), start=1
     ):
         poe.add_row(str(number), *(_number(w, 6) for w in turn), *(_number(v, 3) for v in moment))
     parts += [
@@ -102,10 +100,11 @@ def axis_tables_page(robot: Robot) -> RenderableType:
     return Group(*parts)
 
 
-def _not_turning(robot: Robot) -> str:
-    if robot.kinematics.slides.any():
-        return "tables of joints that slide are not made"
-    return "rods carry its links, so that a joint turns more than one axis"
+def _added(offset: float) -> str:
+    """What is added to a joint, such as ` + 90`; nothing where that is 0."""
+    if abs(offset) < _SMALL:
+        return ""
+    return f" {'-' if offset < 0.0 else '+'} {abs(offset):g}"
 
 
 def posture_markdown(shown: Postures) -> str:
