@@ -10,12 +10,16 @@ import numpy as np
 import pytest
 
 from rapidsim.files import InputError, SourceFile
+from rapidsim.frames.transform import Transform
 from rapidsim.jobs.checked_program import load
+from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.model import MODELS, MotionModel
 from rapidsim.motion.robot.robot import load_robot
+from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.simulation.calibration import fit
-from rapidsim.simulation.calibration.fit import LoggedRun, calibrate
+from rapidsim.simulation.calibration.fit import Calibration, LoggedRun, calibrate
 from rapidsim.simulation.calibration.joint_log import JointLog, read_joint_log
+from rapidsim.simulation.calibration.log_comparison import MotionByPlace
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.simulate import simulate
 
@@ -70,6 +74,12 @@ def stops() -> LoggedRun:
 
 
 @pytest.fixture(scope="module")
+def alone(stops: LoggedRun) -> Calibration:
+    """What one log says of an arm of which no torques are known."""
+    return calibrate([stops], ROBOT, MODELS["1"])
+
+
+@pytest.fixture(scope="module")
 def swings() -> LoggedRun:
     return _logged(SWINGS)
 
@@ -107,11 +117,34 @@ def test_a_way_out_and_back_is_taken_in_its_order() -> None:
     assert np.abs(fit._misses(rows, ROBOT, TRUTH)).max() < 1e-6
 
 
-def test_without_torques_one_time_stands_for_all_accelerations(stops: LoggedRun) -> None:
-    found = calibrate([stops], ROBOT, MODELS["1"])
-    names = [one.name for one in found.parameters]
+def test_without_torques_one_time_stands_for_all_accelerations(alone: Calibration) -> None:
+    names = [one.name for one in alone.parameters]
     assert names == ["acceleration_time", "filter_time", "fine_dwell"]
-    assert found.logs[0].rms_left_out_s is None
+    assert alone.logs[0].rms_left_out_s is None
+
+
+def test_where_no_model_meets_a_log_it_shows_little(stops: LoggedRun, alone: Calibration) -> None:
+    """A clock that runs unevenly by 20 ms, say: the best fit is not a good one."""
+    times = stops.log.times + 0.02 * np.sin(20.0 * stops.log.times)
+    uneven = LoggedRun(stops.program, JointLog("moves.csv", times, stops.log.joints))
+    told = calibrate([uneven], ROBOT, MODELS["1"])
+    _, smoothing, dwell = alone.parameters
+    _, uneven_smoothing, uneven_dwell = told.parameters
+    assert smoothing.seen
+    assert not uneven_smoothing.seen
+    assert uneven_dwell.uncertainty > 2.0 * dwell.uncertainty
+
+
+def test_where_a_way_turns_back_rounding_does_not_choose_the_side() -> None:
+    """Each row on the way out is as near to the way back; one taken there takes all after it."""
+    out = np.linspace(0.0, 0.7, 401)
+    joints = np.concatenate([out, out[-2::-1]])[:, None] * np.array([1.0, 0.0, -0.3])
+    trajectory = Trajectory(Waypoint(joints[0], Transform.identity()))
+    way = MotionByPlace(trajectory, 0.0, np.arange(801.0), joints)
+    rows = np.sort(np.random.default_rng(1).uniform(0.69, 0.7, 300))[:, None] * [1.0, 0.0, -0.3]
+    places, distances = way.nearest(rows)
+    assert (places <= 400.0).all()
+    assert distances.max() < 1e-6
 
 
 def test_accelerations_that_the_station_gives_stay(stops: LoggedRun) -> None:

@@ -10,7 +10,8 @@ of the times at these places. One offset a log is free: nobody knows how long af
 command a log begins.
 
 Where logs say little about a parameter it stays near what is known, the nearer the better that is:
-what was measured on an arm gives way to strong evidence only, and the result says so.
+what was measured on an arm gives way to strong evidence only, and the result says so. What the best
+fit leaves unexplained counts as noise: where it is much, logs show little.
 """
 
 from __future__ import annotations
@@ -168,8 +169,12 @@ def calibrate(runs: Sequence[LoggedRun], robot: Robot, model: MotionModel) -> Ca
         return np.concatenate([*weighted, _NOISE_S * (values - known) / spread])
 
     values, slopes = _least_squares(residuals, known, least)
-    sigma = _NOISE_S * np.sqrt(np.diag(np.linalg.inv(slopes.T @ slopes)))
     before, after = misses(known), misses(values)
+    # What no value explains makes all of them uncertain: other noise, or another law than ours.
+    noise_s = max(_NOISE_S, math.sqrt(np.mean([_rms(miss) ** 2 for miss in after])))
+    # What was known before is as certain as it was.
+    said = slopes[: -len(parameters)] / noise_s
+    sigma = np.sqrt(np.diag(np.linalg.inv(said.T @ said + np.diag(spread**-2.0))))
     left_out: list[Array | None] = [None] * len(rows)
     if len(rows) > 1:
         now = residuals(values)

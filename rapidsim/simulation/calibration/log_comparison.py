@@ -19,6 +19,7 @@ STEP_M = 0.5e-3
 """Places of our path are this far apart; between them joints run straight."""
 _SPEED_SPAN_S = 4e-3
 _AS_NEAR_RAD = 1e-3
+_EQUAL_RAD = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -62,13 +63,13 @@ class MotionByPlace:
             share = np.clip(share, 0.0, 1.0)
             share[0] = max(share[0], within)
             apart = np.linalg.norm(start + share[:, None] * step - wanted, axis=1)
-            # A way that comes by again is as near there: the first time counts.
+            # A way that comes by again is as near there: the first time counts, also where it turns
+            # back at a stop and only rounding would choose.
             near = apart <= apart.min() + _AS_NEAR_RAD
             first = int(np.argmax(near))
             away = np.flatnonzero(~near[first:])
-            best = first + int(
-                np.argmin(apart[first : first + away[0]] if len(away) else apart[first:])
-            )
+            once = apart[first : first + away[0]] if len(away) else apart[first:]
+            best = first + int(np.argmax(once <= once.min() + _EQUAL_RAD))
             reached, within = reached + best, float(share[best])
             width = self.places[reached + 1] - self.places[reached]
             places[row] = self.places[reached] + share[best] * width
