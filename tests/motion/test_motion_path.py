@@ -48,6 +48,13 @@ def test_a_line_is_straight_to_a_micrometre() -> None:
     assert path.length == pytest.approx(np.linalg.norm(end - start), rel=1e-12)
 
 
+def test_a_corner_has_knees_only_where_the_path_bends() -> None:
+    """Going straight on, each piece more would cost time and show nothing."""
+    bent, straight = (path_of(right_angle(10.0, angle)).breakpoints for angle in (0.1, 0.05))
+    assert np.allclose(straight, [0.0, 0.09, 0.1, 0.11, 0.2])
+    assert np.allclose(bent, np.sort([*straight, 0.1 - 0.01 / 3.0, 0.1 + 0.01 / 3.0]))
+
+
 def ends(program: Programmer) -> tuple[Waypoint, Waypoint]:
     return program.segments[0].start, program.segments[-1].end
 

@@ -22,6 +22,9 @@ from rapidsim.motion.model import BlendShape
 from rapidsim.values import dataclass
 
 _SLIVER = 1e-12
+_STRAIGHT = 1e-3
+"""Deflection [rad] below which a corner has no knees: what bends takes a hundredth of what axes can
+do at the most."""
 
 
 class Sides(NamedTuple):
@@ -175,6 +178,18 @@ class Layout:
         )
 
 
+def _straight_on(curves: Curves) -> Mask:
+    """Between which curves (m - 1,) lines go on in one direction: no corner path bends there."""
+    chord, lines = (
+        curves.chord,
+        (curves.travel > 0.0) & ~curves.in_joints & ~curves.spoke.any(axis=1),
+    )
+    direction = chord / np.maximum(curves.travel, 1e-300)[:, None]
+    off = np.abs(direction[1:] - direction[:-1]).max(axis=1)
+    straight: Mask = lines[1:] & lines[:-1] & (off < _STRAIGHT)
+    return straight
+
+
 def layout_of(curves: Curves, corners: Corners, corner_shape: BlendShape) -> Layout:
     """Cut a row of curves and their corners into pieces."""
     count = len(curves.length)
@@ -188,8 +203,9 @@ def layout_of(curves: Curves, corners: Corners, corner_shape: BlendShape) -> Lay
         middles + corners.orientation_radius,
     ]
     if corner_shape == "abb":
-        inner = (1.0 - 2.0 * KNEE) * corners.radius
-        edges += [middles - inner, middles + inner]
+        bent = ~_straight_on(curves)
+        inner = (1.0 - 2.0 * KNEE) * corners.radius[bent]
+        edges += [middles[bent] - inner, middles[bent] + inner]
     bounds = np.unique(np.clip(np.concatenate(edges), 0.0, places[-1]))
     # Zones that meet leave slivers of rounding between them.
     keep = np.concatenate([[True], np.diff(bounds) > _SLIVER * max(1.0, places[-1])])
