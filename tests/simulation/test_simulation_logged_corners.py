@@ -57,6 +57,12 @@ ASIDE = Corner(
     "[[2296.153,692.087,669.367],[0.4137847,0.6422788,0.4545444,0.4578751]",
     "[[2428.903,309.071,594.903],[0.5281843,0.6120356,0.4721687,0.3514120]",
 )
+TURNING = Corner(
+    OUTWARDS.start,
+    "[[2200,-0.2,1000],[0.5555702,0,0.8314696,0]",
+    "[[2200,-500,1000],[0.6853745,-0.0541932,0.7216278,-0.0811058]",
+)
+"""Straight on, with turns of 22.5 deg about axes 30 deg apart."""
 
 CASES = (
     (OUTWARDS, "v300", "fine", 3.4634, None),
@@ -127,6 +133,18 @@ def test_a_corner_takes_as_long_as_on_the_controller(
     assert 100.0 * (duration / seconds - 1.0) == pytest.approx(0.0, abs=PERCENT)
     if mm_s is not None:
         assert in_corner == pytest.approx(mm_s, rel=OF_SPEED)
+
+
+@pytest.mark.parametrize(
+    ("speed", "seconds", "mm_s"), [("v1000", 1.1009, 791.9), ("vmax", 0.7685, 821.7)]
+)
+def test_a_turn_of_the_tool_alone_slows_a_narrow_zone_as_on_the_controller(
+    speed: str, seconds: float, mm_s: float
+) -> None:
+    """The wrist uses more of what it has there than main axes do."""
+    duration, in_corner = figures_of(TURNING, speed, "z1")
+    assert 100.0 * (duration / seconds - 1.0) == pytest.approx(0.0, abs=2.5)
+    assert in_corner == pytest.approx(mm_s, rel=0.06)
 
 
 def test_a_slow_stop_costs_less_than_a_quick_one() -> None:

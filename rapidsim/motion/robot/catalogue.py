@@ -212,6 +212,11 @@ def _torques(table: Mapping[str, Any]) -> Torques:
         filter_time=table["filter_time_s"],
         fine_dwell=table["fine_dwell_s"],
         measured=True,
+        wrist_in_zones=(
+            (table["wrist_zone_share"], table["wrist_zone_cycles"])
+            if "wrist_zone_share" in table
+            else None
+        ),
     )
 
 

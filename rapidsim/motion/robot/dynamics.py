@@ -65,6 +65,10 @@ class Torques:
     """Time [s] at a stop point from the end of the command to the start of the next."""
     measured: bool
     """Whether all this was measured on the arm, or scaled from others."""
+    wrist_in_zones: tuple[float, float] | None = None
+    """What logs show of the wrist in zones: the share of its accelerations in a narrow zone, as a
+    factor on that of the main axes (`MotionModel.zone_share`), and by how many times the way in an
+    interpolation cycle a zone counts as wider (`MotionModel.zone_cycles`). None: as main axes."""
 
 
 class _Inertia(NamedTuple):

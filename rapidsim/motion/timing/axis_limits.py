@@ -32,6 +32,12 @@ class ArmTorques:
         """Its main axes among all."""
         return slice(self.first_axis, self.first_axis + len(self.torque))
 
+    @property
+    def wrist(self) -> slice:
+        """Its wrist axes among all."""
+        first = self.first_axis + len(self.torque)
+        return slice(first, first + len(self.dynamics.torques.wrist))
+
     def rows(self, rates: PathRates, load: Array) -> tuple[Array, Array]:
         """Slope and bend (k, 3) at places (k,) with loads (k,); see `AccelerationRows`."""
         stance = rates.stance[:, 4 * self.number : 4 * self.number + 4]

@@ -201,27 +201,43 @@ def axis_rows(path: Path, places: Places, limits: Limits) -> AccelerationRows:
         slope = np.concatenate([slope, *(one for one, _ in more)], axis=1)
         bend = np.concatenate([bend, *(one for _, one in more)], axis=1)
     if path.model.zone_share < 1.0:
-        taken = _more_in_zones(path, places, bend)[:, None]
-        slope, bend = slope * taken, bend * taken
+        slope, bend = _in_zones(path, places, limits, slope, bend)
     return AccelerationRows(tuple(limiters), slope, bend)
 
 
-def _more_in_zones(path: Path, places: Places, bend: Array) -> Array:
+def _in_zones(
+    path: Path, places: Places, limits: Limits, slope: Array, bend: Array
+) -> tuple[Array, Array]:
+    """Slopes and bends (k, rows) with what is not used of the limits in zones."""
+    taken = _more_in_zones(path, places, bend, 1.0, path.model.zone_cycles)[:, None]
+    slopes, bends = slope * taken, bend * taken
+    for arm in limits.arms:
+        known, wrist = arm.dynamics.torques.wrist_in_zones, arm.wrist
+        if known is not None:
+            taken = _more_in_zones(path, places, bend[:, wrist], *known)[:, None]
+            slopes[:, wrist], bends[:, wrist] = slope[:, wrist] * taken, bend[:, wrist] * taken
+    return slopes, bends
+
+
+def _more_in_zones(path: Path, places: Places, bend: Array, part: float, cycles: float) -> Array:
     """Factors (k,) on what is taken of the limits in zones, where not all of them is used.
 
-    A zone of radius r that is passed at u counts as one of r + n u T, T the interpolation cycle.
-    The speed taken here is the largest that the bend alone would allow.
+    A zone of radius r that is passed at u counts as one of r + n u T, T the interpolation cycle and
+    n `cycles`. The speed taken here is the largest that the bend (k, axes) alone would allow.
+    `part` is what axes use of the share that main axes use.
 
-    Source: fit to logs of corners of 3 to 30 deg, z1 to z500, at v1000 and more.
+    Source: fit to logs of corners of 3 to 30 deg, z1 to z500, at v1000 and more; of the wrist to
+    turns of 22 deg on straight lines, where nothing else has to accelerate.
     """
     factors = np.ones(len(places.s))
     radius = path.zone_radius[places.piece]
     at = np.flatnonzero(radius > 0.0)
     model = path.model
     piece = places.piece[at]
-    wide = model.zone_cycles * model.cycle / radius[at]
+    wide = cycles * model.cycle / radius[at]
     widest = max(_MOST_OF_ZONE, model.zone_share)
     share = np.minimum(model.zone_share + _GROWTH * np.maximum(radius[at] - _NARROW, 0.0), widest)
+    share *= part
     bends = np.maximum(np.abs(bend[at]).max(axis=1), _NO_BEND) / share
     fastest = (wide + np.sqrt(wide * wide + 4.0 * bends)) / (2.0 * bends)
     fastest = np.minimum(fastest, path.zone_speed[piece])
