@@ -116,7 +116,7 @@ class At:
         """`name = value`."""
         return self.assign(self.store(name), value)
 
-    def decrement(self, target: ast.Attribute) -> ast.AugAssign:
+    def decrement(self, target: ast.Attribute | ast.Name) -> ast.AugAssign:
         """`target -= 1`."""
         return ast.AugAssign(target, ast.Sub(), self.constant(1), **self._where)
 
@@ -143,7 +143,11 @@ class At:
         return ast.For(target, values, self._body(body), [], None, **self._where)
 
     def attempt(
-        self, body: Sequence[ast.stmt], error: ast.expr, name: str, handler: Sequence[ast.stmt]
+        self,
+        body: Sequence[ast.stmt],
+        error: ast.expr,
+        name: str | None,
+        handler: Sequence[ast.stmt],
     ) -> ast.Try:
         """`try: body; except error as name: handler`."""
         clause = ast.ExceptHandler(error, name, self._body(handler), **self._where)

@@ -168,7 +168,10 @@ class Calls:
         }
         self._refuse_two_alternatives(symbol.parameters, given, nodes, at)
         function = at.name(self._names.module.routine(symbol))
-        return Code(at.call(function, [*nodes.values()]), may_raise=True, calls=True)
+        integer = self._expressions.integers.get(symbol.node)
+        return Code(
+            at.call(function, [*nodes.values()]), may_raise=True, calls=True, integer=integer
+        )
 
     def _argument(self, parameter: ParameterSymbol, given: Given | None, at: At) -> ast.expr:
         """The argument of a user routine's parameter."""
@@ -183,7 +186,7 @@ class Calls:
         if is_path and (by_reference(parameter.mode) or is_signal(parameter.type)):
             assert isinstance(value, tree.Reference | tree.Index | tree.Component)
             return self._paths.reference(value).node
-        return self._expressions.copy(given.value).node
+        return self._expressions.copy(given.value, parameter.node).node
 
     def _forwarded(self, option: tree.Name, mode: Mode, at: At) -> ast.expr:
         r"""The value for `\X?y`: the caller's own option, present or not."""

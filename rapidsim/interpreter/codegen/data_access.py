@@ -16,16 +16,18 @@ from rapidsim.analysis.program import (
     CounterSymbol,
     DataSymbol,
     ParameterSymbol,
+    Program,
     Storage,
     Symbol,
     UnknownSymbol,
 )
 from rapidsim.interpreter.codegen.ast_builder import At
-from rapidsim.interpreter.codegen.expression_code import Code, Interval, Owed, finished
+from rapidsim.interpreter.codegen.expression_code import Code, Owed, finished
+from rapidsim.interpreter.codegen.intervals import MAX_EXACT, Interval
 from rapidsim.interpreter.codegen.operands import Operands
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER
-from rapidsim.interpreter.runtime.values import element_type, is_signal
+from rapidsim.interpreter.runtime.values import element_type, is_signal, literal
 from rapidsim.language.annotations import Mode
 from rapidsim.language.types import NUM, SIGNAL_DI, ArrayOf, Record, Type, resolved
 from rapidsim.syntax import tree
@@ -69,6 +71,8 @@ class Whole:
     optional: bool = False
     """A parameter that may be absent and does not find out by itself."""
     may_raise: bool = False
+    declared: tree.Node | None = None
+    """Where a local variable or parameter is declared."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,6 +103,13 @@ def bare(expression: tree.Expression) -> tree.Expression:
     while isinstance(expression, tree.Parenthesised):
         expression = expression.inner
     return expression
+
+
+def declaration(path: tree.Expression, program: Program) -> tree.Node | None:
+    """Where a variable or parameter is declared that the whole path names."""
+    inner = bare(path)
+    symbol = program.symbol_of[inner] if isinstance(inner, tree.Reference) else None
+    return symbol.node if isinstance(symbol, DataSymbol | ParameterSymbol) else None
 
 
 def by_reference(mode: Mode) -> bool:
@@ -220,7 +231,8 @@ class Paths:
                 node = whole.node
             else:
                 # Installed routines look at constants and counters through references too.
-                node = at.call("_Box", [self._read_whole(whole, parts.reference, at).node])
+                value = finished(self._read_whole(whole, parts.reference, at), at)
+                node = at.call("_Box", [value.node])
             may_raise = calls = False
         else:
             array, index, code = self._array_and_index(whole, parts, at)
@@ -257,14 +269,15 @@ class Paths:
                 in_reference = name is None or symbol in self._names.in_cell
                 home = _home(of, in_reference)
                 spelled = name or self._names.module.variable(symbol)
-                return Whole(home, at.name(spelled), of, spelled)
+                return Whole(home, at.name(spelled), of, spelled, declared=symbol.node)
             case ParameterSymbol(type=of, mode=mode, optional=optional):
                 assert name is not None
                 in_reference = by_reference(mode) or symbol in self._names.in_cell
                 home = _home(of, in_reference)
                 # Absent references refuse by themselves; other absent values must be asked.
                 asks = optional and home in (Home.PLAIN, Home.ARRAY) and not symbol.is_switch
-                return Whole(home, at.name(name), of, name, asks, may_raise=optional)
+                declared = symbol.node
+                return Whole(home, at.name(name), of, name, asks, optional, declared)
             case CounterSymbol():
                 assert name is not None
                 return Whole(Home.PLAIN, at.name(name), NUM, name)
@@ -276,9 +289,11 @@ class Paths:
                 raise NotExecutableError(f"`{reference.name.text}` used as data", span)
 
     def _read_whole(self, whole: Whole, reference: tree.Reference, at: At) -> Code:
-        counter = self._expressions.counters.get(whole.name)
-        if counter is not None:
-            return Code(whole.node, integer=counter)
+        integer = self._expressions.counters.get(whole.name)
+        if integer is None and whole.declared is not None:
+            integer = self._expressions.integers.get(whole.declared)
+        if integer is not None:
+            return Code(whole.node, integer=integer)
         node = self._value(whole, at)
         if whole.optional:
             present = at.compare(whole.node, (ast.IsNot(), at.name("_ABSENT")))
@@ -375,7 +390,8 @@ class Paths:
         """
         within = integer.high <= size if isinstance(size, int) else integer.size == size
         if integer.low >= 1 and within:
-            return Code(at.operation(code.node, ast.Sub(), at.constant(1)), calls=code.calls)
+            position = at.operation(code.node, ast.Sub(), at.constant(1))
+            return Code(position, may_raise=integer.signed, calls=code.calls)
         limit = at.constant(size) if isinstance(size, int) else at.name(size)
         name = code.node if isinstance(code.node, ast.Name) else at.name("_i")
         first = name if name is code.node else at.named("_i", code.node)
@@ -407,9 +423,18 @@ class Paths:
 
 def number(value: float, at: At) -> Code:
     """A number as a constant; whole ones know that they are."""
-    whole = value.is_integer() and abs(value) < 2**53
+    # A zero with a sign is no integer.
+    whole = value.is_integer() and abs(value) < MAX_EXACT and str(value) != "-0.0"
     integer = Interval(int(value), int(value)) if whole else None
     return Code(at.constant(value), integer=integer, literal=value)
+
+
+def whole_number(expression: tree.Expression | None) -> int | None:
+    """The value of a literal that is an integer a single holds exactly."""
+    value = literal(expression, NUM) if expression is not None else None
+    if isinstance(value, float) and value.is_integer() and abs(value) <= MAX_INTEGER:
+        return int(value)
+    return None
 
 
 def _home(of: Type, in_reference: bool) -> Home:

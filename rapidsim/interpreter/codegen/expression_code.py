@@ -1,8 +1,9 @@
 """An expression on its way to Python: its node, and what is still owed to it.
 
 A num is rounded once, where an arithmetic expression is consumed; until then the node computes in
-doubles. Counters of FOR loops, and sums and products of them, stay Python integers, which index
-arrays fastest; they become floats where they leave such expressions.
+doubles. Integers stay Python integers, which count and index arrays fastest: counters of FOR loops,
+variables of which `integer_inference` knows it, sums and products of them. They become floats where
+they leave for anything else, and are rounded as floats are, which few of them need.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ import ast
 from enum import Enum
 
 from rapidsim.interpreter.codegen.ast_builder import At
+from rapidsim.interpreter.codegen.intervals import ANY, MAX_EXACT, Interval, rounded
 from rapidsim.interpreter.runtime.arithmetic import MAX_DOUBLE, MAX_INTEGER, MAX_STRING
 from rapidsim.language.single import LARGEST_SINGLE, SPLIT
 from rapidsim.values import dataclass
@@ -26,21 +28,6 @@ class Owed(Enum):
     STRING = "check the length of a string"
 
 
-@dataclass(frozen=True, slots=True)
-class Interval:
-    """The integers between two bounds, both included."""
-
-    low: int
-    high: int
-    size: str = ""
-    """The Python variable with the size of an array, where none of them is larger than that."""
-
-    @property
-    def exact(self) -> bool:
-        """Whether a single holds each of them."""
-        return self.low >= -MAX_INTEGER and self.high <= MAX_INTEGER
-
-
 @dataclass(slots=True)
 class Code:
     """One expression."""
@@ -54,10 +41,16 @@ class Code:
     """Where it is an integer: of which size. Literals are written as floats all the same."""
     literal: float | None = None
     """The value, where it is a literal."""
+    too_exact: bool = False
+    """An integer that as a double might have been rounded."""
 
     def as_integer(self, at: At) -> ast.expr:
-        """The node as a Python integer; only where `integer` is known."""
-        return self.node if self.literal is None else at.constant(int(self.literal))
+        """The node as a Python integer to compute with; only where `integer` is known."""
+        if self.literal is not None:
+            return at.constant(int(self.literal))
+        if self.too_exact:
+            return _kept(self.node, -MAX_EXACT, MAX_EXACT, "_double_integer", at)
+        return self.node
 
     @property
     def stays_integer(self) -> bool:
@@ -67,13 +60,11 @@ class Code:
 
 def finished(code: Code, at: At) -> Code:
     """Pay what is owed: the node then has the value that RAPID would store."""
-    if code.stays_integer and code.integer is not None:
-        if not code.integer.exact:
-            return Code(_rounded(code.node, at), calls=code.calls, may_raise=code.may_raise)
+    if code.owed is Owed.NOTHING:
+        if not code.stays_integer:
+            return code
         whole = at.operation(code.node, ast.Add(), at.constant(0.0))
         return Code(whole, calls=code.calls, may_raise=code.may_raise)
-    if code.owed is Owed.NOTHING:
-        return code
     if code.owed is Owed.SINGLE:
         node: ast.expr = _rounded(code.node, at)
     elif code.owed is Owed.CHECKED_SINGLE:
@@ -87,10 +78,43 @@ def finished(code: Code, at: At) -> Code:
     return Code(node, may_raise=code.may_raise or code.owed is not Owed.SINGLE, calls=code.calls)
 
 
+def whole(code: Code, at: At) -> Code:
+    """As `finished`, but integers stay what they are; of what is one by inference one is made."""
+    if code.integer is None:
+        paid = finished(code, at)
+        node: ast.expr = at.call("_int", [paid.node])
+        return Code(node, may_raise=paid.may_raise, calls=code.calls, integer=ANY)
+    if code.literal is not None or code.owed is Owed.NOTHING:
+        node = at.constant(int(code.literal)) if code.literal is not None else code.node
+        return Code(node, may_raise=code.may_raise, calls=code.calls, integer=code.integer)
+    low = None if code.integer.low >= -MAX_INTEGER else -MAX_INTEGER
+    high = None if code.integer.high <= MAX_INTEGER else MAX_INTEGER
+    checked = code.owed is Owed.CHECKED_SINGLE
+    node = _kept(code.node, low, high, "_checked_integer" if checked else "_single_integer", at)
+    may_raise = code.may_raise or checked
+    return Code(node, may_raise=may_raise, calls=code.calls, integer=rounded(code.integer))
+
+
 def comparable(code: Code, at: At) -> Code:
     """As `finished`, but integers stay what they are: equal ints and floats compare equal."""
-    exact = code.stays_integer and code.integer is not None and code.integer.exact
-    return code if exact else finished(code, at)
+    return whole(code, at) if code.stays_integer else finished(code, at)
+
+
+def within(x: ast.expr, low: int | None, high: int | None, at: At) -> ast.expr:
+    """Whether an integer is between two bounds, of which one may be none."""
+    if low is None:
+        return at.compare(x, (ast.LtE(), at.constant(high)))
+    if high is None:
+        return at.compare(x, (ast.GtE(), at.constant(low)))
+    return at.compare(at.constant(low), (ast.LtE(), x), (ast.LtE(), at.constant(high)))
+
+
+def _kept(node: ast.expr, low: int | None, high: int | None, otherwise: str, at: At) -> ast.expr:
+    """An integer between two bounds, which may be none; of others what a function gives."""
+    if low is high is None:
+        return node
+    test = within(at.named("_x", node), low, high, at)
+    return at.choice(test, at.name("_x"), at.call(otherwise, [at.name("_x")]))
 
 
 def _rounded(node: ast.expr, at: At) -> ast.expr:

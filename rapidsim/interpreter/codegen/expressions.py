@@ -7,7 +7,7 @@ Paths are in `data_access`, calls in `calls`; what an expression owes before it 
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from rapidsim.analysis.program import DataSymbol, Program
@@ -15,10 +15,18 @@ from rapidsim.diagnostics import Span
 from rapidsim.interpreter.codegen.ast_builder import At, Positions
 from rapidsim.interpreter.codegen.calls import Calls
 from rapidsim.interpreter.codegen.data_access import Paths, bare, number
-from rapidsim.interpreter.codegen.expression_code import Code, Interval, Owed, comparable, finished
+from rapidsim.interpreter.codegen.expression_code import (
+    Code,
+    Owed,
+    comparable,
+    finished,
+    whole,
+    within,
+)
+from rapidsim.interpreter.codegen.intervals import MAX_EXACT, Interval, combined, negated
 from rapidsim.interpreter.codegen.names import LocalNames
 from rapidsim.interpreter.limits import MAX_EXPRESSION, NotExecutableError
-from rapidsim.interpreter.runtime.arithmetic import WHOLE_FROM
+from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER, WHOLE_FROM
 from rapidsim.interpreter.runtime.values import Value, element_type, literal
 from rapidsim.language.single import LARGEST_SINGLE, single
 from rapidsim.language.types import ArrayOf, Atomic, Record, Type, resolved
@@ -44,6 +52,8 @@ _COMPARISONS: dict[str, type[ast.cmpop]] = {
 }
 _LOGICAL: dict[str, type[ast.boolop]] = {"AND": ast.And, "OR": ast.Or}
 _INTEGER = {"DIV": "_quotient", "MOD": "_remainder"}
+_WHOLE = {"DIV": "_whole_quotient", "MOD": "_whole_remainder"}
+"""The same for Python integers."""
 _POSITIONS = {
     ("+", "pos", "pos"): "_add_positions",
     ("-", "pos", "pos"): "_subtract_positions",
@@ -63,6 +73,8 @@ class Expressions:
     positions: Positions
     module: tree.Module
     constant_value: ConstantValue
+    integers: Mapping[tree.Node, Interval]
+    """Variables and functions whose values are integers, as `integer_inference` knows them."""
     statement: At = field(default_factory=lambda: At(1, 0, 0))
     """Where the statement stands whose expressions are translated."""
     counters: dict[str, Interval] = field(default_factory=dict)
@@ -94,8 +106,15 @@ class Expressions:
         """An expression as the value that a variable would get; of arrays not a copy."""
         return finished(self.code(expression), self.at(expression))
 
-    def copy(self, expression: tree.Expression) -> Code:
-        """As `value`, but of arrays a list that nobody else has."""
+    def copy(self, expression: tree.Expression, home: tree.Node | None = None) -> Code:
+        """As `value`, but of arrays a list that nobody else has.
+
+        Args:
+            expression: What is copied.
+            home: The declaration of the variable, or of the function, that gets the value.
+        """
+        if home in self.integers:
+            return whole(self.code(expression), self.at(expression))
         code = self.value(expression)
         # A literal aggregate is a constant of the namespace; functions give a list of their own.
         shared = isinstance(
@@ -171,9 +190,18 @@ class Expressions:
         if resolved(self.type_of(expression.operand)).name.lower() == "pos":
             opposite = at.call("_negate_position", [operand.node])
             return Code(opposite, may_raise=operand.may_raise, calls=operand.calls)
-        negated = at.unary(ast.USub(), operand.node)
-        integer = operand.integer and Interval(-operand.integer.high, -operand.integer.low)
-        return Code(negated, operand.owed, operand.may_raise, operand.calls, integer)
+        opposite_of = None if operand.integer is None else negated(operand.integer)
+        if operand.stays_integer and opposite_of is None:
+            operand = finished(operand, at)
+        node = at.unary(ast.USub(), operand.node)
+        return Code(
+            node,
+            operand.owed,
+            operand.may_raise,
+            operand.calls,
+            opposite_of,
+            too_exact=operand.too_exact,
+        )
 
     def _binary(self, expression: tree.Binary, at: At) -> Code:
         operator = expression.operator
@@ -198,12 +226,6 @@ class Expressions:
     def _arithmetic(self, operator: str, is_dnum: bool, left: Code, right: Code, at: At) -> Code:
         may_raise = left.may_raise or right.may_raise
         calls = left.calls or right.calls
-        integer = None if is_dnum else _interval(operator, left, right)
-        if integer is not None and (left.stays_integer or right.stays_integer):
-            operands = left.as_integer(at), right.as_integer(at)
-            node = at.operation(operands[0], _ARITHMETIC[operator](), operands[1])
-            return Code(node, may_raise=may_raise, calls=calls, integer=integer)
-        node = at.operation(left.node, _ARITHMETIC[operator](), right.node)
         checked = operator in "*/" and not _cannot_grow(operator, left, right)
         checked = checked or Owed.CHECKED_SINGLE in (left.owed, right.owed)
         checked = checked or Owed.CHECKED_DOUBLE in (left.owed, right.owed)
@@ -212,7 +234,23 @@ class Expressions:
         else:
             owed = Owed.CHECKED_SINGLE if checked else Owed.SINGLE
         divides = operator == "/" and not right.literal
-        return Code(node, owed, may_raise or checked or divides, calls)
+        folded = _folded(operator, left, right, at)
+        if folded is not None:
+            folded.may_raise = checked
+            return folded
+        integer = None if is_dnum or operator == "/" else _combined(operator, left, right)
+        if integer is None:
+            operands = _as_doubles(left, right, at)
+            node = at.operation(operands[0], _ARITHMETIC[operator](), operands[1])
+            return Code(node, owed, may_raise or checked or divides, calls)
+        operands = left.as_integer(at), right.as_integer(at)
+        node = at.operation(operands[0], _ARITHMETIC[operator](), operands[1])
+        if integer.exact:
+            return Code(
+                node, Owed.NOTHING, may_raise or (checked and integer.signed), calls, integer
+            )
+        too_exact = not integer.is_double
+        return Code(node, owed, may_raise or checked, calls, integer, too_exact=too_exact)
 
     def _comparison(self, expression: tree.Binary, left: Code, right: Code, at: At) -> Code:
         left_at, right_at = self.at(expression.left), self.at(expression.right)
@@ -280,16 +318,33 @@ class Expressions:
         return of.name.lower()
 
 
+def _folded(operator: str, left: Code, right: Code, at: At) -> Code | None:
+    """The sum, difference or product of literals that is an integer."""
+    a, b = left.literal, right.literal
+    if a is None or b is None or operator == "/":
+        return None
+    value = a + b if operator == "+" else a - b if operator == "-" else a * b
+    return number(value, at) if value.is_integer() and abs(value) <= MAX_INTEGER else None
+
+
+def _as_doubles(left: Code, right: Code, at: At) -> tuple[ast.expr, ast.expr]:
+    """Operands for arithmetic in doubles; a zero of it may get a sign."""
+    first, second = (
+        code.as_integer(at) if code.stays_integer else code.node for code in (left, right)
+    )
+    if left.stays_integer and right.stays_integer:
+        first = at.operation(first, ast.Add(), at.constant(0.0))
+    return first, second
+
+
 def _integer_division(operator: str, left: Code, right: Code, at: At) -> Code:
     """DIV and MOD: in Python's own operators where these mean the same, which is from 0 up."""
     calls = left.calls or right.calls
     python = ast.FloorDiv() if operator == "DIV" else ast.Mod()
-    a, b = left.integer, right.integer
-    if a is not None and b is not None and a.low >= 0 and b.low > 0 and left.stays_integer:
-        high = a.high // b.low if operator == "DIV" else min(a.high, b.high - 1)
-        node: ast.expr = at.operation(left.as_integer(at), python, right.as_integer(at))
-        may_raise = left.may_raise or right.may_raise
-        return Code(node, may_raise=may_raise, calls=calls, integer=Interval(0, high))
+    integer = _combined(operator, left, right)
+    if integer is not None:
+        return _division_of_integers(operator, left, right, integer, at)
+    b = right.integer
     operands = [finished(left, at).node, finished(right, at).node]
     if b is None or b.low <= 0 or right.literal is None:
         return Code(at.call(_INTEGER[operator], operands), may_raise=True, calls=calls)
@@ -302,23 +357,43 @@ def _integer_division(operator: str, left: Code, right: Code, at: At) -> Code:
     return Code(node, may_raise=True, calls=calls)
 
 
-def _interval(operator: str, left: Code, right: Code) -> Interval | None:
-    """The integers that a sum, difference or product can be; None where it may be a fraction."""
+def _division_of_integers(
+    operator: str, left: Code, right: Code, integer: Interval, at: At
+) -> Code:
+    """The same of Python integers; their quotient may be negative, their remainder is not."""
+    calls, by_literal = left.calls or right.calls, right.literal is not None
+    left, right = whole(left, at), whole(right, at)
     a, b = left.integer, right.integer
-    if a is None or b is None:
+    assert a is not None
+    assert b is not None
+    python = ast.FloorDiv() if operator == "DIV" else ast.Mod()
+    node: ast.expr = at.operation(left.node, python, right.node)
+    # A quotient of larger numbers is rounded as doubles are.
+    exact = operator == "MOD" or a.is_double
+    may_raise = left.may_raise or right.may_raise or integer.signed
+    if not (b.low > 0 and a.low >= 0 and exact):
+        may_raise = True
+        name = isinstance(left.node, ast.Name)
+        n = left.node if name else at.name("_n")
+        first = n if name else at.named("_n", left.node)
+        if operator == "DIV" and by_literal and b.low > 0:
+            easy = within(first, None if a.low >= 0 else 0, None if exact else MAX_EXACT, at)
+            node = at.operation(n, python, right.node)
+            node = at.choice(easy, node, at.call("_literal_quotient", [n, right.node]))
+        elif operator == "MOD" and isinstance(right.node, ast.Name) and name:
+            easy = at.compare(right.node, (ast.Gt(), at.constant(0)))
+            node = at.choice(easy, node, at.call("_whole_remainder", [n, right.node]))
+        else:
+            node = at.call(_WHOLE[operator], [left.node, right.node])
+    return Code(node, may_raise=may_raise, calls=calls, integer=integer)
+
+
+def _combined(operator: str, left: Code, right: Code) -> Interval | None:
+    """The integers that the result is; None where it is, or may be, none of Python's."""
+    a, b = left.integer, right.integer
+    if a is None or b is None or not (left.stays_integer or right.stays_integer):
         return None
-    match operator:
-        case "+":
-            result = Interval(a.low + b.low, a.high + b.high)
-        case "-":
-            result = Interval(a.low - b.high, a.high - b.low)
-        case "*":
-            products = [x * y for x in (a.low, a.high) for y in (b.low, b.high)]
-            result = Interval(min(products), max(products))
-        case _:
-            return None
-    # Beyond that, doubles are what other expressions compute in.
-    return result if max(-result.low, result.high) < 2**53 else None
+    return combined(operator, a, b)
 
 
 def _cannot_grow(operator: str, left: Code, right: Code) -> bool:

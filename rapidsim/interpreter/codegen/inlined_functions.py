@@ -29,7 +29,7 @@ def function_in_place(
     routine: LibraryRoutine,
     call: tree.FunctionCall,
     expressions: Operands,
-    function: ast.expr,
+    function: ast.Name,
     at: At,
 ) -> Code | None:
     """A call of an installed function as an expression; None where it must be called."""
@@ -39,6 +39,7 @@ def function_in_place(
     ]
     if form is None or len(values) != len(call.arguments):
         return None
+    expressions.names.module.computing.add(function.id)
     return form(values, expressions, function, at)
 
 

@@ -15,15 +15,17 @@ from types import MappingProxyType
 
 from rapidsim.analysis.program import LibrarySymbol, Program, does
 from rapidsim.interpreter.codegen.ast_builder import At
-from rapidsim.interpreter.codegen.data_access import Paths, bare, number
-from rapidsim.interpreter.codegen.expression_code import Code, Owed, finished
+from rapidsim.interpreter.codegen.data_access import Paths, bare, declaration, number
+from rapidsim.interpreter.codegen.expression_code import Code, Owed, finished, whole
+from rapidsim.interpreter.codegen.intervals import ONE, combined
+from rapidsim.interpreter.codegen.operands import Operands
 from rapidsim.language.types import DNUM, resolved
 from rapidsim.library.mathematics import clear, decr, incr
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
-_STEPS: Mapping[Callable[..., object], ast.operator | None] = MappingProxyType(
-    {clear: None, decr: ast.Sub(), incr: ast.Add()}
+_STEPS: Mapping[Callable[..., object], str | None] = MappingProxyType(
+    {clear: None, decr: "-", incr: "+"}
 )
 """By the function they would call: what combines the variable with 1; None sets it to 0."""
 
@@ -38,21 +40,34 @@ def assigned_in_place(call: tree.Call, program: Program) -> tree.Reference | Non
     return value if isinstance(value, tree.Reference) else None
 
 
+def step_in_place(call: tree.Call, program: Program) -> str | None:
+    """What such an instruction combines its variable with 1 by; None if it sets it to 0."""
+    symbol = program.symbol_of[call]
+    assert isinstance(symbol, LibrarySymbol)
+    return _STEPS[symbol.routine.function]
+
+
 def is_start_move_retry(call: tree.Call, program: Program) -> bool:
     """Whether a call is the instruction that ends an ERROR clause as RETRY does."""
     return Does.RETRY in does(program.symbol_of[call])
 
 
 def value_in_place(
-    call: tree.Call, variable: tree.Reference, program: Program, paths: Paths, at: At
+    call: tree.Call, variable: tree.Reference, expressions: Operands, paths: Paths, at: At
 ) -> Code:
     """What it assigns."""
-    symbol = program.symbol_of[call]
-    assert isinstance(symbol, LibrarySymbol)
-    operator = _STEPS[symbol.routine.function]
-    if operator is None:
-        return number(0.0, at)
+    step = step_in_place(call, expressions.program)
+    declared = declaration(variable, expressions.program)
+    kept = None if declared is None else expressions.integers.get(declared)
+    if step is None:
+        zero = number(0.0, at)
+        return zero if kept is None else whole(zero, at)
     old = paths.read(variable)
+    operator = ast.Add() if step == "+" else ast.Sub()
+    if kept is not None:
+        node = at.operation(old.node, operator, at.constant(1))
+        integer = combined(step, kept, ONE)
+        return whole(Code(node, Owed.SINGLE, integer=integer), at)
     node = at.operation(old.node, operator, at.constant(1.0))
     # One more or less cannot leave the range of either type.
     is_dnum = resolved(paths.type_of(variable)) == DNUM

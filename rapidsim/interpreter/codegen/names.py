@@ -46,6 +46,8 @@ class ModuleNames:
 
     module: tree.Module
     bindings: dict[str, Binding] = field(default_factory=dict)
+    computing: set[str] = field(default_factory=set)
+    """Names of installed functions that are quick and ask nothing of the controller."""
     _name_of: dict[object, str] = field(default_factory=dict)
     _counts: dict[str, int] = field(default_factory=dict)
 

@@ -7,12 +7,14 @@ they know it only as this.
 from __future__ import annotations
 
 import ast
+from collections.abc import Mapping
 from typing import Protocol
 
 from rapidsim.analysis.program import DataSymbol, Program
 from rapidsim.diagnostics import Span
 from rapidsim.interpreter.codegen.ast_builder import At
-from rapidsim.interpreter.codegen.expression_code import Code, Interval
+from rapidsim.interpreter.codegen.expression_code import Code
+from rapidsim.interpreter.codegen.intervals import Interval
 from rapidsim.interpreter.codegen.names import LocalNames
 from rapidsim.language.types import Type
 from rapidsim.syntax import tree
@@ -26,6 +28,8 @@ class Operands(Protocol):
     module: tree.Module
     counters: dict[str, Interval]
     """FOR counters that are Python integers, by Python name."""
+    integers: Mapping[tree.Node, Interval]
+    """Variables and functions whose values are integers."""
 
     def at(self, node: tree.Node) -> At:
         """The place of a part of the statement."""
@@ -47,8 +51,8 @@ class Operands(Protocol):
         """An expression as the value that a variable would get; of arrays not a copy."""
         ...
 
-    def copy(self, expression: tree.Expression) -> Code:
-        """As `value`, but of arrays a list that nobody else has."""
+    def copy(self, expression: tree.Expression, home: tree.Node | None = None) -> Code:
+        """As `value`, but of arrays a list that nobody else has; as an integer for such a home."""
         ...
 
     def constant_data(self, symbol: DataSymbol, at: At) -> ast.expr:

@@ -22,7 +22,7 @@ The ERROR clause keeps RAPID's own word: names of the program are lower case, so
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from rapidsim.analysis.program import (
     DataSymbol,
@@ -38,6 +38,7 @@ from rapidsim.interpreter.codegen.ast_builder import At, Positions
 from rapidsim.interpreter.codegen.escape_analysis import lent_symbols
 from rapidsim.interpreter.codegen.expressions import ConstantValue, Expressions
 from rapidsim.interpreter.codegen.goto import Jumps, goto_targets
+from rapidsim.interpreter.codegen.intervals import Interval
 from rapidsim.interpreter.codegen.names import ArrayDimension, LocalNames, ModuleNames
 from rapidsim.interpreter.codegen.rounds import Callees, callees, tick
 from rapidsim.interpreter.codegen.statements import Statements
@@ -71,6 +72,7 @@ class ModuleContext:
     names: ModuleNames
     positions: Positions
     constant_value: ConstantValue
+    integers: Mapping[tree.Node, Interval]
 
 
 def translate_routine(symbol: RoutineSymbol, context: ModuleContext) -> TranslatedRoutine:
@@ -96,6 +98,7 @@ class _RoutineTranslation:
             context.positions,
             symbol.module,
             context.constant_value,
+            context.integers,
         )
         self._header = context.positions.between(self._node.start, self._node.header_end)
 
@@ -187,7 +190,10 @@ class _RoutineTranslation:
         self, body: tree.Body, *, is_protected: bool = False, in_handler: bool = False
     ) -> list[ast.stmt]:
         jumps = Jumps(goto_targets([body]))
-        return Statements(self._expressions, jumps, is_protected, in_handler).body(body)
+        statements = Statements(
+            self._expressions, jumps, is_protected, in_handler, routine=self._node
+        )
+        return statements.body(body)
 
     def _handler(self) -> ast.FunctionDef | None:
         clause = self._node.error

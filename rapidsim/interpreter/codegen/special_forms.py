@@ -17,7 +17,8 @@ from types import MappingProxyType
 from rapidsim.analysis.program import DataSymbol, ParameterSymbol, Storage
 from rapidsim.interpreter.codegen.ast_builder import At
 from rapidsim.interpreter.codegen.data_access import Paths, bare, by_reference
-from rapidsim.interpreter.codegen.expression_code import Code, Interval
+from rapidsim.interpreter.codegen.expression_code import Code
+from rapidsim.interpreter.codegen.intervals import Interval
 from rapidsim.interpreter.codegen.operands import Operands
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER

@@ -20,8 +20,9 @@ from rapidsim.analysis.program import (
     does,
 )
 from rapidsim.interpreter.codegen.ast_builder import At
+from rapidsim.interpreter.codegen.data_access import declaration, whole_number
 from rapidsim.interpreter.codegen.error_handling import protected
-from rapidsim.interpreter.codegen.expression_code import Code, Interval, finished
+from rapidsim.interpreter.codegen.expression_code import Code, comparable, finished, whole
 from rapidsim.interpreter.codegen.expressions import Expressions
 from rapidsim.interpreter.codegen.goto import Jumps
 from rapidsim.interpreter.codegen.inlined_instructions import (
@@ -29,13 +30,12 @@ from rapidsim.interpreter.codegen.inlined_instructions import (
     is_start_move_retry,
     value_in_place,
 )
+from rapidsim.interpreter.codegen.intervals import Interval, counted, way
 from rapidsim.interpreter.codegen.rounds import tick
 from rapidsim.interpreter.limits import MAX_BRANCHES, MAX_LOOPS, NotExecutableError
-from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER
-from rapidsim.interpreter.runtime.values import literal
 from rapidsim.language.annotations import Mode
 from rapidsim.language.initial import initial_value
-from rapidsim.language.types import NUM, ArrayOf, resolved
+from rapidsim.language.types import ArrayOf, resolved
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
@@ -50,6 +50,8 @@ class Statements:
     """The routine has an ERROR clause, and this is not in it."""
     in_handler: bool = False
     """This is the ERROR clause."""
+    routine: tree.Node | None = None
+    """Whose statements these are."""
 
     def body(self, body: tree.Body) -> list[ast.stmt]:
         """Translate a statement list."""
@@ -116,12 +118,19 @@ class Statements:
         if isinstance(statement.target, tree.Placeholder):
             return self._guard([at.do(at.call("_unfinished"))], at)
         # Whole arrays are copied element by element where they arrive.
-        value = self.expressions.value(statement.value)
         paths = self.expressions.paths
+        value = self._value_for(statement.target, statement.value)
         body = [*paths.write(statement.target, value, at), *self._told(statement.target, at)]
         is_array = isinstance(resolved(paths.type_of(statement.target)), ArrayOf)
         may_raise = value.may_raise or is_array or paths.may_raise(statement.target)
         return self._guard(body, at) if may_raise else body
+
+    def _value_for(self, target: tree.DataPath, value: tree.Expression) -> Code:
+        """What an assignment puts there; of arrays not a copy."""
+        home = declaration(target, self.expressions.program)
+        if home in self.expressions.integers:
+            return self.expressions.copy(value, home)
+        return self.expressions.value(value)
 
     def _call(self, statement: tree.Call, at: At) -> list[ast.stmt]:
         program = self.expressions.program
@@ -134,7 +143,7 @@ class Statements:
             retries = is_start_move_retry(statement, program)
             return [*called, at.leave(at.constant(1))] if retries else called
         paths = self.expressions.paths
-        value = value_in_place(statement, variable, program, paths, at)
+        value = value_in_place(statement, variable, self.expressions, paths, at)
         return self._guard([*paths.write(variable, value, at), *self._told(variable, at)], at)
 
     def _told(self, target: tree.DataPath, at: At) -> list[ast.stmt]:
@@ -295,23 +304,22 @@ class Statements:
         codes = [self.expressions.code(part) for part in parts if part is not None]
         may_raise = any(finished(code, at).may_raise for code in codes)
         first, last = codes[0], codes[1]
-        step = _whole(statement.step)
-        if not _exact(first) or (statement.step is not None and step is None):
+        step = whole_number(statement.step)
+        if first.integer is None or (statement.step is not None and step is None):
             return at.call("_steps", [finished(code, at).node for code in codes]), None, may_raise
-        assert first.integer is not None
         ends = last.integer if _exact(last) else None
-        way = _way(first.integer, ends) if step is None else step
-        interval = _between(first.integer, ends or Interval(-MAX_INTEGER, MAX_INTEGER), way)
-        nodes = [first.as_integer(at), *(at.constant(step) for _ in codes[2:])]
-        if ends is None or not way:
-            nodes.insert(1, finished(last, at).node)
+        direction = way(first.integer, ends) if step is None else step
+        interval = counted(first.integer, ends, direction)
+        nodes = [whole(first, at).node, *(at.constant(step) for _ in codes[2:])]
+        if ends is None or not direction or not first.integer.exact:
+            nodes.insert(1, comparable(last, at).node)
             return at.call("_count", nodes), interval, may_raise
-        past = 1 if way > 0 else -1
+        past = 1 if direction > 0 else -1
         if last.literal is not None:
             nodes.insert(1, at.constant(int(last.literal) + past))
         else:
             nodes.insert(1, at.operation(last.node, ast.Add(), at.constant(past)))
-        if way < 0 and step is None:
+        if direction < 0 and step is None:
             nodes.append(at.constant(-1))
         return at.call("_range", nodes), interval, may_raise
 
@@ -339,13 +347,16 @@ class Statements:
 
     def _return(self, value: tree.Expression | None, at: At) -> list[ast.stmt]:
         if self.in_handler:
-            node = self.expressions.copy(value).node if value is not None else at.constant(None)
+            node = at.constant(None) if value is None else self._returned(value).node
             return [at.throw(at.call("_Leave", [node]))]
         if value is None:
             return [at.leave()]
-        code = self.expressions.copy(value)
+        code = self._returned(value)
         body: list[ast.stmt] = [at.leave(code.node)]
         return self._guard(body, at) if code.may_raise else body
+
+    def _returned(self, value: tree.Expression) -> Code:
+        return self.expressions.copy(value, self.routine)
 
     def _raise(self, number: tree.Expression | None, at: At) -> list[ast.stmt]:
         node = self.expressions.value(number).node if number is not None else at.constant(None)
@@ -381,10 +392,10 @@ class Statements:
         assert name is not None
         node: ast.expr
         if statement.value is not None:
-            node = self.expressions.copy(statement.value).node
+            node = self.expressions.copy(statement.value, statement).node
         else:
-            zero = initial_value(symbol.type)
-            if isinstance(zero, float | str | bool):
+            zero = 0 if statement in self.expressions.integers else initial_value(symbol.type)
+            if isinstance(zero, float | int | str):
                 node = at.constant(zero)
             else:
                 node = at.name(names.module.constant(zero))
@@ -405,29 +416,3 @@ class Statements:
 def _exact(code: Code) -> bool:
     """Whether it is an integer that a single holds."""
     return code.integer is not None and code.integer.exact
-
-
-def _way(first: Interval, last: Interval | None) -> int:
-    """The step of a FOR that names none: 1 up, -1 down, 0 where only the run knows."""
-    if last is None:
-        return 0
-    if last.low >= first.high:
-        return 1
-    return -1 if last.high < first.low else 0
-
-
-def _between(first: Interval, last: Interval, way: int) -> Interval:
-    """What a counter can be that goes from one to the other."""
-    if way > 0:
-        return Interval(first.low, max(first.low, last.high), last.size)
-    if way < 0:
-        return Interval(min(first.high, last.low), first.high, first.size)
-    return Interval(min(first.low, last.low), max(first.high, last.high))
-
-
-def _whole(expression: tree.Expression | None) -> int | None:
-    """The value of a literal that is an integer a single holds exactly."""
-    value = literal(expression, NUM) if expression is not None else None
-    if isinstance(value, float) and value.is_integer() and abs(value) <= MAX_INTEGER:
-        return int(value)
-    return None

@@ -53,7 +53,7 @@ class Constants:
         names = ModuleNames(module)
         positions = Positions(module.source)
         expressions = Expressions(
-            self.program, LocalNames(names, ""), positions, module, self.value_of
+            self.program, LocalNames(names, ""), positions, module, self.value_of, {}
         )
         expressions.statement = positions.at(node)
         code = compile(

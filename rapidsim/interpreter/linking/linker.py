@@ -9,17 +9,23 @@ from __future__ import annotations
 
 import linecache
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from types import CodeType, FrameType, FunctionType
 from typing import Any
 
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Storage
-from rapidsim.analysis.tree_walk import data_of
+from rapidsim.analysis.tree_walk import data_of, descendants
 from rapidsim.diagnostics import Source
+from rapidsim.interpreter.codegen.intervals import Interval
 from rapidsim.interpreter.codegen.names import Fixed
 from rapidsim.interpreter.linking.constants import Constants
 from rapidsim.interpreter.linking.namespace import FUNCTIONS, task_functions
-from rapidsim.interpreter.linking.translation import INITIALISE, TranslatedModule, translate
+from rapidsim.interpreter.linking.translation import (
+    INITIALISE,
+    TranslatedModule,
+    Translation,
+    translate,
+)
 from rapidsim.interpreter.runtime.call_stack import Origin
 from rapidsim.interpreter.runtime.error_recovery import GENERATED, Recovery, is_generated
 from rapidsim.interpreter.runtime.late_binding import LateBinding, UserRoutine
@@ -53,6 +59,7 @@ class LinkedProgram:
         self.recovery = Recovery(controller.error_numbers)
         self.late = LateBinding(controller)
         self._constants = Constants(program)
+        self._integers: Mapping[tree.Node, Interval] = {}
         self._functions: dict[tree.Routine, FunctionType] = {}
         self._namespaces: dict[tree.Module, dict[str, Any]] = {}
         self.link(program)
@@ -70,17 +77,20 @@ class LinkedProgram:
         """
         added = [module for module in program.modules if module not in self._namespaces]
         gone = [module for module in self._namespaces if module not in program.modules]
-        translation = translate(program, added)
+        translation = translate(program, added, shares=self._shared is not None)
+        if self._namespaces and not self._goes_with(translation, added):
+            translation = translate(program, shares=self._shared is not None)
         codes = [_compiled(module) for module in translation.modules]
         before = self.program, self._constants
         self.program, self._constants = program, translation.constants
+        self._integers = translation.integers
         try:
             for module, code in zip(translation.modules, codes, strict=True):
                 self._define(module, code)
             for module in translation.modules:
                 self._bind(module)
-            for module in translation.modules:
-                namespace = self._namespaces[module.module]
+            for one in added:
+                namespace = self._namespaces[one]
                 if INITIALISE in namespace:
                     _function(namespace, INITIALISE)()
         except BaseException:
@@ -91,6 +101,17 @@ class LinkedProgram:
         for one in gone:
             self._drop(one)
         self._name_routines()
+
+    def _goes_with(self, translation: Translation, added: Sequence[tree.Module]) -> bool:
+        """Whether new modules give routines that stay what these were made for.
+
+        Who asks about a program that has ended may call its functions with any number. Where
+        modules are loaded while one runs, nothing is taken for granted of a call.
+        """
+        own = {node for module in added for node in descendants(*module.routines)}
+        known = translation.integers
+        kept = {node: integer for node, integer in known.items() if node not in own}
+        return self.program.loads_modules or kept == self._integers
 
     def function(self, symbol: RoutineSymbol) -> FunctionType:
         """The function of a routine."""

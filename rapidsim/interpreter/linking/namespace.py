@@ -62,16 +62,20 @@ FUNCTIONS: Mapping[str, object] = MappingProxyType(
         "_add_positions": arithmetic.add_positions,
         "_assign_array": arrays.assign_array,
         "_at_most_one": at_most_one,
+        "_checked_integer": arithmetic.checked_integer,
         "_compose_orientations": arithmetic.compose_orientations,
         "_copy_array": arrays.copy_array,
         "_count": arithmetic.count,
         "_cross_product": arithmetic.cross_product,
         "_dimension": arrays.dimension,
         "_divide_position": arithmetic.divide_position,
+        "_double_integer": arithmetic.double_integer,
         "_index_table_of": arrays.index_table_of,
         "_index_tables": arrays.INDEX_TABLES,
+        "_int": int,
         "_is_persistent": is_persistent,
         "_len": len,
+        "_literal_quotient": arithmetic.literal_quotient,
         "_magnitude": abs,
         "_negate_position": arithmetic.negate_position,
         "_new": tuple.__new__,
@@ -87,6 +91,7 @@ FUNCTIONS: Mapping[str, object] = MappingProxyType(
         "_root": math.sqrt,
         "_scale_position": arithmetic.scale_position,
         "_scaled_position": arithmetic.scaled_position,
+        "_single_integer": arithmetic.single_integer,
         "_steps": arithmetic.steps,
         "_subtract_positions": arithmetic.subtract_positions,
         "_too_long": arithmetic.too_long,
@@ -95,6 +100,8 @@ FUNCTIONS: Mapping[str, object] = MappingProxyType(
         "_unresolved_function": unresolved_function,
         "_unresolved_procedure": unresolved_procedure,
         "_unwinds": error_recovery.unwinds,
+        "_whole_quotient": arithmetic.whole_quotient,
+        "_whole_remainder": arithmetic.whole_remainder,
     }
 )
 """By the name generated code calls them."""
@@ -173,6 +180,11 @@ def task_functions(
             stand_in(place, "ArgName", instead, None)
         return name or parameter
 
+    def served(left: int) -> int:
+        clock.left = left
+        clock.service()
+        return clock.left
+
     def connect(number: float, trap: Callable[[], object], name: str) -> float:
         if interrupts.is_connected(number):
             raise rapid_error(
@@ -197,6 +209,7 @@ def task_functions(
         "_loaded_function": loaded_function,
         "_propagate": recovery_of_task.propagate,
         "_recover": recovery_of_task.recover,
+        "_served": served,
         "_set_at": set_at,
         "_skip": skip,
         "_stand_in": stand_in,

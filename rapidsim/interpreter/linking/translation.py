@@ -7,12 +7,15 @@ from __future__ import annotations
 
 import ast
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Storage
 from rapidsim.analysis.tree_walk import data_of
 from rapidsim.interpreter.codegen.ast_builder import Positions
 from rapidsim.interpreter.codegen.expressions import Expressions
+from rapidsim.interpreter.codegen.integer_inference import integers_of
+from rapidsim.interpreter.codegen.intervals import Interval
+from rapidsim.interpreter.codegen.local_ticks import count_locally
 from rapidsim.interpreter.codegen.names import Binding, LocalNames, ModuleNames
 from rapidsim.interpreter.codegen.rounds import ticking
 from rapidsim.interpreter.codegen.routines import (
@@ -45,6 +48,8 @@ class TranslatedModule:
     bindings: Mapping[str, Binding]
     functions: Mapping[str, RoutineSymbol]
     """The module's routines by the name of their function."""
+    computing: Set[str]
+    """Names of installed functions that are quick and ask nothing of the controller."""
     long_jumps: tuple[tuple[str, str], ...]
     """Names of functions with a long-jump ERROR clause and of those that give its numbers."""
 
@@ -55,14 +60,19 @@ class Translation:
 
     modules: tuple[TranslatedModule, ...]
     constants: Constants
+    integers: Mapping[tree.Node, Interval]
+    """What was known of nums: functions and their callers must know the same."""
 
 
-def translate(program: Program, modules: Sequence[tree.Module] | None = None) -> Translation:
+def translate(
+    program: Program, modules: Sequence[tree.Module] | None = None, *, shares: bool = False
+) -> Translation:
     """Translate modules of a program.
 
     Args:
         program: With all that the modules refer to.
         modules: Which of its modules; None for all.
+        shares: Whether other tasks may have data in common with it, who look at its clock.
 
     Raises:
         NotExecutableError: If the program needs something that cannot be simulated.
@@ -72,13 +82,19 @@ def translate(program: Program, modules: Sequence[tree.Module] | None = None) ->
     constants = Constants(program)
     with recursion_limit(TRANSLATING_DEPTH):
         routines: dict[RoutineSymbol, TranslatedRoutine] = {}
+        integers = integers_of(program, constants.value_of)
         translated = [
-            _translate_module(module, program, constants, routines)
+            _translate_module(module, program, constants, integers, routines)
             for module in (program.modules if modules is None else modules)
         ]
     for symbol in ticking({symbol: one.callees for symbol, one in routines.items()}):
         routines[symbol].function.body[:0] = routines[symbol].tick
-    return Translation(tuple(translated), constants)
+    if not shares:
+        for module in translated:
+            for function in module.code.body:
+                assert isinstance(function, ast.FunctionDef)
+                count_locally(function, module.computing)
+    return Translation(tuple(translated), constants, integers)
 
 
 def show_python(program: Program) -> str:
@@ -94,12 +110,13 @@ def _translate_module(
     module: tree.Module,
     program: Program,
     constants: Constants,
+    integers: Mapping[tree.Node, Interval],
     routines: dict[RoutineSymbol, TranslatedRoutine],
 ) -> TranslatedModule:
     """Translate a module; its routines are added to `routines`."""
     names = ModuleNames(module)
     positions = Positions(module.source)
-    context = ModuleContext(program, names, positions, constants.value_of)
+    context = ModuleContext(program, names, positions, constants.value_of, integers)
     functions: dict[str, RoutineSymbol] = {}
     body: list[ast.stmt] = []
     long_jumps = []
@@ -116,7 +133,9 @@ def _translate_module(
     if initialise is not None:
         body.append(initialise)
     code = ast.Module(body, [])
-    return TranslatedModule(module, code, names.bindings, functions, tuple(long_jumps))
+    return TranslatedModule(
+        module, code, names.bindings, functions, names.computing, tuple(long_jumps)
+    )
 
 
 def _refuse_huge_arrays(program: Program) -> None:
@@ -140,7 +159,12 @@ def _refuse_huge_arrays(program: Program) -> None:
 def _initialise(module: tree.Module, context: ModuleContext) -> ast.FunctionDef | None:
     names = LocalNames(context.names, "")
     expressions = Expressions(
-        context.program, names, context.positions, module, context.constant_value
+        context.program,
+        names,
+        context.positions,
+        module,
+        context.constant_value,
+        context.integers,
     )
     statements: list[ast.stmt] = []
     for item in module.items:

@@ -23,7 +23,7 @@ from rapidsim.language.error_numbers import (
     ERR_STRTOOLNG,
     rapid_error,
 )
-from rapidsim.language.single import single
+from rapidsim.language.single import LARGEST_SINGLE, SPLIT, single
 from rapidsim.library.poses import require_unit
 
 MAX_DOUBLE = 1.7976931348623157e308
@@ -66,6 +66,53 @@ def integer_remainder(left: float, right: float) -> float:
     if left % 1.0 or right % 1.0 or not right:
         _not_integers(left, right, "MOD")
     return math.fmod(left, right)
+
+
+def whole_quotient(left: int, right: int) -> int:
+    """DIV of integers."""
+    return int(integer_quotient(float(left), float(right)))
+
+
+def literal_quotient(left: int, right: int) -> int:
+    """DIV by a positive literal, of what may be negative or beyond the integers of a double."""
+    return int(left // float(right)) if left >= 0 else whole_quotient(left, right)
+
+
+def whole_remainder(left: int, right: int) -> int:
+    """MOD of integers."""
+    return int(integer_remainder(float(left), float(right)))
+
+
+def double_integer(x: int) -> int:
+    """An integer as doubles would have it that compute the same."""
+    double = _as_double(x)
+    if math.isinf(double):
+        overflow(double)
+    return int(double)
+
+
+def single_integer(x: int) -> int:
+    """A sum of integers as the num that it becomes."""
+    double = _as_double(x)
+    scaled = double * SPLIT
+    rounded = scaled - (scaled - double)
+    if not math.isfinite(rounded):
+        overflow(double)
+    return int(rounded)
+
+
+def checked_integer(x: int) -> int:
+    """As `single_integer`, of what may be larger than a num can be."""
+    if not -LARGEST_SINGLE <= x <= LARGEST_SINGLE:
+        overflow(_as_double(x))
+    return single_integer(x)
+
+
+def _as_double(x: int) -> float:
+    try:
+        return float(x)
+    except OverflowError:
+        return math.inf if x > 0 else -math.inf
 
 
 def add_positions(a: Pos, b: Pos) -> Pos:
@@ -117,18 +164,21 @@ def compose_orientations(a: Orient, b: Orient) -> Orient:
 
 
 def count(first: int, last: float, step: int | None = None) -> Iterable[int]:
-    """The values of a FOR counter that starts and steps by integer literals.
+    """The values of a FOR counter that starts at an integer and steps by a literal one.
 
     Without a step it is 1, or -1 when the end is below the start.
     """
     if step is None:
         step = 1 if last >= first else -1
+    if abs(first) > MAX_INTEGER:
+        return _count_on((), first, last, step)
     bounded = min(max(last, -MAX_INTEGER), MAX_INTEGER)
     end = math.floor(bounded) + 1 if step > 0 else math.ceil(bounded) - 1
     values = range(first, end, step) if step else ()
     if bounded == last and step:
         return values
-    return _count_on(values, values[-1] + step if values else first, last, step)
+    after = int(single(float(values[-1] + step))) if values else first
+    return _count_on(values, after, last, step)
 
 
 def _count_on(values: Iterable[int], after: int, last: float, step: int) -> Iterator[int]:

@@ -18,6 +18,7 @@ from rapidsim.language.single import single
 
 def out_of_bounds(index: float, size: int) -> NoReturn:
     """Refuse an index that an array of `size` elements does not have."""
+    index = single(float(index))
     if index != int(index):
         raise rapid_error(ERR_NOTINTVAL, f"an index must be an integer, not {index:g}")
     raise rapid_error(ERR_OUTOFBND, f"index {index:g} is outside the array, which has 1 to {size}")

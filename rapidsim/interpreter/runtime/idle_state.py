@@ -14,6 +14,8 @@ from typing import Any
 from rapidsim.interpreter.runtime.error_recovery import is_generated
 from rapidsim.language.reference import Box
 
+LEFT = "_left"
+"""The variable of a routine whose loops count their ticks; see `codegen.local_ticks`."""
 MOST_VALUES = 20_000
 """Values beyond which the state of a program is too much to compare now and then."""
 
@@ -48,7 +50,9 @@ def _frames(frame: FrameType | None, left: list[int]) -> Iterator[object]:
     """The routines that run, each with its place and what it holds."""
     while frame is not None:
         if is_generated(frame):
-            values = tuple(_frozen(one, left) for one in frame.f_locals.values())
+            # How many ticks are left is no business of the program.
+            data = (one for name, one in frame.f_locals.items() if name != LEFT)
+            values = tuple(_frozen(one, left) for one in data)
             yield id(frame), frame.f_lasti, values
         frame = frame.f_back
 

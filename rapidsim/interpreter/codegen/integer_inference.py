@@ -1,0 +1,274 @@
+"""Which nums of a program are integers: local variables, parameters and values of functions.
+
+One of them is an integer if all that ever gets there is: literals and constants, counters, sums,
+differences and products of integers, what DIV and MOD make of them, lengths and sizes, arguments of
+all calls. That is found together with bounds, by going round until nothing grows any more. In
+generated code they are Python's integers, of any size, and no program can tell: see `intervals`.
+
+What anybody else may change or give stays a float: data of modules, elements, components, what is
+lent by reference, options, and parameters of routines that are called by a name which only the run
+knows. Where modules come and go while the program runs, so do all parameters and functions.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
+
+from rapidsim.analysis.program import (
+    CounterSymbol,
+    DataSymbol,
+    LibrarySymbol,
+    ParameterSymbol,
+    Program,
+    RoutineSymbol,
+    Storage,
+)
+from rapidsim.analysis.tree_walk import clauses, descendants, statements
+from rapidsim.interpreter.codegen.calls import match_arguments
+from rapidsim.interpreter.codegen.data_access import declaration, whole_number
+from rapidsim.interpreter.codegen.escape_analysis import lent_symbols
+from rapidsim.interpreter.codegen.inlined_instructions import assigned_in_place, step_in_place
+from rapidsim.interpreter.codegen.intervals import (
+    ONE,
+    Interval,
+    combined,
+    counted,
+    hull,
+    negated,
+    rounded,
+    way,
+    widened,
+)
+from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER
+from rapidsim.interpreter.runtime.values import Value, literal
+from rapidsim.language.annotations import Mode
+from rapidsim.language.types import NUM, Type, resolved
+from rapidsim.syntax import tree
+
+_SELDOM = 3
+"""How often bounds grow step by step."""
+_NEVER = Interval(1, 0)
+"""Of what is never executed, as far as is known."""
+_INSTALLED = {"dim": Interval(1, MAX_INTEGER), "strlen": Interval(0, MAX_INTEGER)}
+"""Installed functions whose values are integers, by folded name."""
+
+_Source = Callable[[], Interval | None]
+"""What gets somewhere, with what is known of the rest; None where it may be a fraction."""
+
+
+def integers_of(
+    program: Program, constant_value: Callable[[DataSymbol], Value]
+) -> Mapping[tree.Node, Interval]:
+    """The integers among the nums of a program, by declaration; functions by themselves.
+
+    Args:
+        program: All of it, as every call counts.
+        constant_value: Gives the value of a CONST.
+    """
+    routines = [
+        symbol
+        for module in program.modules
+        for routine in module.routines
+        if isinstance(symbol := program.symbol_of[routine], RoutineSymbol)
+    ]
+    inference = _Inference(program, constant_value)
+    mine = [inference.candidates(routine) for routine in routines]
+    for routine, own in zip(routines, mine, strict=True):
+        inference.note(routine, own)
+    return inference.found()
+
+
+@dataclass(slots=True)
+class _Inference:
+    program: Program
+    constant_value: Callable[[DataSymbol], Value]
+    _known: dict[tree.Node, Interval | None] = field(default_factory=dict)
+    """What may be an integer; None where it has turned out that it is none."""
+    _given: dict[RoutineSymbol, tuple[ParameterSymbol, ...]] = field(default_factory=dict)
+    """The parameters among them."""
+    _to_functions: bool = False
+    """Whether functions have such parameters."""
+    _flows: list[tuple[tree.Node, _Source]] = field(default_factory=list)
+    """Where something gets, and what."""
+    _readers: dict[tree.Node, set[int]] = field(default_factory=dict)
+    """The flows that depend on something."""
+    _grown: dict[tree.Node, int] = field(default_factory=dict)
+    """How often more has become known of something."""
+    _reading: int = 0
+    """The flow that is looked at."""
+
+    def candidates(self, routine: RoutineSymbol) -> bool:
+        """Find what may be an integer in a routine; whether there is anything of its own."""
+        node = routine.node
+        is_open = self.program.loads_modules
+        nums = [one for one in routine.parameters if _is_num(one.type) and not one.optional]
+        given = [one for one in nums if one.mode is Mode.IN and not is_open]
+        data = [
+            symbol
+            for statement in node.body
+            if isinstance(statement, tree.Data)
+            and isinstance(symbol := self.program.symbol_of[statement], DataSymbol)
+            and symbol.storage is Storage.VAR
+            and _is_num(symbol.type)
+        ]
+        if given or data:
+            lent = set(lent_symbols(routine, list(descendants(node)), self.program))
+            given = [one for one in given if one not in lent]
+            self._known |= {one.node: _NEVER for one in given}
+            self._known |= {one.node: _NEVER for one in data if one.node and one not in lent}
+        if given:
+            self._given[routine] = tuple(given)
+            self._to_functions |= routine.result is not None
+        gives = routine.result is not None and _is_num(routine.result) and not is_open
+        if gives:
+            self._known[node] = _NEVER
+        return bool(given or data or gives)
+
+    def note(self, routine: RoutineSymbol, own: bool) -> None:
+        """Note what gets where in a routine, which has something of its own or only calls."""
+        if own or self._to_functions:
+            nodes: Iterable[tree.Node] = descendants(routine.node)
+        elif self._given:
+            nodes = statements(*clauses(routine.node))
+        else:
+            return
+        for node in nodes:
+            match node:
+                case tree.Data(value=value) if node in self._known:
+                    self._flow(node, (lambda: Interval(0, 0)) if value is None else value)
+                case tree.Assignment(target=target, value=value):
+                    self._flow(declaration(target, self.program), value)
+                case tree.Return(value=value) if value is not None:
+                    self._flow(routine.node, value)
+                case tree.LateCall(arguments=arguments) if arguments:
+                    self._called_with_anything()
+                case tree.Call() if variable := assigned_in_place(node, self.program):
+                    self._step(node, declaration(variable, self.program))
+                case tree.Call() | tree.FunctionCall():
+                    self._call(node)
+                case _:
+                    pass
+
+    def found(self) -> Mapping[tree.Node, Interval]:
+        """Go round until nothing changes."""
+        waiting = deque(range(len(self._flows)))
+        while waiting:
+            self._reading = waiting.popleft()
+            target, source = self._flows[self._reading]
+            before = self._known[target]
+            often = self._grown.get(target, 0)
+            after = None if before is None else _with(before, source(), far=often > _SELDOM)
+            if after != before:
+                self._known[target], self._grown[target] = after, often + 1
+                waiting += self._readers.get(target, ())
+        return {
+            node: interval
+            for node, interval in self._known.items()
+            if interval is not None and interval != _NEVER
+        }
+
+    def _flow(self, target: tree.Node | None, value: tree.Expression | _Source) -> None:
+        if target in self._known:
+            source = value if callable(value) else lambda: self._of(value)
+            self._flows.append((target, source))
+
+    def _step(self, call: tree.Call, target: tree.Node | None) -> None:
+        """Incr, Decr or Clear."""
+        operator = step_in_place(call, self.program)
+        if operator is None:
+            self._flow(target, lambda: Interval(0, 0))
+        else:
+            self._flow(target, lambda: self._combined(operator, self._read(target), ONE))
+
+    def _call(self, call: tree.Call | tree.FunctionCall) -> None:
+        symbol = self.program.symbol_of[call]
+        if isinstance(symbol, RoutineSymbol) and symbol in self._given:
+            given = match_arguments(call.arguments, symbol.parameters)
+            for parameter in self._given[symbol]:
+                one = given.get(parameter.name.lower())
+                value = None if one is None else one.value
+                self._flow(parameter.node, (lambda: None) if value is None else value)
+
+    def _called_with_anything(self) -> None:
+        """A procedure is called by a name that only the run knows."""
+        for parameters in self._given.values():
+            for parameter in parameters:
+                self._flow(parameter.node, lambda: None)
+
+    def _read(self, node: tree.Node | None) -> Interval | None:
+        """What is known of something, for the flow that is looked at."""
+        if node not in self._known:
+            return None
+        self._readers.setdefault(node, set()).add(self._reading)
+        return self._known[node]
+
+    def _of(self, expression: tree.Expression) -> Interval | None:
+        """The integers that an expression can be."""
+        match expression:
+            case tree.Parenthesised(inner=inner) | tree.Unary(operator="+", operand=inner):
+                return self._of(inner)
+            case tree.Number():
+                return _literal(literal(expression, self.program.type_of[expression]))
+            case tree.Reference():
+                return self._data(expression)
+            case tree.FunctionCall():
+                symbol = self.program.symbol_of[expression]
+                if isinstance(symbol, RoutineSymbol):
+                    return self._read(symbol.node)
+                installed = isinstance(symbol, LibrarySymbol)
+                return _INSTALLED.get(symbol.name.lower()) if installed else None
+            case tree.Unary(operator="-", operand=operand):
+                of = self._of(operand)
+                return of if of is None or of == _NEVER else negated(of)
+            case tree.Binary(operator=operator, left=left, right=right):
+                return self._combined(operator, self._of(left), self._of(right))
+            case _:
+                return None
+
+    def _data(self, reference: tree.Reference) -> Interval | None:
+        match self.program.symbol_of[reference]:
+            case DataSymbol(storage=Storage.CONST) as symbol:
+                return _literal(self.constant_value(symbol)) if _is_num(symbol.type) else None
+            case DataSymbol(node=node) | ParameterSymbol(node=node):
+                return self._read(node)
+            case CounterSymbol(node=loop):
+                return self._counter(loop)
+            case _:
+                return None
+
+    def _counter(self, loop: tree.For) -> Interval | None:
+        first, last = self._of(loop.first), self._of(loop.last)
+        step = whole_number(loop.step)
+        if first is None or first == _NEVER or last == _NEVER:
+            return first if first is None else _NEVER
+        if loop.step is not None and step is None:
+            return None
+        ends = last if last is not None and last.exact else None
+        return counted(first, ends, way(first, ends) if step is None else step)
+
+    def _combined(self, operator: str, a: Interval | None, b: Interval | None) -> Interval | None:
+        if a is None or b is None:
+            return None
+        return _NEVER if _NEVER in (a, b) else combined(operator, a, b)
+
+
+def _with(before: Interval, value: Interval | None, *, far: bool) -> Interval | None:
+    """What a variable is known to hold when it gets one more value; bounds that grow may go far."""
+    if value is None or value == _NEVER:
+        return None if value is None else before
+    value = replace(rounded(value), size="", signed=True)
+    if before == _NEVER:
+        return value
+    return widened(before, value) if far else hull((before, value))
+
+
+def _literal(value: Value) -> Interval | None:
+    """A number as an interval; as a literal, its zero has the sign that is written."""
+    known = isinstance(value, float) and value.is_integer() and abs(value) <= MAX_INTEGER
+    return Interval(int(value), int(value), signed=True) if known else None
+
+
+def _is_num(of: Type) -> bool:
+    return resolved(of) == NUM

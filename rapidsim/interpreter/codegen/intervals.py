@@ -1,0 +1,147 @@
+"""Between which bounds an integer lies, and what arithmetic makes of that.
+
+Here alone it is decided which expressions are computed in Python's integers: `integer_inference`
+asks for the variables of a program, the translation of expressions for each of their parts.
+
+A zero that floats would give a sign, as `-x` does where x is 0, is none of them: it may be printed.
+Counters of FOR loops and literals have never told the difference.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER
+from rapidsim.language.single import LARGEST_SINGLE
+from rapidsim.values import dataclass
+
+LARGEST = int(LARGEST_SINGLE)
+MAX_EXACT = 2**53
+"""Up to here a double holds every integer."""
+_BOUNDS = (-LARGEST, -MAX_INTEGER, -1, 0, 1, MAX_INTEGER, LARGEST)
+"""Where the bounds of a variable come to that is seen to grow."""
+
+
+@dataclass(frozen=True, slots=True)
+class Interval:
+    """The integers between two bounds, both included."""
+
+    low: int
+    high: int
+    size: str = ""
+    """The Python variable with the size of an array, where none of them is larger than that."""
+    signed: bool = False
+    """Whether it is computed from variables, whose zeros would have signs as floats.
+
+    What is computed from these counts as what may raise where it may as floats: under an ERROR
+    clause a loop takes one tick more if its condition may raise.
+    """
+
+    @property
+    def exact(self) -> bool:
+        """Whether a single holds each of them."""
+        return self.low >= -MAX_INTEGER and self.high <= MAX_INTEGER
+
+    @property
+    def is_double(self) -> bool:
+        """Whether a double holds each integer from one bound to the other."""
+        return self.low >= -MAX_EXACT and self.high <= MAX_EXACT
+
+
+ONE = Interval(1, 1)
+ANY = Interval(-LARGEST, LARGEST)
+
+
+def combined(operator: str, a: Interval, b: Interval) -> Interval | None:
+    """The integers that a sum, difference or product can be; None where it is no integer."""
+    signed = a.signed or b.signed
+    if operator in ("DIV", "MOD"):
+        a, b = rounded(a), rounded(b)
+    match operator:
+        case "+":
+            return Interval(a.low + b.low, a.high + b.high, signed=signed)
+        case "-":
+            return Interval(a.low - b.high, a.high - b.low, signed=signed)
+        case "*":
+            if signed and (_meet(a, b) or _meet(b, a)):
+                return None
+            products = [x * y for x in (a.low, a.high) for y in (b.low, b.high)]
+            return Interval(min(products), max(products), signed=signed)
+        case "DIV":
+            return _quotient(a, b)
+        case "MOD" if a.low >= 0:
+            rest = max(abs(b.low), abs(b.high)) - 1
+            return Interval(0, min(a.high, max(rest, 0)), signed=signed)
+        case _:
+            return None
+
+
+def negated(a: Interval) -> Interval | None:
+    """The opposite; None where that is a zero with a sign."""
+    if a.signed and a.low <= 0 <= a.high:
+        return None
+    return Interval(-a.high, -a.low, signed=a.signed)
+
+
+def rounded(a: Interval) -> Interval:
+    """The same as nums."""
+    if a.exact:
+        return a
+    low = a.low if a.low >= -MAX_INTEGER else -LARGEST
+    high = a.high if a.high <= MAX_INTEGER else LARGEST
+    return Interval(low, high, signed=a.signed)
+
+
+def widened(a: Interval, b: Interval) -> Interval:
+    """What holds both; a bound of the first that must go goes far, so that it seldom goes again."""
+    low = a.low if a.low <= b.low else max(one for one in _BOUNDS if one <= b.low)
+    high = a.high if a.high >= b.high else min(one for one in _BOUNDS if one >= b.high)
+    return Interval(low, high, signed=True)
+
+
+def hull(intervals: Iterable[Interval]) -> Interval:
+    """What holds all of them; at least one is given."""
+    every = list(intervals)
+    low, high = min(one.low for one in every), max(one.high for one in every)
+    return Interval(low, high, signed=any(one.signed for one in every))
+
+
+def way(first: Interval, last: Interval | None) -> int:
+    """The step of a FOR that names none: 1 up, -1 down, 0 where only the run knows."""
+    if last is None:
+        return 0
+    if last.low >= first.high:
+        return 1
+    return -1 if last.high < first.low else 0
+
+
+def counted(first: Interval, last: Interval | None, step: int) -> Interval:
+    """What the counter of a FOR can be.
+
+    Args:
+        first: Where it starts.
+        last: Where it ends; None where that may be a fraction or beyond what singles hold exactly.
+        step: As `way` gives it, or the one that is written down.
+    """
+    if last is None:
+        # Steps of 1 come no further: the integer after that is not a num.
+        last = Interval(-MAX_INTEGER, MAX_INTEGER) if first.exact and abs(step) <= 1 else ANY
+    if step > 0:
+        return Interval(first.low, max(first.low, last.high), last.size, first.signed)
+    if step < 0:
+        return Interval(min(first.high, last.low), first.high, first.size, first.signed)
+    both = hull((first, last))
+    return Interval(both.low, both.high, signed=first.signed)
+
+
+def _meet(a: Interval, b: Interval) -> bool:
+    """Whether a zero may meet a negative factor."""
+    return a.low <= 0 <= a.high and b.low < 0
+
+
+def _quotient(a: Interval, b: Interval) -> Interval:
+    signed = a.signed or b.signed
+    if a.low >= 0 and b.low > 0:
+        return Interval(a.low // b.high, a.high // b.low, signed=signed)
+    most = max(-a.low, a.high)
+    return Interval(-most, most, signed=signed)

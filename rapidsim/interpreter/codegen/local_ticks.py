@@ -1,0 +1,194 @@
+"""The ticks of loops that only compute, counted in a Python variable of their routine.
+
+The clock's own count is an attribute, which costs as much as the rest of a small loop. So a loop
+takes what is left from the clock, counts down by itself, and gives back what it has not used: where
+it ends, returns or fails, and before every statement in it that could look at the clock. It does so
+only where that costs less than it saves. Whoever looks sees what he always saw: a loop asks for new
+ticks at the same turn, and each moment is told to be when it is.
+
+An exception that comes out of the clock, or out of a statement that could look at it, leaves a
+count that is right; the loop knows by its own being below zero.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Collection, Iterator, Sequence
+from typing import TypeGuard
+
+from rapidsim.interpreter.codegen.ast_builder import At
+from rapidsim.interpreter.runtime.idle_state import LEFT
+from rapidsim.values import dataclass
+
+COMPUTING = frozenset(
+    {
+        *("_checked_integer", "_count", "_double_integer", "_int", "_len", "_literal_quotient"),
+        *("_magnitude", "_new", "_out_of_bounds", "_overflow", "_quotient", "_raised", "_range"),
+        *("_remainder", "_root", "_single_integer", "_steps", "_Stopped", "_too_long"),
+        *("_whole_quotient", "_whole_remainder", "_Box", "_Element", "_Component", "_not_present"),
+    }
+)
+"""Functions of the namespace that are quick and look at no clock."""
+_MOST = 100
+"""Statements of a loop: while it counts by itself, nobody can take its ticks away."""
+_DEEPEST = 10
+"""Loops within loops: what catches exceptions is one more block of the 20 that CPython allows."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Plan:
+    """What counting in a variable would save in a loop, and cost."""
+
+    ticks: int
+    looks: int
+    """Statements that could look at the clock."""
+    statements: int
+
+    @property
+    def pays(self) -> bool:
+        return self.ticks > self.looks and self.statements <= _MOST
+
+
+def count_locally(function: ast.FunctionDef, computing: Collection[str]) -> None:
+    """Let the loops of a routine count for themselves where that pays.
+
+    Nowhere else may its data be shared with other tasks: those look at the clock where they stand.
+
+    Args:
+        function: Which is changed.
+        computing: Names of functions that are quick and look at no clock, beside `COMPUTING`.
+    """
+    function.body = list(_Loops(frozenset(computing) | COMPUTING).outside(function.body))
+
+
+class _Loops:
+    def __init__(self, computing: frozenset[str]) -> None:
+        self._computing = computing
+
+    def outside(self, body: Sequence[ast.stmt], depth: int = 0) -> Iterator[ast.stmt]:
+        """Statements in so many loops, with the loops among them and in them changed."""
+        for statement in body:
+            plan = self._plan(statement, depth) if _is_loop(statement) else None
+            # Loops in loops are entered often, and mostly have few turns.
+            if plan is not None and plan.pays and (plan.ticks > 1 or not depth):
+                yield from self._region(statement)
+                continue
+            for inner in _bodies(statement):
+                inner[:] = self.outside(inner, depth + _is_loop(statement))
+            yield statement
+
+    def _plan(self, loop: ast.stmt, outer: int) -> _Plan | None:
+        """What there is in a loop; None where it cannot count for itself."""
+        ticks, looks, statements = 0, 0, 0
+        waiting = [(loop, outer)]
+        while waiting:
+            statement, depth = waiting.pop()
+            statements += 1
+            if _is_block(statement):
+                decides = statement.iter if isinstance(statement, ast.For) else statement.test
+                if isinstance(decides, ast.Attribute) and decides.attr == "watches":
+                    continue  # It seldom looks.
+                if self._looks(decides) or depth > _DEEPEST:
+                    return None
+                ticks += _is_loop(statement)
+                depth += _is_loop(statement)
+                waiting += [(inner, depth) for inner in (*statement.body, *statement.orelse)]
+            elif not _is_tick(statement):
+                looks += self._looks(statement)
+        return _Plan(ticks, looks, statements)
+
+    def _looks(self, node: ast.AST) -> bool:
+        """Whether a part of a program could look at the clock, or takes long."""
+        for part in ast.walk(node):
+            if isinstance(part, ast.Call):
+                function = part.func
+                if not (isinstance(function, ast.Name) and function.id in self._computing):
+                    return True
+            elif isinstance(part, ast.Lambda | ast.Try):
+                return True
+        return False
+
+    def _region(self, loop: ast.stmt) -> Iterator[ast.stmt]:
+        at = _place(loop)
+        self._count(loop)
+        unused = at.compare(at.name(LEFT), (ast.GtE(), at.constant(0)))
+        back = at.when(unused, [_give(at)])
+        yield _take(at)
+        yield at.attempt([loop], at.name("_BaseException"), None, [back, at.throw()])
+        yield _give(at)
+
+    def _count(self, statement: ast.stmt) -> None:
+        for body in _bodies(statement):
+            body[:] = [new for old in body for new in self._counting(old)]
+
+    def _counting(self, statement: ast.stmt) -> Iterator[ast.stmt]:
+        """A statement of a loop that counts for itself."""
+        at = _place(statement)
+        match statement:
+            case ast.AugAssign() if _is_tick(statement):
+                yield at.decrement(at.store(LEFT))
+            case ast.If() if _is_tick(statement):
+                serve = at.set(LEFT, at.call("_served", [at.name(LEFT)]))
+                below = at.compare(at.name(LEFT), (ast.Lt(), at.constant(0)))
+                yield at.when(below, [serve])
+            case _ if _is_block(statement):
+                self._count(statement)
+                yield statement
+            case ast.Return(value=value):
+                if value is not None and not self._looks(value):
+                    yield at.set("_value", value)
+                    statement.value = at.name("_value")
+                yield _give(at)
+                yield at.set(LEFT, at.constant(-1))
+                yield statement
+            case _ if self._looks(statement):
+                yield _give(at)
+                yield at.set(LEFT, at.constant(-1))
+                yield statement
+                yield _take(at)
+            case _:
+                yield statement
+
+
+def _is_tick(statement: ast.stmt) -> bool:
+    """Whether a statement is one of the two that take a tick."""
+    match statement:
+        case ast.AugAssign(target=ast.Attribute(value=ast.Name(id="_clock"), attr="left")):
+            return True
+        case ast.If(test=ast.Compare(left=ast.Attribute(ast.Name(id="_clock"), "left"))):
+            return True
+        case _:
+            return False
+
+
+def _is_loop(statement: ast.stmt) -> TypeGuard[ast.For | ast.While]:
+    """Whether a statement is a loop of the program, which takes ticks."""
+    return isinstance(statement, ast.For | ast.While) and _is_tick(statement.body[0])
+
+
+def _is_block(statement: ast.stmt) -> TypeGuard[ast.If | ast.For | ast.While]:
+    """Whether its parts are looked at one by one; the loop around what may fail is one."""
+    if isinstance(statement, ast.While):
+        return _is_loop(statement)
+    return isinstance(statement, ast.If | ast.For) and not _is_tick(statement)
+
+
+def _bodies(statement: ast.stmt) -> Iterator[list[ast.stmt]]:
+    for name in ("body", "orelse", "finalbody"):
+        yield getattr(statement, name, [])
+    for handler in getattr(statement, "handlers", ()):
+        yield handler.body
+
+
+def _take(at: At) -> ast.stmt:
+    """`_left = _clock.left`."""
+    return at.set(LEFT, at.attribute("_clock", "left"))
+
+
+def _give(at: At) -> ast.stmt:
+    """`_clock.left = _left`."""
+    return at.assign(at.store_attribute("_clock", "left"), at.name(LEFT))
+
+
+def _place(statement: ast.stmt) -> At:
+    return At(statement.lineno, statement.col_offset, statement.end_col_offset or 0)

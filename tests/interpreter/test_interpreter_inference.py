@@ -1,0 +1,247 @@
+"""Integers found without running: what is one, between which bounds, and that nobody can tell."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from unittest import mock
+
+import interpreter_cell
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from interpreter_cell import RecordingController, checked, main, module, run
+from laws import examples
+
+from rapidsim.interpreter.codegen.integer_inference import integers_of
+from rapidsim.interpreter.codegen.intervals import LARGEST
+from rapidsim.interpreter.linking import translation
+from rapidsim.interpreter.linking.constants import Constants
+from rapidsim.interpreter.tools.questions import answers, ask
+from rapidsim.syntax import tree
+
+EXACT = 2**24
+
+
+def integers(text: str) -> dict[str, tuple[int, int]]:
+    """Bounds of the integers of a program, by name."""
+    program = checked(text)
+    found = integers_of(program, Constants(program).value_of)
+    bounds = {}
+    for node, one in found.items():
+        assert isinstance(node, tree.Data | tree.Parameter | tree.RoutineNode)
+        bounds[node.name.text] = (one.low, one.high)
+    return bounds
+
+
+@pytest.mark.parametrize(
+    ("statements", "expected"),
+    [
+        ("", (0, 0)),
+        ("x := 5;", (0, 5)),
+        ("x := x + 1;", (0, LARGEST)),
+        ("Incr x;", (0, LARGEST)),
+        ("Decr x; Clear x;", (-LARGEST, 0)),
+        ("x := 7 DIV 2; x := x MOD 3;", (0, 3)),
+        ("x := LIMIT;", (0, 40)),
+        ("FOR i FROM 3 TO 9 DO x := i * i; ENDFOR", (0, 81)),
+        ("FOR i FROM 9 TO 3 STEP -2 DO x := i; ENDFOR", (0, 9)),
+        ('x := StrLen("abc");', (0, EXACT)),
+        ("x := Dim(list, 1);", (0, EXACT)),
+        ("x := twice(4);", (0, 8)),
+        ("x := twice(twice(4));", (0, LARGEST)),
+        ("x := -3;", (-3, 0)),
+    ],
+)
+def test_bounds(statements: str, expected: tuple[int, int]) -> None:
+    body = f"VAR num x;\n{statements}"
+    more = "FUNC num twice(num y) RETURN 2 * y; ENDFUNC"
+    found = integers(main(body, "CONST num LIMIT := 40; VAR num list{3};", more))
+    assert found["x"] == expected
+
+
+@pytest.mark.parametrize(
+    "statements",
+    [
+        "x := 0.5;",
+        "x := 1 / 2;",
+        "x := list{1};",
+        "x := kept;",
+        "x := half(3);",
+        "x := 1E10;",
+        "lend x;",
+        "FOR i FROM 1 TO 2 STEP 0.5 DO x := i; ENDFOR",
+        # Where the factor is 0, floats give a zero with a sign.
+        "x := -list_size(-5);",
+        "x := list_size(-1) * (-list_size(0));",
+        "x := (-7) MOD 7;",
+        "x := -0;",
+    ],
+)
+def test_what_is_none(statements: str) -> None:
+    more = """
+      FUNC num half(num y) RETURN y / 2; ENDFUNC
+      FUNC num list_size(num y) RETURN Dim(list, 1) + y; ENDFUNC
+      PROC lend(INOUT num y) y := 0.5; ENDPROC
+    """
+    data = "VAR num list{3}; PERS num kept := 1;"
+    assert "x" not in integers(main(f"VAR num x;\n{statements}", data, more))
+
+
+@pytest.mark.parametrize(
+    ("calls", "is_one"),
+    [
+        ("f 1; f 2;", True),
+        ("f 1; f 2.5;", False),
+        ('f 1; %"f"% 2.5;', False),
+        # Whoever is called late without arguments has none that could be a fraction.
+        ('f 1; %"main"%;', True),
+        ('f 1; Load "HOME:/more.mod";', False),
+        ("", False),
+    ],
+)
+def test_parameters(calls: str, is_one: bool) -> None:
+    found = integers(main(calls, "", "PROC f(num x) x := x + 1; ENDPROC"))
+    assert ("x" in found) is is_one
+
+
+def test_an_option_may_be_absent() -> None:
+    assert integers(main("f;", "", "PROC f(\\num x) IF Present(x) x := x + 1; ENDPROC")) == {}
+
+
+names = st.sampled_from(["x", "y", "z"])
+literals = st.sampled_from(["0", "1", "2", "3", "7", "100", "16777215", "16777216", "1E20", "0.5"])
+atoms = st.one_of(names, names, literals, st.sampled_from(["i", "a{1}", "Dim(a, 1)", "own"]))
+
+
+def combined(children: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
+    operators = st.sampled_from(["+", "-", "*", "+", "-", "*", "DIV", "MOD", "/"])
+    return st.one_of(
+        st.tuples(children, operators, children).map(lambda t: f"({t[0]} {t[1]} {t[2]})"),
+        children.map(lambda e: f"(-{e})"),
+        children.map(lambda e: f"a{{{e}}}"),
+        st.tuples(children, children).map(lambda t: f"f({t[0]}, {t[1]})"),
+    )
+
+
+nums = st.recursive(atoms, combined, max_leaves=5)
+conditions = st.tuples(nums, st.sampled_from(["=", "<>", "<", ">="]), nums).map(" ".join)
+simple = st.one_of(
+    st.tuples(names, nums).map(lambda t: f"{t[0]} := {t[1]};"),
+    st.tuples(names, nums).map(lambda t: f"{t[0]} := {t[0]} + {t[1]};"),
+    st.tuples(names, names).map(lambda t: f"{t[0]} := {t[1]} * {t[1]};"),
+    st.tuples(nums, nums).map(lambda t: f"a{{{t[0]}}} := {t[1]};"),
+    names.map(lambda name: f"Incr {name};"),
+    names.map(lambda name: f"Decr {name};"),
+    nums.map(lambda e: f"show {e};"),
+    st.tuples(names, nums).map(lambda t: f"bump own, {t[1]};"),
+    conditions.map(lambda e: f"IF {e} RETURN;"),
+)
+
+
+def nested(children: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
+    body = st.lists(children, min_size=1, max_size=3).map(" ".join)
+    ranges = st.sampled_from(["1 TO 3", "x TO y", "y TO x", "1 TO x MOD 4", "x TO 1 STEP -2"])
+    return st.one_of(
+        st.tuples(conditions, body, body).map(lambda t: f"IF {t[0]} THEN {t[1]} ELSE {t[2]} ENDIF"),
+        st.tuples(ranges, body).map(lambda t: f"FOR i FROM {t[0]} DO {t[1]} ENDFOR"),
+        st.tuples(conditions, body).map(
+            lambda t: f"WHILE turns < 9 AND {t[0]} DO turns := turns + 1; {t[1]} ENDWHILE"
+        ),
+        st.tuples(nums, nums, body, body).map(
+            lambda t: f"TEST {t[0]} CASE {t[1]}, 1: {t[2]} DEFAULT: {t[3]} ENDTEST"
+        ),
+    )
+
+
+bodies = st.lists(st.recursive(simple, nested, max_leaves=6), min_size=1, max_size=5)
+handlers = st.sampled_from(["", "ERROR TRYNEXT;", "ERROR x := 1; y := 2; RETRY;", "ERROR"])
+starts = st.sampled_from(["0", "1", "3", "16777215", "4097"])
+results = st.sampled_from(["u + v", "u * v - 1", "u DIV 3 + v", "(u - v) MOD 7", "u", "-u"])
+
+
+@dataclass
+class Watching(RecordingController):
+    """Notes when something is shown; after a few ticks there is a trap, and then an end."""
+
+    left: int = 4
+    max_slices: int = 40
+    raise_at_service: list[float] = field(default_factory=lambda: [1.0, 1.0, 1.0])
+    instants: list[tuple[int, int]] = field(default_factory=list)
+
+    def show(self, text: str) -> None:
+        super().show(text)
+        self.instants.append((self.slices, self.left))
+
+
+def seen(text: str) -> object:
+    """All that anybody can tell of a run."""
+    with mock.patch.object(interpreter_cell, "TICKS", 7):
+        ran = run(text, controller=Watching())
+    cell = ran.controller
+    assert isinstance(cell, Watching)
+    fatal = ran.fatal and (ran.fatal.error.message, ran.fatal.stack)
+    places = [one.span.start for one in cell.places]
+    values = [ran.task.value(name) for name in ("a", "last", "traps")]
+    ended = fatal, ran.stopped and ran.stopped.reason, cell.slices, cell.left
+    # A zero may have a sign.
+    return repr((cell.texts, cell.instants, places, values, ended))
+
+
+@examples(150)
+@given(bodies, handlers, st.tuples(starts, starts, starts), results)
+def test_nobody_can_tell(
+    body: list[str], handler: str, start: tuple[str, str, str], result: str
+) -> None:
+    x, y, z = start
+    text = module(
+        f"""
+        PROC main()
+          VAR num x := {x};
+          VAR num y := {y};
+          VAR num z := {z};
+          VAR num own;
+          VAR num turns;
+          CONNECT irq WITH count;
+          FOR i FROM 2 TO 3 DO
+            {" ".join(body)}
+          ENDFOR
+          show x;
+          show y;
+          show z;
+        {handler}
+        ENDPROC
+        FUNC num f(num u, num v)
+          IF u > 1 AND u < 50 RETURN f(u - 1, v + 1);
+          RETURN {result};
+        ENDFUNC
+        PROC bump(INOUT num v, num by)
+          v := v + by;
+        ENDPROC
+        PROC show(num value)
+          last := value;
+          TPWrite NumToStr(value, 0) + " " + ValToStr(value) \\Num:=value;
+        ENDPROC
+        TRAP count
+          FOR i FROM 1 TO 3 DO Incr traps; ENDFOR
+          show traps;
+        ENDTRAP
+        """,
+        "VAR num a{3} := [1, 2, 3]; VAR num last; VAR num traps; VAR intnum irq;",
+    )
+    found = seen(text)
+    plainly = mock.patch.multiple(
+        translation, integers_of=lambda *_: {}, count_locally=lambda *_: None
+    )
+    with plainly:
+        expected = seen(text)
+    assert found == expected
+
+
+def test_a_question_may_call_with_a_fraction() -> None:
+    ran = run(
+        main("last := rest(5);", "VAR num last;", "FUNC num rest(num x) RETURN x MOD 2; ENDFUNC")
+    )
+    asked = ask("rest(2.5) = last", "question", ran.task.program, ())
+    assert asked.question is not None
+    (answer,) = answers(ran.task, [asked.question], {})
+    assert answer.error == "MOD takes integers, not 2.5"
