@@ -9,8 +9,17 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Sequence
+from itertools import islice
 
-from rapidsim.analysis.program import LibrarySymbol, ParameterSymbol, RoutineSymbol, UnknownSymbol
+from rapidsim.analysis.program import (
+    LibrarySymbol,
+    ParameterSymbol,
+    Program,
+    RoutineSymbol,
+    Symbol,
+    UnknownSymbol,
+)
+from rapidsim.analysis.tree_walk import descendants
 from rapidsim.interpreter.codegen.ast_builder import At
 from rapidsim.interpreter.codegen.data_access import Paths, bare, by_reference
 from rapidsim.interpreter.codegen.expression_code import Code
@@ -30,6 +39,9 @@ from rapidsim.library.text import value_text
 from rapidsim.library.traits import ONLY_LOOKS, Does
 from rapidsim.syntax import tree
 from rapidsim.values import dataclass
+
+_SMALL = 60
+"""Nodes of a small routine."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,6 +69,26 @@ def match_arguments(
             case tree.Conditional(name=name, present=present):
                 given[name.key] = Given(None, present)
     return given
+
+
+def takes_elements(routine: RoutineSymbol, program: Program) -> bool:
+    """Whether a routine is so small that it is worth a function for elements of arrays."""
+    if routine.node.error is not None or routine.node.undo is not None:
+        return False
+    nodes = list(islice(descendants(routine.node), _SMALL + 1))
+    calls = (node for node in nodes if isinstance(node, tree.Call | tree.FunctionCall))
+    return (
+        len(nodes) <= _SMALL
+        and not any(isinstance(node, tree.LateCall) for node in nodes)
+        and all(_only_takes_values(program.symbol_of[call]) for call in calls)
+    )
+
+
+def _only_takes_values(callee: Symbol) -> bool:
+    """Whether a call of something asks neither for names nor for references."""
+    return isinstance(callee, LibrarySymbol) and all(
+        parameter.mode is Mode.IN for parameter in callee.routine.signature.parameters
+    )
 
 
 class Calls:
@@ -162,16 +194,47 @@ class Calls:
 
     def _user(self, symbol: RoutineSymbol, arguments: Sequence[tree.Argument], at: At) -> Code:
         given = match_arguments(arguments, symbol.parameters)
+        elements = self._elements(symbol, given)
         nodes = {
-            parameter.name.lower(): self._argument(parameter, given.get(parameter.name.lower()), at)
+            parameter.name.lower(): elements[parameter][0]
+            if parameter in elements
+            else self._argument(parameter, given.get(parameter.name.lower()), at)
             for parameter in symbol.parameters
         }
         self._refuse_two_alternatives(symbol.parameters, given, nodes, at)
-        function = at.name(self._names.module.routine(symbol))
+        module = self._names.module
+        if elements:
+            name = module.routine_for_elements(symbol, frozenset(elements))
+            values = [
+                part
+                for parameter in symbol.parameters
+                for part in elements.get(parameter, (nodes[parameter.name.lower()],))
+            ]
+        else:
+            name, values = module.routine(symbol), [*nodes.values()]
         integer = self._expressions.integers.get(symbol.node)
-        return Code(
-            at.call(function, [*nodes.values()]), may_raise=True, calls=True, integer=integer
-        )
+        node = at.call(at.name(name), values)
+        return Code(node, may_raise=True, calls=True, integer=integer)
+
+    def _elements(
+        self, symbol: RoutineSymbol, given: dict[str, Given]
+    ) -> dict[ParameterSymbol, tuple[ast.expr, ast.expr]]:
+        """Array and position of the elements that a call lends to a small routine.
+
+        A reference to each would cost more than all that the routine does with it.
+        """
+        found: dict[ParameterSymbol, tuple[ast.expr, ast.expr]] = {}
+        if symbol.module is not self._names.module.module:
+            return found
+        for parameter in symbol.parameters:
+            one = given.get(parameter.name.lower())
+            value = None if one is None or one.value is None else bare(one.value)
+            lends = parameter.mode is Mode.INOUT and not parameter.optional
+            if lends and isinstance(value, tree.Index) and takes_elements(symbol, self._program):
+                element = self._paths.element(value)
+                if element is not None:
+                    found[parameter] = element
+        return found
 
     def _argument(self, parameter: ParameterSymbol, given: Given | None, at: At) -> ast.expr:
         """The argument of a user routine's parameter."""

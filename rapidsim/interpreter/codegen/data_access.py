@@ -27,6 +27,7 @@ from rapidsim.interpreter.codegen.intervals import MAX_EXACT, Interval
 from rapidsim.interpreter.codegen.operands import Operands
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER
+from rapidsim.interpreter.runtime.references import position_of
 from rapidsim.interpreter.runtime.values import element_type, is_signal, literal
 from rapidsim.language.annotations import Mode
 from rapidsim.language.types import NUM, SIGNAL_DI, ArrayOf, Record, Type, resolved
@@ -53,6 +54,8 @@ class Home(Enum):
     """Behind a reference: `name.value`."""
     ARRAY = "array"
     """In the list that the name holds."""
+    ELEMENT = "element"
+    """In an array that the name holds, at a position that another one holds."""
     CONTROLLER = "controller"
     """ERRNO, INTNO and the settings of the motion, which the controller keeps."""
     SIGNAL = "signal"
@@ -229,6 +232,8 @@ class Paths:
         if not parts.indices:
             if whole.home in (Home.REFERENCE, Home.SIGNAL, Home.ARRAY):
                 node = whole.node
+            elif whole.home is Home.ELEMENT:
+                node = at.call("_Element", [whole.node, at.name(position_of(whole.name))])
             else:
                 # Installed routines look at constants and counters through references too.
                 value = finished(self._read_whole(whole, parts.reference, at), at)
@@ -251,6 +256,17 @@ class Paths:
                 positions.append(at.constant(position))
             node = at.call("_Component", [node, at.tuple_of(positions)])
         return Code(node, may_raise=may_raise, calls=calls)
+
+    def element(self, path: tree.DataPath) -> tuple[ast.expr, ast.expr] | None:
+        """The array and the position in it of a path to an element, all of it; None for others."""
+        parts = flat(path)
+        if not parts.indices or parts.names:
+            return None
+        whole = self._whole(parts.reference)
+        if len(parts.indices) < _dimensions(whole.type):
+            return None
+        array, index, _ = self._array_and_index(whole, parts, self._expressions.at(path))
+        return array, index
 
     def _whole(self, reference: tree.Reference) -> Whole:
         at = self._expressions.at(reference)
@@ -275,6 +291,8 @@ class Paths:
                 in_reference = by_reference(mode) or symbol in self._names.in_cell
                 home = _home(of, in_reference)
                 # Absent references refuse by themselves; other absent values must be asked.
+                if symbol in self._names.elements:
+                    home = Home.ELEMENT
                 asks = optional and home in (Home.PLAIN, Home.ARRAY) and not symbol.is_switch
                 declared = symbol.node
                 return Whole(home, at.name(name), of, name, asks, optional, declared)
@@ -312,6 +330,8 @@ class Paths:
             case Home.SIGNAL:
                 name = at.attribute(at.attribute(whole.node, "value"), "name")
                 return at.call(at.attribute("_signals", "read_signal"), [name])
+            case Home.ELEMENT:
+                return at.item(whole.node, at.name(position_of(whole.name)))
             case _:
                 return whole.node
 
@@ -322,6 +342,9 @@ class Paths:
                 return [at.set(whole.name, value)]
             case Home.ARRAY:
                 return [at.do(at.call("_assign_array", [whole.node, value]))]
+            case Home.ELEMENT:
+                place = at.store_item(whole.node, at.name(position_of(whole.name)))
+                return [at.assign(place, value)]
             case _:
                 return [at.assign(at.store_attribute(whole.node, "value"), value)]
 

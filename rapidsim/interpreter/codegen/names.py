@@ -48,6 +48,10 @@ class ModuleNames:
     bindings: dict[str, Binding] = field(default_factory=dict)
     computing: set[str] = field(default_factory=set)
     """Names of installed functions that are quick and ask nothing of the controller."""
+    for_elements: dict[tuple[RoutineSymbol, frozenset[ParameterSymbol]], str] = field(
+        default_factory=dict
+    )
+    """Functions for calls that lend elements of arrays, by routine and the parameters for these."""
     _name_of: dict[object, str] = field(default_factory=dict)
     _counts: dict[str, int] = field(default_factory=dict)
 
@@ -58,6 +62,13 @@ class ModuleNames:
     def routine(self, symbol: RoutineSymbol) -> str:
         """The name of a user routine's function."""
         return self._bound(symbol, symbol.name, symbol)
+
+    def routine_for_elements(
+        self, symbol: RoutineSymbol, parameters: frozenset[ParameterSymbol]
+    ) -> str:
+        """The name of a routine's function that gets array and position for some parameters."""
+        name = f"_{self.routine(symbol)}_{len(self.for_elements) + 1}"
+        return self.for_elements.setdefault((symbol, parameters), name)
 
     def library(self, routine: LibraryRoutine) -> str:
         """The name of an installed routine's function."""
@@ -130,6 +141,8 @@ class LocalNames:
     """Names of the module's namespace that the routine uses."""
     in_cell: frozenset[Symbol] = frozenset()
     """Local scalars that are passed by reference and so live in a cell."""
+    elements: frozenset[ParameterSymbol] = frozenset()
+    """Parameters that come as an array and a position in it."""
     assigned: set[str] = field(default_factory=set)
     """Plain locals that the function being written assigns."""
     tables: dict[str, ArrayDimension] = field(default_factory=dict)

@@ -27,6 +27,7 @@ from collections.abc import Iterator, Mapping
 from rapidsim.analysis.program import (
     DataSymbol,
     LibrarySymbol,
+    ParameterSymbol,
     Program,
     RoutineSymbol,
     Scope,
@@ -43,6 +44,7 @@ from rapidsim.interpreter.codegen.names import ArrayDimension, LocalNames, Modul
 from rapidsim.interpreter.codegen.rounds import Callees, callees, tick
 from rapidsim.interpreter.codegen.statements import Statements
 from rapidsim.interpreter.limits import NotExecutableError
+from rapidsim.interpreter.runtime.references import position_of
 from rapidsim.language.moves import Place
 from rapidsim.syntax import tree
 from rapidsim.values import dataclass
@@ -75,13 +77,28 @@ class ModuleContext:
     integers: Mapping[tree.Node, Interval]
 
 
-def translate_routine(symbol: RoutineSymbol, context: ModuleContext) -> TranslatedRoutine:
-    """Translate a routine with its ERROR and UNDO clauses; BACKWARD is never executed."""
-    return _RoutineTranslation(symbol, context).translate()
+def translate_routine(
+    symbol: RoutineSymbol,
+    context: ModuleContext,
+    elements: frozenset[ParameterSymbol] = frozenset(),
+) -> TranslatedRoutine:
+    """Translate a routine with its ERROR and UNDO clauses; BACKWARD is never executed.
+
+    Args:
+        symbol: The routine.
+        context: What all routines of its module have in common.
+        elements: Parameters for each of which it shall get an array and a position in it.
+    """
+    return _RoutineTranslation(symbol, context, elements).translate()
 
 
 class _RoutineTranslation:
-    def __init__(self, symbol: RoutineSymbol, context: ModuleContext) -> None:
+    def __init__(
+        self,
+        symbol: RoutineSymbol,
+        context: ModuleContext,
+        elements: frozenset[ParameterSymbol],
+    ) -> None:
         self._symbol = symbol
         self._node = symbol.node
         self._context = context
@@ -91,6 +108,7 @@ class _RoutineTranslation:
             symbol.name,
             symbol.parameters,
             in_cell=frozenset(lent_symbols(symbol, self._nodes, context.program)),
+            elements=elements,
         )
         self._expressions = Expressions(
             context.program,
@@ -122,7 +140,10 @@ class _RoutineTranslation:
         if handler is not None:
             value = at.leave(at.attribute("_l", "value"))
             body = [at.attempt(body, at.name("_Leave"), "_l", [value])]
-        name = self._context.names.routine(self._symbol)
+        names = self._context.names
+        name = names.routine(self._symbol)
+        if self._names.elements:
+            name = names.routine_for_elements(self._symbol, self._names.elements)
         function = at.define(name, parameters, [], [*self._prologue(), *clauses, *body])
         called = callees(self._nodes, self._context.program)
         return TranslatedRoutine(function, self._numbers(name), called, tick(at))
@@ -134,7 +155,11 @@ class _RoutineTranslation:
         self._names.reserved = frozenset(
             name for symbol in used.values() if (name := self._module_name(symbol)) is not None
         )
-        parameters = [self._names.declare(p, p.name) for p in self._symbol.parameters]
+        parameters = []
+        for parameter in self._symbol.parameters:
+            name = self._names.declare(parameter, parameter.name)
+            both = parameter in self._names.elements
+            parameters += [name, position_of(name)] if both else [name]
         for node in nodes:
             if isinstance(node, tree.Data) and node.storage == "VAR":
                 self._names.declare(self._context.program.symbol_of[node], node.name.text)

@@ -48,6 +48,8 @@ class TranslatedModule:
     bindings: Mapping[str, Binding]
     functions: Mapping[str, RoutineSymbol]
     """The module's routines by the name of their function."""
+    for_elements: Mapping[str, str]
+    """Functions that lend elements of arrays to a routine, by name; the name of the routine's."""
     computing: Set[str]
     """Names of installed functions that are quick and ask nothing of the controller."""
     long_jumps: tuple[tuple[str, str], ...]
@@ -129,12 +131,23 @@ def _translate_module(
         if translated.numbers is not None:
             body.append(translated.numbers)
             long_jumps.append((translated.function.name, translated.numbers.name))
+    for_elements: dict[str, str] = {}
+    # Such routines call none, so no others come up meanwhile.
+    for (symbol, parameters), name in names.for_elements.items():
+        body.append(translate_routine(symbol, context, parameters).function)
+        for_elements[name] = names.routine(symbol)
     initialise = _initialise(module, context)
     if initialise is not None:
         body.append(initialise)
     code = ast.Module(body, [])
     return TranslatedModule(
-        module, code, names.bindings, functions, names.computing, tuple(long_jumps)
+        module,
+        code,
+        names.bindings,
+        functions,
+        for_elements,
+        names.computing,
+        tuple(long_jumps),
     )
 
 

@@ -53,6 +53,11 @@ class Absent:
 ABSENT = Absent()
 
 
+def position_of(name: str) -> str:
+    """The Python variable with the position of an element, beside the one that holds its array."""
+    return f"_{name}_at"
+
+
 class Element:
     """An element of an array, its index checked when the reference is made."""
 

@@ -23,7 +23,7 @@ from rapidsim.analysis.tree_walk import descendants
 from rapidsim.interpreter.runtime.call_stack import CLAUSES, Origin
 from rapidsim.interpreter.runtime.error_recovery import GENERATED, is_generated
 from rapidsim.interpreter.runtime.memory import module_data
-from rapidsim.interpreter.runtime.references import ABSENT, ComponentReference, Element
+from rapidsim.interpreter.runtime.references import ABSENT, ComponentReference, Element, position_of
 from rapidsim.interpreter.runtime.values import Value, element_type
 from rapidsim.language.reference import Box
 from rapidsim.language.types import NUM, ArrayOf, Record, Type, resolved
@@ -198,6 +198,8 @@ def _held(name: str, depth: int, variables: dict[str, Any]) -> Value:
         held = variables.get(key if number == 1 else f"{key}_{number}", _NOTHING)
         if held is ABSENT:
             raise NotShownError(f"the optional argument `{name}` was not given")
+        if position_of(key) in variables:
+            return held[variables[position_of(key)]]
         if held is not _NOTHING:
             return held.value if isinstance(held, Box | Element | ComponentReference) else held
     raise NotShownError(f"`{name}` has no value yet")
