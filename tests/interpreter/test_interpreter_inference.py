@@ -12,6 +12,8 @@ from hypothesis import strategies as st
 from interpreter_cell import RecordingController, checked, main, module, run
 from laws import examples
 
+from rapidsim.analysis.program import RoutineSymbol
+from rapidsim.analysis.tree_walk import descendants
 from rapidsim.interpreter.codegen import calls
 from rapidsim.interpreter.codegen.integer_inference import integers_of
 from rapidsim.interpreter.codegen.intervals import LARGEST
@@ -29,8 +31,9 @@ def integers(text: str) -> dict[str, tuple[int, int]]:
     found = integers_of(program, Constants(program).value_of)
     bounds = {}
     for node, one in found.items():
-        assert isinstance(node, tree.Data | tree.Parameter | tree.RoutineNode)
-        bounds[node.name.text] = (one.low, one.high)
+        if not isinstance(node, tree.Reference):
+            assert isinstance(node, tree.Data | tree.Parameter | tree.RoutineNode)
+            bounds[node.name.text] = (one.low, one.high)
     return bounds
 
 
@@ -103,6 +106,45 @@ def test_what_is_none(statements: str) -> None:
 def test_parameters(calls: str, is_one: bool) -> None:
     found = integers(main(calls, "", "PROC f(num x) x := x + 1; ENDPROC"))
     assert ("x" in found) is is_one
+
+
+@pytest.mark.parametrize(
+    ("statements", "expected"),
+    [
+        ("show x;", None),
+        ("IF x < 5 RETURN; show x;", (5, LARGEST)),
+        ("IF x < 5 OR x > 9 RETURN; show x;", (5, 9)),
+        ("IF x < 5 AND x > 1 show x;", (2, 4)),
+        ("IF NOT (x >= LIMIT) show x;", (0, 39)),
+        ("IF x <= 5 THEN RETURN; ELSEIF 9 = x THEN show x; ENDIF", (9, 9)),
+        ("IF x <= 5 THEN show 1; ELSE show x; ENDIF", (6, LARGEST)),
+        ("IF x > 5 THEN x := 1; ENDIF show x;", None),
+        ("IF x > 5 THEN IF y > 0 RETURN; ELSE RETURN; ENDIF show x;", (6, LARGEST)),
+        ("WHILE x <= 9 DO show x; Incr x; ENDWHILE", (0, 9)),
+        ("WHILE x <= 9 DO Incr x; show x; ENDWHILE", None),
+        ("WHILE x <= 9 DO Incr x; ENDWHILE show x;", (10, LARGEST)),
+        ("IF x < 9 THEN FOR i FROM 1 TO 3 DO show x; Incr x; ENDFOR ENDIF", None),
+        ("IF x < 9 THEN FOR i FROM 1 TO 3 DO show x; ENDFOR ENDIF", (0, 8)),
+        ("IF x < 9 THEN TEST y CASE 1: show x; ENDTEST ENDIF", (0, 8)),
+        ("again: IF x < 5 RETURN; show x; GOTO again;", None),
+        ("IF x < 5 RETURN; show x; ERROR TRYNEXT;", None),
+        ("IF x < 1 / 2 RETURN; show x;", None),
+    ],
+)
+def test_what_conditions_say(statements: str, expected: tuple[int, int] | None) -> None:
+    """Of x, where it is shown."""
+    body = f"VAR num x; VAR num y; x := x + 1; Incr y; {statements}"
+    more = "PROC show(num value) ENDPROC"
+    program = checked(main(body, "CONST num LIMIT := 40;", more))
+    found = integers_of(program, Constants(program).value_of)
+    shown = [
+        found.get(reference)
+        for call, symbol in program.symbol_of.items()
+        if isinstance(call, tree.Call) and isinstance(symbol, RoutineSymbol)
+        for reference in descendants(call)
+        if isinstance(reference, tree.Reference)
+    ]
+    assert [one and (one.low, one.high) for one in shown] == [expected]
 
 
 def test_an_option_may_be_absent() -> None:

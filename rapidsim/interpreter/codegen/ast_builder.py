@@ -116,7 +116,11 @@ class At:
         """`name = value`."""
         return self.assign(self.store(name), value)
 
-    def decrement(self, target: ast.Attribute | ast.Name) -> ast.AugAssign:
+    def minus(self, name: str, value: ast.expr) -> ast.AugAssign:
+        """`name -= value`."""
+        return ast.AugAssign(self.store(name), ast.Sub(), value, **self._where)
+
+    def decrement(self, target: ast.Attribute) -> ast.AugAssign:
         """`target -= 1`."""
         return ast.AugAssign(target, ast.Sub(), self.constant(1), **self._where)
 

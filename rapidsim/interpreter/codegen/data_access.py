@@ -309,7 +309,8 @@ class Paths:
     def _read_whole(self, whole: Whole, reference: tree.Reference, at: At) -> Code:
         integer = self._expressions.counters.get(whole.name)
         if integer is None and whole.declared is not None:
-            integer = self._expressions.integers.get(whole.declared)
+            integers = self._expressions.integers
+            integer = integers.get(reference) or integers.get(whole.declared)
         if integer is not None:
             return Code(whole.node, integer=integer)
         node = self._value(whole, at)

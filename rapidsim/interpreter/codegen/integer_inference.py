@@ -27,6 +27,7 @@ from rapidsim.analysis.program import (
 )
 from rapidsim.analysis.tree_walk import clauses, descendants, statements
 from rapidsim.interpreter.codegen.calls import match_arguments
+from rapidsim.interpreter.codegen.conditions import narrowed
 from rapidsim.interpreter.codegen.data_access import declaration, whole_number
 from rapidsim.interpreter.codegen.escape_analysis import lent_symbols
 from rapidsim.interpreter.codegen.inlined_instructions import assigned_in_place, step_in_place
@@ -63,6 +64,8 @@ def integers_of(
 ) -> Mapping[tree.Node, Interval]:
     """The integers among the nums of a program, by declaration; functions by themselves.
 
+    Where narrower bounds are known of a variable that the text names, the reference has them.
+
     Args:
         program: All of it, as every call counts.
         constant_value: Gives the value of a CONST.
@@ -77,7 +80,11 @@ def integers_of(
     mine = [inference.candidates(routine) for routine in routines]
     for routine, own in zip(routines, mine, strict=True):
         inference.note(routine, own)
-    return inference.found()
+    found = inference.found()
+    for routine, own in zip(routines, mine, strict=True):
+        if own:
+            found.update(narrowed(routine, program, found, inference.bounds))
+    return found
 
 
 @dataclass(slots=True)
@@ -151,7 +158,7 @@ class _Inference:
                 case _:
                     pass
 
-    def found(self) -> Mapping[tree.Node, Interval]:
+    def found(self) -> dict[tree.Node, Interval]:
         """Go round until nothing changes."""
         waiting = deque(range(len(self._flows)))
         while waiting:
@@ -171,7 +178,7 @@ class _Inference:
 
     def _flow(self, target: tree.Node | None, value: tree.Expression | _Source) -> None:
         if target in self._known:
-            source = value if callable(value) else lambda: self._of(value)
+            source = value if callable(value) else lambda: self.bounds(value)
             self._flows.append((target, source))
 
     def _step(self, call: tree.Call, target: tree.Node | None) -> None:
@@ -204,11 +211,11 @@ class _Inference:
         self._readers.setdefault(node, set()).add(self._reading)
         return self._known[node]
 
-    def _of(self, expression: tree.Expression) -> Interval | None:
+    def bounds(self, expression: tree.Expression) -> Interval | None:
         """The integers that an expression can be."""
         match expression:
             case tree.Parenthesised(inner=inner) | tree.Unary(operator="+", operand=inner):
-                return self._of(inner)
+                return self.bounds(inner)
             case tree.Number():
                 return _literal(literal(expression, self.program.type_of[expression]))
             case tree.Reference():
@@ -220,10 +227,10 @@ class _Inference:
                 installed = isinstance(symbol, LibrarySymbol)
                 return _INSTALLED.get(symbol.name.lower()) if installed else None
             case tree.Unary(operator="-", operand=operand):
-                of = self._of(operand)
+                of = self.bounds(operand)
                 return of if of is None or of == _NEVER else negated(of)
             case tree.Binary(operator=operator, left=left, right=right):
-                return self._combined(operator, self._of(left), self._of(right))
+                return self._combined(operator, self.bounds(left), self.bounds(right))
             case _:
                 return None
 
@@ -239,7 +246,7 @@ class _Inference:
                 return None
 
     def _counter(self, loop: tree.For) -> Interval | None:
-        first, last = self._of(loop.first), self._of(loop.last)
+        first, last = self.bounds(loop.first), self.bounds(loop.last)
         step = whole_number(loop.step)
         if first is None or first == _NEVER or last == _NEVER:
             return first if first is None else _NEVER

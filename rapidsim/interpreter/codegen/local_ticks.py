@@ -6,6 +6,8 @@ it ends, returns or fails, and before every statement in it that could look at t
 only where that costs less than it saves. Whoever looks sees what he always saw: a loop asks for new
 ticks at the same turn, and each moment is told to be when it is.
 
+Where all turns of a FOR fit into what is left, they are taken away at once.
+
 An exception that comes out of the clock, or out of a statement that could look at it, leaves a
 count that is right; the loop knows by its own being below zero.
 """
@@ -14,10 +16,11 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Collection, Iterator, Sequence
+from copy import deepcopy
 from typing import TypeGuard
 
 from rapidsim.interpreter.codegen.ast_builder import At
-from rapidsim.interpreter.runtime.idle_state import LEFT
+from rapidsim.interpreter.runtime.idle_state import LEFT, TURNS
 from rapidsim.values import dataclass
 
 COMPUTING = frozenset(
@@ -108,13 +111,45 @@ class _Loops:
                 return True
         return False
 
+    def _all_at_once(self, loop: ast.For) -> bool:
+        """Whether all turns of a loop may be taken away at once, if so many are left."""
+        parts = [part for statement in loop.body[2:] for part in ast.walk(statement)]
+        return isinstance(loop.iter, ast.Call) and not any(
+            isinstance(part, ast.For | ast.While | ast.Break | ast.Return)
+            or (isinstance(part, ast.Attribute) and part.attr == "watches")
+            or (isinstance(part, ast.Call) and self._looks(part))
+            for part in parts
+        )
+
+    def _turns(self, loop: ast.For) -> Iterator[ast.stmt]:
+        """The loop twice: without ticks, where so many are left, and with them."""
+        at = _place(loop)
+        counter = loop.target
+        assert isinstance(counter, ast.Name)
+        plain = ast.For(counter, at.name(TURNS), deepcopy(loop.body[2:]), [], None)
+        ast.copy_location(plain, loop)
+        taken = at.call("_turns_taken", [at.name(TURNS), at.constant(counter.id)])
+        again = [at.minus(LEFT, taken), at.throw()]
+        yield at.set(TURNS, loop.iter)
+        fits = at.compare(at.call("_turns_of", [at.name(TURNS)]), (ast.LtE(), at.name(LEFT)))
+        loop.iter = at.name(TURNS)
+        self._count(loop)
+        yield at.when(
+            fits,
+            [
+                at.attempt([plain], at.name("_BaseException"), None, again),
+                at.minus(LEFT, at.call("_len", [at.name(TURNS)])),
+            ],
+            [loop],
+        )
+
     def _region(self, loop: ast.stmt) -> Iterator[ast.stmt]:
         at = _place(loop)
-        self._count(loop)
+        counting = list(self._counting(loop))
         unused = at.compare(at.name(LEFT), (ast.GtE(), at.constant(0)))
         back = at.when(unused, [_give(at)])
         yield _take(at)
-        yield at.attempt([loop], at.name("_BaseException"), None, [back, at.throw()])
+        yield at.attempt(counting, at.name("_BaseException"), None, [back, at.throw()])
         yield _give(at)
 
     def _count(self, statement: ast.stmt) -> None:
@@ -126,11 +161,13 @@ class _Loops:
         at = _place(statement)
         match statement:
             case ast.AugAssign() if _is_tick(statement):
-                yield at.decrement(at.store(LEFT))
+                yield at.minus(LEFT, at.constant(1))
             case ast.If() if _is_tick(statement):
                 serve = at.set(LEFT, at.call("_served", [at.name(LEFT)]))
                 below = at.compare(at.name(LEFT), (ast.Lt(), at.constant(0)))
                 yield at.when(below, [serve])
+            case ast.For() if self._all_at_once(statement):
+                yield from self._turns(statement)
             case _ if _is_block(statement):
                 self._count(statement)
                 yield statement

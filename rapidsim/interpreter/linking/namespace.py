@@ -95,6 +95,8 @@ FUNCTIONS: Mapping[str, object] = MappingProxyType(
         "_steps": arithmetic.steps,
         "_subtract_positions": arithmetic.subtract_positions,
         "_too_long": arithmetic.too_long,
+        "_turns_of": arithmetic.turns_of,
+        "_turns_taken": arithmetic.turns_taken,
         "_unfinished": unfinished,
         "_unresolved_data": unresolved_data,
         "_unresolved_function": unresolved_function,

@@ -10,6 +10,7 @@ Source: Technical reference manual RAPID Overview, "Expressions".
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Iterable, Iterator
 from typing import NoReturn
 
@@ -187,6 +188,17 @@ def _count_on(values: Iterable[int], after: int, last: float, step: int) -> Iter
     while after <= last if step >= 0 else after >= last:
         yield after
         after = int(single(float(after + step)))
+
+
+def turns_of(values: Iterable[float]) -> float:
+    """How many turns a FOR takes; more than any where nobody knows yet."""
+    return len(values) if isinstance(values, range) else math.inf
+
+
+def turns_taken(values: range, counter: str) -> int:
+    """The turns of a FOR up to the one that the caller takes, by the name of its counter."""
+    now = sys._getframe(1).f_locals.get(counter)
+    return values.index(now) + 1 if now in values else 0
 
 
 def steps(first: float, last: float, step: float | None = None) -> Iterator[float]:

@@ -14,8 +14,8 @@ from typing import Any
 from rapidsim.interpreter.runtime.error_recovery import is_generated
 from rapidsim.language.reference import Box
 
-LEFT = "_left"
-"""The variable of a routine whose loops count their ticks; see `codegen.local_ticks`."""
+LEFT, TURNS = "_left", "_turns"
+"""The variables of a routine whose loops count their ticks; see `codegen.local_ticks`."""
 MOST_VALUES = 20_000
 """Values beyond which the state of a program is too much to compare now and then."""
 
@@ -51,7 +51,7 @@ def _frames(frame: FrameType | None, left: list[int]) -> Iterator[object]:
     while frame is not None:
         if is_generated(frame):
             # How many ticks are left is no business of the program.
-            data = (one for name, one in frame.f_locals.items() if name != LEFT)
+            data = (one for name, one in frame.f_locals.items() if name not in (LEFT, TURNS))
             values = tuple(_frozen(one, left) for one in data)
             yield id(frame), frame.f_lasti, values
         frame = frame.f_back
