@@ -27,7 +27,7 @@ from rapidsim.analysis.program import (
 )
 from rapidsim.analysis.tree_walk import clauses, descendants, statements
 from rapidsim.interpreter.codegen.calls import match_arguments
-from rapidsim.interpreter.codegen.conditions import narrowed
+from rapidsim.interpreter.codegen.conditions import narrowed, never_shows
 from rapidsim.interpreter.codegen.data_access import declaration, whole_number
 from rapidsim.interpreter.codegen.escape_analysis import lent_symbols
 from rapidsim.interpreter.codegen.inlined_instructions import assigned_in_place, step_in_place
@@ -48,6 +48,8 @@ from rapidsim.language.annotations import Mode
 from rapidsim.language.types import NUM, Type, resolved
 from rapidsim.syntax import tree
 
+_SMALL = 3000
+"""Nodes of a routine of which it is worth asking whether initial values are seen."""
 _SELDOM = 3
 """How often bounds grow step by step."""
 _NEVER = Interval(1, 0)
@@ -135,8 +137,11 @@ class _Inference:
 
     def note(self, routine: RoutineSymbol, own: bool) -> None:
         """Note what gets where in a routine, which has something of its own or only calls."""
+        is_small = False
+        nodes: Iterable[tree.Node]
         if own or self._to_functions:
-            nodes: Iterable[tree.Node] = descendants(routine.node)
+            nodes = every = list(descendants(routine.node))
+            is_small = len(every) <= _SMALL
         elif self._given:
             nodes = statements(*clauses(routine.node))
         else:
@@ -144,7 +149,10 @@ class _Inference:
         for node in nodes:
             match node:
                 case tree.Data(value=value) if node in self._known:
-                    self._flow(node, (lambda: Interval(0, 0)) if value is None else value)
+                    if value is not None:
+                        self._flow(node, value)
+                    elif not (is_small and never_shows(node, routine, self.program)):
+                        self._flow(node, lambda: Interval(0, 0))
                 case tree.Assignment(target=target, value=value):
                     self._flow(declaration(target, self.program), value)
                 case tree.Return(value=value) if value is not None:
