@@ -28,7 +28,13 @@ from rapidsim.analysis.program import (
 from rapidsim.analysis.tree_walk import clauses, descendants, statements
 from rapidsim.interpreter.codegen.calls import match_arguments
 from rapidsim.interpreter.codegen.conditions import narrowed, never_shows
-from rapidsim.interpreter.codegen.data_access import declaration, whole_number
+from rapidsim.interpreter.codegen.data_access import (
+    bounds_of,
+    constant_table,
+    declaration,
+    flat,
+    whole_number,
+)
 from rapidsim.interpreter.codegen.escape_analysis import lent_symbols
 from rapidsim.interpreter.codegen.inlined_instructions import assigned_in_place, step_in_place
 from rapidsim.interpreter.codegen.intervals import (
@@ -228,6 +234,8 @@ class _Inference:
                 return _literal(literal(expression, self.program.type_of[expression]))
             case tree.Reference():
                 return self._data(expression)
+            case tree.Index():
+                return self._element(expression)
             case tree.FunctionCall():
                 symbol = self.program.symbol_of[expression]
                 if isinstance(symbol, RoutineSymbol):
@@ -252,6 +260,15 @@ class _Inference:
                 return self._counter(loop)
             case _:
                 return None
+
+    def _element(self, path: tree.Index) -> Interval | None:
+        """Of the integers in a constant array."""
+        parts = flat(path)
+        symbol = self.program.symbol_of[parts.reference]
+        if not isinstance(symbol, DataSymbol):
+            return None
+        table = constant_table(symbol, len(parts.indices), self.constant_value)
+        return None if table is None else bounds_of(table)
 
     def _counter(self, loop: tree.For) -> Interval | None:
         first, last = self.bounds(loop.first), self.bounds(loop.last)
