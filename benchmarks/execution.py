@@ -36,8 +36,8 @@ LOOPS = (
     *("sieve", "insertion_sort", "quicksort", "matrix_product", "texts"),
     *("records", "recursion", "collatz", "floats"),
 )
-GEOMETRIC_MEAN_TARGET = 4.0
-WORST_TARGET = 7.0
+GEOMETRIC_MEAN_TARGET = 2.7
+WORST_TARGET = 4.0
 CLOSURE_TARGET = 2.0
 POLLED_S = {
     **{"a signal": 20.0, "a persistent": 20.0, "a clock": 5.0},

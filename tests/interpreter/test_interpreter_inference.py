@@ -23,6 +23,7 @@ from rapidsim.interpreter.tools.questions import answers, ask
 from rapidsim.syntax import tree
 
 EXACT = 2**24
+CONSTANTS = "CONST num LIMIT := 40; CONST num TABLE{2,2} := [[0, 9], [-7, 1]];"
 
 
 def integers(text: str) -> dict[str, tuple[int, int]]:
@@ -41,25 +42,31 @@ def integers(text: str) -> dict[str, tuple[int, int]]:
     ("statements", "expected"),
     [
         ("", (0, 0)),
-        ("x := 5;", (0, 5)),
+        ("x := 5;", (5, 5)),
         ("x := x + 1;", (0, LARGEST)),
         ("Incr x;", (0, LARGEST)),
         ("Decr x; Clear x;", (-LARGEST, 0)),
         ("x := 7 DIV 2; x := x MOD 3;", (0, 3)),
-        ("x := LIMIT;", (0, 40)),
-        ("FOR i FROM 3 TO 9 DO x := i * i; ENDFOR", (0, 81)),
-        ("FOR i FROM 9 TO 3 STEP -2 DO x := i; ENDFOR", (0, 9)),
+        ("x := LIMIT;", (40, 40)),
+        ("FOR i FROM 3 TO 9 DO x := i * i; ENDFOR", (9, 81)),
+        ("FOR i FROM 9 TO 3 STEP -2 DO x := i; ENDFOR", (3, 9)),
         ('x := StrLen("abc");', (0, EXACT)),
-        ("x := Dim(list, 1);", (0, EXACT)),
-        ("x := twice(4);", (0, 8)),
-        ("x := twice(twice(4));", (0, LARGEST)),
-        ("x := -3;", (-3, 0)),
+        ("x := Dim(list, 1);", (1, EXACT)),
+        ("x := twice(4);", (8, 8)),
+        ("x := twice(twice(4));", (8, LARGEST)),
+        ("x := -3;", (-3, -3)),
+        ("x := TABLE{2,x + 1};", (-7, 9)),
+        ("FOR i FROM 3 TO 9 DO x := i; ENDFOR x := x * 2;", (0, LARGEST)),
+        ("IF Dim(list, 1) > 2 THEN x := 3; ELSE x := 4; ENDIF", (3, 4)),
+        ("IF x > 2 THEN x := 3; ELSE x := 4; ENDIF", (0, 4)),
+        ("x := 4; ERROR x := 5; RETRY;", (0, 5)),
+        ("GOTO past; past: x := 5;", (0, 5)),
     ],
 )
 def test_bounds(statements: str, expected: tuple[int, int]) -> None:
     body = f"VAR num x;\n{statements}"
     more = "FUNC num twice(num y) RETURN 2 * y; ENDFUNC"
-    found = integers(main(body, "CONST num LIMIT := 40; VAR num list{3};", more))
+    found = integers(main(body, f"{CONSTANTS} VAR num list{{3}};", more))
     assert found["x"] == expected
 
 
@@ -72,6 +79,8 @@ def test_bounds(statements: str, expected: tuple[int, int]) -> None:
         "x := kept;",
         "x := half(3);",
         "x := 1E10;",
+        "x := NONE{1};",
+        "x := ZERO{1};",
         "lend x;",
         "FOR i FROM 1 TO 2 STEP 0.5 DO x := i; ENDFOR",
         # Where the factor is 0, floats give a zero with a sign.
@@ -87,7 +96,8 @@ def test_what_is_none(statements: str) -> None:
       FUNC num list_size(num y) RETURN Dim(list, 1) + y; ENDFUNC
       PROC lend(INOUT num y) y := 0.5; ENDPROC
     """
-    data = "VAR num list{3}; PERS num kept := 1;"
+    data = "VAR num list{3}; PERS num kept := 1; "
+    data += "CONST num NONE{2} := [1, 0.5]; CONST num ZERO{2} := [1, -0];"
     assert "x" not in integers(main(f"VAR num x;\n{statements}", data, more))
 
 
@@ -153,7 +163,9 @@ def test_an_option_may_be_absent() -> None:
 
 names = st.sampled_from(["x", "y", "z"])
 literals = st.sampled_from(["0", "1", "2", "3", "7", "100", "16777215", "16777216", "1E20", "0.5"])
-atoms = st.one_of(names, names, literals, st.sampled_from(["i", "a{1}", "Dim(a, 1)", "own"]))
+atoms = st.one_of(
+    names, names, literals, st.sampled_from(["i", "a{1}", "Dim(a, 1)", "own", "T{x}", "T{3}"])
+)
 
 
 def combined(children: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
@@ -278,7 +290,8 @@ def test_nobody_can_tell(
           show traps;
         ENDTRAP
         """,
-        "VAR num a{3} := [1, 2, 3]; VAR num last; VAR num traps; VAR intnum irq;",
+        "CONST num T{3} := [3, 0, -2]; VAR num a{3} := [1, 2, 3]; VAR num last; VAR num traps;"
+        "VAR intnum irq;",
     )
     found = seen(text)
     plainly = mock.patch.multiple(

@@ -35,12 +35,49 @@ def narrowed(
         integers: Bounds of variables wherever they are, by declaration.
         of: Bounds of an expression likewise.
     """
-    node = routine.node
-    if node.error is not None or any(isinstance(one, tree.Label) for one in statements(node.body)):
+    if _may_be_reached_otherwise(routine):
         return {}
     flow = _Flow(program, integers, of)
-    flow.follow(node.body, {})
+    flow.follow(routine.node.body, {})
     return flow.found
+
+
+def never_shows(data: tree.Data, routine: RoutineSymbol, program: Program) -> bool:
+    """Whether nobody ever sees the 0 that a variable begins with.
+
+    So it is if each statement list that names it assigns something to it first.
+    """
+    return not _may_be_reached_otherwise(routine) and _assigned_first(
+        routine.node.body, data, program
+    )
+
+
+def _assigned_first(body: tree.Body, data: tree.Data, program: Program) -> bool:
+    named = [one for one in body if _names(one, data, program)]
+    first = named[0] if named else None
+    if isinstance(first, tree.Assignment) and declaration(first.target, program) is data:
+        return not _names(first.value, data, program)
+    if first is None or len(named) > 1:
+        return False
+    lists = [block for block in blocks(first) if any(_names(one, data, program) for one in block)]
+    in_lists = sum(_names(one, data, program) for block in lists for one in block)
+    return in_lists == _names(first, data, program) and all(
+        _assigned_first(block, data, program) for block in lists
+    )
+
+
+def _names(node: tree.Node, data: tree.Data, program: Program) -> int:
+    """How often a part of the text names a variable."""
+    return sum(
+        isinstance(one, tree.Reference) and declaration(one, program) is data
+        for one in descendants(node)
+    )
+
+
+def _may_be_reached_otherwise(routine: RoutineSymbol) -> bool:
+    """Whether a statement may come to execution without those before it."""
+    labels = (isinstance(one, tree.Label) for one in statements(routine.node.body))
+    return routine.node.error is not None or routine.node.undo is not None or any(labels)
 
 
 @dataclass(slots=True)
@@ -102,7 +139,8 @@ class _Flow:
         """Note what is known where variables are named."""
         for node in nodes:
             if isinstance(node, tree.Reference):
-                bounds = known.get(declaration(node, self.program)) if known else None
+                home = declaration(node, self.program) if known else None
+                bounds = None if home is None else known.get(home)
                 if bounds is not None:
                     self.found[node] = bounds
 

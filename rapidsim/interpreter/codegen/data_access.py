@@ -8,8 +8,12 @@ parameters hold whatever reference they were given.
 from __future__ import annotations
 
 import ast
+import math
+from collections.abc import Callable
+from dataclasses import replace
 from enum import Enum
 from types import MappingProxyType
+from typing import Any
 
 from rapidsim.analysis.cell_names import ConfiguredSymbol
 from rapidsim.analysis.program import (
@@ -28,7 +32,7 @@ from rapidsim.interpreter.codegen.operands import Operands
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER
 from rapidsim.interpreter.runtime.references import position_of
-from rapidsim.interpreter.runtime.values import element_type, is_signal, literal
+from rapidsim.interpreter.runtime.values import Value, element_type, is_signal, literal
 from rapidsim.language.annotations import Mode
 from rapidsim.language.types import NUM, SIGNAL_DI, ArrayOf, Record, Type, resolved
 from rapidsim.syntax import tree
@@ -43,6 +47,10 @@ _KEPT_BY = MappingProxyType(
     }
 )
 """Where the controller keeps predefined data: a concern, and the way in it."""
+
+
+_MOST_ELEMENTS = 1000
+"""Elements of a constant that are looked at whenever it is read."""
 
 
 class Home(Enum):
@@ -115,6 +123,32 @@ def declaration(path: tree.Expression, program: Program) -> tree.Node | None:
     return symbol.node if isinstance(symbol, DataSymbol | ParameterSymbol) else None
 
 
+def constant_table(
+    symbol: DataSymbol, indices: int, constant_value: Callable[[DataSymbol], Value]
+) -> list[Any] | None:
+    """The value of a CONST that is an array of num with so many dimensions; None for the rest."""
+    of = resolved(symbol.type)
+    if symbol.storage is not Storage.CONST or symbol.node is None or not isinstance(of, ArrayOf):
+        return None
+    if resolved(of.element) != NUM or len(of.dimensions) != indices:
+        return None
+    value = constant_value(symbol)
+    return value if isinstance(value, list) else None
+
+
+def bounds_of(table: list[Any]) -> Interval | None:
+    """The bounds of a small table of nums that are integers, none of them a zero with a sign."""
+    numbers = table
+    while numbers and isinstance(numbers[0], list):
+        numbers = [number for row in numbers for number in row]
+    if not numbers or len(numbers) > _MOST_ELEMENTS:
+        return None
+    if not all(one.is_integer() and abs(one) <= MAX_INTEGER for one in numbers):
+        return None
+    signs = any(one == 0.0 and math.copysign(1.0, one) < 0.0 for one in numbers)
+    return None if signs else Interval(int(min(numbers)), int(max(numbers)), signed=True)
+
+
 def by_reference(mode: Mode) -> bool:
     """Whether a parameter of this mode takes a reference."""
     return mode is not Mode.IN
@@ -150,6 +184,11 @@ class Paths:
         whole = self._whole(parts.reference)
         if not parts.indices and not parts.names:
             return self._read_whole(whole, parts.reference, at)
+        constant = self._table_of_integers(parts)
+        if constant is not None:
+            name, integer = constant
+            code = self._element(replace(whole, node=at.name(name)), parts, at)
+            return Code(code.node, may_raise=code.may_raise, calls=code.calls, integer=integer)
         code = self._element(whole, parts, at)
         node, of = code.node, whole.type
         for _ in parts.indices:
@@ -158,6 +197,17 @@ class Paths:
             position, of = _component(of, name)
             node = at.item(node, at.constant(position))
         return Code(node, may_raise=code.may_raise, calls=code.calls)
+
+    def _table_of_integers(self, parts: FlatPath) -> tuple[str, Interval] | None:
+        """The integers of an array that is a CONST of them, by name, and their bounds."""
+        symbol = self._program.symbol_of[parts.reference]
+        if parts.names or not isinstance(symbol, DataSymbol):
+            return None
+        value = constant_table(symbol, len(parts.indices), self._expressions.constant_value)
+        integer = None if value is None else bounds_of(value)
+        if integer is None:
+            return None
+        return self._names.module.constant_integers(symbol, value), integer
 
     def write(self, path: tree.DataPath, value: Code, at: At) -> list[ast.stmt]:
         """Statements that put a value at a path; the value is evaluated first."""

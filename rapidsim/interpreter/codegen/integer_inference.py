@@ -27,8 +27,14 @@ from rapidsim.analysis.program import (
 )
 from rapidsim.analysis.tree_walk import clauses, descendants, statements
 from rapidsim.interpreter.codegen.calls import match_arguments
-from rapidsim.interpreter.codegen.conditions import narrowed
-from rapidsim.interpreter.codegen.data_access import declaration, whole_number
+from rapidsim.interpreter.codegen.conditions import narrowed, never_shows
+from rapidsim.interpreter.codegen.data_access import (
+    bounds_of,
+    constant_table,
+    declaration,
+    flat,
+    whole_number,
+)
 from rapidsim.interpreter.codegen.escape_analysis import lent_symbols
 from rapidsim.interpreter.codegen.inlined_instructions import assigned_in_place, step_in_place
 from rapidsim.interpreter.codegen.intervals import (
@@ -48,6 +54,8 @@ from rapidsim.language.annotations import Mode
 from rapidsim.language.types import NUM, Type, resolved
 from rapidsim.syntax import tree
 
+_SMALL = 3000
+"""Nodes of a routine of which it is worth asking whether initial values are seen."""
 _SELDOM = 3
 """How often bounds grow step by step."""
 _NEVER = Interval(1, 0)
@@ -135,8 +143,11 @@ class _Inference:
 
     def note(self, routine: RoutineSymbol, own: bool) -> None:
         """Note what gets where in a routine, which has something of its own or only calls."""
+        is_small = False
+        nodes: Iterable[tree.Node]
         if own or self._to_functions:
-            nodes: Iterable[tree.Node] = descendants(routine.node)
+            nodes = every = list(descendants(routine.node))
+            is_small = len(every) <= _SMALL
         elif self._given:
             nodes = statements(*clauses(routine.node))
         else:
@@ -144,7 +155,10 @@ class _Inference:
         for node in nodes:
             match node:
                 case tree.Data(value=value) if node in self._known:
-                    self._flow(node, (lambda: Interval(0, 0)) if value is None else value)
+                    if value is not None:
+                        self._flow(node, value)
+                    elif not (is_small and never_shows(node, routine, self.program)):
+                        self._flow(node, lambda: Interval(0, 0))
                 case tree.Assignment(target=target, value=value):
                     self._flow(declaration(target, self.program), value)
                 case tree.Return(value=value) if value is not None:
@@ -220,6 +234,8 @@ class _Inference:
                 return _literal(literal(expression, self.program.type_of[expression]))
             case tree.Reference():
                 return self._data(expression)
+            case tree.Index():
+                return self._element(expression)
             case tree.FunctionCall():
                 symbol = self.program.symbol_of[expression]
                 if isinstance(symbol, RoutineSymbol):
@@ -244,6 +260,15 @@ class _Inference:
                 return self._counter(loop)
             case _:
                 return None
+
+    def _element(self, path: tree.Index) -> Interval | None:
+        """Of the integers in a constant array."""
+        parts = flat(path)
+        symbol = self.program.symbol_of[parts.reference]
+        if not isinstance(symbol, DataSymbol):
+            return None
+        table = constant_table(symbol, len(parts.indices), self.constant_value)
+        return None if table is None else bounds_of(table)
 
     def _counter(self, loop: tree.For) -> Interval | None:
         first, last = self.bounds(loop.first), self.bounds(loop.last)

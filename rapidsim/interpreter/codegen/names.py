@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import field
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from rapidsim.analysis.cell_names import ConfiguredSymbol
 from rapidsim.analysis.program import (
@@ -84,6 +84,11 @@ class ModuleNames:
     def constant_data(self, symbol: DataSymbol, value: object) -> str:
         """The name of a constant with its value."""
         return self._bound(symbol, symbol.name, Fixed(value))
+
+    def constant_integers(self, symbol: DataSymbol, value: object) -> str:
+        """The name of a constant array, of which all elements are integers, as Python's."""
+        table = Fixed(_as_integers(value))
+        return self._bound(("integers", symbol), f"_{symbol.name}_integers", table)
 
     def record_class(self, python: type[tuple[object, ...]]) -> str:
         """The name of a record's class."""
@@ -181,6 +186,10 @@ class LocalNames:
         name = f"_{array}_size{depth + 1}"
         self.sizes[name] = ArrayDimension(array, depth, optional=False)
         return name
+
+
+def _as_integers(value: Any) -> Any:
+    return [_as_integers(one) for one in value] if isinstance(value, list) else int(value)
 
 
 def free_name(wanted: str, taken: dict[str, Binding] | frozenset[str] | set[str]) -> str:

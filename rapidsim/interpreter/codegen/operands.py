@@ -7,7 +7,7 @@ they know it only as this.
 from __future__ import annotations
 
 import ast
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Protocol
 
 from rapidsim.analysis.program import DataSymbol, Program
@@ -16,6 +16,7 @@ from rapidsim.interpreter.codegen.ast_builder import At
 from rapidsim.interpreter.codegen.expression_code import Code
 from rapidsim.interpreter.codegen.intervals import Interval
 from rapidsim.interpreter.codegen.names import LocalNames
+from rapidsim.interpreter.runtime.values import Value
 from rapidsim.language.types import Type
 from rapidsim.syntax import tree
 
@@ -26,6 +27,8 @@ class Operands(Protocol):
     program: Program
     names: LocalNames
     module: tree.Module
+    constant_value: Callable[[DataSymbol], Value]
+    """Gives the value of a CONST."""
     counters: dict[str, Interval]
     """FOR counters that are Python integers, by Python name."""
     integers: Mapping[tree.Node, Interval]

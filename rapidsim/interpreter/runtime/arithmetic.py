@@ -197,7 +197,7 @@ def turns_of(values: Iterable[float]) -> float:
 
 def turns_taken(values: range, counter: str) -> int:
     """The turns of a FOR up to the one that the caller takes, by the name of its counter."""
-    now = sys._getframe(1).f_locals.get(counter)
+    now: int = sys._getframe(1).f_locals.get(counter, values.start - values.step)
     return values.index(now) + 1 if now in values else 0
 
 
