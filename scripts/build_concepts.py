@@ -193,7 +193,8 @@ def configurations() -> Figure:
     found = solve_pose(arm, Transform(rotation, place), everything=True)
     title = f"{arm.title} with the TCP at (600, 200, 500) mm"
     nowhere = Transform.identity()
-    return pose_picture(Postures(arm, nowhere, nowhere, solved_postures(found), title), LIGHT)
+    postures = solved_postures(found, arm.kinematics.turns)
+    return pose_picture(Postures(arm, nowhere, nowhere, postures, title), LIGHT)
 
 
 PICTURES: Mapping[str, Callable[[], Figure]] = {

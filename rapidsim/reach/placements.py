@@ -20,8 +20,8 @@ from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.arm_configurations import confdata_columns, is_monitored, solved_ends
 from rapidsim.reach.dataflow.circle_modes import may_be_led_by_wrist
-from rapidsim.reach.dataflow.interpretation import walk_program
 from rapidsim.reach.dataflow.known_moves import KnownMove
+from rapidsim.reach.dataflow.program_walk import walk_program
 from rapidsim.reach.target_poses import posed
 from rapidsim.values import dataclass
 

@@ -15,8 +15,8 @@ from rapidsim.reach.arm_configurations import Ends, ends_of
 from rapidsim.reach.checked_moves import Coverage, ReachReport, UncheckedMove
 from rapidsim.reach.cures import Cures
 from rapidsim.reach.cycle_time_findings import budget_findings, stop_findings
-from rapidsim.reach.dataflow.interpretation import walk_program
 from rapidsim.reach.dataflow.known_moves import WalkedProgram, in_tree
+from rapidsim.reach.dataflow.program_walk import walk_program
 from rapidsim.reach.outside_values import moved_by_outside
 from rapidsim.reach.path_findings import WayFinder, Ways
 from rapidsim.reach.target_findings import (

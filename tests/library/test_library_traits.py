@@ -153,6 +153,7 @@ ELSEWHERE = {
         *("SyncMoveResume", "stop", "load", "RMQSendMessage"),
     },
     "egm": {"type"},
+    "interpreter/codegen/integer_inference.py": {"dim", "strlen"},
     "interpreter/codegen/special_forms.py": {
         *("argname", "dim", "ispers", "isvar", "present", "strlen", "type"),
     },

@@ -22,7 +22,7 @@ from rapidsim.language.moves import Move
 from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.model import MotionModel
 from rapidsim.reach.arm_configurations import ends_of
-from rapidsim.reach.dataflow.interpretation import walk_program
+from rapidsim.reach.dataflow.program_walk import walk_program
 from rapidsim.reach.move_segments import segments_of
 from rapidsim.reach.path_findings import WayFinder
 from rapidsim.reach.target_poses import posed

@@ -17,7 +17,7 @@ from rapidsim.library.catalogue import ROUTINES
 from rapidsim.library.traits import Does
 from rapidsim.motion.configurations.reachability import why_unreachable
 from rapidsim.reach.checked_moves import ReachReport
-from rapidsim.reach.dataflow.interpretation import walk_program
+from rapidsim.reach.dataflow.program_walk import walk_program
 from rapidsim.reach.reach import check_reach
 from rapidsim.reach.target_poses import posed
 

@@ -27,12 +27,15 @@ class Operands(Protocol):
     program: Program
     names: LocalNames
     module: tree.Module
-    constant_value: Callable[[DataSymbol], Value]
-    """Gives the value of a CONST."""
     counters: dict[str, Interval]
     """FOR counters that are Python integers, by Python name."""
     integers: Mapping[tree.Node, Interval]
     """Variables and functions whose values are integers."""
+
+    @property
+    def constant_value(self) -> Callable[[DataSymbol], Value]:
+        """Gives the value of a CONST."""
+        ...
 
     def at(self, node: tree.Node) -> At:
         """The place of a part of the statement."""

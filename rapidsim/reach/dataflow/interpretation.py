@@ -19,7 +19,6 @@ from rapidsim.analysis.program import (
     RoutineSymbol,
     Storage,
     Symbol,
-    does,
 )
 from rapidsim.analysis.tree_walk import clauses, statements
 from rapidsim.interpreter.codegen.calls import match_arguments
@@ -30,17 +29,15 @@ from rapidsim.language.moves import Move
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.traits import Does
 from rapidsim.reach.dataflow.data_places import empty_data, replaced
-from rapidsim.reach.dataflow.known_moves import KnownMove, MoveStatement, WalkedProgram
+from rapidsim.reach.dataflow.known_moves import KnownMove, MoveStatement
 from rapidsim.reach.dataflow.known_values import Evaluator, Known, Unknown
 from rapidsim.reach.dataflow.motion_settings import DISPLACEMENTS, KnownSettings
 from rapidsim.reach.dataflow.recorder import Recorder
-from rapidsim.reach.dataflow.run_moves import Runs, moves_of_run, runs_of, with_rows
+from rapidsim.reach.dataflow.run_moves import Runs, moves_of_run
 from rapidsim.reach.dataflow.side_effects import Effects, ProgramEffects, root_of
 from rapidsim.reach.dataflow.state import Frame, State, joined
 from rapidsim.reach.dataflow.transfer_functions import Performed, perform
-from rapidsim.reach.dataflow.written_moves import RunNotFollowedError
 from rapidsim.syntax import tree
-from rapidsim.syntax.collection import uncollected
 
 MOST_STATEMENTS = 100_000
 """After so many beyond one walk through the text, loops and calls are no longer followed."""
@@ -55,43 +52,14 @@ _IN_LOOP = "`{name}` changes from round to round"
 _BY_CALL = "`{name}` is written by a routine that is called in between"
 _ELSEWHERE = "`{name}` is written while the program runs"
 _WAY = "`{name}` decides whether this is executed"
-_TOO_LONG = "the program is too long to be followed to this place"
+TOO_LONG = "the program is too long to be followed to this place"
 _START = KnownSettings()
 
 
-@uncollected()
-def walk_program(program: Program) -> WalkedProgram:
-    """Walk through all routines of a program that move the robot.
-
-    Raises:
-        RunNotFollowedError: If the moves of a run are not known, or not as they are written. Then
-            they must be in the tree.
-    """
-    runs = runs_of(program)
-    written = tuple(
-        (one, module)
-        for module in program.modules
-        for routine in module.routines
-        for node in statements(*clauses(routine))
-        if isinstance(node, tree.Call) and Does.MOVE in does(program.symbol_of.get(node))
-        for one in with_rows(node, runs)
-    )
-    effects = ProgramEffects(program)
-    walker = _Walker(program, effects, runs)
-    if written:
-        walker.walk_all()
-    met = {known.call for known in walker.moves} | walker.unknown.keys()
-    for call, _ in written:
-        if call not in met:
-            walker.unknown[call] = walker.unreached.get(call, _TOO_LONG)
-    if not runs.keys() <= met or runs.keys() & (walker.unknown.keys() | walker.unreached.keys()):
-        raise RunNotFollowedError
-    settings_set = effects.everything.settings if written else frozenset()
-    return WalkedProgram(written, tuple(walker.moves), walker.unknown, settings_set)
-
-
 @dataclass(eq=False)
-class _Walker:
+class Walker:
+    """Walks through the routines of a program, with what is known on the way."""
+
     program: Program
     effects: ProgramEffects
     runs: Runs

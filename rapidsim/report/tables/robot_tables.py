@@ -141,10 +141,9 @@ def _reach(robot: Robot) -> str:
 
 
 def _speeds(robot: Robot) -> str:
-    """From the slowest axis that turns to the fastest, and what slides."""
+    """From the slowest axis that turns to the fastest; `robots NAME` tells what slides."""
     known = [(joint.slides, degrees(speed)) for joint in robot.joints if (speed := joint.max_speed)]
     if len(known) < len(robot.joints):
         return _UNKNOWN
     turning = [speed for slides, speed in known if not slides]
-    sliding = [f", {speed:.4g} mm/s" for slides, speed in known if slides]
-    return "".join([f"{min(turning):.4g}-{max(turning):.4g}°/s", *sliding])
+    return f"{min(turning):.4g}-{max(turning):.4g}°/s"

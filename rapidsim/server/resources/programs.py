@@ -155,14 +155,17 @@ def load_module(context: Context, request: Request, task: str) -> Answer:
     form = request.form
     replace = form.get("replace", "false").lower() == "true"
     path = form.get("modulepath", "")
-    context.live.load_module(task, path_of_programs(path), replace=replace)
+    found = context.live.stopped_task(task)
+    program_memory.load_module(found, path_of_programs(path), replace=replace)
     return DONE
 
 
 def load_program(context: Context, request: Request, task: str) -> Answer:
     """Take a program from a file in place of the one that is there."""
     context.require_mastership("rapid", request)
-    context.live.load_program(task, path_of_programs(request.form.get("progpath", "")))
+    program_memory.load_program(
+        context.live.stopped_task(task), path_of_programs(request.form.get("progpath", ""))
+    )
     return DONE
 
 
@@ -177,7 +180,7 @@ def put_pointer(context: Context, request: Request, task: str) -> Answer:
 def unload_module(context: Context, request: Request, task: str) -> Answer:
     """Take a module out of a task."""
     context.require_mastership("rapid", request)
-    context.live.unload_module(task, request.form.get("module", ""))
+    program_memory.unload_module(context.live.stopped_task(task), request.form.get("module", ""))
     return DONE
 
 

@@ -29,7 +29,6 @@ from rapidsim.simulation.collected import FinishedRun, collected
 from rapidsim.simulation.live import event_log
 from rapidsim.simulation.live.event_log import EventLog, LogEntry
 from rapidsim.simulation.live.live_task import LiveTask
-from rapidsim.simulation.live.program_memory import load_module, load_program, unload_module
 from rapidsim.simulation.live.signal_values import limits, status_value
 from rapidsim.simulation.live.states import Cycle, Mode, Motors, Refused, StopMode, TaskState, Why
 from rapidsim.simulation.live.turns import LiveTurns
@@ -123,8 +122,8 @@ class LiveController:
         self._acquaint()
         self._show_states()
         # A log is never empty: public clients remember the number of its newest entry.
-        self._log_mode()
-        self._log_motors()
+        self.log.operational(event_log.OF_MODE[self.mode], self.now_s, "")
+        self.log.operational(event_log.OF_MOTORS[self.motors], self.now_s, "")
         for task in self.tasks.values():
             if not task.is_normal:
                 task.start()
@@ -268,24 +267,6 @@ class LiveController:
         self.cell.end_sharing()
         return collected(runs, outcomes, self.cell, self.now_s, self.options)
 
-    def load_module(self, task: str, path: str, *, replace: bool) -> str:
-        """Take a module into a task; see `program_memory.load_module`.
-
-        Raises:
-            Refused: While a program executes, or if it cannot be.
-        """
-        self._require_stopped()
-        return load_module(self.task(task), path, replace=replace)
-
-    def load_program(self, task: str, path: str) -> None:
-        """Take another program into a task; see `program_memory.load_program`.
-
-        Raises:
-            Refused: While a program executes, or if it cannot be.
-        """
-        self._require_stopped()
-        load_program(self.task(task), path)
-
     def put_pointer(self, task: str, module: str, routine: str) -> None:
         """Put the pointer of a normal task to a routine of a module, or of any.
 
@@ -300,14 +281,14 @@ class LiveController:
         self._acquaint()
         self._show_states()
 
-    def unload_module(self, task: str, name: str) -> None:
-        """Take a module out of a task.
+    def stopped_task(self, name: str) -> LiveTask:
+        """A task whose program may be changed: see `program_memory`.
 
         Raises:
-            Refused: While a program executes, or if it cannot be.
+            Refused: While a program executes, or if there is no such task.
         """
         self._require_stopped()
-        unload_module(self.task(task), name)
+        return self.task(name)
 
     def set_cycle(self, cycle: Cycle) -> None:
         """Say what comes after the end of main."""
@@ -360,7 +341,7 @@ class LiveController:
         if motors is Motors.OFF:
             self.stop(StopMode.QUICK)
         self.motors = motors
-        self._log_motors()
+        self.log.operational(event_log.OF_MOTORS[self.motors], self.now_s, "")
         self._show_states()
 
     def set_mode(self, mode: Mode) -> None:
@@ -377,7 +358,7 @@ class LiveController:
         if Mode.AUTO in (mode, self.mode):
             self.set_motors(Motors.OFF)
         self.mode = mode
-        self._log_mode()
+        self.log.operational(event_log.OF_MODE[self.mode], self.now_s, "")
         self._show_states()
 
     def set_speed_ratio(self, percent: int) -> None:
@@ -502,30 +483,18 @@ class LiveController:
             self.stop(StopMode.STOP)
             raise Refused(Why.STATE, storm.reason) from None
 
-    def _log_motors(self) -> None:
-        code = event_log.MOTORS_ON if self.motors is Motors.ON else event_log.MOTORS_OFF
-        self.log.operational(code, self.now_s, "")
-
-    def _log_mode(self) -> None:
-        code = event_log.AUTOMATIC if self.mode is Mode.AUTO else event_log.MANUAL
-        self.log.operational(code, self.now_s, "")
-
     def _show_states(self, failed: str | None = None) -> None:
         """Let the system outputs show what is."""
         self._shows_executing = self.executes
+        has_failed = failed is not None or not all(one.has_pointer for one in self.tasks.values())
         for signal in self.options.io.signals:
-            value = self._status_value(signal, failed)
+            of = self.tasks.get((signal.task or "").lower(), self)
+            value = status_value(
+                signal.status,
+                executes=of.executes,
+                failed=has_failed,
+                motors=self.motors,
+                mode=self.mode,
+            )
             if value is not None and value != self.cell.signals.read(signal.name):
                 self._change(signal.name, value)
-
-    def _status_value(self, signal: SignalDeclaration, failed: str | None) -> float | None:
-        named = self.tasks.get((signal.task or "").lower())
-        executes = self.executes if named is None else named.executes
-        has_failed = failed is not None or self._has_failed
-        return status_value(
-            signal.status, executes=executes, failed=has_failed, motors=self.motors, mode=self.mode
-        )
-
-    @property
-    def _has_failed(self) -> bool:
-        return any(not one.has_pointer for one in self.tasks.values())

@@ -15,6 +15,7 @@ from typing import Final
 
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.language.error_log import ERROR, STATE, LoggedError
+from rapidsim.simulation.live.states import Mode, Motors
 from rapidsim.values import dataclass
 
 KEPT: Final = 1000
@@ -26,6 +27,8 @@ _CF: Final = re.compile(r"\d+")
 
 MOTORS_OFF, MOTORS_ON = 10010, 10011
 MANUAL, AUTOMATIC = 10015, 10017
+OF_MOTORS: Final = {Motors.OFF: MOTORS_OFF, Motors.ON: MOTORS_ON}
+OF_MODE: Final = {one: AUTOMATIC if one is Mode.AUTO else MANUAL for one in Mode}
 STARTED_FROM_MAIN, STARTED_AGAIN = 10150, 10151
 STOPPED = 10125
 EXECUTION_ERROR = 10020

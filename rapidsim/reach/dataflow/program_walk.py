@@ -1,0 +1,45 @@
+"""All moves of a program: those that a walk through its text knows, and why the others are not."""
+
+from __future__ import annotations
+
+from rapidsim.analysis.program import Program, does
+from rapidsim.analysis.tree_walk import clauses, statements
+from rapidsim.library.traits import Does
+from rapidsim.reach.dataflow.interpretation import TOO_LONG, Walker
+from rapidsim.reach.dataflow.known_moves import WalkedProgram
+from rapidsim.reach.dataflow.run_moves import runs_of, with_rows
+from rapidsim.reach.dataflow.side_effects import ProgramEffects
+from rapidsim.reach.dataflow.written_moves import RunNotFollowedError
+from rapidsim.syntax import tree
+from rapidsim.syntax.collection import uncollected
+
+
+@uncollected()
+def walk_program(program: Program) -> WalkedProgram:
+    """Walk through all routines of a program that move the robot.
+
+    Raises:
+        RunNotFollowedError: If the moves of a run are not known, or not as they are written. Then
+            they must be in the tree.
+    """
+    runs = runs_of(program)
+    written = tuple(
+        (one, module)
+        for module in program.modules
+        for routine in module.routines
+        for node in statements(*clauses(routine))
+        if isinstance(node, tree.Call) and Does.MOVE in does(program.symbol_of.get(node))
+        for one in with_rows(node, runs)
+    )
+    effects = ProgramEffects(program)
+    walker = Walker(program, effects, runs)
+    if written:
+        walker.walk_all()
+    met = {known.call for known in walker.moves} | walker.unknown.keys()
+    for call, _ in written:
+        if call not in met:
+            walker.unknown[call] = walker.unreached.get(call, TOO_LONG)
+    if not runs.keys() <= met or runs.keys() & (walker.unknown.keys() | walker.unreached.keys()):
+        raise RunNotFollowedError
+    settings_set = effects.everything.settings if written else frozenset()
+    return WalkedProgram(written, tuple(walker.moves), walker.unknown, settings_set)
