@@ -34,7 +34,7 @@ from rapidsim.collisions.self_pairs import judged_pairs, link_frame, random_post
 from rapidsim.collisions.shape import Shape
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.trajectory.trajectory import Postures
 
 TEN_ARMS = (
     "irb120-3-0.58", "irb140-6-0.81", "irb1200-7-0.7", "irb1600-6-1.2", "irb2600-12-1.85",
@@ -226,24 +226,17 @@ def arm_touches(robot: Robot, count: int, seed: int) -> Tally:
     return tally
 
 
-def swing(robot: Robot, start: Array, end: Array) -> tuple[Callable[[Array], Samples], float]:
+def swing(robot: Robot, start: Array, end: Array) -> tuple[Callable[[Array], Postures], float]:
     """A motion as fast as the axes can, from rest to rest, and how long [s] it lasts."""
     way = end - start
     speed = np.array([joint.max_speed for joint in robot.joints], dtype=np.float64)
     lasts = max(float((_SPEED * np.abs(way) / speed).max()), 0.2)
 
-    def at(times: Array) -> Samples:
+    def at(times: Array) -> Postures:
         share = np.clip(times / lasts, 0.0, 1.0)
         joints = start + (10.0 * share**3 - 15.0 * share**4 + 6.0 * share**5)[:, None] * way
-        still = np.zeros(len(times))
-        return Samples(
-            times,
-            still.astype(np.int64),
-            joints,
-            robot.forward(joints),
-            still,
-            np.zeros((len(times), 0)),
-        )
+        count = len(times)
+        return Postures(np.zeros(count, dtype=np.int64), joints, np.zeros((count, 0)))
 
     return at, lasts
 
@@ -257,7 +250,9 @@ def sheet_error(robot: Robot, rng: np.random.Generator) -> float:
         ends = robot.lower + rng.random((2, 6)) * (robot.upper - robot.lower)
         at, lasts = swing(robot, *(0.6 * ends))
         instant = lasts * rng.uniform(0.3, 0.7)
-        before, here, after = at(instant + np.array([-1e-4, 0.0, 1e-4])).base_from_tcp.translation
+        before, here, after = robot.forward(
+            at(instant + np.array([-1e-4, 0.0, 1e-4])).joints
+        ).translation
         speed = float(np.linalg.norm(after - before)) / 2e-4
         if speed > 1.0:
             break
@@ -283,7 +278,7 @@ def sheet_error(robot: Robot, rng: np.random.Generator) -> float:
     times = np.concatenate(
         [np.arange(0.0, first - 0.01, 2e-4), first + np.arange(-600.0, 20.0) * 1.6e-5]
     )
-    tips = place.inverse().apply(at(times).base_from_tcp.translation)
+    tips = place.inverse().apply(robot.forward(at(times).joints).translation)
     outside = np.maximum(np.abs(tips) - [0.03, 0.03, 2.5e-4], 0.0)
     touching = np.linalg.norm(outside, axis=1) - 0.002 < -TOUCH_M
     return abs(first - float(times[touching.argmax()]))

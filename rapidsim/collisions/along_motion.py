@@ -300,7 +300,8 @@ class _Search:
             self._first[pair], self._second[pair], self._seen(pair, at), widest
         )
         self._note(pair, at, gaps.found, gaps.point)
-        known = np.where(np.isfinite(gaps.found), gaps.found, gaps.least)
+        touching = np.isfinite(gaps.found) & (gaps.found <= 0.0)
+        known = np.where(touching, gaps.found, gaps.least)
         values = np.concatenate([some.gap_start, some.gap_end])
         values[todo] = known[back]
         begin, end = np.split(values, 2)

@@ -23,9 +23,10 @@ _IN_GROUP = 16
 _ROWS_AT_ONCE = 400_000
 _FEW = 400
 """So many pairs of groups are looked at in one go: fewer steps cost more than fewer pairs save."""
-_CLOSE_M = 5e-8
-"""How exact gaps are."""
-_EXACT_M = 1e-7
+_CLOSE_M, _CLOSE = 5e-8, 2e-3
+"""How exact gaps are, or to which share of them, where that is more."""
+_EXACT_M, _EXACT = 2.0 * _CLOSE_M, 2.0 * _CLOSE
+"""What is known no better than this is not known."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -57,8 +58,7 @@ class Bodies:
         self._parts = Parts(parts)
         self._group_ends = _from_to([*groups, len(parts)])
         self._groups_of = _from_to([0, *ends])
-        low, high = self._parts.boxes()
-        self._part_bounds = Bounds(low, high, self._parts.bound)
+        self._part_bounds = Bounds(self._parts.low, self._parts.high, self._parts.bound)
         self._group_bounds = _around(self._part_bounds, self._group_ends)
         self.bounds = _around(self._group_bounds, self._groups_of)
         """Of the bodies."""
@@ -148,7 +148,8 @@ class Bodies:
             more[best] = False
         self._narrow(gaps, some, np.flatnonzero(more), bound, table, second_from_first)
         # All that was not looked at, or not to its end, is no nearer than was asked for.
-        gaps.least[some] = np.maximum(nearest, np.minimum(bound, gaps.found[some]))
+        found = gaps.found[some] - _slack(gaps.found[some])
+        gaps.least[some] = np.maximum(nearest, np.minimum(bound, found))
 
     def _narrow(
         self,
@@ -171,7 +172,9 @@ class Bodies:
         row, part_a, part_b = row[wanted], part_a[wanted], part_b[wanted]
         if not len(row):
             return
-        got = distances(self._parts, part_a, part_b, second_from_first[row], bound[row], _CLOSE_M)
+        got = distances(
+            self._parts, part_a, part_b, second_from_first[row], bound[row], _CLOSE_M, _CLOSE
+        )
         value, point = got.found.copy(), got.second.copy()
         over = np.flatnonzero(np.isneginf(value))
         if len(over):
@@ -182,7 +185,7 @@ class Bodies:
             point[over] = pose.apply(self._parts.farthest(a, -back))
         # Where the search stopped early, what it found is not the gap.
         overlap = np.isneginf(got.found)
-        exact = overlap | (got.found - np.where(overlap, 0.0, got.least) < _EXACT_M)
+        exact = overlap | (got.found - np.where(overlap, 0.0, got.least) < _slack(got.found))
         value = np.where(exact, value, np.maximum(got.least, bound[row]))
         order = np.lexsort((value, row))
         firsts = order[np.flatnonzero(np.diff(row[order], prepend=-1))]
@@ -192,6 +195,12 @@ class Bodies:
         is_gap = exact[firsts]
         gaps.found[at[is_gap]] = value[firsts[is_gap]]
         gaps.point[at] = point[firsts]
+
+
+def _slack(gap: Array) -> Array:
+    """How much (k,) [m] less gaps may be than what was found; 0 where none was."""
+    slack: Array = np.maximum(_EXACT_M, _EXACT * np.where(np.isfinite(gap), gap, 0.0))
+    return slack
 
 
 def _from_to(edges: Sequence[int]) -> Index:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import field
+from itertools import pairwise
 
 import numpy as np
 import numpy.typing as npt
@@ -54,7 +55,9 @@ class Parts:
         """Lay the parts out in arrays."""
         self.count = len(parts)
         self.radius = np.array([part.radius for part in parts])
-        self.centre = np.array([part.centre for part in parts]).reshape(-1, 3)
+        low = np.array([part.points.min(axis=0) for part in parts]).reshape(-1, 3)
+        high = np.array([part.points.max(axis=0) for part in parts]).reshape(-1, 3)
+        self.centre: Array = 0.5 * (low + high)
         self.bound = np.array([part.bound for part in parts])
         self._normals = np.concatenate([np.zeros((0, 3)), *(part.normals for part in parts)])
         counts = np.array([len(part.normals) for part in parts], dtype=np.int64)
@@ -65,16 +68,28 @@ class Parts:
         self._few = np.zeros((self.count, _FEW, 3))
         self._axis = np.zeros((self.count, 3))
         self._clouds: dict[int, Array] = {}
+        """Points (3, k) of those with many."""
         for number, part in enumerate(parts):
             if len(part.points) > _FEW:
-                self._clouds[number] = np.ascontiguousarray(part.points)
+                self._clouds[number] = np.ascontiguousarray(part.points.T)
                 continue
             padded = np.arange(_FEW) % len(part.points)
             self._few[number] = part.points[padded]
             if part.disc:
                 along = part.points[1] - part.points[0]
                 self._axis[number] = along / np.linalg.norm(along)
-        self._is_cloud = np.isin(np.arange(self.count), list(self._clouds))
+        wide = self._disc[:, None] * np.sqrt(np.maximum(1.0 - self._axis**2, 0.0))
+        wide += self.radius[:, None]
+        self.low, self.high = low - wide, high + wide
+        """Corners (n, 3) of the boxes around all parts."""
+        self.half: Array = 0.5 * (self.high - self.low)
+        """Half the edges (n, 3) of these boxes, whose middles are the centres."""
+        self._is_cloud = np.array([len(part.points) > _FEW for part in parts], dtype=np.bool_)
+        sizes = np.where(self._is_cloud, [len(part.points) for part in parts], 0)
+        self._cloud_start: Index = np.cumsum(sizes) - sizes
+        self._cloud_points = np.concatenate(
+            [np.zeros((0, 3)), *(cloud.T for cloud in self._clouds.values())]
+        )
 
     def normals(self, part: Index) -> tuple[Array, npt.NDArray[np.bool_]]:
         """The normals (k, m, 3) of parts (k,) and which of them are there (k, m)."""
@@ -85,17 +100,6 @@ class Parts:
         if not len(number):
             return np.zeros((len(part), 0, 3)), there
         return self._normals[row], there
-
-    def boxes(self) -> tuple[Array, Array]:
-        """The lower and upper corners (n, 3) of the boxes around all parts."""
-        every: Index = np.arange(self.count)
-        low, high = np.empty((self.count, 3)), np.empty((self.count, 3))
-        for axis in range(3):
-            for sign, corner in ((-1.0, low), (1.0, high)):
-                way = np.zeros((self.count, 3))
-                way[:, axis] = sign
-                corner[:, axis] = self.farthest(every, way)[:, axis] + sign * self.radius
-        return low, high
 
     def farthest(self, part: Index, direction: Array) -> Array:
         """Points (k, 3) of the hulls of parts (k,) that are farthest in directions (k, 3).
@@ -113,8 +117,14 @@ class Parts:
             points = points + np.where(
                 turned[:, None], across * (disc / np.where(turned, length, 1.0))[:, None], 0.0
             )
-        for number in np.unique(part[self._is_cloud[part]]).tolist():
-            rows = np.flatnonzero(part == number)
-            cloud = self._clouds[number]
-            points[rows] = cloud[(direction[rows] @ cloud.T).argmax(axis=1)]
+        rows = np.flatnonzero(self._is_cloud[part])
+        if len(rows):
+            rows = rows[np.argsort(part[rows], kind="stable")]
+            of_row, ahead = part[rows], direction[rows]
+            edges = [0, *(np.flatnonzero(np.diff(of_row)) + 1).tolist(), len(rows)]
+            best = np.empty(len(rows), dtype=np.int64)
+            for begin, end in pairwise(edges):
+                cloud = self._clouds[of_row[begin]]
+                (ahead[begin:end] @ cloud).argmax(axis=1, out=best[begin:end])
+            points[rows] = self._cloud_points[self._cloud_start[of_row] + best]
         return points

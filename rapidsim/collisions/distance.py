@@ -11,7 +11,10 @@ Source:
 
 from __future__ import annotations
 
+from dataclasses import fields
+
 import numpy as np
+import numpy.typing as npt
 
 from rapidsim.collisions.convex import Index, Parts
 from rapidsim.frames.rotation_vectors import cross
@@ -25,8 +28,9 @@ _OVERLAP_M = 1e-9
 _MOST_STEPS = 100
 _FLAT = 1e-12
 _AFTER, _BEFORE = np.array([1, 2, 0]), np.array([2, 0, 1])
-_CORNERS = ((0,), (1,), (2,), (0, 1), (0, 2), (1, 2))
-"""Which of the three edges from the newest point span a side."""
+_EDGE = np.arange(3)
+_ONE, _OTHER = np.array([0, 0, 1]), np.array([1, 2, 2])
+"""Which two of the three edges from the newest point span each side."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -54,6 +58,7 @@ def distances(
     second_from_first: Transform,
     enough: Array | float = np.inf,
     close: float = CLOSE_M,
+    share: float = 0.0,
 ) -> Distances:
     """Distances of pairs of parts.
 
@@ -64,74 +69,114 @@ def distances(
         second_from_first: Where the first ones are (k,).
         enough: From which distance [m] on the exact one does not matter.
         close: How exact [m] it is.
+        share: Or how exact as a share of it, where that is more.
     """
     count = len(first)
     enough = np.broadcast_to(np.asarray(enough, dtype=np.float64), (count,))
     round_off = parts.radius[first] + parts.radius[second]
     rotation, translation = second_from_first.rotation, second_from_first.translation
+    apart = np.einsum("kij,kj->ki", rotation, parts.centre[first]) + translation
+    apart -= parts.centre[second]
+    # From the box around the second body: of what stands far off, that is mostly the way.
+    outside = np.sign(apart) * np.maximum(np.abs(apart) - parts.half[second], 0.0)
+    apart = np.where((outside != 0.0).any(axis=1)[:, None], outside, apart)
+    apart[np.abs(apart).max(axis=1) < _FLAT] = (1.0, 0.0, 0.0)
     least, found = np.full(count, -np.inf), np.full(count, np.inf)
-    points_of_first, points_of_second = np.zeros((count, 3)), np.zeros((count, 3))
-    nearest = np.einsum("kij,kj->ki", rotation, parts.centre[first]) + translation
-    nearest -= parts.centre[second]
-    nearest[np.abs(nearest).max(axis=1) < _FLAT] = (1.0, 0.0, 0.0)
-    direction = nearest / np.linalg.norm(nearest, axis=1)[:, None]
-    # The newest point of a simplex stands first; points that are not there are copies of it.
-    corners_first, corners_second = np.zeros((count, 4, 3)), np.zeros((count, 4, 3))
-    size = np.zeros(count, dtype=np.int64)
+    ends = np.zeros((count, 2, 3))
+    # What is still open, row by row. The newest point of a simplex stands first, as a point of the
+    # first body and one of the second; points that are not there are copies of it.
     rows: Index = np.arange(count)
+    some = _Open(
+        first,
+        second,
+        rotation,
+        translation,
+        round_off,
+        enough,
+        apart / np.sqrt(np.einsum("ki,ki->k", apart, apart))[:, None],
+        np.zeros((count, 4, 2, 3)),
+        np.zeros(count, dtype=np.int64),
+    )
     for _ in range(_MOST_STEPS):
-        ahead = direction[rows]
-        turned = np.einsum("kji,kj->ki", rotation[rows], -ahead)
-        a = parts.farthest(first[rows], turned)
-        a = np.einsum("kij,kj->ki", rotation[rows], a) + translation[rows]
-        b = parts.farthest(second[rows], ahead)
-        beyond = np.einsum("kj,kj->k", a - b, ahead)
-        least[rows] = np.maximum(least[rows], beyond)
-        going = (found[rows] - least[rows] > close) & (least[rows] - round_off[rows] < enough[rows])
-        started = size[rows] > 0
-        rows, a, b = rows[going | ~started], a[going | ~started], b[going | ~started]
-        if not len(rows):
-            break
-        corners_first[rows, 1:] = corners_first[rows, :3]
-        corners_second[rows, 1:] = corners_second[rows, :3]
-        corners_first[rows, 0], corners_second[rows, 0] = a, b
-        shares = _nearest_of_simplices(
-            corners_first[rows] - corners_second[rows], np.minimum(size[rows], 3)
+        ahead = some.direction
+        turned = np.einsum("kji,kj->ki", some.rotation, -ahead)
+        a = parts.farthest(some.first, turned)
+        a = np.einsum("kij,kj->ki", some.rotation, a) + some.translation
+        b = parts.farthest(some.second, ahead)
+        reached = np.maximum(least[rows], np.einsum("kj,kj->k", a - b, ahead))
+        least[rows], so_far = reached, found[rows]
+        going = so_far - reached > np.maximum(
+            close, share * np.maximum(reached - some.round_off, 0.0)
         )
-        pa = np.einsum("ki,kij->kj", shares, corners_first[rows])
-        pb = np.einsum("ki,kij->kj", shares, corners_second[rows])
-        way = pa - pb
-        length = np.linalg.norm(way, axis=1)
+        going &= reached - some.round_off < some.enough
+        going |= some.size == 0
+        if not going.all():
+            rows, some, a, b = rows[going], some.rows(going), a[going], b[going]
+            if not len(rows):
+                break
+        some.corners[:, 1:] = some.corners[:, :3]
+        some.corners[:, 0, 0], some.corners[:, 0, 1] = a, b
+        shares = _nearest_of_simplices(
+            some.corners[:, :, 0] - some.corners[:, :, 1], np.minimum(some.size, 3)
+        )
+        nearest = np.einsum("ki,kinj->knj", shares, some.corners)
+        way = nearest[:, 0] - nearest[:, 1]
+        length = np.sqrt(np.einsum("ki,ki->k", way, way))
         # Where rounding lets nothing come nearer, what was found is as good as it gets.
-        better = length < found[rows] - 1e-14
-        kept = rows[better]
-        found[kept], points_of_first[kept], points_of_second[kept] = (
-            length[better], pa[better], pb[better],
-        )  # fmt: skip
-        stuck = rows[~better]
-        least[stuck] = np.maximum(least[stuck], found[stuck] - close)
+        before = found[rows]
+        better = length < before - 1e-14
         over = length <= _OVERLAP_M
-        found[rows[over]], least[rows[over]] = -np.inf, -np.inf
-        go = better & ~over
-        rows, shares, way, length = rows[go], shares[go], way[go], length[go]
-        if not len(rows):
-            break
-        direction[rows] = way / length[:, None]
+        ends[rows[better]] = nearest[better]
+        found[rows] = np.where(over, -np.inf, np.where(better, length, before))
+        stuck = ~better
+        least[rows[stuck]] = np.maximum(least[rows[stuck]], found[rows[stuck]] - close)
+        least[rows[over]] = -np.inf
         # Points that have no share are left out; those that have stand in front.
         order = np.argsort(shares <= 0.0, axis=1, kind="stable")
-        size[rows] = (shares > 0.0).sum(axis=1)
-        corners_first[rows] = corners_first[rows[:, None], order]
-        corners_second[rows] = corners_second[rows[:, None], order]
+        some.corners[:] = some.corners[np.arange(len(rows))[:, None], order]
+        some.size[:] = (shares > 0.0).sum(axis=1)
+        some.direction[:] = way / np.maximum(length, _OVERLAP_M)[:, None]
+        go = better & ~over
+        if not go.all():
+            rows, some = rows[go], some.rows(go)
+            if not len(rows):
+                break
     overlap = np.isneginf(found)
-    way = np.where(overlap[:, None], 0.0, points_of_first - points_of_second)
+    way = np.where(overlap[:, None], 0.0, ends[:, 0] - ends[:, 1])
     unit = way / np.where(overlap, 1.0, np.linalg.norm(way, axis=1))[:, None]
     return Distances(
         least=np.where(overlap, -np.inf, least - round_off),
         found=np.where(overlap, -np.inf, found - round_off),
         direction=unit,
-        first=points_of_first - parts.radius[first][:, None] * unit,
-        second=points_of_second + parts.radius[second][:, None] * unit,
+        first=ends[:, 0] - parts.radius[first][:, None] * unit,
+        second=ends[:, 1] + parts.radius[second][:, None] * unit,
     )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Open:
+    """Pairs (k,) whose distance is not known yet."""
+
+    first: Index
+    second: Index
+    rotation: Array
+    translation: Array
+    round_off: Array
+    """[m]: the sum of both radii."""
+    enough: Array
+    direction: Array
+    """Shape (k, 3)"""
+    corners: Array
+    """Shape (k, 4, 2, 3): of the simplex, on the first body and on the second."""
+    size: Index
+    """How many of its corners are there."""
+
+    def rows(self, at: npt.NDArray[np.bool_]) -> _Open:
+        """Some of them."""
+        return _Open(*(getattr(self, name)[at] for name in _NAMES))
+
+
+_NAMES = tuple(one.name for one in fields(_Open))
 
 
 def _nearest_of_simplices(corners: Array, others: Index) -> Array:
@@ -151,35 +196,27 @@ def _nearest_of_simplices(corners: Array, others: Index) -> Array:
     there = np.arange(3) < others[:, None]
     gram = edges @ np.swapaxes(edges, 1, 2)
     toward = -np.einsum("kij,kj->ki", edges, newest)
+    # In order: the newest alone, with one edge, with two, with all three.
     shares = np.zeros((count, 8, 3))
-    fits = np.zeros((count, 8), dtype=np.bool_)
-    fits[:, 0] = True
+    fits = np.ones((count, 8), dtype=np.bool_)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        for number, used in enumerate(_CORNERS, start=1):
-            if len(used) == 1:
-                (i,) = used
-                shares[:, number, i] = toward[:, i] / gram[:, i, i]
-                fits[:, number] = there[:, i] & (gram[:, i, i] > 0.0)
-            else:
-                i, j = used
-                square = gram[:, i, i] * gram[:, j, j]
-                area = square - gram[:, i, j] ** 2
-                shares[:, number, i] = (
-                    toward[:, i] * gram[:, j, j] - toward[:, j] * gram[:, i, j]
-                ) / area
-                shares[:, number, j] = (
-                    toward[:, j] * gram[:, i, i] - toward[:, i] * gram[:, i, j]
-                ) / area
-                fits[:, number] = there[:, i] & there[:, j] & (area > _FLAT * square)
+        squares = gram[:, _EDGE, _EDGE]
+        shares[:, 1 + _EDGE, _EDGE] = toward / squares
+        fits[:, 1:4] = there & (squares > 0.0)
+        both = gram[:, _ONE, _OTHER]
+        one, other = squares[:, _ONE], squares[:, _OTHER]
+        area = one * other - both**2
+        shares[:, 4 + _EDGE, _ONE] = (toward[:, _ONE] * other - toward[:, _OTHER] * both) / area
+        shares[:, 4 + _EDGE, _OTHER] = (toward[:, _OTHER] * one - toward[:, _ONE] * both) / area
+        fits[:, 4:7] = there[:, _ONE] & there[:, _OTHER] & (area > _FLAT * one * other)
         across = cross(edges[:, _AFTER], edges[:, _BEFORE])
         volume = np.einsum("kj,kj->k", edges[:, 0], across[:, 0])
         shares[:, 7] = -np.einsum("kij,kj->ki", across, newest) / volume[:, None]
-        size = np.einsum("kij,kij->ki", edges, edges).prod(axis=1)
-        fits[:, 7] = there.all(axis=1) & (volume**2 > _FLAT * size)
-    fits &= np.isfinite(shares).all(axis=2)
-    shares = np.where(fits[..., None], shares, 0.0)
-    own = 1.0 - shares.sum(axis=2)
-    fits &= (shares >= 0.0).all(axis=2) & (own >= 0.0)
+        fits[:, 7] = there[:, 2] & (volume**2 > _FLAT * squares.prod(axis=1))
+        shares[~fits] = 0.0
+        own = 1.0 - shares.sum(axis=2)
+        # Numbers that are none are no shares either.
+        fits &= (shares >= 0.0).all(axis=2) & (own >= 0.0)
     places = newest[:, None] + shares @ edges
     squares = np.where(fits, np.einsum("kij,kij->ki", places, places), np.inf)
     best = squares.argmin(axis=1)

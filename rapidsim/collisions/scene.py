@@ -15,7 +15,7 @@ from rapidsim.collisions.shape import Shape
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.targets import world_from_base_at
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.trajectory.trajectory import Postures
 from rapidsim.values import dataclass
 
 STEP_S = 0.016
@@ -84,8 +84,8 @@ class Arm:
     robot: Robot
     world_from_base: Transform
     """With all external axes at zero."""
-    at: Callable[[Array], Samples]
-    """The arm at some instants (k,) [s]."""
+    at: Callable[[Array], Postures]
+    """Its axes at some instants (k,) [s]."""
     busy: tuple[tuple[float, float], ...]
     """From when to when [s] it may move."""
     brief_s: Array = field(default_factory=lambda: np.zeros(0))
@@ -145,9 +145,9 @@ class Scene:
         moves = np.zeros((count, len(self.arms)), dtype=np.int64)
         frames: dict[Frame, Transform] = {}
         for number, arm in enumerate(self.arms):
-            samples = arm.at(times)
-            moves[:, number] = samples.move
-            frames.update(arm_frames(number, arm, samples))
+            postures = arm.at(times)
+            moves[:, number] = postures.move
+            frames.update(arm_frames(number, arm, postures))
         for number, body in enumerate(self.bodies):
             for carried, end in zip(
                 body.carried, (*(one.from_s for one in body.carried[1:]), np.inf), strict=True
@@ -163,12 +163,13 @@ class Scene:
         return Poses(times, rotation, translation, moves)
 
 
-def arm_frames(number: int, arm: Arm, samples: Samples) -> Mapping[Frame, Transform]:
+def arm_frames(number: int, arm: Arm, postures: Postures) -> Mapping[Frame, Transform]:
     """world_from_link (k,) of the base, each link and the flange of an arm."""
-    count, joints = len(samples.times), samples.joints
+    joints = postures.joints
+    count = len(joints)
     world_from_base = arm.world_from_base
     if arm.robot.external:
-        world_from_base = world_from_base_at(arm.robot.external, world_from_base, samples.external)
+        world_from_base = world_from_base_at(arm.robot.external, world_from_base, postures.external)
     base_from_link = arm.robot.kinematics.link_frames(joints)
     base = Transform(
         np.broadcast_to(world_from_base.rotation, (count, 3, 3)),

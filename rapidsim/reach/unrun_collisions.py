@@ -27,7 +27,7 @@ from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.path.path import Path, build_path
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.trajectory.trajectory import Postures
 from rapidsim.reach.arm_configurations import Stances
 from rapidsim.reach.move_segments import segments_of
 from rapidsim.reach.target_poses import PosedMoves
@@ -99,17 +99,9 @@ class UnrunMoves:
         turned = float(np.abs(np.diff(path.evaluate(places).joints, axis=0)).max(axis=1).sum())
         lasts = max(turned / _LOOK_RAD_S, (end - begin) / _LOOK_M_S, 0.1)
 
-        def at(times: Array) -> Samples:
+        def at(times: Array) -> Postures:
             points = path.evaluate(begin + (end - begin) * np.clip(times / lasts, 0.0, 1.0))
-            still = np.zeros(len(times))
-            return Samples(
-                times,
-                still.astype(np.int64),
-                points.joints,
-                points.base_from_tcp,
-                still,
-                points.external,
-            )
+            return Postures(np.zeros(len(times), dtype=np.int64), points.joints, points.external)
 
         world_from_base = self.base_from_world.inverse()
         arm = Arm(self.robot, world_from_base, at, ((0.0, lasts),))

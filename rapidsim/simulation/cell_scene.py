@@ -9,6 +9,7 @@ from itertools import combinations
 
 import numpy as np
 
+from rapidsim.collisions.body_distance import Bodies
 from rapidsim.collisions.contact import BodyName
 from rapidsim.collisions.geometry import CellGeometry, CellObject, IgnoredPair, ParentKind
 from rapidsim.collisions.link_shapes import link_shapes
@@ -48,6 +49,8 @@ class CellScene:
     """What is not judged, and why."""
     objects: Mapping[int, CellObject]
     """The objects of the station by their number among the bodies."""
+    bodies: Bodies
+    """Those of the scene, laid out for measuring."""
 
 
 def cell_scene(simulation: Simulation, geometry: CellGeometry) -> CellScene:
@@ -90,15 +93,16 @@ class _Builder:
                 self._remarks.append(
                     f"the station ignores `{ignored.first}` and `{ignored.second}`: no such pair"
                 )
-        scene = self._lying(Scene(self._arms, tuple(self._bodies), pairs))
-        return CellScene(scene, tuple(dict.fromkeys(self._remarks)), self._objects)
+        scene = Scene(self._arms, tuple(self._bodies), pairs)
+        bodies = scene.shapes()
+        remarks = tuple(dict.fromkeys(self._remarks))
+        return CellScene(self._lying(scene, bodies), remarks, self._objects, bodies)
 
-    def _lying(self, scene: Scene) -> Scene:
+    def _lying(self, scene: Scene, bodies: Bodies) -> Scene:
         """The same with the pairs told apart of which one lies on the other, or is put there.
 
         A part leaves what it lies on, and comes down on what it is put on: that is near, and meant.
         """
-        bodies = scene.shapes()
         pairs = list(scene.pairs)
         for number, pair in enumerate(pairs):
             carried = [one for one in (pair.first, pair.second) if self._carriers.get(one)]
@@ -106,11 +110,7 @@ class _Builder:
                 continue
             times = sorted({one.from_s for body in carried for one in self._bodies[body].carried})
             poses = scene.poses(np.array(times))
-            back = np.swapaxes(poses.rotation[:, pair.second], 1, 2)
-            apart = poses.translation[:, pair.first] - poses.translation[:, pair.second]
-            seen = Transform(
-                back @ poses.rotation[:, pair.first], np.einsum("kij,kj->ki", back, apart)
-            )
+            seen = poses.seen(pair.first, pair.second)
             here = np.zeros(len(times), dtype=np.int64)
             enough = np.full(len(times), _LYING_M)
             gaps = bodies.gaps(here + pair.first, here + pair.second, seen, enough)
@@ -329,7 +329,9 @@ def _arm(one: RobotRun) -> Arm:
         busy = (*busy, (busy[-1][1], max(end_s, busy[-1][1])))
     busy += tuple((stretch.start_s, stretch.end_s) for stretch in one.trajectory.guided)
     brief = [0.5 * (begin + end) for begin, end in busy if SHORTEST_S < end - begin < STEP_S]
-    return Arm(one.robot, one.world_from_base, one.trajectory.at, _together(busy), np.array(brief))
+    return Arm(
+        one.robot, one.world_from_base, one.trajectory.postures, _together(busy), np.array(brief)
+    )
 
 
 def _together(stretches: Iterable[tuple[float, float]]) -> tuple[tuple[float, float], ...]:

@@ -21,7 +21,7 @@ _MM = 1e3
 def with_collisions(simulation: Simulation, geometry: CellGeometry) -> Simulation:
     """A run with what its bodies touched."""
     made = cell_scene(simulation, geometry)
-    found = search(made.scene, simulation.motion_end_s)
+    found = search(made.scene, simulation.motion_end_s, made.bodies)
     collisions = Collisions(geometry, found, made.scene, made.remarks, made.objects)
     findings = tuple(_findings(simulation, collisions))
     return replace(

@@ -16,7 +16,7 @@ from rapidsim.collisions.along_motion import search
 from rapidsim.collisions.contact import BodyName
 from rapidsim.collisions.scene import STEP_S, WORLD, Arm, Body, Carried, Frame, Pair, Scene
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.motion.trajectory.trajectory import Postures
 
 ROBOT = load_robot("irb1600-6-1.2")
 FLANGE = Frame(0, len(ROBOT.joints) + 1)
@@ -54,8 +54,8 @@ def test_the_nearest_of_each_move_is_what_looking_all_the_time_finds() -> None:
         move_s = lasts / 40.0
 
         def many(
-            times: Array, at: Callable[[Array], Samples] = at, move_s: float = move_s
-        ) -> Samples:
+            times: Array, at: Callable[[Array], Postures] = at, move_s: float = move_s
+        ) -> Postures:
             return replace(at(times), move=np.minimum(times // move_s, 39).astype(np.int64))
 
         middles = move_s * np.arange(0.5, 40.0, dtype=np.float64)

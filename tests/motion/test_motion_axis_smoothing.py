@@ -22,6 +22,7 @@ from rapidsim.motion.trajectory.trajectory import Trajectory
 
 FILTER = MotionModel().window
 AXES = MotionModel(smoothing="axes")
+QUICK_RAD = 1e-6
 
 
 def driven(
@@ -60,6 +61,26 @@ def mean_command(trajectory: Trajectory, time: float) -> Array:
     of_two = trajectory._windows.averages == 2
     weights = 2.0 - 4.0 * np.abs(share - 0.5) if of_two else np.ones_like(share)
     return np.asarray(np.trapezoid(weights[:, None] * joints, share, axis=0))
+
+
+@examples(15)
+@given(
+    program=programs(),
+    speed=st.sampled_from([0.1, 0.5, 2.0]),
+    averages=st.sampled_from([1, 2]),
+)
+def test_postures_are_those_of_samples_but_for_little(
+    program: Programmer, speed: float, averages: Averages
+) -> None:
+    """What is looked at for contacts is quicker, and some microns off."""
+    trajectory = driven(program, speed, averages=averages)
+    if trajectory is None:
+        return
+    times = np.random.default_rng(3).uniform(-0.1, trajectory.duration + 0.1, 300)
+    exact, quick = trajectory.at(times), trajectory.postures(times)
+    np.testing.assert_allclose(quick.joints, exact.joints, rtol=0.0, atol=QUICK_RAD)
+    np.testing.assert_array_equal(quick.move, exact.move)
+    assert quick.external.shape == exact.external.shape
 
 
 @examples(15)

@@ -272,10 +272,17 @@ class Path:
         Returns:
             base_from_tcp, position in `segments`, and the speed of the TCP against the work object.
         """
-        row = self.layout.row[self.layout.piece_at(np.clip(s, 0.0, self.length))]
+        row = self._row_at(s)
         velocity = self.arms.curve_motion(joints, rates, row).velocity
         speed: Array = np.linalg.norm(velocity, axis=-1)
         return self.arms.base_from_tcp(joints, row), self.active[row], speed
+
+    def segment_at(self, s: Array) -> Index:
+        """Position in `segments` at places s (k,)."""
+        return self.active[self._row_at(s)]
+
+    def _row_at(self, s: Array) -> Index:
+        return self.layout.row[self.layout.piece_at(np.clip(s, 0.0, self.length))]
 
     def rates(self, s: Array, piece: Index) -> PathRates:
         """Derivatives at places s (k,) of pieces (k,); at breakpoints those of the piece's side."""
