@@ -13,14 +13,16 @@ from rapidsim.collisions.link_shapes import link_shapes
 from rapidsim.collisions.self_pairs import FILE_NAME, SEED, SelfPair, self_pairs
 from rapidsim.motion.robot.catalogue import robot_names, robots_folder
 
-POSTURES = 600
+POSTURES = 10_000
+LOOKS = 40_000
+"""Further postures, to show that a pair never touches."""
 
 
 def main() -> None:
     """Build the tables named on the command line."""
     for name in sys.argv[1:] or robot_names():
         robot = load_robot(name)
-        found = self_pairs(robot, link_shapes(robot).links, POSTURES)
+        found = self_pairs(robot, link_shapes(robot).links, POSTURES, LOOKS)
         file = robots_folder() / robot.name / FILE_NAME
         file.write_text(text(found), encoding="utf-8", newline="\n")
         print(f"{robot.name}: {sum(one.left_out is None for one in found)} pairs judged")

@@ -121,6 +121,10 @@ class _Touch:
     point: Array
 
 
+_Key = tuple[int, int]
+"""A pair and a move."""
+
+
 class _Search:
     def __init__(self, scene: Scene, bodies: Bodies) -> None:
         self._scene, self._bodies = scene, bodies
@@ -353,6 +357,7 @@ class _Search:
         bodies, pairs = self._scene.bodies, self._scene.pairs
         touched = sorted(self._touch.items(), key=lambda one: (one[1].time_s, one[0]))
         depths = self._depths([key for key, _ in touched[:_MOST_DEPTHS]])
+        places = self._places(touched[:_MOST_DEPTHS])
         continued = self._continued()
         contacts = tuple(
             Contact(
@@ -361,7 +366,7 @@ class _Search:
                 move,
                 bodies[pairs[p].first].label,
                 bodies[pairs[p].second].label,
-                touch.point,
+                places.get((p, move), touch.point),
                 depths.get((p, move)),
                 (p, move) in continued,
             )
@@ -380,6 +385,26 @@ class _Search:
             for (owner, move), best in sorted(self._best.items())
         )
         return Found(contacts, clearances, self._decided)
+
+    def _places(self, touched: Sequence[tuple[tuple[int, int], _Touch]]) -> dict[_Key, Array]:
+        """Where (3,) pairs are nearest to each other just before they touch.
+
+        Once they overlap, corners of one are known to be in the other, and not where it met them.
+        """
+        if not touched:
+            return {}
+        pair = np.array([key[0] for key, _ in touched])
+        first, second = self._first[pair], self._second[pair]
+        poses = self._scene.poses(
+            np.array([touch.time_s for _, touch in touched]) - 2.0 * SHORTEST_S
+        )
+        at = np.arange(len(pair))
+        seen = poses.seen(first, second, at)
+        gaps = self._bodies.gaps(first, second, seen, np.full(len(pair), _NEARER_M))
+        places = Transform(poses.rotation[at, second], poses.translation[at, second])
+        world = np.einsum("kij,kj->ki", places.rotation, gaps.point) + places.translation
+        apart = np.isfinite(gaps.found)
+        return {key: world[k] for k, (key, _) in enumerate(touched) if apart[k]}
 
     def _depths(self, touched: Sequence[tuple[int, int]]) -> dict[tuple[int, int], float]:
         """How deep [m] pairs are in each other at most, from their contact in a move on."""

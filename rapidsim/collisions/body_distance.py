@@ -177,12 +177,19 @@ class Bodies:
         )
         value, point = got.found.copy(), got.second.copy()
         over = np.flatnonzero(np.isneginf(value))
-        if len(over):
-            a, pose = part_a[over], second_from_first[row[over]]
-            deep, out = flat_overlaps(self._parts, a, part_b[over], pose)
-            value[over] = np.where(deep <= TOUCH_M, -deep, -np.inf)
+        while len(over):
+            # One part of each pair of bodies first: where that is deep in, others say no more.
+            some_rows, first = np.unique(row[over], return_index=True)
+            tried = over[first]
+            a, pose = part_a[tried], second_from_first[row[tried]]
+            deep, out = flat_overlaps(self._parts, a, part_b[tried], pose)
+            value[tried] = np.where(deep <= TOUCH_M, -deep, -np.inf)
             back = np.einsum("kji,kj->ki", pose.rotation, out)
-            point[over] = pose.apply(self._parts.farthest(a, -back))
+            point[tried] = pose.apply(self._parts.farthest(a, -back))
+            over = np.delete(over, first)
+            known = np.isin(row[over], some_rows[deep > TOUCH_M])
+            value[over[known]] = np.inf
+            over = over[~known]
         # Where the search stopped early, what it found is not the gap.
         overlap = np.isneginf(got.found)
         exact = overlap | (got.found - np.where(overlap, 0.0, got.least) < _slack(got.found))

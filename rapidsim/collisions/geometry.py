@@ -22,6 +22,7 @@ class ParentKind(StrEnum):
     WOBJ = "wobj"
     LINK = "link"
     TOOL = "tool"
+    UNIT = "unit"
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,9 +31,9 @@ class Parent:
 
     kind: ParentKind = ParentKind.WORLD
     name: str = ""
-    """Of the work object."""
+    """Of the work object, or of the mechanical unit of a positioner."""
     link: int = 0
-    """How many joints move the link."""
+    """How many joints move the link; of a positioner how many of its axes, 0 for all."""
     robot: str | None = None
     """The task or the label of the robot; None for the first."""
 

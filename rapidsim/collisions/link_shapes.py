@@ -1,4 +1,4 @@
-"""The bodies of an arm's links, from its description.
+"""The bodies of an arm's links, from its description or from files that the user has.
 
 Collision shapes where the description has them, else those that are drawn. Of a mesh each piece
 counts as its hull. A link that no joint of the arm moves (a rod, the finger of a gripper) is left
@@ -8,6 +8,7 @@ out, and so is a shape in a format that is not read: both are told.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 from xml.etree import ElementTree
@@ -21,13 +22,14 @@ from rapidsim.collisions.shape import Shape
 from rapidsim.files import InputError, input_text
 from rapidsim.frames.euler import Convention, rotation_from_euler
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.robot.robot import LinkMeshes, Robot
 from rapidsim.motion.robot.urdf_text import plain_urdf
 from rapidsim.values import dataclass
 
 BASE = 0
 """The number of the link that stands still."""
 _MOST_M = 100.0
+_LEAST_LINK_M, _MOST_LINK_M = 0.005, 10.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -52,6 +54,8 @@ class LinkShapes:
 
 def link_shapes(robot: Robot) -> LinkShapes:
     """The bodies of an arm; without a description there are none, and that is told."""
+    if robot.meshes is not None:
+        return _from_meshes(robot.meshes, _at_zero(robot))
     if robot.urdf is None:
         return LinkShapes((), (f"{robot.name} has no link shapes: nothing it does is judged",))
     return _from_urdf(robot.urdf, tuple(joint.name for joint in robot.joints))
@@ -84,6 +88,50 @@ def _from_urdf(file: Path, joint_names: tuple[str, ...]) -> LinkShapes:
         LinkShape(number, shape.together(found)) for number, found in sorted(by_number.items())
     )
     return LinkShapes(links, tuple(remarks))
+
+
+@lru_cache(maxsize=8)
+def _from_meshes(meshes: LinkMeshes, at_zero: tuple[tuple[float, ...], ...]) -> LinkShapes:
+    """The bodies in files, by where the links are with all joints at zero, row by row.
+
+    Raises:
+        InputError: If a file cannot be read, or cannot be a link.
+    """
+    links = []
+    for number, (file, unit_m, place) in enumerate(
+        zip(meshes.files, meshes.units_m, at_zero, strict=True)
+    ):
+        mesh = read_mesh(file, file.parent)
+        size_m = unit_m * float(np.ptp(mesh.vertices, axis=0).max())
+        if not _LEAST_LINK_M <= size_m <= _MOST_LINK_M:
+            raise InputError(
+                f"{file} would be {1e3 * size_m:.6g} mm long", "say the unit that it was drawn in"
+            )
+        own = shape.hull_of_each_piece(Triangles(unit_m * mesh.vertices, mesh.faces, mesh.closed))
+        base_from_link = np.array(place).reshape(3, 4)
+        moved = Transform(base_from_link[:, :3], base_from_link[:, 3]).inverse()
+        # Links are turned as the base is with the joints at zero, whatever frame moves them.
+        if not meshes.in_base:
+            moved = Transform(moved.rotation, np.zeros(3))
+        links.append(LinkShape(number, own.moved(moved)))
+    return LinkShapes(tuple(links))
+
+
+def _at_zero(robot: Robot) -> tuple[tuple[float, ...], ...]:
+    links = robot.kinematics.link_frames(np.zeros(len(robot.joints)))
+    frames = [np.eye(4)[:3], *np.concatenate([links.rotation, links.translation[..., None]], -1)]
+    return tuple(tuple(frame.ravel().tolist()) for frame in frames)
+
+
+def shapes_of_meshes(robot: Robot, meshes: LinkMeshes) -> Robot:
+    """An arm with shapes from files, which are read.
+
+    Raises:
+        InputError: If one cannot be read, or cannot be a link.
+    """
+    found = replace(robot, meshes=meshes)
+    link_shapes(found)
+    return found
 
 
 def _frames(

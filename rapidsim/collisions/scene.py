@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import field
 
 import numpy as np
@@ -13,7 +13,7 @@ from rapidsim.collisions.contact import BodyName
 from rapidsim.collisions.convex import Index
 from rapidsim.collisions.shape import Shape
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.configurations.targets import world_from_base_at
+from rapidsim.motion.configurations.targets import world_from_base_at, world_from_unit_at
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.trajectory.trajectory import Postures
 from rapidsim.values import dataclass
@@ -35,6 +35,8 @@ class Frame:
     """None for the world."""
     link: int = 0
     """How many joints move it; one more than there are joints for the flange."""
+    axes: tuple[int, ...] = ()
+    """Of what a positioner carries the external axes of the robot that move it, outermost first."""
 
 
 WORLD = Frame()
@@ -144,10 +146,11 @@ class Scene:
         translation = np.empty((count, len(self.bodies), 3))
         moves = np.zeros((count, len(self.arms)), dtype=np.int64)
         frames: dict[Frame, Transform] = {}
+        used = {one.frame for body in self.bodies for one in body.carried}
         for number, arm in enumerate(self.arms):
             postures = arm.at(times)
             moves[:, number] = postures.move
-            frames.update(arm_frames(number, arm, postures))
+            frames.update(arm_frames(number, arm, postures, used))
         for number, body in enumerate(self.bodies):
             for carried, end in zip(
                 body.carried, (*(one.from_s for one in body.carried[1:]), np.inf), strict=True
@@ -163,8 +166,13 @@ class Scene:
         return Poses(times, rotation, translation, moves)
 
 
-def arm_frames(number: int, arm: Arm, postures: Postures) -> Mapping[Frame, Transform]:
-    """world_from_link (k,) of the base, each link and the flange of an arm."""
+def arm_frames(
+    number: int, arm: Arm, postures: Postures, used: Iterable[Frame]
+) -> Mapping[Frame, Transform]:
+    """world_from_link (k,) of the base, each link and the flange of an arm, and of its positioners.
+
+    Of these, as many as are used.
+    """
     joints = postures.joints
     count = len(joints)
     world_from_base = arm.world_from_base
@@ -178,6 +186,10 @@ def arm_frames(number: int, arm: Arm, postures: Postures) -> Mapping[Frame, Tran
     frames = {Frame(number, 0): base}
     for link in range(joints.shape[1]):
         frames[Frame(number, link + 1)] = base @ base_from_link[:, link]
+    for frame in used:
+        if frame.robot == number and frame.axes:
+            external = postures.external
+            frames[frame] = world_from_unit_at(arm.robot.external, frame.axes, external)
     flange = last_link_from_flange(arm.robot)
     frames[Frame(number, joints.shape[1] + 1)] = frames[Frame(number, joints.shape[1])] @ flange
     return frames

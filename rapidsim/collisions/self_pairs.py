@@ -1,14 +1,18 @@
 """Which links of an arm are judged against each other.
 
 Neighbours share a joint and touch always. Of the others those are left out that touch in almost
-every posture (the shapes overlap by their making) or in none at all; random postures tell. Arms of
-the catalogue have the answer beside them in `self_pairs.toml`, with how it was found.
+every posture (the shapes overlap by their making) or in none at all. Random postures tell; and of
+links that came near each other without touching, it is shown where it can be that none within
+limits lets them touch: all postures are near some that were looked at, nearer than the links are to
+each other there. Arms of the catalogue have the answer beside them in `self_pairs.toml`, with how
+it was found.
 """
 
 from __future__ import annotations
 
 import tomllib
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import lru_cache
 from itertools import combinations
 
@@ -30,6 +34,10 @@ _NEVER_M = 0.02
 """A pair that never came as near as this never touches."""
 _POSTURES = 300
 _TURN = np.pi
+_LOOKS = 3000
+_SHOWN_M = 0.002
+"""Of links that come nearer nobody shows that they never touch: it takes too many looks."""
+_SEEN_RAD = 0.1
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +50,8 @@ class SelfPair:
     """Share of the postures in which they touch."""
     nearest_m: float
     """The least distance of the other postures."""
+    shown_apart: bool = False
+    """Whether no posture within limits lets them touch."""
 
     @property
     def left_out(self) -> str | None:
@@ -50,12 +60,14 @@ class SelfPair:
             return "their shapes overlap"
         if not self.touching and self.nearest_m > _NEVER_M:
             return "they never come near each other"
+        if self.shown_apart:
+            return "no posture lets them touch"
         return None
 
 
 def judged_pairs(robot: Robot, shapes: LinkShapes) -> tuple[tuple[int, int], ...]:
     """The links of an arm that are judged against each other."""
-    stored = None if robot.urdf is None else robot.urdf.parent / FILE_NAME
+    stored = None if robot.urdf is None or robot.meshes else robot.urdf.parent / FILE_NAME
     if robot.maker is not None and stored is not None and stored.is_file():
         return tuple((a, b) for a, b in tomllib.loads(input_text(stored))["judged"])
     return _by_postures(robot, shapes.links)
@@ -67,8 +79,17 @@ def _by_postures(robot: Robot, links: tuple[LinkShape, ...]) -> tuple[tuple[int,
     return tuple((one.first, one.second) for one in found if one.left_out is None)
 
 
-def self_pairs(robot: Robot, links: Sequence[LinkShape], postures: int) -> tuple[SelfPair, ...]:
-    """How links that are no neighbours stand to each other in random postures within limits."""
+def self_pairs(
+    robot: Robot, links: Sequence[LinkShape], postures: int, looks: int = _LOOKS
+) -> tuple[SelfPair, ...]:
+    """How links that are no neighbours stand to each other in random postures within limits.
+
+    Args:
+        robot: The arm.
+        links: Its bodies.
+        postures: How many.
+        looks: So many further ones are looked at before it stays open whether a pair may touch.
+    """
     bodies = Bodies([link.shape.parts for link in links])
     joints = random_postures(robot, postures)
     base_from_link = robot.kinematics.link_frames(joints)
@@ -78,12 +99,81 @@ def self_pairs(robot: Robot, links: Sequence[LinkShape], postures: int) -> tuple
         if second - first <= 1:
             continue
         seen = link_frame(base_from_link, second).inverse() @ link_frame(base_from_link, first)
-        enough = np.full(postures, 2.0 * _NEVER_M)
-        gaps = bodies.gaps(np.full(postures, a), np.full(postures, b), seen, enough)
-        touching = gaps.found < -TOUCH_M
-        apart = np.where(touching, np.inf, np.maximum(gaps.least, 0.0))
-        found.append(SelfPair(first, second, float(touching.mean()), float(apart.min())))
+        pair = _seen_often(bodies, (a, b), (first, second), seen[:_POSTURES])
+        if pair.touching < _ALWAYS and postures > _POSTURES:
+            pair = _seen_often(bodies, (a, b), (first, second), seen)
+        if not pair.touching and pair.left_out is None:
+            pair = replace(pair, shown_apart=_are_apart(robot, links, bodies, (a, b), looks))
+        found.append(pair)
     return tuple(found)
+
+
+def _seen_often(
+    bodies: Bodies, pair: tuple[int, int], numbers: tuple[int, int], seen: Transform
+) -> SelfPair:
+    """How two links stand to each other, the first seen from the second in postures (k,)."""
+    row = np.zeros(len(seen), dtype=np.int64)
+    apart = bodies.bounds.gaps(row + pair[0], row + pair[1], seen)
+    near = np.flatnonzero(apart < _NEVER_M)
+    row, enough = row[near], np.full(len(near), 2.0 * _NEVER_M)
+    gaps = bodies.gaps(row + pair[0], row + pair[1], seen[near], enough)
+    touching = gaps.found < -TOUCH_M
+    apart[near] = np.where(touching, np.inf, np.maximum(gaps.least, 0.0))
+    return SelfPair(*numbers, float(touching.sum() / len(seen)), float(apart.min()))
+
+
+def _are_apart(
+    robot: Robot,
+    links: Sequence[LinkShape],
+    bodies: Bodies,
+    pair: tuple[int, int],
+    looks: int,
+) -> bool:
+    """Whether it can be shown that two links touch in no posture within limits.
+
+    Postures between them are cut into boxes. From its middle one moves no point of the second link,
+    seen from the first, farther than all joints turn, times how far the link can be from each; a
+    box whose middle leaves more room is done with, and the others are cut in two.
+    """
+    a, b = pair
+    first, second = links[a].number, links[b].number
+    zero = np.zeros(len(robot.joints))
+    tried = np.vstack([zero, _SEEN_RAD * np.eye(len(zero))])
+    seen = _seen(robot, first, second, tried)
+    others = np.abs(seen.rotation[1:] - seen.rotation[0]).max(axis=(1, 2))
+    others += np.abs(seen.translation[1:] - seen.translation[0]).max(axis=1)
+    turning = np.flatnonzero(others > 1e-9)
+    origins = np.vstack([np.zeros(3), robot.kinematics.link_frames(tried[:1]).translation[0]])
+    own = float(np.linalg.norm(bodies.bounds.centre[b]) + bodies.bounds.bound[b])
+    steps = np.linalg.norm(np.diff(origins, axis=0), axis=1)
+    arms = np.array([own + steps[joint + 1 : second].sum() for joint in turning])
+    lower, upper = np.maximum(robot.lower, -_TURN)[turning], np.minimum(robot.upper, _TURN)[turning]
+    middle, half = 0.5 * (lower + upper)[None], 0.5 * (upper - lower)[None]
+    while len(middle):
+        looks -= len(middle)
+        if looks < 0:
+            return False
+        joints = np.tile(zero, (len(middle), 1))
+        joints[:, turning] = middle
+        room = half @ arms + TOUCH_M
+        row = np.zeros(len(middle), dtype=np.int64)
+        gaps = bodies.gaps(row + a, row + b, _seen(robot, first, second, joints), room)
+        if gaps.found.min() < _SHOWN_M:
+            return False
+        open_ones = gaps.least < room
+        middle, half = middle[open_ones], half[open_ones]
+        widest = np.arange(len(middle)), (half * arms).argmax(axis=1)
+        half[widest] *= 0.5
+        shift = np.zeros_like(half)
+        shift[widest] = half[widest]
+        middle, half = np.concatenate([middle - shift, middle + shift]), np.tile(half, (2, 1))
+    return True
+
+
+def _seen(robot: Robot, first: int, second: int, joints: Array) -> Transform:
+    """second_from_first (k,) of two links."""
+    base_from_link = robot.kinematics.link_frames(joints)
+    return link_frame(base_from_link, second).inverse() @ link_frame(base_from_link, first)
 
 
 def random_postures(robot: Robot, count: int, seed: int = SEED) -> Array:

@@ -98,7 +98,7 @@ class Job:
             return given
         arm = self.open_robot(self.robot.name, self.robot.scale)
         if given is None and self.station.robots:
-            return self.station.robots[0].bounded(arm)
+            return self.station.robots[0].fitted(arm)
         return arm
 
 

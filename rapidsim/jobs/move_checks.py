@@ -51,7 +51,7 @@ def choose_move_check(job: Job) -> CheckMoves | None:
         if robot is not None and robot.carried_by and not station.external_axes:
             return f"{robot.label} stands on {robot.carried_by}, whose axes are not known"
         if number and robot and robot.name:
-            arm = robot.bounded(job.open_robot(robot.name, robot.scale))
+            arm = robot.fitted(job.open_robot(robot.name, robot.scale))
         else:
             arm = opened()
         options = replace(

@@ -66,7 +66,7 @@ def task_setups(
         robot = robots[number] if number < len(robots) else StationRobot()
         arm = with_axes if number == 0 else first
         if number and robot.name:
-            arm = robot.bounded(open_robot(robot.name, robot.scale))
+            arm = robot.fitted(open_robot(robot.name, robot.scale))
         if number and robot.external:
             arm = replace(arm, external=robot.external)
         start, place = robot.start_joints_deg, robot.world_from_base

@@ -138,7 +138,7 @@ class _Builder:
         if not placed:
             return
         first = placed[0].frame
-        label = BodyName(f"`{one.name}`", first.robot)
+        label = BodyName(f"`{one.name}`", None if first.axes else first.robot)
         self._objects[number] = one
         self._carriers[number] = set()
         carried = self._carried_about(number, one, placed)
@@ -162,7 +162,27 @@ class _Builder:
                 f"`{one.name}`: {self._runs[robot].robot.name} has no link {parent.link}"
             )
             return ()
+        if parent.kind is ParentKind.UNIT:
+            unit = self._unit(parent.name, parent.link)
+            if unit is None:
+                which = f"axis {parent.link} of " if parent.link else ""
+                self._remarks.append(
+                    f"`{one.name}`: no positioner of the run has {which}`{parent.name}`"
+                )
+            return () if unit is None else (Carried(0.0, unit, pose),)
         return self._in_work_object(one, robot, joints)
+
+    def _unit(self, name: str, count: int = 0) -> Frame | None:
+        """The frame that the first axes of a positioner carry, all for 0; None without such."""
+        for robot, run in enumerate(self._runs):
+            axes = tuple(
+                number
+                for number, axis in enumerate(run.robot.external)
+                if axis.carries == "wobj" and axis.unit.lower() == name.lower()
+            )
+            if axes and count <= len(axes):
+                return Frame(robot, axes=axes[: count or None])
+        return None
 
     def _in_work_object(self, one: CellObject, robot: int, joints: int) -> tuple[Carried, ...]:
         placed: list[Carried] = []
@@ -176,11 +196,13 @@ class _Builder:
                 name = move.place.arguments.get("wobj", "wobj0")
                 if name.strip().lower() != one.parent.name.lower() or wobj == last:
                     continue
-                if not wobj.ufprog:
+                unit = None if wobj.ufprog else self._unit(wobj.ufmec)
+                if unit is None and not wobj.ufprog:
                     self._remarks.append(f"`{one.name}`: `{wobj.ufmec}` moves its work object")
                     return ()
-                frame = Frame(robot, joints + 1) if wobj.robhold else WORLD
-                pose = transform(wobj.uframe) @ transform(wobj.oframe) @ one.parent_from_object
+                frame = unit or (Frame(robot, joints + 1) if wobj.robhold else WORLD)
+                user = Transform.identity() if unit else transform(wobj.uframe)
+                pose = user @ transform(wobj.oframe) @ one.parent_from_object
                 placed.append(Carried(move.start_s if placed else 0.0, frame, pose))
                 last = wobj
             if placed:
@@ -230,7 +252,7 @@ class _Builder:
         if frame.robot is None:
             return Transform.identity()
         arm = self._arms[frame.robot]
-        return arm_frames(frame.robot, arm, arm.at(np.array([time_s])))[frame][0]
+        return arm_frames(frame.robot, arm, arm.at(np.array([time_s])), (frame,))[frame][0]
 
     def _pairs(self, of_links: Mapping[tuple[int, int], int]) -> Iterator[Pair]:
         """The pairs that are judged, each once."""
@@ -294,7 +316,7 @@ class _Builder:
         """Robot and link that a body always belongs to; None for what is carried at times."""
         frames = {one.frame for one in self._bodies[body].carried}
         (frame, *others) = frames
-        if others or frame.robot is None or self._carriers.get(body):
+        if others or frame.robot is None or frame.axes or self._carriers.get(body):
             return None
         return frame.robot, frame.link
 

@@ -38,15 +38,14 @@ from rapidsim.frames.transform import Transform
 from rapidsim.motion.configurations.targets import MM
 from rapidsim.station.external_axes import read_frame
 from rapidsim.station.signals import read_when
-from rapidsim.station.toml_reader import Reader, Table
+from rapidsim.station.toml_reader import UNITS_M, Reader, Table
 
 _SHAPES = ("box", "cylinder", "sphere", "capsule", "plane", "mesh")
 _KEYS = ("name", *_SHAPES, "unit", "scale", "filling", "pose", "parent", "robot", "colour")
 _MESH_KEYS = ("unit", "scale", "filling")
-_UNITS = {"mm": MM, "cm": 1e-2, "m": 1.0, "inch": 0.0254}
 _MOST_M = 100.0
 _LEAST_M = 1e-5
-_MOST_OBJECTS = 1000
+_MOST_OBJECTS, _MOST_AXES = 1000, 6
 _COLOUR = re.compile("#[0-9a-fA-F]{6}")
 
 
@@ -211,9 +210,9 @@ def _mesh(reader: Reader, path: str, table: Table) -> Shape | None:
         return None
     if unit is None and file.suffix.lower() in (".glb", ".gltf"):
         unit = "m"
-    if unit not in _UNITS:
+    if unit not in UNITS_M:
         wrong = "its file does not say" if unit is None else f"`{unit}` is no unit of length"
-        reader.wrong(f"{path}.unit", wrong, f"known: {', '.join(_UNITS)}")
+        reader.wrong(f"{path}.unit", wrong, f"known: {', '.join(UNITS_M)}")
         return None
     try:
         mesh = read_mesh(file, file.parent)
@@ -227,7 +226,7 @@ def _mesh(reader: Reader, path: str, table: Table) -> Shape | None:
             'filling = "surface" judges its triangles alone, filling = "hull" what is around them',
         )
         return None
-    mesh = replace(mesh, vertices=mesh.vertices * (_UNITS[unit] * factor))
+    mesh = replace(mesh, vertices=mesh.vertices * (UNITS_M[unit] * factor))
     size = float(np.ptp(mesh.vertices, axis=0).max())
     if not _LEAST_M <= size <= _MOST_M:
         reader.wrong(
@@ -249,8 +248,14 @@ def _parent(reader: Reader, path: str, table: Table) -> Parent | None:
         return Parent(ParentKind.WOBJ, name=name, robot=robot)
     if kind == ParentKind.LINK and name.isdecimal() and len(name) < 3:
         return Parent(ParentKind.LINK, link=int(name), robot=robot)
+    if kind == ParentKind.UNIT and name:
+        unit, _, axis = (part.strip() for part in name.partition(":"))
+        if unit and (not axis or (axis.isdecimal() and 0 < int(axis) <= _MOST_AXES)):
+            return Parent(ParentKind.UNIT, name=unit, link=int(axis or 0), robot=robot)
     reader.wrong(
-        f"{path}.parent", f"`{text}` is none of `world`, `wobj:NAME`, `link:NUMBER`, `tool`"
+        f"{path}.parent",
+        f"`{text}` is none of `world`, `wobj:NAME`, `link:NUMBER`, `tool`, `unit:NAME`, "
+        "`unit:NAME:AXIS`",
     )
     return None
 

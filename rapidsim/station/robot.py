@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import field, replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rapidsim.frames.transform import Transform
 from rapidsim.station.external_axes import read_frame
-from rapidsim.station.toml_reader import Reader, Table
+from rapidsim.station.toml_reader import UNITS_M, Reader, Table
 from rapidsim.values import dataclass
 
 if TYPE_CHECKING:
     from rapidsim.motion.robot.external_axes import ExternalAxis
     from rapidsim.motion.robot.robot import Robot
 
-_KEYS = ("model", "urdf", "scale", "base", "start")
+_KEYS = ("model", "urdf", "scale", "base", "start", "shapes", "shapes-unit", "shapes-frame")
 _KEYS_OF_SEVERAL = ("name", *_KEYS)
 
 
@@ -38,6 +39,12 @@ class StationRobot:
     say."""
     carried_by: str | None = None
     """The mechanical unit that moves its base, where what its axes do is not known."""
+    shapes: Path | None = None
+    """The folder of the user's own meshes of its links."""
+    shapes_unit_m: float | None = None
+    """What they count in [m]; None where the file does not say."""
+    shapes_in_base: bool = False
+    """Whether all are drawn in the base frame, with all axes at zero."""
     external: tuple[ExternalAxis, ...] = ()
     """Axes beside it, where it is not the first: those of the first are the station's."""
 
@@ -52,8 +59,21 @@ class StationRobot:
             carried_by=other.carried_by,
         )
 
-    def bounded(self, arm: Robot) -> Robot:
-        """The arm with the bounds of its axes, where they were said of such an arm."""
+    def fitted(self, arm: Robot) -> Robot:
+        """The arm with what is said of its shapes and the bounds of its axes.
+
+        Raises:
+            InputError: If the shapes are not those of such an arm, or cannot be read.
+        """
+        arm = self._bounded(arm)
+        if self.shapes is None:
+            return arm
+        # Most stations have none, and what reads shapes takes a while to import.
+        from rapidsim.station.link_meshes import with_meshes  # noqa: PLC0415
+
+        return with_meshes(arm, self.shapes, self.shapes_unit_m, in_base=self.shapes_in_base)
+
+    def _bounded(self, arm: Robot) -> Robot:
         if len(self.bounds) != len(arm.joints):
             return arm
         joints = tuple(
@@ -93,10 +113,38 @@ def _read_robot(reader: Reader, path: str, robot: Table, keys: Sequence[str]) ->
         reader.wrong(f"{path}.scale", "only lengths of a `urdf` are scaled")
     elif scale is not None and scale <= 0.0:
         reader.wrong(f"{path}.scale", f"must be greater than 0, not {scale:g}")
-    return StationRobot(
+    found = StationRobot(
         name,
         scale,
         reader.numbers(robot, path, "start", None),
         base,
         reader.text(robot, path, "name"),
+    )
+    return _with_shapes(reader, path, robot, found)
+
+
+def _with_shapes(reader: Reader, path: str, robot: Table, found: StationRobot) -> StationRobot:
+    name = reader.text(robot, path, "shapes")
+    unit = reader.text(robot, path, "shapes-unit")
+    frame = reader.text(robot, path, "shapes-frame") or "link"
+    if name is None:
+        for key in ("shapes-unit", "shapes-frame"):
+            if key in robot:
+                reader.wrong(f"{path}.{key}", "says something of `shapes`, which is missing")
+        return found
+    if "urdf" in robot:
+        reader.wrong(f"{path}.shapes", "a `urdf` names its own shapes")
+    folder = reader.inside(name, f"{path}.shapes")
+    if folder is not None and not folder.is_dir():
+        reader.wrong(f"{path}.shapes", f"{folder} is no folder")
+    if unit is not None and unit not in UNITS_M:
+        known = ", ".join(UNITS_M)
+        reader.wrong(f"{path}.shapes-unit", f"`{unit}` is no unit of length", f"known: {known}")
+    if frame not in ("link", "base"):
+        reader.wrong(f"{path}.shapes-frame", f"`{frame}` is neither `link` nor `base`")
+    return replace(
+        found,
+        shapes=folder,
+        shapes_unit_m=None if unit is None else UNITS_M.get(unit),
+        shapes_in_base=frame == "base",
     )

@@ -13,6 +13,8 @@ from rapidsim.files import InputError, did_you_mean, input_text, require_inside
 from rapidsim.values import dataclass
 
 Table = Mapping[str, object]
+UNITS_M = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "inch": 0.0254}
+"""Units of length [m] that drawings count in."""
 
 
 @dataclass(frozen=True, slots=True)

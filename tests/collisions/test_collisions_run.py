@@ -225,3 +225,58 @@ def test_a_contact_ends_the_run_where_the_station_says_so(tmp_path: Path) -> Non
     assert stops["time_s"] == goes_on["collisions"][0]["time_s"]
     assert not stops["events"]
     assert codes(stops) == ["C101"]
+
+
+POSITIONER = """
+[[external_axis]]
+name = "TABLE"
+axis = "b"
+kind = "rotational"
+limits = [-180, 180]
+speed = 90
+acceleration = 360
+carries = "wobj"
+frame = { position = [700, 0, 400] }
+
+[[object]]
+name = "arm of the table"
+box = [300, 60, 60]
+pose = { position = [300, 0, 100] }
+parent = "%s"
+"""
+POST = """
+[collisions]
+ignore = [
+  { between = ["robot", "post"], reason = "of the arm no test asks" },
+  { between = ["robot", "arm of the table"], reason = "of the arm no test asks" },
+]
+[[object]]
+name = "post"
+box = [40, 40, 400]
+pose = { position = [340, 0, 500] }
+"""
+TURNED = r"""MODULE cell
+  PERS wobjdata turned:=[FALSE,FALSE,"TABLE",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
+  PROC main()
+    ConfJ \Off;
+    MoveJ [[0,0,500],[0,0,1,0],[0,0,0,0],[9E9,0,9E9,9E9,9E9,9E9]],v500,fine,tool0\WObj:=turned;
+    MoveExtJ [[9E9,9E9,9E9,9E9,9E9,9E9],[9E9,-179,9E9,9E9,9E9,9E9]],vrot50,fine;
+"""
+
+
+@pytest.mark.parametrize("parent", ["unit:TABLE", "unit:TABLE:1", "wobj:turned"])
+def test_what_a_positioner_carries_turns_with_it(parent: str, tmp_path: Path) -> None:
+    """Its end, 450 mm from the axis, is turned half around to a post 360 mm from the axis."""
+    cell(tmp_path, "", POSITIONER % parent + POST, TURNED)
+    found = report(tmp_path, 1)
+    first = found["collisions"][0]
+    assert {first["first"], first["second"]} == {"`arm of the table`", "`post`"}
+    assert not found.get("not_judged")
+    # Its side comes round to the near corner of the post.
+    assert first["point_mm"][:2] == pytest.approx([360.0, -20.0], abs=0.1)
+
+
+def test_a_positioner_that_is_not_there_is_told(tmp_path: Path) -> None:
+    cell(tmp_path, DOWN.format(-10), TABLE + 'parent = "unit:TABLES:1"')
+    found = report(tmp_path, 0)
+    assert "no positioner of the run has axis 1 of `TABLES`" in found["not_judged"][0]

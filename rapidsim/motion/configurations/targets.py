@@ -185,6 +185,22 @@ def world_from_base_at(
     return world_from_base @ moved.base_from_tcp
 
 
+def world_from_unit_at(
+    external: Sequence[ExternalAxis], on_unit: Sequence[int], values: Array
+) -> Transform:
+    """Where what some axes of a positioner carry is (k,) with external axes (k, e) [m or rad].
+
+    Args:
+        external: The axes beside the arm.
+        on_unit: Positions of those axes, the outermost first; the frame is that of the last.
+        values: Such as `Samples.external`.
+    """
+    world = (np.eye(3), np.zeros(3))
+    still = np.zeros_like(values)
+    moved = carried(screws_of(external, on_unit, world), ExternalCourse(values, still, still))
+    return moved.base_from_tcp @ external[on_unit[-1]].world_from_user
+
+
 def is_no_orientation(rotation: Orient) -> bool:
     """Whether a quaternion is so far from a unit that it turns nothing."""
     return abs(norm(rotation) - 1.0) > REFUSED_NORM_ERROR

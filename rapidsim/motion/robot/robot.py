@@ -58,6 +58,18 @@ class Joint:
         return METRES_PER_UNIT if self.slides else 1.0
 
 
+@dataclass(frozen=True, slots=True)
+class LinkMeshes:
+    """Files with the shapes of an arm's links, the base first."""
+
+    files: tuple[Path, ...]
+    units_m: tuple[float, ...]
+    """What each counts in [m]."""
+    in_base: bool
+    """Whether all are drawn in the base frame with the joints at zero; else each in the frame of
+    its link: the origin on its axis, and turned as the base with the joints at zero."""
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Robot:
     """An arm."""
@@ -87,6 +99,8 @@ class Robot:
     """What its main axes can do; None where only axis speeds say something about that."""
     external: tuple[ExternalAxis, ...] = ()
     """Axes beside the arm, in the order of their letters; the station file names them."""
+    meshes: LinkMeshes | None = None
+    """Shapes that take the place of those of the description."""
 
     def units(self, per: str = "") -> str:
         """RAPID's units of all joints, such as `deg/s` or, where one slides, `deg, j3 in mm`.

@@ -17,13 +17,16 @@ import numpy as np
 import rerun as rr
 from rerun.urdf import UrdfTree
 
+from rapidsim.collisions.link_shapes import link_shapes
 from rapidsim.files import input_text
 from rapidsim.frames.transform import Transform
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.robot.urdf_text import plain_urdf
 from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.recording import palette
 from rapidsim.recording.scene.link_shapes import log_shapes
 from rapidsim.recording.scene.stick_figure import log_bar
+from rapidsim.recording.scene.surface import surface
 from rapidsim.recording.timelines import Clock
 from rapidsim.recording.transforms import BASE, moving_frame, static_frame
 from rapidsim.values import dataclass
@@ -82,6 +85,9 @@ def log_arm(stream: rr.RecordingStream, run: MovingArm) -> tuple[str, ...]:
     """
     robot = run.robot
     prefix = run.frame(f"{robot.name}/")
+    if robot.meshes is not None:
+        _log_meshes(stream, run, prefix)
+        return ()
     tree = None if robot.urdf is None else _description(robot.urdf, _shapes(run), prefix)
     chain = _chain(robot, tree, prefix)
     _log_motion(stream, run, chain)
@@ -102,6 +108,17 @@ def log_arm(stream: rr.RecordingStream, run: MovingArm) -> tuple[str, ...]:
         names = ", ".join(sorted(frame.removeprefix(prefix) for frame in shapes.missing))
         return (f"{robot.name}: cannot read the shape of {names}: drawn as bars",)
     return ()
+
+
+def _log_meshes(stream: rr.RecordingStream, run: MovingArm, prefix: str) -> None:
+    """The arm with the user's own shapes."""
+    chain = _chain(run.robot, None, prefix)
+    _log_motion(stream, run, chain)
+    frames = (run.frame(BASE), *chain.link_frames)
+    for link in link_shapes(run.robot).links:
+        entity = _entity(run, "links", str(link.number))
+        stream.log(entity, rr.CoordinateFrame(frames[link.number]), static=True)
+        stream.log(entity, surface(link.shape, palette.LINK), static=True)
 
 
 def _description(file: Path, entity: str, prefix: str) -> UrdfTree | None:

@@ -17,6 +17,7 @@ from rapidsim.collisions.shape import Shape
 from rapidsim.frames.transform import Transform
 from rapidsim.recording import palette
 from rapidsim.recording.samples import RecordedRobot
+from rapidsim.recording.scene.surface import surface
 from rapidsim.recording.transforms import WORLD, moving_frame, static_frame
 from rapidsim.simulation.results.collisions import Collisions
 
@@ -47,7 +48,7 @@ def log_bodies(stream: rr.RecordingStream, runs: Sequence[RecordedRobot]) -> Non
                 columns=moving_frame(WORLD, frame, _course(poses, number)),
             )
         stream.log(entity, rr.CoordinateFrame(frame), static=True)
-        stream.log(entity, _mesh(_within_sight(body.shape), one.colour), static=True)
+        stream.log(entity, surface(_within_sight(body.shape), one.colour), static=True)
     for number, contacts in _by_body(collisions):
         _log_red(stream, runs, collisions, number, contacts)
 
@@ -82,7 +83,7 @@ def _log_red(
             continue
         ends.append(end_s)
         clock.set(stream, one.time_s)
-        stream.log(entity, _mesh(skin, palette.FAILED))
+        stream.log(entity, surface(skin, palette.FAILED))
         clock.set(stream, end_s)
         stream.log(entity, rr.Clear(recursive=False))
     stream.reset_time()
@@ -105,17 +106,3 @@ def _within_sight(shape: Shape) -> Shape:
         return shape
     vertices = np.clip(shape.vertices, [-_SHOWN_M, -_SHOWN_M, -0.01], [_SHOWN_M, _SHOWN_M, 0.0])
     return Shape((), vertices, shape.faces)
-
-
-def _mesh(shape: Shape, colour: palette.Colour) -> rr.Mesh3D:
-    """A surface with flat faces."""
-    corners = shape.vertices[shape.faces]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    length = np.linalg.norm(normals, axis=1, keepdims=True)
-    normals = normals / np.where(length > 0.0, length, 1.0)
-    return rr.Mesh3D(
-        vertex_positions=corners.reshape(-1, 3),
-        vertex_normals=np.repeat(normals, 3, axis=0),
-        triangle_indices=np.arange(3 * len(corners)).reshape(-1, 3),
-        albedo_factor=palette.rgba(colour),
-    )

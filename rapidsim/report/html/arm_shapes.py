@@ -16,6 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
+from rapidsim.collisions.link_shapes import link_shapes
 from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.robot.external_axes import with_unit
@@ -23,6 +24,7 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.shipped import shipped
 
 _MM = 1000.0
+_OWN_COLOUR = "#f0781e"
 _TRIED = 0.5
 """[rad]"""
 _EXACT = 1e-6
@@ -129,6 +131,24 @@ def _about(axes: Array, angles: Array) -> Array:
 
 def _bodies(robot: Robot, link_count: int) -> Iterator[dict[str, object]]:
     """Bodies of the base and the links of an arm of the catalogue; of others none."""
+    found = [*_own(robot)] if robot.meshes else [*_drawn(robot, link_count)]
+    size = max((float(np.ptp(corners, axis=0).max()) for _, _, corners in found), default=0.0)
+    for link, colour, corners in found:
+        if float(np.ptp(corners, axis=0).max()) >= _SMALLEST * size:
+            kept = np.unique(np.argmax(corners @ _directions().T, axis=0))
+            places = np.rint(_MM * corners[kept]).astype(np.int64)
+            yield {"link": link, "colour": colour, "corners": places.ravel().tolist()}
+
+
+def _own(robot: Robot) -> Iterator[tuple[int, str, Array]]:
+    """Link, colour and corners (k, 3) [m] of the shapes that the user has."""
+    for link in link_shapes(robot).links:
+        for part in link.shape.parts:
+            yield link.number, _OWN_COLOUR, part.points
+
+
+def _drawn(robot: Robot, link_count: int) -> Iterator[tuple[int, str, Array]]:
+    """The same of the shapes that ship with the catalogue."""
     folder = shipped("robots").resolve()
     if robot.urdf is None or folder not in robot.urdf.resolve().parents:
         return
@@ -137,13 +157,9 @@ def _bodies(robot: Robot, link_count: int) -> Iterator[dict[str, object]]:
         meshes / "base_link.glb",
         *(meshes / f"link_{k}.glb" for k in range(1, link_count + 1)),
     ]
-    found = [(k, *body) for k, file in enumerate(files) for body in _read(file)]
-    size = max((float(np.ptp(corners, axis=0).max()) for _, _, corners in found), default=0.0)
-    for link, colour, corners in found:
-        if float(np.ptp(corners, axis=0).max()) >= _SMALLEST * size:
-            kept = np.unique(np.argmax(corners @ _directions().T, axis=0))
-            places = np.rint(_MM * corners[kept]).astype(np.int64)
-            yield {"link": link, "colour": colour, "corners": places.ravel().tolist()}
+    for k, file in enumerate(files):
+        for body in _read(file):
+            yield k, *body
 
 
 @cache

@@ -232,7 +232,8 @@ def _collisions(simulation: Simulation, collisions: Collisions) -> Text:
 
 def shape_margins(simulation: Simulation, collisions: Collisions) -> list[str]:
     """What the bodies that were judged are worth, a line each."""
-    likenesses = [one.robot.name for one in simulation.robots if one.robot.maker is not None]
+    drawn = [one.robot for one in simulation.robots if one.robot.meshes is None]
+    likenesses = [robot.name for robot in drawn if robot.maker is not None]
     said = []
     if likenesses:
         names = " and ".join(dict.fromkeys(likenesses))

@@ -1,0 +1,59 @@
+"""The key `shapes` of [robot]: the user's own meshes of the links in place of those drawn here.
+
+A folder has a file a link, `base_link` and `link_1` to the last, of any kind of mesh; what else
+lies there is not looked at, but for meshes of other names.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from rapidsim.collisions.link_shapes import shapes_of_meshes
+from rapidsim.collisions.meshes.read import KINDS
+from rapidsim.files import InputError
+from rapidsim.motion.robot.robot import LinkMeshes, Robot
+
+_OWN_UNIT = (".glb", ".gltf")
+
+
+def with_meshes(arm: Robot, folder: Path, unit_m: float | None, *, in_base: bool) -> Robot:
+    """An arm with the shapes of a folder; they are read once, so that no run ends at a bad file.
+
+    Args:
+        arm: The arm.
+        folder: Where the files are.
+        unit_m: What they count in [m]; None if they say so themselves.
+        in_base: Whether all are drawn in the base frame, with all axes at zero.
+
+    Raises:
+        InputError: If there is not one readable file for each link.
+    """
+    names = ("base_link", *(f"link_{number + 1}" for number in range(len(arm.joints))))
+    found: dict[str, Path] = {}
+    for file in sorted(folder.iterdir()):
+        if file.suffix.lower() not in KINDS:
+            continue
+        name = file.stem.lower()
+        if name not in names:
+            raise InputError(
+                f"{file}: {arm.name} has no such link",
+                f"its links are {names[0]}, {names[1]} to {names[-1]}",
+            )
+        if name in found:
+            raise InputError(f"{folder} has two files of {name}", "which one counts, nobody knows")
+        if unit_m is None and file.suffix.lower() not in _OWN_UNIT:
+            raise InputError(
+                f"{file} does not say its unit", 'say `shapes-unit = "mm"`, or "cm", "m", "inch"'
+            )
+        found[name] = file
+    if missing := [name for name in names if name not in found]:
+        raise InputError(
+            f"{folder} has no file of {', '.join(missing)}",
+            f"{arm.name} needs {len(names)}, such as {names[0]}.stl and {names[1]}.stl",
+        )
+    files = tuple(found[name] for name in names)
+    # glTF counts in m whatever the others do.
+    units = tuple(
+        1.0 if unit_m is None or file.suffix.lower() in _OWN_UNIT else unit_m for file in files
+    )
+    return shapes_of_meshes(arm, LinkMeshes(files, units, in_base))
