@@ -96,7 +96,7 @@ def test_reach_and_payload_of_a_type_stand_in_either_order(name: str) -> None:
 
 def test_a_backup_bounds_an_axis_that_slides_in_metres() -> None:
     robot = StationRobot(name="irb910sc", bounds=((-1.0, 1.0), None, (-0.1, -0.02), None))
-    arm = robot.bounded(load_robot("irb910sc"))
+    arm = robot.fitted(load_robot("irb910sc"))
     assert (arm.lower[0], arm.upper[0]) == (-1.0, 1.0)
     assert np.degrees([arm.lower[2], arm.upper[2]]) == pytest.approx([-100.0, -20.0])
 
