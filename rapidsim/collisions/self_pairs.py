@@ -135,6 +135,8 @@ def _are_apart(
     seen from the first, farther than all joints turn, times how far the link can be from each; a
     box whose middle leaves more room is done with, and the others are cut in two.
     """
+    if any(joint.slides for joint in robot.joints):
+        return False  # How far links are from each other is not the same in all postures.
     a, b = pair
     first, second = links[a].number, links[b].number
     zero = np.zeros(len(robot.joints))
