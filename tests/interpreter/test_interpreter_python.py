@@ -17,6 +17,7 @@ from interpreter_cell import RecordingController, checked, main, module, run
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.linking.loader import FatalError, load
 from rapidsim.interpreter.linking.translation import show_python
+from rapidsim.interpreter.tools.inspection import place_of, shown
 from rapidsim.language.controller import one_for_all
 
 GOLDEN = Path(__file__).parent / "golden"
@@ -191,3 +192,27 @@ def test_code_is_the_same_each_time() -> None:
 )
 def test_deep_nesting_that_the_parser_allows(statement: str) -> None:
     assert run(main(f"x := 1;\n{statement}\nERROR RETURN;", "VAR num x;")).fatal is None
+
+
+def test_a_debugger_sees_elements_that_a_small_routine_gets() -> None:
+    text = main(
+        "exchange a{2}, a{3};",
+        "VAR num a{3} := [1, 2, 3];",
+        "PROC exchange(INOUT num p, INOUT num q)\nVAR num old;\n"
+        "old := p;\np := q;\nq := old;\nENDPROC",
+    )
+    seen = []
+
+    def trace(frame: FrameType, event: str, _: Any) -> Any:
+        if frame.f_code.co_name == "exchange" and event == "line":
+            seen.append((place_of(frame), shown("p", frame), shown("q", frame)))
+        return trace
+
+    before = sys.gettrace()
+    sys.settrace(trace)
+    try:
+        run(text)
+    finally:
+        sys.settrace(before)
+    assert [(p, q) for _, p, q in seen] == [("2", "3")] * 3 + [("3", "3")]
+    assert {place for place, _, _ in seen} == {"exchange"}

@@ -126,8 +126,7 @@ class _Loops:
         at = _place(loop)
         counter = loop.target
         assert isinstance(counter, ast.Name)
-        plain = ast.For(counter, at.name(TURNS), deepcopy(loop.body[2:]), [], None)
-        ast.copy_location(plain, loop)
+        plain = at.each(counter, at.name(TURNS), deepcopy(loop.body[2:]))
         taken = at.call("_turns_taken", [at.name(TURNS), at.constant(counter.id)])
         again = [at.minus(LEFT, taken), at.throw()]
         yield at.set(TURNS, loop.iter)
