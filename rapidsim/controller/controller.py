@@ -112,7 +112,7 @@ def virtual_controller(
         tasks=others,
         sync_moves=team,
         honesty=TaskHonesty(clock, journal),
-        equipment=TaskEquipment(clock, cell, resolver, has_robot),
+        equipment=TaskEquipment(clock, cell, resolver, others),
         cyclic_bools=TaskCyclicBools(clock, cell),
         cameras=TaskCameras(clock, cell),
         messages=TaskMessages(clock, cell, table, journal, own_queue),

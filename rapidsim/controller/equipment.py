@@ -7,12 +7,10 @@ from collections.abc import Mapping, Sequence
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.moves.resolve import Resolver
-from rapidsim.language.equipment import Conveyor, MechanicalUnitFacts
+from rapidsim.language.equipment import Conveyor, MechanicalUnitFacts, robot_name
+from rapidsim.language.tasks import TaskService
 from rapidsim.motion.robot.external_axes import LETTERS
 from rapidsim.values import dataclass
-
-ROBOT_NAME = "ROB_1"
-"""What RobName and ROB_ID call the robot of a task."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +20,7 @@ class TaskEquipment:
     clock: TaskClock
     cell: Cell
     resolver: Resolver
-    has_robot: bool
+    others: TaskService
 
     def mechanical_units(self) -> tuple[MechanicalUnitFacts, ...]:
         """The robot, and the units of external axes in the order of their letters."""
@@ -31,9 +29,10 @@ class TaskEquipment:
         for axis in robot.external:
             axes.setdefault(axis.unit, []).append(LETTERS.index(axis.letter))
         units = [MechanicalUnitFacts(name, False, tuple(found)) for name, found in axes.items()]
-        if self.has_robot:
+        number = self.others.robot_number
+        if number:
             own = tuple(range(len(robot.joints)))
-            units.insert(0, MechanicalUnitFacts(ROBOT_NAME, True, own))
+            units.insert(0, MechanicalUnitFacts(robot_name(number), True, own))
         return tuple(units)
 
     def conveyor(self, unit: str) -> Conveyor | None:

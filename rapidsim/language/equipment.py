@@ -8,6 +8,11 @@ from typing import Protocol, TypeAlias
 from rapidsim.values import dataclass
 
 
+def robot_name(number: int) -> str:
+    """What a controller calls its robots, counted from 1."""
+    return f"ROB_{number}"
+
+
 class Attributes(Mapping[str, str]):
     """Attributes of an instance of system parameters: as written, compared without case."""
 

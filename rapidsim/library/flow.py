@@ -7,7 +7,9 @@ from __future__ import annotations
 
 from rapidsim.language.annotations import Bool, String, Switch, SymNum
 from rapidsim.language.controller import Controller, Execution
+from rapidsim.language.equipment import robot_name
 from rapidsim.language.errors import CycleEnded
+from rapidsim.language.tasks import TaskService
 from rapidsim.library.honesty import ignored, not_in_undo
 from rapidsim.library.table import routine, table
 from rapidsim.library.traits import Does
@@ -63,9 +65,9 @@ def rob_os() -> Bool:
     return False
 
 
-def rob_name() -> String:
-    """The name of the task's robot."""
-    return "ROB_1"
+def rob_name(controller: TaskService) -> String:
+    """The name of the task's robot; none where it has no robot."""
+    return robot_name(controller.robot_number) if controller.robot_number else ""
 
 
 def non_motion_mode(*, main: Switch = False) -> Bool:

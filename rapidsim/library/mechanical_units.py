@@ -19,8 +19,8 @@ from rapidsim.language.reference import Reference
 from rapidsim.library.table import routine, table
 from rapidsim.library.traits import Does
 
-_THE_ROBOT = ("rob_id", "rob_1")
-"""Names of the task's own robot, folded."""
+_THE_ROBOT = "rob_id"
+"""Name of the task's own robot, folded."""
 
 
 def get_next_mech_unit(
@@ -50,7 +50,7 @@ def get_next_mech_unit(
         (tcp_rob, unit.is_robot),
         (no_of_axes, float(len(unit.axes))),
         (mec_task_no, float(controller.tasks.task_number)),
-        (mot_plan_no, 1.0),
+        (mot_plan_no, float(controller.tasks.robot_number)),
         (active, unit.name.lower() not in inactive),
         (drive_module, 1.0),
         (ok_to_deact, not unit.is_robot),
@@ -100,11 +100,11 @@ def _of_axis(joints: JointTarget, unit: MechanicalUnitFacts, at: int) -> float:
 def _unit(controller: Controller, given: Reference[object] | None) -> MechanicalUnitFacts:
     """The unit that an argument means; the robot where it is not given."""
     units = controller.equipment.mechanical_units()
-    name = "rob_id"
+    name = _THE_ROBOT
     if given is not None:
         written = controller.clock.place.arguments.get("mechunit", "")
         name = given.value if isinstance(given.value, str) else written
-    if name.lower() in _THE_ROBOT:
+    if name.lower() == _THE_ROBOT:
         name = next((unit.name for unit in units if unit.is_robot), name)
     named = (unit for unit in units if unit.name.lower() == name.lower())
     return next(named, MechanicalUnitFacts(name, False, ()))
