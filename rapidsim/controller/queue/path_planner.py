@@ -37,10 +37,11 @@ from rapidsim.motion.trajectory.trajectory import Trajectory
 MAX_OPEN_MOVES = 2000
 """So many moves are planned in one go; a longer block is committed as it is planned."""
 LOOK_AHEAD_SLACK_S = 0.01
-"""The program may think this long at a fly-by point before it makes a difference to the path."""
+"""The program may think this long at a fly-by point before it makes a difference to the path, and
+after a stop before it counts as waiting."""
+_ROUNDING_S = 1e-9
 TOLERATED_EXCESS = 0.01
 """Share of the path speed by which a re-planned start may be too fast to brake for a new corner."""
-_AT_ONCE_S = 1e-9
 
 Build: TypeAlias = Callable[[Sequence[QueuedMove], int | None], Path]
 """The geometry of moves, one of which, by its number, may stop where it has a zone; raises a
@@ -114,10 +115,7 @@ class BlockPlanner:
         self.advance(now_s)
         self.version += 1
         if not self.is_open:
-            # A program that says the next move when the arm stands has run ahead of a slow stop:
-            # there the command goes on before the arm is quite at rest.
-            at_once = abs(now_s - self.settled_s) < _AT_ONCE_S
-            start_s = self.ready_s if at_once else max(now_s, self.ready_s)
+            start_s = self._next_start_s(now_s)
             commit = Commit(start_s, 0, 0.0, 0.0)
             self.block = Block(commit=commit, is_halted=self.block.is_halted)
             queued.started.time = start_s
@@ -136,6 +134,17 @@ class BlockPlanner:
         self.block.moves.append(queued)
         self.moves.append(queued)
         self.block.plan = None
+
+    def _next_start_s(self, now_s: float) -> float:
+        """When [s] a block begins that the program says at a time [s].
+
+        After a slow stop the command goes on before the arm is quite at rest, but the program has
+        waited for that. What it only thinks since then is counted from where it was kept waiting.
+        """
+        thought_s = now_s - self.settled_s
+        at_once = -_ROUNDING_S < thought_s < LOOK_AHEAD_SLACK_S
+        kept_s = max(0.0, self.settled_s - self.ready_s) if at_once else 0.0
+        return max(now_s - kept_s, self.ready_s)
 
     def close(self, corner: CornerKind = CornerKind.STOP) -> float:
         """End the block with a stop at its last move and plan all of it.
