@@ -14,7 +14,8 @@ _WITHOUT_NODES = frozenset(
         *("tuple[Name, ...]", "tuple[LiteralValue, ...]"),
         *("tuple[int, ...]", "tuple[tuple[float, ...], ...]"),
         # A statement of the tree stands for these.
-        *("tuple[Run, ...]", "Offsets", "Numbers"),
+        *("tuple[Run, ...]", "Offsets", "Offsets | None", "Numbers"),
+        *("tuple[str, ...]", "int | None"),
     }
 )
 # By kind of node; looked up for every node of a program, several times over.

@@ -215,7 +215,7 @@ def _checked(
     if frozenset(rules) <= frozenset(detectors_of()):
         loaded = load_task(task, cell, rules, runs_of=MOST_MOVES)
         try:
-            if stand_for_all(loaded.files, loaded.diagnostics):
+            if stand_for_all(loaded.files, loaded.diagnostics, cell):
                 return loaded, _moves_checked(loaded, name, moves, even_without_moves, cell)
         except RunNotFollowedError:
             pass

@@ -2,14 +2,24 @@
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_right
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
+from rapidsim.analysis.cell_names import CellNames
+from rapidsim.analysis.installed import installed_symbol, installed_type
+from rapidsim.analysis.program import does
+from rapidsim.analysis.rules.motion.target_data import tells_of_axes
+from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Span
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
+_WORD = re.compile(r"\w+")
+_BY_NAME = Does.READ_BY_NAME | Does.WRITE_BY_NAME
 
-def stand_for_all(files: Sequence[tree.File], found: Iterable[Diagnostic]) -> bool:
+
+def stand_for_all(files: Sequence[tree.File], found: Sequence[Diagnostic], cell: CellNames) -> bool:
     """Whether no finding speaks of a statement that stands for others, or of these.
 
     Such a statement has alike ones on both sides. So what is not said of it, because of what it is
@@ -21,8 +31,13 @@ def stand_for_all(files: Sequence[tree.File], found: Iterable[Diagnostic]) -> bo
         for module in file.modules
         if module.runs
     }
-    return not any(
-        _touches(stretches.get(span.file, []), span) for one in found for span in _places(one)
+    if any(_touches(stretches.get(span.file, []), span) for one in found for span in _places(one)):
+        return False
+    return all(
+        _are_only_targets(file, module, files, found, cell)
+        for file in files
+        for module in file.modules
+        if any(run.names for run in module.runs)
     )
 
 
@@ -43,3 +58,34 @@ def _touches(stretches: Sequence[tuple[int, int]], span: Span) -> bool:
             if start <= offset < end:
                 return True
     return False
+
+
+def _are_only_targets(
+    file: tree.File,
+    module: tree.Module,
+    files: Sequence[tree.File],
+    found: Sequence[Diagnostic],
+    cell: CellNames,
+) -> bool:
+    """Whether the names that runs declare mean nothing but their targets, to nobody else."""
+    names = {name for run in module.runs for name in run.names}
+    # What was meant by a wrong name may be one of them.
+    if any("nearest" in one.violation.facts for one in found):
+        return False
+    known = (*cell.symbols, *cell.wired)
+    if not names.isdisjoint(known) or any(map(_is_predefined, names)):
+        return False
+    elsewhere = (one.source.text for one in files if one is not file)
+    if any(not names.isdisjoint(map(str.lower, _WORD.findall(text))) for text in elsewhere):
+        return False
+    nodes = list(descendants(*(one for every in files for one in every.modules)))
+    calls = (node for node in nodes if isinstance(node, tree.Call | tree.FunctionCall))
+    if any(_BY_NAME & does(installed_symbol(call.name.key)) for call in calls):
+        return False
+    axes = next(run.numbers_of_like[-6:].tolist() for run in module.runs if run.names)
+    inside = (node for node in descendants(module) if isinstance(node, tree.Data))
+    return all(tells_of_axes(node, axes) for node in inside)
+
+
+def _is_predefined(name: str) -> bool:
+    return installed_symbol(name) is not None or installed_type(name) is not None

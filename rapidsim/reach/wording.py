@@ -11,6 +11,7 @@ from rapidsim.interpreter.codegen.calls import Given, match_arguments
 from rapidsim.interpreter.codegen.data_access import bare
 from rapidsim.reach.dataflow.known_moves import KnownMove, in_tree
 from rapidsim.syntax import tree
+from rapidsim.syntax.run_rows import declaration_of
 
 _TARGETS = ("topoint", "tojointpos")
 
@@ -69,6 +70,9 @@ def confdata_fix(program: Program, known: KnownMove, wanted: Sequence[int]) -> F
     written = argument(program, known, *_TARGETS)
     module = known.module
     name = "the target"
+    if isinstance(known.call, tree.RunRow) and isinstance(written, tree.Reference):
+        declared_name, literal = declaration_of(known.call, module.source.text)
+        return _confdata_edit(module.span(literal), f"`{declared_name}`", wanted)
     if isinstance(written, tree.Reference):
         symbol = data_of(program, known, *_TARGETS)
         if symbol is None or symbol.node is None or symbol.storage is Storage.VAR:
@@ -78,7 +82,11 @@ def confdata_fix(program: Program, known: KnownMove, wanted: Sequence[int]) -> F
         written, module, name = symbol.node.value, symbol.module, f"`{symbol.name}`"
     if not isinstance(written, tree.LiteralAggregate | tree.Aggregate):
         return None
-    place = _third_part(module.span(written))
+    return _confdata_edit(module.span(written), name, wanted)
+
+
+def _confdata_edit(literal: Span, name: str, wanted: Sequence[int]) -> Fix | None:
+    place = _third_part(literal)
     if place is None:
         return None
     text = f"[{','.join(map(str, wanted))}]"

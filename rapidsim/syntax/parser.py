@@ -69,53 +69,73 @@ def _parsed_with_runs(source: Source, runs_of: int) -> Parsed | None:
     # For files of which most have none, and it takes numpy.
     from rapidsim.syntax.runs import stretches  # noqa: PLC0415
 
-    found = tuple(stretches(source.text))
-    if sum(len(one.numbers) for one in found) <= runs_of:
+    found = stretches(source.text)
+    if sum(len(one.numbers) for one in found if not one.names) <= runs_of:
         return None
     parsed = _parsed(source, [(int(one.lines[0]), int(one.lines[-1])) for one in found])
     modules = tuple(_with_runs(module, found) for module in parsed.file.modules)
-    if sum(len(module.runs) for module in modules) < len(found):
+    homes = [module for module in modules if module.runs]
+    # What a module declares, another may not see.
+    if len(homes) > 1 and any(run.names for module in homes for run in module.runs):
+        return None
+    if sum(len(module.runs) for module in homes) < len(found):
         return None
     return replace(parsed, file=replace(parsed.file, modules=modules))
 
 
 def _with_runs(module: tree.Module, found: Sequence[Stretch]) -> tree.Module:
-    """A module with the runs that stand in the bodies of its routines, outside of any block."""
+    """A module with its runs: of declarations outside of routines, of moves outside of blocks."""
+    lists: list[tuple[int, int, Sequence[tree.Item | tree.Statement]]] = [
+        (module.start, module.end, module.items),
+        *((one.start, one.end, one.body) for one in module.routines),
+    ]
     runs: list[tree.Run] = []
-    for routine in module.routines:
-        starts = [statement.start for statement in routine.body]
-        first = bisect_left(found, routine.start, key=_place)
-        for one in found[first : bisect_left(found, routine.end, key=_place)]:
+    for start, end, nodes in lists:
+        starts = [node.start for node in nodes]
+        first = bisect_left(found, start, key=_place)
+        for one in found[first : bisect_left(found, end, key=_place)]:
             at = bisect_left(starts, one.like)
-            run = _run(one, routine.body[at : at + 2], module.source.text)
+            run = _run(one, nodes[at : at + 2], module.source.text)
             if run is not None:
                 runs.append(run)
-    return replace(module, runs=tuple(runs))
+    return replace(module, runs=tuple(sorted(runs, key=lambda run: run.start)))
 
 
 def _place(stretch: Stretch) -> int:
     return stretch.like
 
 
-def _run(found: Stretch, around: tree.Body, text: str) -> tree.Run | None:
+def _run(
+    found: Stretch, around: Sequence[tree.Item | tree.Statement], text: str
+) -> tree.Run | None:
     """A run between two statements; None where the lines around it are read as anything else."""
     match around:
+        case (tree.Data(value=tree.LiteralAggregate()) as like, tree.Data() as behind):
+            kind = bool(found.names)
         case (
-            tree.Call(
-                arguments=(tree.Required(value=tree.LiteralAggregate(), name=None), *_)
-            ) as like,
+            tree.Call(arguments=(tree.Required(value=target, name=None), *_)) as like,
             tree.Call() as behind,
         ):
-            first, last = int(found.lines[0]), int(found.lines[-1])
-            indent = like.start - found.like
-            is_line = not text[found.like : like.start].strip()
-            if is_line and like.end < first and behind.start == last + indent:
-                starts = found.lines[:-1] + indent
-                ends = found.lines[1:] - (first - like.end)
-                return tree.Run(first, last, like, starts, ends, found.numbers)
+            literal = tree.LiteralAggregate if found.declared is None else tree.Reference
+            kind = isinstance(target, literal) and not found.names
         case _:
-            pass
-    return None
+            return None
+    first, last = int(found.lines[0]), int(found.lines[-1])
+    indent = like.start - found.like
+    is_line = not text[found.like : like.start].strip()
+    if not (kind and is_line and like.end < first and behind.start == last + indent):
+        return None
+    return tree.Run(
+        first,
+        last,
+        like,
+        found.lines[:-1] + indent,
+        found.lines[1:] - (first - like.end),
+        found.numbers,
+        found.numbers_of_like,
+        found.names,
+        found.declared,
+    )
 
 
 def _parsed(source: Source, left_out: Sequence[tuple[int, int]]) -> Parsed:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
@@ -10,6 +11,7 @@ from rapidsim.syntax.literals import aggregate
 
 _OFFSETS = frozenset({"start", "end", "operator_start"})
 """Fields of nodes that are places in the text."""
+_DECLARED = re.compile(r"(\w+)\s*:=\s*(\[[^;]*\])")
 
 
 def statement_of(row: tree.RunRow, text: str) -> tree.Call:
@@ -19,8 +21,20 @@ def statement_of(row: tree.RunRow, text: str) -> tree.Call:
     before, behind = row.start - row.like.start, row.end - row.like.end
     moved: tree.Call = _moved(row.like, first.start, before, behind)
     start, end = first.start + before, first.end + behind
-    value = tree.LiteralAggregate(start, end, aggregate(text[start:end]))
+    value: tree.LiteralAggregate | tree.Reference
+    if row.declared is None:
+        value = tree.LiteralAggregate(start, end, aggregate(text[start:end]))
+    else:
+        value = tree.Reference(start, end, tree.Name(start, end, text[start:end]))
     return replace(moved, arguments=(tree.Required(start, end, value), *moved.arguments[1:]))
+
+
+def declaration_of(row: tree.RunRow, text: str) -> tuple[str, tree.Node]:
+    """The name of the target where that is declared, and the place of its value."""
+    assert row.declared is not None
+    found = _DECLARED.search(text, row.declared)
+    assert found is not None, "a run of declarations was matched there"
+    return found[1], tree.Node(found.start(2), found.end(2))
 
 
 def _moved(part: Any, place: int, before: int, behind: int) -> Any:

@@ -95,6 +95,43 @@ def test_a_routine_that_is_called_twice_makes_its_moves_twice() -> None:
     assert rows_in_runs(assert_runs_change_nothing(main, text))
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "is_run"),
+    [
+        ("", "", True),
+        ("MoveL p21,", "MoveL p21x,", False),
+        ("MoveL p21,", "MoveL p20,", False),
+        ("MoveL p21,", "MoveL Offs(p21,0,0,1),", True),
+        ("CONST robtarget p21:", "PERS robtarget p21:", True),
+        ("CONST robtarget p21:", "CONST robtarget p20:", False),
+        ("CONST robtarget p21:", "CONST robtarget stop:", False),
+        ("CONST", "LOCAL CONST", True),
+        ("p21:=[[", "p21:=[[9", True),
+        ("0,0],[9E9", "0,9],[9E9", False),
+        ("9E9]];\n  CONST robtarget p21:", "0]];\n  CONST robtarget p21:", True),
+        ("9E9]];\n  CONST robtarget p21:", "1]];\n  CONST robtarget p21:", False),
+        ("ConfL\\Off;", "", True),
+        ("ConfL\\Off;", "VAR robtarget p21;", False),
+        ("ConfL\\Off;", 'TPWrite "p21";', True),
+        ("ConfL\\Off;", 'SetAllDataVal "robtarget",wobj0;', False),
+        ("ConfL\\Off;", "! p21", True),
+        ("p21", "v100", False),
+        ("p21", "IF", False),
+        ("p21", "p" + 33 * "1", False),
+    ],
+)  # fmt: skip
+def test_targets_that_are_declared(old: str, new: str, is_run: bool) -> None:
+    text = _text("named")
+    found = assert_runs_change_nothing(text.replace(old, new) if old else text)
+    assert bool(rows_in_runs(found)) is is_run
+
+
+def test_a_name_that_another_file_says_is_no_row_of_a_run() -> None:
+    other = "MODULE other\nPROC park()\nMoveJ {},v100,fine,tool0;\nENDPROC\nENDMODULE\n"
+    assert rows_in_runs(assert_runs_change_nothing(_text("named"), other.format("p1")))
+    assert not rows_in_runs(assert_runs_change_nothing(_text("named"), other.format("p21")))
+
+
 # Each case checks a program twice; that is the law.
 @pytest.mark.parametrize("seed", range(cases(40)))
 def test_whatever_goes_wrong_in_a_program(seed: int) -> None:

@@ -33,7 +33,7 @@ Runs: TypeAlias = Mapping[tree.Call, tuple[tree.Run, Sequence[tree.RunRow]]]
 def runs_of(program: Program) -> Runs:
     """The runs of a program."""
     runs = (run for module in program.modules for run in module.runs)
-    return {run.like: (run, tuple(run.rows())) for run in runs}
+    return {run.like: (run, tuple(run.rows())) for run in runs if isinstance(run.like, tree.Call)}
 
 
 def with_rows(call: tree.Call, runs: Runs) -> tuple[MoveStatement, ...]:
@@ -55,13 +55,9 @@ def moves_of_run(
     Raises:
         RunNotFollowedError: If that move goes elsewhere than its statement says.
     """
-    move, (argument, *_) = like.move, run.like.arguments
-    assert isinstance(argument, tree.Required)
-    assert isinstance(argument.value, tree.LiteralAggregate)
-    parts: tuple[Any, ...] = argument.value.value
-    written = np.array([number for part in parts for number in part])
+    move = like.move
     went = np.array([number for part in move.to for number in part])
-    if move.programmed is not None or not np.array_equal(written.astype(np.float32), went):
+    if move.programmed is not None or not np.array_equal(run.numbers_of_like, went):
         raise RunNotFollowedError
     columns = (_part(run.numbers[:, part], kind) for part, kind in _PARTS)
     targets: Iterable[RobTarget] = map(RobTarget._make, zip(*columns, strict=False))

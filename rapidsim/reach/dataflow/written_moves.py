@@ -20,7 +20,9 @@ class RunNotFollowedError(Exception):
 
 def written_moves(files: Sequence[tree.File]) -> tuple[Span, ...]:
     """The places of all move instructions; files need not be free of errors."""
-    runs = {run.like: run for file in files for module in file.modules for run in module.runs}
+    runs: dict[tree.Statement, tree.Run] = {
+        run.like: run for file in files for module in file.modules for run in module.runs
+    }
     modules = [module for file in files for module in file.modules]
     hidden = {routine.name.key for module in modules for routine in module.routines}
     return tuple(

@@ -1,12 +1,13 @@
-"""A run: statements that are alike but for the numbers of a literal, kept as columns."""
+"""A run: statements that are alike but for a target, kept as columns."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import repeat
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from rapidsim.syntax.tree.expressions import Node, node
-from rapidsim.syntax.tree.statements import Call
+from rapidsim.syntax.tree.statements import Call, Data
 
 if TYPE_CHECKING:
     import numpy as np
@@ -21,28 +22,40 @@ class Run(Node):
     """Statements behind one that they are like; that one is in the tree and stands for them.
 
     They are not in the tree: who looks at statements sees one of each kind. They differ in the
-    numbers of the literal that is the first argument, and in nothing else.
+    target that is the first argument of a call, or in the name and the value of a declared target,
+    and in nothing else.
     """
 
-    like: Call
+    like: Call | Data
     starts: Offsets
     """Of each statement."""
     ends: Offsets
     numbers: Numbers
-    """Of each literal, flat, rounded to single precision: shape (statements, numbers)."""
+    """Of each target, flat, rounded to single precision: shape (statements, numbers)."""
+    numbers_of_like: Numbers
+    """The same of the statement in the tree: shape (numbers,)."""
+    names: tuple[str, ...] = ()
+    """Folded names that they declare."""
+    declared: Offsets | None = None
+    """Where the line of the declaration of each target begins; None if it is written out."""
 
     def __len__(self) -> int:
         """How many statements it stands for."""
         return len(self.starts)
 
     def rows(self) -> Iterator[RunRow]:
-        """Its statements, as places that know the run."""
+        """Its calls, as places that know what they are like."""
+        assert isinstance(self.like, Call)
         places = zip(self.starts.tolist(), self.ends.tolist(), strict=True)
-        return (RunRow(start, end, self.like) for start, end in places)
+        declared = repeat(None) if self.declared is None else self.declared.tolist()
+        for (start, end), line in zip(places, declared, strict=False):
+            yield RunRow(start, end, self.like, line)
 
 
 @node
 class RunRow(Node):
-    """One statement of a run: its place, and what it is like."""
+    """One call of a run: its place, and what it is like."""
 
     like: Call
+    declared: int | None
+    """Where the line begins that declares its target."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from rapidsim.analysis.program_parts import Facts, Part
 from rapidsim.analysis.rules.facts.known_values import known_value, numbers
@@ -75,6 +75,22 @@ def find_external_axes(facts: Facts) -> Iterator[Diagnostic]:
                     words = target.node.name.text, here[0], letter, others, f"give {here[1]}"
                     place = part_span(target.part.module, _value(target.node), (_EXTERNAL, k))
                     yield target.part.finding_at(ExternalAxisValue(*words), place)
+
+
+def tells_of_axes(node: tree.Data, usual: Sequence[float]) -> bool:
+    """Whether a declaration says of each external axis what targets with these positions say.
+
+    Then it makes no difference how many of those there are.
+    """
+    if node.type.key != "robtarget" or node.dimensions or node.value is None:
+        return True
+    if not isinstance(node.value, tree.LiteralAggregate) or len(node.value.value) != 4:
+        return False
+    axes = numbers(node.value.value[_EXTERNAL], 6)
+    return axes is not None and all(
+        own in _ALSO_UNUSED or other in _ALSO_UNUSED or (own >= _UNUSED) == (other >= _UNUSED)
+        for own, other in zip(axes, usual, strict=True)
+    )
 
 
 def find_bad_confdata(facts: Facts) -> Iterator[Diagnostic]:
