@@ -1,0 +1,43 @@
+"""Which links of an arm are judged against each other: what is shown to stay apart does."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from rapidsim import load_robot
+from rapidsim.collisions.link_shapes import LinkShape
+from rapidsim.collisions.self_pairs import self_pairs
+from rapidsim.collisions.shape import sphere
+from rapidsim.frames.transform import Transform
+
+ROBOT = load_robot("irb120-3-0.58")
+ELBOW_M = 0.27
+"""From joint 2 to joint 3, which all postures keep."""
+
+
+@pytest.mark.parametrize(
+    ("room", "beside", "said"),
+    [
+        (0.018, 0.0, "no posture lets them touch"),
+        (0.030, 0.0, "they never come near each other"),
+        (-0.010, 0.0, "their shapes overlap"),
+        # Off the elbow by more than there is room, it comes near in some postures alone.
+        (0.010, 0.02, None),
+        (0.0005, 0.0, None),
+    ],
+)
+def test_pairs_are_left_out_for_what_all_postures_say(
+    room: float, beside: float, said: str | None
+) -> None:
+    """A ball around joint 2 and one at the elbow, with some room between them."""
+    shoulder = Transform(np.eye(3), np.array([0.0, 0.0, 0.29]))
+    links = (
+        LinkShape(1, sphere(0.2).moved(shoulder)),
+        LinkShape(
+            3,
+            sphere(ELBOW_M - 0.2 - room).moved(Transform(np.eye(3), np.array([0.0, 0.0, -beside]))),
+        ),
+    )
+    (found,) = self_pairs(ROBOT, links, 30)
+    assert found.left_out == said
