@@ -12,6 +12,8 @@ from dataclasses import dataclass, field
 from time import monotonic
 from typing import Final, Protocol
 
+from rapidsim.controller.journal.events import Event
+from rapidsim.motion.guidance.sensor import SensorAnswer
 from rapidsim.server.journal import (
     event_line,
     log_line,
@@ -47,6 +49,34 @@ from rapidsim.simulation.live.event_log import LogEntry
 
 _LAG_S: Final = 0.5
 """So far [s] on the wall virtual time may be behind before it is said, and twice as far again."""
+
+
+class Recorder(Protocol):
+    """Shows what happens while it does; see `recorder.Recorder`."""
+
+    def look(self) -> None:
+        """Show what has changed."""
+        ...
+
+    def asked(self, now_s: float, request: Request, reply: Reply) -> None:
+        """A client has asked for something."""
+        ...
+
+    def happened(self, event: Event) -> None:
+        """Something has happened in the run."""
+        ...
+
+    def logged(self, entry: LogEntry) -> None:
+        """The event log has one more entry."""
+        ...
+
+    def answered(self, time_s: float, answer: SensorAnswer) -> None:
+        """A sensor has answered."""
+        ...
+
+    def close(self) -> None:
+        """The controller is switched off."""
+        ...
 
 
 class Pace(Protocol):
@@ -168,6 +198,8 @@ class Engine:
     """Told what clients subscribed to, and lines for whoever started the controller."""
     journal: Callable[[str], None] | None = None
     """Takes each line of the journal; None where nobody keeps one."""
+    recorder: Recorder | None = field(init=False, default=None)
+    """Shows what happens; None where nobody records it."""
     context: Context = field(init=False)
     subscriptions: Subscriptions = field(init=False)
     _lag_told_s: float = _LAG_S
@@ -181,26 +213,31 @@ class Engine:
         self.live.told = self._logged
         self._note(lambda: switched_on_line(self.live.motors, self.live.mode))
         if self.journal is not None:
-            self.live.happened = lambda event: self._note(lambda: event_line(event))
-            if isinstance(self.live.sensors, NotedSensors):
-                self.live.sensors.answered = lambda number, time_s, answer: self._note(
-                    lambda: sensor_line(time_s, number, answer)
-                )
+            self._listen()
             if isinstance(self.live.wire, NotedWire):
                 self.live.wire.refused = lambda act, error: self._note(
                     lambda: refusal_line(self.live.now_s, act, error)
                 )
         self.pace.begin()
 
+    def record(self, recorder: Recorder) -> None:
+        """Let somebody show what happens from now on."""
+        self.recorder = recorder
+        self._listen()
+
     def switch_off(self) -> None:
         """Stop the robots, close files and connections, end the journal."""
         self.live.switch_off()
         self._note(lambda: switched_off_line(self.live.now_s))
+        if self.recorder is not None:
+            self.recorder.close()
 
     def step(self) -> bool:
         """Let one thing happen whose time has come; whether there was any."""
         stepped = self.live.step(self.pace.horizon_s())
         self.subscriptions.look()
+        if self.recorder is not None:
+            self.recorder.look()
         if stepped:
             self._tell_lag()
         return stepped
@@ -223,6 +260,10 @@ class Engine:
         for line in held:
             self._note(lambda line=line: line)  # type: ignore[misc]
         self.subscriptions.look()
+        if self.recorder is not None:
+            if isinstance(message, Request):
+                self.recorder.asked(now_s, message, reply)
+            self.recorder.look()
         return reply
 
     def sensor_answered(self, passed_s: float) -> None:
@@ -288,8 +329,26 @@ class Engine:
         else:
             self._held.append(line())
 
+    def _listen(self) -> None:
+        """Hear what happens in the run, which costs a little."""
+        self.live.happened = self._happened
+        if isinstance(self.live.sensors, NotedSensors):
+            self.live.sensors.answered = self._answered
+
+    def _happened(self, event: Event) -> None:
+        self._note(lambda: event_line(event))
+        if self.recorder is not None:
+            self.recorder.happened(event)
+
+    def _answered(self, number: int, time_s: float, answer: SensorAnswer) -> None:
+        self._note(lambda: sensor_line(time_s, number, answer))
+        if self.recorder is not None:
+            self.recorder.answered(time_s, answer)
+
     def _logged(self, entry: LogEntry) -> None:
         self._note(lambda: log_line(entry))
+        if self.recorder is not None:
+            self.recorder.logged(entry)
         self.subscriptions.logged(entry)
         if entry.type > 1:
             kind = "error" if entry.type == 3 else "warning"

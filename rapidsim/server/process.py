@@ -199,6 +199,7 @@ def _run(
             if isinstance(paced, GuidedSensors) and isinstance(engine.pace, WallPace):
                 paced.began_s = engine.pace.began_s
             wire.unread = engine.live.outside.unread
+            _record(engine, settings, lambda text: connection.send((None, Note(text))))
         except (ProgramRejectedError, InputError) as error:
             connection.send(error)
             return
@@ -215,6 +216,19 @@ def _run(
         if kept is not None:
             kept.close()
     sys.stdout.flush()
+
+
+def _record(engine: Engine, settings: EngineSettings, failed: Callable[[str], None]) -> None:
+    if settings.record is None:
+        return
+    # The recording library takes its time to load, and not everybody has it.
+    from rapidsim.recording.live_recording import LiveRecording  # noqa: PLC0415
+    from rapidsim.server.recorder import Recorder  # noqa: PLC0415
+
+    recording = LiveRecording(settings.record, settings.view)
+    recorder = Recorder(engine.live, recording, failed)
+    recorder.begin()
+    engine.record(recorder)
 
 
 def _serve(connection: Connection, engine: Engine, wire: SocketWire, sensors: StepSensors) -> None:

@@ -35,6 +35,10 @@ class EngineSettings:
     """Devices of sensors that guide robots, and where those are."""
     journal: Path | None = None
     """Where the journal is written; None keeps none."""
+    record: Path | None = None
+    """Where the recording is written, which grows meanwhile; None makes none."""
+    view: bool = False
+    """Whether a viewer shows it while it grows."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

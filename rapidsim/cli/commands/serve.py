@@ -123,6 +123,12 @@ _MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
     metavar="FILE.jsonl",
     help="Write what clients ask and what happens; `rapidsim run --replay` runs it again.",
 )
+@click.option(
+    "--record",
+    metavar="FILE.rrd",
+    help="Write a recording that grows while it runs; the file appears at the end.",
+)
+@click.option("--view", is_flag=True, help="Show the recording while it grows.")
 @terminal_options
 def serve(
     paths: tuple[str, ...],
@@ -146,6 +152,8 @@ def serve(
     session_timeout: float,
     network_hosts: tuple[str, ...],
     journal: str | None,
+    record: str | None,
+    view: bool,
 ) -> int:
     """Serve a virtual controller to clients of Robot Web Services 1.0 and 2.0.
 
@@ -171,6 +179,10 @@ def serve(
         raise InputError("serve reads no program from standard input", "name a file or a folder")
     if ports == (None, None):
         raise InputError("--rws1-port off, --rws2-port off: nobody could reach the controller")
+    if view and record is None:
+        raise InputError("--view: it shows what --record FILE.rrd writes")
+    if record is not None:
+        require("rerun", "--record")
     if request_time is not None and not lock_step:
         raise InputError("--request-time: it needs --lock-step")
     if not users and not is_loopback(host):
@@ -196,6 +208,8 @@ def serve(
         hosts=frozenset(network_hosts),
         sensors=tuple(map(read_device, sensors)),
         journal=None if journal is None else Path(journal),
+        record=None if record is None else Path(record),
+        view=view,
     )
     server_settings = ServerSettings(
         host=host,

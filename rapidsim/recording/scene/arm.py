@@ -90,7 +90,7 @@ def log_arm(stream: rr.RecordingStream, run: MovingArm) -> tuple[str, ...]:
         return ()
     tree = None if robot.urdf is None else _description(robot.urdf, _shapes(run), prefix)
     chain = _chain(robot, tree, prefix)
-    _log_motion(stream, run, chain)
+    log_motion(stream, run, chain)
     if tree is None:
         _log_skeleton(stream, run, chain, frozenset((run.frame(BASE), *chain.link_frames)))
         why = "has no description with link shapes" if robot.urdf is None else "cannot be drawn"
@@ -155,6 +155,14 @@ def _shapes(run: MovingArm) -> str:
     return f"{run.name}_{ENTITY}" if run.name else ENTITY
 
 
+def arm_chain(run: MovingArm) -> Chain:
+    """The frames that `log_arm` moves, for whoever goes on with the motion."""
+    prefix = run.frame(f"{run.robot.name}/")
+    urdf = run.robot.urdf
+    tree = None if urdf is None else _description(urdf, _shapes(run), prefix)
+    return _chain(run.robot, tree, prefix)
+
+
 def _chain(robot: Robot, tree: UrdfTree | None, prefix: str) -> Chain:
     """Names of the moved frames: the description's links, or link_1, link_2, ... without one."""
     names = tuple(joint.name for joint in robot.joints)
@@ -165,7 +173,7 @@ def _chain(robot: Robot, tree: UrdfTree | None, prefix: str) -> Chain:
     return Chain(names, frames)
 
 
-def _log_motion(stream: rr.RecordingStream, run: MovingArm, chain: Chain) -> None:
+def log_motion(stream: rr.RecordingStream, run: MovingArm, chain: Chain) -> None:
     """One edge a joint, from the link before it."""
     samples = run.samples
     base_from_link = run.robot.kinematics.link_frames(samples.joints)

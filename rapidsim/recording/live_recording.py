@@ -1,0 +1,166 @@
+"""A controller that stays on, as a recording that grows: what is seen of it while it runs.
+
+The layout of a run's recording tells of the whole run, which nobody knows yet: here are the cell
+with its arms, axes, states of tasks, and a log of requests, texts and entries of the event log.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import ExitStack, suppress
+from dataclasses import field
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+import rerun as rr
+import rerun.blueprint as rrb
+
+from rapidsim.files import InputError
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.output_files import whole_file
+from rapidsim.recording.layout.blueprint import laid_out
+from rapidsim.recording.scene.arm import Chain, arm_chain, log_arm, log_motion
+from rapidsim.recording.stream import APPLICATION
+from rapidsim.recording.timelines import SIM_TIME, Clock
+from rapidsim.recording.transforms import BASE, WORLD, static_frame
+from rapidsim.values import dataclass
+
+LOG: Final = "log"
+STATES: Final = "states"
+TARGETS: Final = "sensor"
+_CLOCK: Final = Clock(np.zeros(0))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LiveArm:
+    """One of its arms; implements `scene.arm.MovingArm`."""
+
+    name: str
+    """Goes before the names of its entities; empty where there is one robot."""
+    robot: Robot
+    samples: Samples
+    clock: Clock = _CLOCK
+
+    def entity(self, path: str) -> str:
+        """See `MovingArm`."""
+        return f"{self.name}/{path}" if self.name else path
+
+    def frame(self, name: str) -> str:
+        """See `MovingArm`."""
+        return f"{self.name}/{name}" if self.name else name
+
+
+@dataclass(slots=True, eq=False)
+class LiveRecording:
+    """It can only be added to, in the order of time; the file appears when it is closed."""
+
+    path: Path
+    view: bool
+    """Whether a viewer is opened and told at once."""
+    _open: ExitStack = field(default_factory=ExitStack)
+    _stream: rr.RecordingStream | None = None
+    _states: dict[str, str] = field(default_factory=dict)
+    _chains: dict[str, Chain] = field(default_factory=dict)
+
+    def begin(self, arms: Sequence[tuple[LiveArm, Transform]]) -> None:
+        """Begin with arms where they stand, each with world_from_base.
+
+        Raises:
+            InputError: If nothing can be written there, or no viewer opens.
+        """
+        temporary = self._open.enter_context(whole_file(self.path))
+        stream = rr.RecordingStream(APPLICATION)
+        layout = _layout([arm for arm, _ in arms])
+        try:
+            if self.view:
+                rr.spawn(connect=False)
+                stream.set_sinks(rr.FileSink(temporary), rr.GrpcSink(), default_blueprint=layout)
+            else:
+                stream.save(temporary, default_blueprint=layout)
+        except (RuntimeError, OSError) as error:
+            self._open.close()
+            temporary.unlink(missing_ok=True)
+            raise InputError(f"--record: {error}") from None
+        stream.set_log_time_enabled(False)
+        stream.set_log_tick_enabled(False)
+        self._stream = stream
+        stream.log("/", rr.ViewCoordinates.RIGHT_HAND_Z_UP, rr.CoordinateFrame(WORLD), static=True)
+        for arm, world_from_base in arms:
+            where = static_frame(WORLD, arm.frame(BASE), world_from_base)
+            stream.log(arm.entity("base"), where, static=True)
+            for remark in log_arm(stream, arm):
+                self.told(0.0, "recording", remark, "WARN")
+            self._chains[arm.name] = arm_chain(arm)
+            for number, joint in enumerate(arm.robot.joints, start=1):
+                line = rr.SeriesLines(names=[f"{number} {joint.name}"])
+                stream.log(arm.entity(f"axes/{number}"), line, static=True)
+
+    def moved(self, arm: LiveArm) -> None:
+        """An arm has moved as its samples say."""
+        assert self._stream is not None
+        log_motion(self._stream, arm, self._chains[arm.name])
+        index = _CLOCK.columns(arm.samples.times)
+        for number, values in enumerate(np.degrees(arm.samples.joints).T, start=1):
+            columns = rr.Scalars.columns(scalars=values)
+            self._stream.send_columns(arm.entity(f"axes/{number}"), indexes=index, columns=columns)
+
+    def told(self, time_s: float, source: str, text: str, level: str = "INFO") -> None:
+        """Something was said or asked at a time [s]."""
+        self._log(time_s, f"{LOG}/{source}", rr.TextLog(text, level=level))
+
+    def state(self, time_s: float, name: str, state: str) -> None:
+        """Something is in a state from a time [s] on; nothing is written where it was before."""
+        if self._states.get(name) != state:
+            self._states[name] = state
+            self._log(time_s, f"{STATES}/{name}", rr.StateChange(state=state))
+
+    def wanted(self, time_s: float, name: str, values: Array) -> None:
+        """A sensor wants something: joints [deg], a place or a correction [mm]."""
+        self._log(time_s, f"{TARGETS}/{name}", rr.Scalars(values))
+
+    def close(self) -> None:
+        """Let the file appear.
+
+        Raises:
+            InputError: If its end could not be written.
+        """
+        if self._stream is not None:
+            stream, self._stream = self._stream, None
+            with suppress(RuntimeError):
+                stream.flush()
+            stream.disconnect()
+            self._open.close()
+
+    def _log(self, time_s: float, entity: str, what: rr.AsComponents) -> None:
+        assert self._stream is not None
+        self._stream.set_time(SIM_TIME, duration=np.timedelta64(round(time_s * 1e9), "ns"))
+        self._stream.log(entity, what)
+
+
+def _layout(arms: Sequence[LiveArm]) -> rrb.Blueprint:
+    axes = [
+        rrb.TimeSeriesView(origin=f"/{arm.entity('axes')}", name=f"{arm.name} axes [deg]".strip())
+        for arm in arms
+    ]
+    return laid_out(
+        rrb.Vertical(
+            rrb.Horizontal(
+                rrb.Spatial3DView(
+                    origin="/",
+                    name="Cell",
+                    spatial_information=rrb.SpatialInformation(target_frame=WORLD, show_axes=False),
+                ),
+                rrb.TextLogView(origin=f"/{LOG}", name="Requests, texts, events"),
+                column_shares=[3, 2],
+            ),
+            rrb.Horizontal(
+                *axes,
+                rrb.TimeSeriesView(origin=f"/{TARGETS}", name="What sensors want"),
+                rrb.StateTimelineView(origin=f"/{STATES}", name="Tasks"),
+            ),
+            row_shares=[3, 2],
+        )
+    )

@@ -1,0 +1,125 @@
+"""A served controller as a recording, while it runs: what of it is shown, and how often."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass, field
+from typing import Final
+
+import numpy as np
+
+from rapidsim.controller.journal.events import Event, EventKind
+from rapidsim.controller.moves.queued_move import MotionError
+from rapidsim.files import InputError
+from rapidsim.motion.guidance.sensor import SensorAnswer
+from rapidsim.motion.trajectory.trajectory import Samples
+from rapidsim.recording.live_recording import LiveArm, LiveRecording
+from rapidsim.server.messages import Refusal, Reply, Request
+from rapidsim.simulation.live.controller import LiveController
+from rapidsim.simulation.live.event_log import LogEntry
+from rapidsim.simulation.live.live_task import LiveTask
+
+_EVERY_S: Final = 0.25
+"""So often [s] what has moved is written."""
+_SAMPLE_S: Final = 0.024
+_MOST_SAMPLES: Final = 2000
+"""So many at once; of a longer time that has passed in one step fewer are written."""
+_LEVELS: Final = {1: "INFO", 2: "WARN", 3: "ERROR"}
+
+
+@dataclass(eq=False)
+class Recorder:
+    """To record changes nothing; what cannot be written ends the recording, not the controller."""
+
+    live: LiveController
+    recording: LiveRecording
+    failed: Callable[[str], None]
+    """Told, in a line, that nothing more is recorded."""
+    _arms: list[tuple[LiveTask, str]] = field(default_factory=list)
+    _shown_s: float = 0.0
+    _is_on: bool = True
+
+    def begin(self) -> None:
+        """Begin with the arms where they stand.
+
+        Raises:
+            InputError: If nothing can be written, or no viewer opens.
+        """
+        tasks = [one for one in self.live.tasks.values() if one.setup.robot is not None]
+        self._arms = [(one, one.name if len(tasks) > 1 else "") for one in tasks]
+        self.recording.begin(
+            [(self._arm(one, name, np.zeros(1)), one.setup.place) for one, name in self._arms]
+        )
+        self.look()
+
+    def look(self) -> None:
+        """Write what has moved since, if that is long enough ago."""
+        now_s = self.live.now_s
+        if now_s - self._shown_s >= _EVERY_S:
+            self._do(self._moved)
+        for task in self.live.tasks.values():
+            state = "runs" if task.executes else "stands" if task.has_pointer else "failed"
+            self._do(lambda task=task, state=state: self.recording.state(now_s, task.name, state))
+
+    def asked(self, now_s: float, request: Request, reply: Reply) -> None:
+        """A client has asked for something."""
+        if request.method == "GET":
+            return
+        action = f"?action={request.action}" if request.action else ""
+        what = " ".join(f"{key}={value}" for key, value in request.form.items())
+        text = f"{request.method} {request.path}{action} {what}".rstrip()
+        refused = isinstance(reply, Refusal)
+        text, level = (f"{text}: {reply.status}", "WARN") if refused else (text, "DEBUG")
+        self._do(lambda: self.recording.told(now_s, "requests", text[:500], level))
+
+    def happened(self, event: Event) -> None:
+        """Something has happened in the run."""
+        if event.kind is EventKind.TEXT and event.message:
+            self._do(lambda: self.recording.told(event.time_s, "texts", event.message))
+
+    def logged(self, entry: LogEntry) -> None:
+        """The event log has one more entry."""
+        text, level = f"{entry.code} {entry.title}: {entry.text}", _LEVELS[entry.type]
+        self._do(lambda: self.recording.told(entry.time_s, "events", text, level))
+
+    def answered(self, time_s: float, answer: SensorAnswer) -> None:
+        """A sensor has said where it wants the robot."""
+        for name in ("joints", "position", "correction"):
+            values = getattr(answer, name)
+            if values:
+                told = np.array(values)
+                self._do(lambda name=name, told=told: self.recording.wanted(time_s, name, told))
+
+    def close(self) -> None:
+        """Let the file appear."""
+        self._do(self._moved)
+        try:
+            self.recording.close()
+        except InputError as error:
+            self.failed(f"error: {error}")
+
+    def _moved(self) -> None:
+        begin_s, self._shown_s = self._shown_s, self.live.now_s
+        count = int((self._shown_s - begin_s) / _SAMPLE_S)
+        if count > 0:
+            times = np.linspace(begin_s, self._shown_s, min(count, _MOST_SAMPLES) + 1)[1:]
+            for task, name in self._arms:
+                self.recording.moved(self._arm(task, name, times))
+
+    def _arm(self, task: LiveTask, name: str, times: np.ndarray) -> LiveArm:  # type: ignore[type-arg]
+        queue = task.unit.queue
+        path = queue.trajectory
+        with suppress(MotionError):
+            path = queue.preview()
+        samples: Samples = path.at(times)
+        return LiveArm(name, task.unit.own.robot, samples)
+
+    def _do(self, write: Callable[[], None]) -> None:
+        if not self._is_on:
+            return
+        try:
+            write()
+        except (RuntimeError, OSError, ValueError, InputError) as error:
+            self._is_on = False
+            self.failed(f"error: nothing more is recorded: {error}")
