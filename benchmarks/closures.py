@@ -21,7 +21,8 @@ from rapidsim.analysis.program import (
     RoutineSymbol,
     Storage,
 )
-from rapidsim.interpreter.codegen.data_access import bare, by_reference
+from rapidsim.interpreter.codegen.data_access import by_reference
+from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.interpreter.runtime.arithmetic import integer_quotient, integer_remainder, steps
 from rapidsim.interpreter.runtime.arrays import assign_array, copy_array, dimension, out_of_bounds
 from rapidsim.interpreter.runtime.error_recovery import ERRORS, as_rapid_error, raised

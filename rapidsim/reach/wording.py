@@ -8,7 +8,7 @@ from rapidsim.analysis.program import DataSymbol, LibrarySymbol, Program, Storag
 from rapidsim.controller.moves.target_words import named_target
 from rapidsim.diagnostics import Edit, Fix, Related, Span
 from rapidsim.interpreter.codegen.calls import Given, match_arguments
-from rapidsim.interpreter.codegen.data_access import bare
+from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.reach.dataflow.known_moves import KnownMove, in_tree
 from rapidsim.syntax import tree
 from rapidsim.syntax.run_rows import declaration_of

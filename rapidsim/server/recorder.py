@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Final
 
 import numpy as np
@@ -12,6 +13,7 @@ import numpy as np
 from rapidsim.controller.journal.events import Event, EventKind
 from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.files import InputError
+from rapidsim.frames.transform import Array
 from rapidsim.motion.guidance.sensor import SensorAnswer
 from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.recording.live_recording import LiveArm, LiveRecording
@@ -60,7 +62,7 @@ class Recorder:
             self._do(self._moved)
         for task in self.live.tasks.values():
             state = "runs" if task.executes else "stands" if task.has_pointer else "failed"
-            self._do(lambda task=task, state=state: self.recording.state(now_s, task.name, state))
+            self._do(partial(self.recording.state, now_s, task.name, state))
 
     def asked(self, now_s: float, request: Request, reply: Reply) -> None:
         """A client has asked for something."""
@@ -88,8 +90,7 @@ class Recorder:
         for name in ("joints", "position", "correction"):
             values = getattr(answer, name)
             if values:
-                told = np.array(values)
-                self._do(lambda name=name, told=told: self.recording.wanted(time_s, name, told))
+                self._do(partial(self.recording.wanted, time_s, name, np.array(values)))
 
     def close(self) -> None:
         """Let the file appear."""
@@ -107,7 +108,7 @@ class Recorder:
             for task, name in self._arms:
                 self.recording.moved(self._arm(task, name, times))
 
-    def _arm(self, task: LiveTask, name: str, times: np.ndarray) -> LiveArm:  # type: ignore[type-arg]
+    def _arm(self, task: LiveTask, name: str, times: Array) -> LiveArm:
         queue = task.unit.queue
         path = queue.trajectory
         with suppress(MotionError):

@@ -21,11 +21,12 @@ from rapidsim.analysis.program import (
 )
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.interpreter.codegen.ast_builder import At
-from rapidsim.interpreter.codegen.data_access import Paths, bare, by_reference
+from rapidsim.interpreter.codegen.data_access import Paths, by_reference
 from rapidsim.interpreter.codegen.expression_code import Code
 from rapidsim.interpreter.codegen.inlined_functions import function_in_place
 from rapidsim.interpreter.codegen.operands import Operands
 from rapidsim.interpreter.codegen.special_forms import SPECIAL_FORMS
+from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.runtime.late_binding import LateArgument
 from rapidsim.interpreter.runtime.loaded_calls import may_be_loaded

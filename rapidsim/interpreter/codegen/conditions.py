@@ -12,9 +12,9 @@ from dataclasses import dataclass, field, replace
 
 from rapidsim.analysis.program import Program, RoutineSymbol
 from rapidsim.analysis.tree_walk import blocks, descendants, statements
-from rapidsim.interpreter.codegen.data_access import bare, declaration
 from rapidsim.interpreter.codegen.inlined_instructions import assigned_in_place
 from rapidsim.interpreter.codegen.intervals import Interval, rounded
+from rapidsim.interpreter.codegen.written_paths import bare, declaration
 from rapidsim.syntax import tree
 
 _Bounds = Mapping[tree.Node, Interval]

@@ -8,31 +8,29 @@ parameters hold whatever reference they were given.
 from __future__ import annotations
 
 import ast
-import math
-from collections.abc import Callable
 from dataclasses import replace
 from enum import Enum
 from types import MappingProxyType
-from typing import Any
 
 from rapidsim.analysis.cell_names import ConfiguredSymbol
 from rapidsim.analysis.program import (
     CounterSymbol,
     DataSymbol,
     ParameterSymbol,
-    Program,
     Storage,
     Symbol,
     UnknownSymbol,
 )
 from rapidsim.interpreter.codegen.ast_builder import At
+from rapidsim.interpreter.codegen.constant_tables import bounds_of, constant_table
 from rapidsim.interpreter.codegen.expression_code import Code, Owed, finished
 from rapidsim.interpreter.codegen.intervals import MAX_EXACT, Interval
 from rapidsim.interpreter.codegen.operands import Operands
+from rapidsim.interpreter.codegen.written_paths import FlatPath, flat
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER
 from rapidsim.interpreter.runtime.references import position_of
-from rapidsim.interpreter.runtime.values import Value, element_type, is_signal, literal
+from rapidsim.interpreter.runtime.values import element_type, is_signal, literal
 from rapidsim.language.annotations import Mode
 from rapidsim.language.types import NUM, SIGNAL_DI, ArrayOf, Record, Type, resolved
 from rapidsim.syntax import tree
@@ -47,10 +45,6 @@ _KEPT_BY = MappingProxyType(
     }
 )
 """Where the controller keeps predefined data: a concern, and the way in it."""
-
-
-_MOST_ELEMENTS = 1000
-"""Elements of a constant that are looked at whenever it is read."""
 
 
 class Home(Enum):
@@ -84,69 +78,6 @@ class Whole:
     may_raise: bool = False
     declared: tree.Node | None = None
     """Where a local variable or parameter is declared."""
-
-
-@dataclass(frozen=True, slots=True)
-class FlatPath:
-    """A path taken apart: RAPID's paths are a name, then indices, then components."""
-
-    reference: tree.Reference
-    indices: tuple[tree.Expression, ...]
-    names: tuple[str, ...]
-
-
-def flat(path: tree.DataPath) -> FlatPath:
-    """Take a path apart."""
-    indices: tuple[tree.Expression, ...] = ()
-    names: list[str] = []
-    while not isinstance(path, tree.Reference):
-        if isinstance(path, tree.Component):
-            names.insert(0, path.name.key)
-            path = path.record
-        else:
-            indices = (*path.indices, *indices)
-            path = path.array
-    return FlatPath(path, indices, tuple(names))
-
-
-def bare(expression: tree.Expression) -> tree.Expression:
-    """The expression without parentheses around it."""
-    while isinstance(expression, tree.Parenthesised):
-        expression = expression.inner
-    return expression
-
-
-def declaration(path: tree.Expression, program: Program) -> tree.Node | None:
-    """Where a variable or parameter is declared that the whole path names."""
-    inner = bare(path)
-    symbol = program.symbol_of[inner] if isinstance(inner, tree.Reference) else None
-    return symbol.node if isinstance(symbol, DataSymbol | ParameterSymbol) else None
-
-
-def constant_table(
-    symbol: DataSymbol, indices: int, constant_value: Callable[[DataSymbol], Value]
-) -> list[Any] | None:
-    """The value of a CONST that is an array of num with so many dimensions; None for the rest."""
-    of = resolved(symbol.type)
-    if symbol.storage is not Storage.CONST or symbol.node is None or not isinstance(of, ArrayOf):
-        return None
-    if resolved(of.element) != NUM or len(of.dimensions) != indices:
-        return None
-    value = constant_value(symbol)
-    return value if isinstance(value, list) else None
-
-
-def bounds_of(table: list[Any]) -> Interval | None:
-    """The bounds of a small table of nums that are integers, none of them a zero with a sign."""
-    numbers = table
-    while numbers and isinstance(numbers[0], list):
-        numbers = [number for row in numbers for number in row]
-    if not numbers or len(numbers) > _MOST_ELEMENTS:
-        return None
-    if not all(one.is_integer() and abs(one) <= MAX_INTEGER for one in numbers):
-        return None
-    signs = any(one == 0.0 and math.copysign(1.0, one) < 0.0 for one in numbers)
-    return None if signs else Interval(int(min(numbers)), int(max(numbers)), signed=True)
 
 
 def by_reference(mode: Mode) -> bool:

@@ -15,8 +15,9 @@ from rapidsim.analysis.program import (
     Symbol,
 )
 from rapidsim.interpreter.codegen.calls import match_arguments
-from rapidsim.interpreter.codegen.data_access import bare, by_reference, flat
+from rapidsim.interpreter.codegen.data_access import by_reference
 from rapidsim.interpreter.codegen.inlined_instructions import assigned_in_place
+from rapidsim.interpreter.codegen.written_paths import bare, flat
 from rapidsim.interpreter.runtime.loaded_calls import may_be_loaded
 from rapidsim.interpreter.runtime.values import is_signal
 from rapidsim.language.annotations import Mode

@@ -14,7 +14,7 @@ from rapidsim.analysis.program import DataSymbol, Program
 from rapidsim.diagnostics import Span
 from rapidsim.interpreter.codegen.ast_builder import At, Positions
 from rapidsim.interpreter.codegen.calls import Calls
-from rapidsim.interpreter.codegen.data_access import Paths, bare, number
+from rapidsim.interpreter.codegen.data_access import Paths, number
 from rapidsim.interpreter.codegen.expression_code import (
     Code,
     Owed,
@@ -25,6 +25,7 @@ from rapidsim.interpreter.codegen.expression_code import (
 )
 from rapidsim.interpreter.codegen.intervals import MAX_EXACT, Interval, combined, negated
 from rapidsim.interpreter.codegen.names import LocalNames
+from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.interpreter.limits import MAX_EXPRESSION, NotExecutableError
 from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER, WHOLE_FROM
 from rapidsim.interpreter.runtime.values import Value, element_type, literal

@@ -15,10 +15,11 @@ from types import MappingProxyType
 
 from rapidsim.analysis.program import LibrarySymbol, Program, does
 from rapidsim.interpreter.codegen.ast_builder import At
-from rapidsim.interpreter.codegen.data_access import Paths, bare, declaration, number
+from rapidsim.interpreter.codegen.data_access import Paths, number
 from rapidsim.interpreter.codegen.expression_code import Code, Owed, finished, whole
 from rapidsim.interpreter.codegen.intervals import ONE, combined
 from rapidsim.interpreter.codegen.operands import Operands
+from rapidsim.interpreter.codegen.written_paths import bare, declaration
 from rapidsim.language.types import DNUM, resolved
 from rapidsim.library.mathematics import clear, decr, incr
 from rapidsim.library.traits import Does

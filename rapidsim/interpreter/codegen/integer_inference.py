@@ -28,13 +28,8 @@ from rapidsim.analysis.program import (
 from rapidsim.analysis.tree_walk import clauses, descendants, statements
 from rapidsim.interpreter.codegen.calls import match_arguments
 from rapidsim.interpreter.codegen.conditions import narrowed, never_shows
-from rapidsim.interpreter.codegen.data_access import (
-    bounds_of,
-    constant_table,
-    declaration,
-    flat,
-    whole_number,
-)
+from rapidsim.interpreter.codegen.constant_tables import bounds_of, constant_table
+from rapidsim.interpreter.codegen.data_access import whole_number
 from rapidsim.interpreter.codegen.escape_analysis import lent_symbols
 from rapidsim.interpreter.codegen.inlined_instructions import assigned_in_place, step_in_place
 from rapidsim.interpreter.codegen.intervals import (
@@ -48,6 +43,7 @@ from rapidsim.interpreter.codegen.intervals import (
     way,
     widened,
 )
+from rapidsim.interpreter.codegen.written_paths import declaration, flat
 from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER
 from rapidsim.interpreter.runtime.values import Value, literal
 from rapidsim.language.annotations import Mode

@@ -16,10 +16,11 @@ from types import MappingProxyType
 
 from rapidsim.analysis.program import DataSymbol, ParameterSymbol, Storage
 from rapidsim.interpreter.codegen.ast_builder import At
-from rapidsim.interpreter.codegen.data_access import Paths, bare, by_reference
+from rapidsim.interpreter.codegen.data_access import Paths, by_reference
 from rapidsim.interpreter.codegen.expression_code import Code
 from rapidsim.interpreter.codegen.intervals import Interval
 from rapidsim.interpreter.codegen.operands import Operands
+from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER
 from rapidsim.language.moves import Place

@@ -20,7 +20,7 @@ from rapidsim.analysis.program import (
     does,
 )
 from rapidsim.interpreter.codegen.ast_builder import At
-from rapidsim.interpreter.codegen.data_access import declaration, whole_number
+from rapidsim.interpreter.codegen.data_access import whole_number
 from rapidsim.interpreter.codegen.error_handling import protected
 from rapidsim.interpreter.codegen.expression_code import Code, comparable, finished, whole
 from rapidsim.interpreter.codegen.expressions import Expressions
@@ -32,6 +32,7 @@ from rapidsim.interpreter.codegen.inlined_instructions import (
 )
 from rapidsim.interpreter.codegen.intervals import Interval, counted, way
 from rapidsim.interpreter.codegen.rounds import tick
+from rapidsim.interpreter.codegen.written_paths import declaration
 from rapidsim.interpreter.limits import MAX_BRANCHES, MAX_LOOPS, NotExecutableError
 from rapidsim.language.annotations import Mode
 from rapidsim.language.initial import initial_value

@@ -22,7 +22,8 @@ from rapidsim.analysis.program import (
 )
 from rapidsim.analysis.tree_walk import clauses, statements
 from rapidsim.interpreter.codegen.calls import match_arguments
-from rapidsim.interpreter.codegen.data_access import bare, by_reference
+from rapidsim.interpreter.codegen.data_access import by_reference
+from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.interpreter.runtime import arithmetic
 from rapidsim.language.data import JointTarget
 from rapidsim.language.moves import Move

@@ -23,7 +23,8 @@ from rapidsim.analysis.program import (
 )
 from rapidsim.analysis.tree_walk import clauses, descendants, statements
 from rapidsim.interpreter.codegen.calls import Given, match_arguments
-from rapidsim.interpreter.codegen.data_access import bare, by_reference
+from rapidsim.interpreter.codegen.data_access import by_reference
+from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.language.annotations import Mode
 from rapidsim.language.moves import MotionSettings
 from rapidsim.library.table import LibraryRoutine

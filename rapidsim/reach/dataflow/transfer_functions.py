@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rapidsim.interpreter.codegen.calls import match_arguments
-from rapidsim.interpreter.codegen.data_access import bare, by_reference
+from rapidsim.interpreter.codegen.data_access import by_reference
+from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.language.controller import one_for_all
 from rapidsim.language.errors import RapidError, Stopped
 from rapidsim.language.reference import Box

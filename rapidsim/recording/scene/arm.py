@@ -113,7 +113,7 @@ def log_arm(stream: rr.RecordingStream, run: MovingArm) -> tuple[str, ...]:
 def _log_meshes(stream: rr.RecordingStream, run: MovingArm, prefix: str) -> None:
     """The arm with the user's own shapes."""
     chain = _chain(run.robot, None, prefix)
-    _log_motion(stream, run, chain)
+    log_motion(stream, run, chain)
     frames = (run.frame(BASE), *chain.link_frames)
     for link in link_shapes(run.robot).links:
         entity = _entity(run, "links", str(link.number))
@@ -158,7 +158,7 @@ def _shapes(run: MovingArm) -> str:
 def arm_chain(run: MovingArm) -> Chain:
     """The frames that `log_arm` moves, for whoever goes on with the motion."""
     prefix = run.frame(f"{run.robot.name}/")
-    urdf = run.robot.urdf
+    urdf = None if run.robot.meshes is not None else run.robot.urdf
     tree = None if urdf is None else _description(urdf, _shapes(run), prefix)
     return _chain(run.robot, tree, prefix)
 

@@ -1,0 +1,44 @@
+"""Paths to data as a program writes them, such as `a{i}.trans.x`."""
+
+from __future__ import annotations
+
+from rapidsim.analysis.program import DataSymbol, ParameterSymbol, Program
+from rapidsim.syntax import tree
+from rapidsim.values import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class FlatPath:
+    """A path taken apart: RAPID's paths are a name, then indices, then components."""
+
+    reference: tree.Reference
+    indices: tuple[tree.Expression, ...]
+    names: tuple[str, ...]
+
+
+def flat(path: tree.DataPath) -> FlatPath:
+    """Take a path apart."""
+    indices: tuple[tree.Expression, ...] = ()
+    names: list[str] = []
+    while not isinstance(path, tree.Reference):
+        if isinstance(path, tree.Component):
+            names.insert(0, path.name.key)
+            path = path.record
+        else:
+            indices = (*path.indices, *indices)
+            path = path.array
+    return FlatPath(path, indices, tuple(names))
+
+
+def bare(expression: tree.Expression) -> tree.Expression:
+    """The expression without parentheses around it."""
+    while isinstance(expression, tree.Parenthesised):
+        expression = expression.inner
+    return expression
+
+
+def declaration(path: tree.Expression, program: Program) -> tree.Node | None:
+    """Where a variable or parameter is declared that the whole path names."""
+    inner = bare(path)
+    symbol = program.symbol_of[inner] if isinstance(inner, tree.Reference) else None
+    return symbol.node if isinstance(symbol, DataSymbol | ParameterSymbol) else None
