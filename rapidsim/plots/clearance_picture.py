@@ -45,6 +45,7 @@ def clearance_picture(run: SampledRun, theme: Theme) -> Figure | None:
         axes.annotate("to keep", (run.end_s, wanted), va="bottom", ha="right", color=theme.soft)
     axes.set_ylim(bottom=-2.0 if hits else 0.0)
     axes.set_ylabel("nearest of the move [mm]")
-    axes.set_title(f"{len(touched)} moves hit something" if touched else "nothing is hit")
+    moves = "1 move hits" if len(touched) == 1 else f"{len(touched)} moves hit"
+    axes.set_title(f"{moves} something" if touched else "nothing is hit")
     time_axis(axes, run.end_s)
     return figure
