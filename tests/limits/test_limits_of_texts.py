@@ -4,7 +4,6 @@ Work is counted in calls of functions, Python's own ones too, which is the same 
 """
 
 import contextlib
-import gc
 import io
 from collections.abc import Callable
 from cProfile import Profile
@@ -104,17 +103,12 @@ def work(text: str, folder: Path, *options: str) -> int:
     file = folder / "m.mod"
     file.write_text(text, "utf-8")
     profile = Profile()
-    # What is called when garbage of earlier tests is collected is no work of this text.
-    gc.disable()
-    try:
-        with (
-            contextlib.redirect_stdout(io.StringIO()),
-            contextlib.redirect_stderr(io.StringIO()),
-            profile,
-        ):
-            code = run_commands(["check", str(file), *options])
-    finally:
-        gc.enable()
+    with (
+        contextlib.redirect_stdout(io.StringIO()),
+        contextlib.redirect_stderr(io.StringIO()),
+        profile,
+    ):
+        code = run_commands(["check", str(file), *options])
     assert code in (0, 1)
     # One entry a function: what was called of it.
     return sum(entry.callcount for entry in profile.getstats())
