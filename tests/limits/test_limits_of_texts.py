@@ -114,6 +114,19 @@ def work(text: str, folder: Path, *options: str) -> int:
     return sum(entry.callcount for entry in profile.getstats())
 
 
+def require_linear(text: Callable[[int], str], count: int, folder: Path, *options: str) -> None:
+    """Twice the text costs twice the work, or little more.
+
+    What a process does once in a while counts for nothing, such as compiling a pattern that has
+    left Python's cache: it is not there again when the same is measured again.
+    """
+    for _ in range(2):
+        once, twice = (work(text(n), folder, *options) for n in (count, 2 * count))
+        if twice / once <= MOST_GROWTH:
+            return
+    raise AssertionError(f"twice the text costs {twice / once:.2f} times the work")
+
+
 @pytest.fixture(autouse=True, scope="module")
 def ready(tmp_path_factory: pytest.TempPathFactory) -> None:
     """What is read once a process does not count."""
@@ -123,17 +136,14 @@ def ready(tmp_path_factory: pytest.TempPathFactory) -> None:
 @pytest.mark.parametrize("name", TEXTS)
 def test_a_check_of_twice_the_text(name: str, tmp_path: Path) -> None:
     count, text = TEXTS[name]
-    once, twice = (work(text(n), tmp_path, "--no-run") for n in (count, 2 * count))
-    assert twice / once <= MOST_GROWTH
+    require_linear(text, count, tmp_path, "--no-run")
 
 
 @pytest.mark.parametrize("output", OUTPUTS)
 def test_every_output_of_many_findings(output: str, tmp_path: Path) -> None:
     options = ("--no-run", "--output-format", output, "--no-merge")
-    once, twice = (work(module(lines(n, 'x:="a";')), tmp_path, *options) for n in (200, 400))
-    assert twice / once <= MOST_GROWTH
+    require_linear(lambda n: module(lines(n, 'x:="a";')), 200, tmp_path, *options)
 
 
 def test_mending_many_findings(tmp_path: Path) -> None:
-    once, twice = (work(module(lines(n, "x:=1")), tmp_path, "--no-run", "--fix") for n in (80, 160))
-    assert twice / once <= MOST_GROWTH
+    require_linear(lambda n: module(lines(n, "x:=1")), 80, tmp_path, "--no-run", "--fix")
