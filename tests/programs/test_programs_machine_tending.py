@@ -35,6 +35,22 @@ def test_the_short_way_hits_the_frame_of_the_door(tmp_path: Path) -> None:
     assert found(FOLDER / "Hasty.mod", 1, tmp_path) == [("C101", line)]
 
 
+def test_the_report_draws_the_cell_and_the_part_that_is_carried(tmp_path: Path) -> None:
+    run = ("run", FOLDER / "Tending.mod", "--no-record", "--report", "r.html")
+    assert call(*run, cwd=tmp_path).code == 0
+    page = (tmp_path / "r.html").read_text(encoding="utf-8")
+    begin = page.index(">", page.index('id="run"')) + 1
+    drawn = json.loads(page[begin : page.index("</script>", begin)])
+    objects = {one["name"]: one for one in drawn["objects"]}
+    assert {"part", "vice"} <= objects.keys()
+    assert all(one["parts"] for one in objects.values())
+    # What stands has one place, what is carried one at each of many instants.
+    assert len(objects["vice"]["place"][0]["steps"]) == 1
+    x, y, z = (sum(column["steps"][:]) / column["scale"] for column in objects["part"]["place"])
+    first = [column["steps"][0] / column["scale"] for column in objects["part"]["place"]]
+    assert max(abs(a - b) for a, b in zip((x, y, z), first, strict=True)) > 500.0
+
+
 def test_two_robots_that_wait_for_each_other_share_a_machine(tmp_path: Path) -> None:
     assert not found(SHARED / "Load.mod", 0, tmp_path)
 

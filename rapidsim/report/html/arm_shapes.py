@@ -135,9 +135,14 @@ def _bodies(robot: Robot, link_count: int) -> Iterator[dict[str, object]]:
     size = max((float(np.ptp(corners, axis=0).max()) for _, _, corners in found), default=0.0)
     for link, colour, corners in found:
         if float(np.ptp(corners, axis=0).max()) >= _SMALLEST * size:
-            kept = np.unique(np.argmax(corners @ _directions().T, axis=0))
-            places = np.rint(_MM * corners[kept]).astype(np.int64)
-            yield {"link": link, "colour": colour, "corners": places.ravel().tolist()}
+            yield {"link": link, "colour": colour, "corners": outermost(corners)}
+
+
+def outermost(corners: Array) -> list[int]:
+    """The outermost of corners (k, 3) [m] of a convex body, in mm, one after the other."""
+    kept = np.unique(np.argmax(corners @ _directions().T, axis=0))
+    places: list[int] = np.rint(_MM * corners[kept]).astype(np.int64).ravel().tolist()
+    return places
 
 
 def _own(robot: Robot) -> Iterator[tuple[int, str, Array]]:
@@ -190,7 +195,7 @@ def _read(file: Path) -> list[tuple[str, Array]]:
     return [
         (_colour(head["materials"][part["material"]]), body)
         for part in chain.from_iterable(mesh["primitives"] for mesh in head["meshes"])
-        for body in _apart(table(part["attributes"]["POSITION"], 3), table(part["indices"], 1))
+        for body in apart(table(part["attributes"]["POSITION"], 3), table(part["indices"], 1))
     ]
 
 
@@ -201,7 +206,7 @@ def _colour(material: dict[str, dict[str, list[float]]]) -> str:
     return "#" + "".join(f"{round(255 * value):02x}" for value in seen.tolist())
 
 
-def _apart(corners: Array, triangles: Array) -> list[Array]:
+def apart(corners: Array, triangles: Array) -> list[Array]:
     """The bodies of a mesh: corners that triangles hold together."""
     places, of_corner = np.unique(np.rint(corners / _WELDED_M), axis=0, return_inverse=True)
     held = of_corner.ravel()[triangles.ravel().astype(np.int64)].reshape(-1, 3)

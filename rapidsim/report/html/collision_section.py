@@ -29,7 +29,8 @@ def collision_tile(simulation: Simulation) -> str:
         return tile("Collisions", f"{len(hits)}", f"the first at {hits[0].time_s:.4f} s")
     if near is None:
         return tile("Nearest clearance", f"> {1000.0 * FARTHEST_M:g} mm")
-    return tile("Nearest clearance", f"{near.distance_mm:.1f} mm", f"{near.first}, {near.second}")
+    between = f"{near.first}, {near.second}".replace("`", "")
+    return tile("Nearest clearance", f"{near.distance_mm:.1f} mm", between)
 
 
 def collision_section(simulation: Simulation) -> str:

@@ -17,6 +17,7 @@ from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.report.html.arm_shapes import arm_data
+from rapidsim.report.html.cell_objects import objects_data
 from rapidsim.report.html.packing import packed, packed_columns
 from rapidsim.simulation.results.move_kinds import CORNER, DRAWN_KINDS, MOVE_KINDS
 from rapidsim.simulation.results.relative_motion import (
@@ -52,6 +53,8 @@ def motion_data(simulation: Simulation) -> dict[str, object]:
         "robots": [
             _robot(sampled(simulation, one, step_s, most_moves=MOST_MOVES)) for one in robots
         ],
+        "objects": objects_data(simulation, np.linspace(0.0, end_s, MOST_POSES)),
+        "pose_step": end_s / (MOST_POSES - 1),
         "signals": _signals(simulation),
         "marks": _marks(simulation.events),
     }

@@ -70,20 +70,51 @@ function cornersAt(robot, t) {
 }
 
 function drawArm(robot, pen, at) {
-  if (!robot.arm) { drawBones(pen, armAt(robot, view.now).map(at)); return; }
+  // All that stands in the cell is drawn with the first arm, what is far off first.
+  const outlines = robot === robots[0] ? objectOutlines(at) : [];
+  if (!robot.arm) { drawOutlines(pen, outlines); drawBones(pen, armAt(robot, view.now).map(at)); return; }
   const frames = linkFrames(robot, jointsAt(robot, view.now), view.now);
   const tcp = moved(frames.at(-1), toolAt(robot, view.now));
-  if (!robot.arm.bodies.length) { drawBones(pen, [...frames.map(frame => frame.place), tcp].map(at)); return; }
-  const toEye = [Math.cos(look.turn) * Math.cos(look.lift), Math.sin(look.turn) * Math.cos(look.lift), Math.sin(look.lift)];
-  const outlines = robot.arm.bodies.map(body => {
-    const corners = [];
-    for (let k = 0; k < body.corners.length; k += 3) corners.push(moved(frames[body.link], body.corners.slice(k, k + 3)));
-    const depth = corners.reduce((sum, p) => sum + p[0] * toEye[0] + p[1] * toEye[1] + p[2] * toEye[2], 0) / corners.length;
-    return { depth, colour: body.colour, outline: hull(corners.map(at)) };
+  outlines.push(...robot.arm.bodies.map(({ link, corners, colour }) => outlineOf(frames[link], corners, colour, at)));
+  drawOutlines(pen, outlines);
+  if (robot.arm.bodies.length) drawTool(pen, at(frames.at(-1).place), at(tcp));
+  else drawBones(pen, [...frames.map(frame => frame.place), tcp].map(at));
+}
+
+// Where an object of the cell stands, or is carried, at an instant.
+function objectFrame({ turn, place }, t) {
+  const k = Math.min(Math.round(t / (run.pose_step || 1)), place[0].length - 1);
+  return { turn: turn.map(column => column[k]), place: place.map(column => column[k]) };
+}
+
+function objectOutlines(at) {
+  return objects.flatMap(object => {
+    const frame = objectFrame(object, view.now);
+    // What is large lies under other things more often than over them: its farthest corner counts.
+    return object.parts.map(corners => outlineOf(frame, corners, object.colour, at, depths => Math.min(...depths)));
   });
+}
+
+function objectCorners() {
+  return objects.flatMap(object => object.parts.map(corners => moved(objectFrame(object, 0), corners.slice(0, 3))));
+}
+
+function mean(values) {
+  return values.reduce((sum, value) => sum + value, 0) / values.length;
+}
+
+function outlineOf(frame, places, fill, at, depthOf = mean) {
+  const toEye = [Math.cos(look.turn) * Math.cos(look.lift), Math.sin(look.turn) * Math.cos(look.lift), Math.sin(look.lift)];
+  const corners = [];
+  for (let k = 0; k < places.length; k += 3) corners.push(moved(frame, places.slice(k, k + 3)));
+  const depth = depthOf(corners.map(p => p[0] * toEye[0] + p[1] * toEye[1] + p[2] * toEye[2]));
+  return { depth, fill, outline: hull(corners.map(at)) };
+}
+
+function drawOutlines(pen, outlines) {
   outlines.sort((a, b) => a.depth - b.depth);
   pen.lineJoin = "round";
-  for (const { outline, colour: fill } of outlines) {
+  for (const { outline, fill } of outlines) {
     pen.beginPath();
     outline.forEach(([x, y], k) => (k ? pen.lineTo(x, y) : pen.moveTo(x, y)));
     pen.closePath();
@@ -93,7 +124,6 @@ function drawArm(robot, pen, at) {
     pen.lineWidth = 1;
     pen.stroke();
   }
-  drawTool(pen, at(frames.at(-1).place), at(tcp));
 }
 
 // An arm without shapes: bones that grow thinner, with a knob at each joint.

@@ -21,6 +21,7 @@ const robots = run.robots.map(packed => {
   else robot.pose = packed.poses.places.map(column);
   return robot;
 });
+const objects = run.objects.map(packed => ({ ...packed, turn: packed.turn.map(column), place: packed.place.map(column) }));
 const topSpeed = Math.max(1e-9, ...robots.map(robot => robot.speed.reduce((a, b) => Math.max(a, b), 0)));
 
 const KINDS = ["joint", "axes", "line", "circle", "corner"];

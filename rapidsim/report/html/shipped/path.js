@@ -29,7 +29,7 @@ function armAt(robot, t) {
 
 // Points that a picture must hold: arm, base and path, or the work alone.
 function scene(eye) {
-  const points = [];
+  const points = eye.whole ? objectCorners() : [];
   for (const robot of robots) {
     for (const failed of robot.failed) points.push(failed.end, failed.at);
     const work = robot.targets.filter(target => target[4]).map(target => target.slice(1, 4));
