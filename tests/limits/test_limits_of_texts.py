@@ -120,11 +120,13 @@ def require_linear(text: Callable[[int], str], count: int, folder: Path, *option
     What a process does once in a while counts for nothing, such as compiling a pattern that has
     left Python's cache: it is not there again when the same is measured again.
     """
+    growth = 0.0
     for _ in range(2):
         once, twice = (work(text(n), folder, *options) for n in (count, 2 * count))
-        if twice / once <= MOST_GROWTH:
+        growth = twice / once
+        if growth <= MOST_GROWTH:
             return
-    raise AssertionError(f"twice the text costs {twice / once:.2f} times the work")
+    raise AssertionError(f"twice the text costs {growth:.2f} times the work")
 
 
 @pytest.fixture(autouse=True, scope="module")

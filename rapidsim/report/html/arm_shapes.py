@@ -15,6 +15,7 @@ from math import degrees, isfinite, radians
 from pathlib import Path
 
 import numpy as np
+import numpy.typing as npt
 
 from rapidsim.collisions.link_shapes import link_shapes
 from rapidsim.frames.rotation_vectors import vector_from_rotation
@@ -206,7 +207,7 @@ def _colour(material: dict[str, dict[str, list[float]]]) -> str:
     return "#" + "".join(f"{round(255 * value):02x}" for value in seen.tolist())
 
 
-def apart(corners: Array, triangles: Array) -> list[Array]:
+def apart(corners: Array, triangles: npt.NDArray[np.number]) -> list[Array]:
     """The bodies of a mesh: corners that triangles hold together."""
     places, of_corner = np.unique(np.rint(corners / _WELDED_M), axis=0, return_inverse=True)
     held = of_corner.ravel()[triangles.ravel().astype(np.int64)].reshape(-1, 3)

@@ -32,7 +32,7 @@ def objects_data(simulation: Simulation, times: Array) -> list[dict[str, object]
     if not is_shown_in_world(simulation):
         shown_from_world = simulation.robots[0].world_from_base.inverse()
     poses = collisions.scene.poses(times)
-    found = []
+    found: list[dict[str, object]] = []
     for number, one in collisions.objects.items():
         body = collisions.scene.bodies[number]
         if float(np.ptp(body.shape.vertices, axis=0).max()) > _WIDEST_M:
