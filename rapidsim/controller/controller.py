@@ -77,7 +77,8 @@ def virtual_controller(
         queue: Its message queue; None where nobody describes it.
     """
     state, table = MotionState(), InterruptTable()
-    marks, watched = PathMarks(unit), WorldZoneTable(unit, resolver.base_from_world.inverse())
+    marks, world_from_base = PathMarks(unit), resolver.base_from_world.inverse()
+    watched = WorldZoneTable(unit, world_from_base, cell.max_time_s, cell.watchdog.look)
     clock = TaskClock(cell, unit, journal, table, place)
     interrupts = TaskInterrupts(clock, table)
     execution = TaskExecution(clock, unit, cell, table)

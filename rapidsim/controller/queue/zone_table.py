@@ -44,6 +44,10 @@ class WorldZoneTable:
     on_path: ClassVar = True
     unit: MechanicalUnit
     world_from_base: Transform
+    limit_s: float
+    """Nothing happens later [s]: a motion may be commanded for days."""
+    look: Callable[[], None]
+    """Called while crossings are looked for; ends a run that takes too long."""
     _zones: dict[float, WatchedZone] = field(default_factory=dict)
     _looked_to_s: float = 0.0
     _next: tuple[tuple[int, int], float | None, list[WatchedZone]] | None = None
@@ -127,8 +131,9 @@ class WorldZoneTable:
 
     def _crossing(self, zone: WatchedZone, preview: Trajectory) -> float | None:
         """The first time [s] after the last look at which being in a zone changes."""
-        looks = _looks(preview, self._looked_to_s)
+        looks = _looks(preview, self._looked_to_s, min(preview.duration, self.limit_s))
         for begin in range(1, len(looks), _LOOKS):
+            self.look()
             times = looks[begin : begin + _LOOKS]
             changed = np.flatnonzero(self._inside(zone, preview.at(times)) != zone.inside)
             if len(changed):
@@ -157,11 +162,11 @@ class WorldZoneTable:
         return result
 
 
-def _looks(preview: Trajectory, start_s: float) -> Array:
-    """Times [s] from one on between which the arm makes at most about a millimetre of its path."""
-    if preview.duration <= start_s:
+def _looks(preview: Trajectory, start_s: float, end_s: float) -> Array:
+    """Times [s] between which the arm makes at most about a millimetre of its path."""
+    if end_s <= start_s:
         return np.zeros(0)
-    times = np.linspace(start_s, preview.duration, int((preview.duration - start_s) / _LOOK_S) + 2)
+    times = np.linspace(start_s, end_s, int((end_s - start_s) / _LOOK_S) + 2)
     counts = np.ceil(np.diff(preview.place_at(times)) / LOOK_M).astype(int)
     counts = np.maximum(counts, 1)
     since = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
