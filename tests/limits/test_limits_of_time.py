@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from command_line import call
 
 from rapidsim.analysis.program import Program
 from rapidsim.cli.boundary import run_commands
@@ -261,3 +262,10 @@ def _out_of_time(original: Callable[..., None], ends: list[str]) -> Callable[...
         original(service, *rest)
 
     return done
+
+
+def test_a_zone_is_watched_no_longer_than_the_run(tmp_path: Path) -> None:
+    program = Path(__file__).with_name("zone_and_a_move_of_days.mod")
+    ended = call("run", program, "--no-record", "--max-time", "20", cwd=tmp_path)
+    assert ended.code == 3
+    assert call("check", program, cwd=tmp_path).code == 0

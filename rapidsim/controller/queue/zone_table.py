@@ -20,6 +20,8 @@ from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 LOOK_M = 0.001
 _LOOK_S = 0.02
 """Looks are evenly spaced within so long."""
+_COARSE = 2000
+"""Stretches of a long motion of which it is asked first whether the arm makes any way in them."""
 _LOOKS = 1000
 """So many are made in one go."""
 _HALVINGS = 40
@@ -166,14 +168,20 @@ def _looks(preview: Trajectory, start_s: float, end_s: float) -> Array:
     """Times [s] between which the arm makes at most about a millimetre of its path."""
     if end_s <= start_s:
         return np.zeros(0)
-    times = np.linspace(start_s, end_s, int((end_s - start_s) / _LOOK_S) + 2)
-    counts = np.ceil(np.diff(preview.place_at(times)) / LOOK_M).astype(int)
-    counts = np.maximum(counts, 1)
-    since = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
-    looks: Array = np.repeat(times[:-1], counts) + since * np.repeat(
-        np.diff(times) / counts, counts
-    )
-    return np.append(looks, times[-1])
+    cells = min(int((end_s - start_s) / _LOOK_S) + 1, _COARSE)
+    times = np.linspace(start_s, end_s, cells + 1)
+    # Where the arm makes no way, or hardly any, for long, nothing in between need be looked at.
+    ways, widths = np.diff(preview.place_at(times)), np.diff(times)
+    times = _divided(times, np.where(ways > LOOK_M, np.ceil(widths / _LOOK_S), 1))
+    return _divided(times, np.ceil(np.diff(preview.place_at(times)) / LOOK_M))
+
+
+def _divided(times: Array, counts: Array) -> Array:
+    """Times (k,) with each stretch between two divided into so many (k - 1,), at least one."""
+    whole = np.maximum(counts, 1).astype(int)
+    since = np.arange(whole.sum()) - np.repeat(np.cumsum(whole) - whole, whole)
+    divided: Array = np.repeat(times[:-1], whole) + since * np.repeat(np.diff(times) / whole, whole)
+    return np.append(divided, times[-1])
 
 
 def _holds(volume: Cuboid | Cylinder | Sphere, points: Array) -> Array:
