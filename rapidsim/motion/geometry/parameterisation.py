@@ -180,11 +180,8 @@ class Layout:
 
 def _straight_on(curves: Curves) -> Mask:
     """Between which curves (m - 1,) lines go on in one direction: no corner path bends there."""
-    chord, lines = (
-        curves.chord,
-        (curves.travel > 0.0) & ~curves.in_joints & ~curves.spoke.any(axis=1),
-    )
-    direction = chord / np.maximum(curves.travel, 1e-300)[:, None]
+    lines = (curves.travel > 0.0) & ~curves.in_joints & ~curves.spoke.any(axis=1)
+    direction = curves.chord / np.maximum(curves.travel, 1e-300)[:, None]
     off = np.abs(direction[1:] - direction[:-1]).max(axis=1)
     straight: Mask = lines[1:] & lines[:-1] & (off < _STRAIGHT)
     return straight

@@ -16,6 +16,48 @@ from rapidsim.motion.path.along_curves import Nodes
 from rapidsim.values import dataclass
 
 
+@dataclass(frozen=True, slots=True)
+class InJointSpace:
+    """Places (k,) of joint moves, and of corners made in joint space, on the curves they are of.
+
+    In a corner the joints are those of both curves that it joins, less those where they meet. All
+    are asked for at once, for few places cost as much as many.
+    """
+
+    whole: Index
+    """Which of the places are on joint moves."""
+    cut: Index
+    """Which are in corners."""
+    corner: Index
+    """Of each of those, the curve before its corner."""
+    row: Index
+    """Curves to be asked: those of `whole`, those before the corners, those behind them."""
+    x: Array
+    """Where [m] on each."""
+    rates: tuple[tuple[Array, Array], tuple[Array, Array]]
+    """Derivatives by s of where it is on the curve before each corner, and on the one behind."""
+
+    def split(self, values: Array) -> list[Array]:
+        """Values of the curves that were asked: on joint moves, before corners, behind them."""
+        return np.split(values, np.cumsum([len(self.whole), len(self.cut)]))
+
+
+def in_joint_space(layout: Layout, s: Array, piece: Index) -> InJointSpace:
+    """Which curves places (k,) of joint moves, and of corners made in joint space, ask for."""
+    corner, row = layout.joint_corner[piece], layout.row[piece]
+    whole, cut = np.flatnonzero(corner < 0), np.flatnonzero(corner >= 0)
+    at = corner[cut]
+    before, after = layout.sides(at, layout.corners.radius[at], s[cut], layout.shape)
+    return InJointSpace(
+        whole,
+        cut,
+        at,
+        np.concatenate([row[whole], at, at + 1]),
+        np.concatenate([s[whole] - layout.places[row[whole]], before[0], after[0]]),
+        (before[1:], after[1:]),
+    )
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class JointsOnPath:
     """The inverse kinematics of a path."""
@@ -62,17 +104,11 @@ class JointsOnPath:
 
     def _in_joint_space(self, s: Array, piece: Index) -> Array:
         """The same on joint moves and in corners made in joint space."""
-        layout, corner = self.layout, self.layout.joint_corner[piece]
-        row, whole, cut = layout.row[piece], np.flatnonzero(corner < 0), np.flatnonzero(corner >= 0)
-        at = corner[cut]
-        before, after = layout.sides(at, layout.corners.radius[at], s[cut], layout.shape)
-        on_curves = self._on_curve(
-            np.concatenate([row[whole], at, at + 1]),
-            np.concatenate([s[whole] - layout.places[row[whole]], before[0], after[0]]),
-        )
-        joints = np.empty((len(s), on_curves.shape[1]))
-        joints[whole], into, out = np.split(on_curves, np.cumsum([len(whole), len(cut)]))
-        joints[cut] = into + out - layout.curves.start_joints[at + 1]
+        places = in_joint_space(self.layout, s, piece)
+        own, into, out = places.split(self._on_curve(places.row, places.x))
+        joints = np.empty((len(s), self.nodes.joints.shape[1]))
+        joints[places.whole] = own
+        joints[places.cut] = into + out - self.layout.curves.start_joints[places.corner + 1]
         return joints
 
     def _on_curve(self, row: Index, x: Array) -> Array:

@@ -35,7 +35,7 @@ from rapidsim.motion.kinematics.unwrapping import in_turn_of
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.along_curves import Nodes
 from rapidsim.motion.path.curve_following import FaultKind, PathFault, follow, limit_fault
-from rapidsim.motion.path.joints_on_path import JointsOnPath
+from rapidsim.motion.path.joints_on_path import JointsOnPath, in_joint_space
 from rapidsim.motion.path.line_derivatives import Lines, lines_of
 from rapidsim.motion.path.path_derivatives import PathPoints, PathRates, norms
 from rapidsim.motion.path.segment_columns import Programmed, programmed_of, widths_of
@@ -367,30 +367,18 @@ class Path:
 
     def _in_joint_space(self, s: Array, piece: Index) -> tuple[Array, Array, Array]:
         """Joints and derivatives (k, n) on joint moves and in corners made in joint space."""
-        row = self.layout.row[piece]
-        corner = self.layout.joint_corner[piece]
-        whole, cut = np.flatnonzero(corner < 0), np.flatnonzero(corner >= 0)
-        at = corner[cut]
-        before, after = self.layout.sides(
-            at, self.layout.corners.radius[at], s[cut], self.layout.shape
-        )
-        # All at once, for few places cost as much as many.
-        on_curves = self._on_curve(
-            np.concatenate([row[whole], at, at + 1]),
-            np.concatenate([s[whole] - self.layout.places[row[whole]], before[0], after[0]]),
-        )
-        joints, first, second = np.empty((3, len(s), on_curves[0].shape[1]))
-        ends = np.cumsum([len(whole), len(cut)])
-        own, into, out = zip(*(np.split(part, ends) for part in on_curves), strict=True)
+        places = in_joint_space(self.layout, s, piece)
+        whole, cut = places.whole, places.cut
+        on_curves = self._on_curve(places.row, places.x)
+        own, into, out = zip(*(places.split(part) for part in on_curves), strict=True)
+        joints, first, second = np.empty((3, len(s), self.axis_count))
         joints[whole], first[whole], second[whole] = own
-        joints[cut] = into[0] + out[0] - self.layout.curves.start_joints[at + 1]
-        first[cut] = into[1] * before[1][:, None] + out[1] * after[1][:, None]
-        second[cut] = (
-            into[2] * before[1][:, None] ** 2
-            + into[1] * before[2][:, None]
-            + out[2] * after[1][:, None] ** 2
-            + out[1] * after[2][:, None]
+        joints[cut] = into[0] + out[0] - self.layout.curves.start_joints[places.corner + 1]
+        (before, before2), (after, after2) = (
+            (rate[:, None], change[:, None]) for rate, change in places.rates
         )
+        first[cut] = into[1] * before + out[1] * after
+        second[cut] = into[2] * before**2 + into[1] * before2 + out[2] * after**2 + out[1] * after2
         return joints, first, second
 
     def _on_curve(self, row: Index, x: Array) -> tuple[Array, Array, Array]:
