@@ -22,7 +22,7 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.output_files import whole_file
 from rapidsim.recording.layout.blueprint import laid_out
-from rapidsim.recording.scene.arm import Chain, arm_chain, log_arm, log_motion
+from rapidsim.recording.scene.arm import Chain, log_arm, log_motion
 from rapidsim.recording.stream import APPLICATION
 from rapidsim.recording.timelines import SIM_TIME, Clock
 from rapidsim.recording.transforms import BASE, WORLD, static_frame
@@ -91,9 +91,10 @@ class LiveRecording:
         for arm, world_from_base in arms:
             where = static_frame(WORLD, arm.frame(BASE), world_from_base)
             stream.log(arm.entity("base"), where, static=True)
-            for remark in log_arm(stream, arm):
+            logged = log_arm(stream, arm)
+            self._chains[arm.name] = logged.chain
+            for remark in logged.remarks:
                 self.told(0.0, "recording", remark, "WARN")
-            self._chains[arm.name] = arm_chain(arm)
             for number, joint in enumerate(arm.robot.joints, start=1):
                 line = rr.SeriesLines(names=[f"{number} {joint.name}"])
                 stream.log(arm.entity(f"axes/{number}"), line, static=True)
@@ -142,7 +143,9 @@ class LiveRecording:
 
 def _layout(arms: Sequence[LiveArm]) -> rrb.Blueprint:
     axes = [
-        rrb.TimeSeriesView(origin=f"/{arm.entity('axes')}", name=f"{arm.name} axes [deg]".strip())
+        rrb.TimeSeriesView(
+            origin=f"/{arm.entity('axes')}", name=f"{arm.name} axes [{arm.robot.units()}]".strip()
+        )
         for arm in arms
     ]
     return laid_out(

@@ -117,7 +117,7 @@ def _log_posture(
     arm = StandingArm(shown.robot, samples, Clock(np.zeros(1)), name)
     stands = static_frame(WORLD, arm.frame(BASE), place @ shown.world_from_base)
     stream.log(arm.entity("base"), stands, static=True)
-    remarks = log_arm(stream, arm)
+    remarks = log_arm(stream, arm).remarks
     tool = static_frame(arm.frame(FLANGE), arm.frame(TCP), shown.flange_from_tcp)
     stream.log(arm.entity("robot/tcp"), tool, static=True)
     body = tool_body(shown.flange_from_tcp.translation)

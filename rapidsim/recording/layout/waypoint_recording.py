@@ -95,7 +95,7 @@ def record_followed(
         stream.send_recording_name(title)
         stream.log("/", rr.ViewCoordinates.RIGHT_HAND_Z_UP, rr.CoordinateFrame(WORLD), static=True)
         stream.log("base", static_frame(WORLD, BASE, stands), static=True)
-        remarks = log_arm(stream, arm)
+        remarks = log_arm(stream, arm).remarks
         _log_tool(stream, followed)
         _log_path(stream, followed)
         _log_plots(stream, followed, arm.clock)

@@ -88,7 +88,7 @@ def _log_robot(
     near_m = extent(near_targets(targets)) or size_m
     # Long enough to see in the cell, short enough not to cover a small figure seen from near.
     axis_m = float(np.clip(0.35 * near_m, 0.03 * size_m, 0.1 * size_m))
-    remarks += log_arm(stream, run)
+    remarks += log_arm(stream, run).remarks
     log_tool(stream, run, 0.7 * axis_m)
     remarks += log_work_objects(stream, run, axis_m)
     log_paths(stream, run)

@@ -77,41 +77,47 @@ class Chain:
     """The frame that each joint moves."""
 
 
-def log_arm(stream: rr.RecordingStream, run: MovingArm) -> tuple[str, ...]:
-    """Log the arm and its motion.
+@dataclass(frozen=True, slots=True)
+class LoggedArm:
+    """An arm that a recording shows."""
 
-    Returns:
-        What the viewer will not show as it should, a line each.
-    """
+    chain: Chain
+    """For whoever goes on with its motion."""
+    remarks: tuple[str, ...] = ()
+    """What the viewer will not show as it should, a line each."""
+
+
+def log_arm(stream: rr.RecordingStream, run: MovingArm) -> LoggedArm:
+    """Log the arm and its motion."""
     robot = run.robot
     prefix = run.frame(f"{robot.name}/")
     if robot.meshes is not None:
-        _log_meshes(stream, run, prefix)
-        return ()
+        return LoggedArm(_log_meshes(stream, run, prefix))
     tree = None if robot.urdf is None else _description(robot.urdf, _shapes(run), prefix)
     chain = _chain(robot, tree, prefix)
     log_motion(stream, run, chain)
     if tree is None:
         _log_skeleton(stream, run, chain, frozenset((run.frame(BASE), *chain.link_frames)))
         why = "has no description with link shapes" if robot.urdf is None else "cannot be drawn"
-        return (f"{robot.name} {why}: links are drawn as bars",)
+        return LoggedArm(chain, (f"{robot.name} {why}: links are drawn as bars",))
     _log_other_frames(stream, run, tree, prefix, chain)
     shapes = log_shapes(stream, tree)
     if not shapes.drawn:
         _log_skeleton(stream, run, chain, frozenset((run.frame(BASE), *chain.link_frames)))
-        return (f"{robot.name}: the description draws no link: links are drawn as bars",)
+        why = f"{robot.name}: the description draws no link: links are drawn as bars"
+        return LoggedArm(chain, (why,))
     if shapes.missing:
         bare = shapes.missing - shapes.drawn
         root = prefix + tree.root_link().name
         base = frozenset({run.frame(BASE)}) if root in bare else frozenset[str]()
         _log_skeleton(stream, run, chain, bare | base)
         names = ", ".join(sorted(frame.removeprefix(prefix) for frame in shapes.missing))
-        return (f"{robot.name}: cannot read the shape of {names}: drawn as bars",)
-    return ()
+        return LoggedArm(chain, (f"{robot.name}: cannot read the shape of {names}: drawn as bars",))
+    return LoggedArm(chain)
 
 
-def _log_meshes(stream: rr.RecordingStream, run: MovingArm, prefix: str) -> None:
-    """The arm with the user's own shapes."""
+def _log_meshes(stream: rr.RecordingStream, run: MovingArm, prefix: str) -> Chain:
+    """The arm with the user's own shapes; the frames of its links."""
     chain = _chain(run.robot, None, prefix)
     log_motion(stream, run, chain)
     frames = (run.frame(BASE), *chain.link_frames)
@@ -119,6 +125,7 @@ def _log_meshes(stream: rr.RecordingStream, run: MovingArm, prefix: str) -> None
         entity = _entity(run, "links", str(link.number))
         stream.log(entity, rr.CoordinateFrame(frames[link.number]), static=True)
         stream.log(entity, surface(link.shape, palette.LINK), static=True)
+    return chain
 
 
 def _description(file: Path, entity: str, prefix: str) -> UrdfTree | None:
@@ -153,14 +160,6 @@ def _entity(run: MovingArm, *parts: str) -> str:
 def _shapes(run: MovingArm) -> str:
     """Where the link shapes are logged: rerun's reader takes one word, never a path."""
     return f"{run.name}_{ENTITY}" if run.name else ENTITY
-
-
-def arm_chain(run: MovingArm) -> Chain:
-    """The frames that `log_arm` moves, for whoever goes on with the motion."""
-    prefix = run.frame(f"{run.robot.name}/")
-    urdf = None if run.robot.meshes is not None else run.robot.urdf
-    tree = None if urdf is None else _description(urdf, _shapes(run), prefix)
-    return _chain(run.robot, tree, prefix)
 
 
 def _chain(robot: Robot, tree: UrdfTree | None, prefix: str) -> Chain:
