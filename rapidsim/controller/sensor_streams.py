@@ -6,7 +6,6 @@ Nothing of the run hangs on it: the path is looked at, not decided.
 from __future__ import annotations
 
 from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from typing import Final
@@ -17,9 +16,9 @@ from rapidsim.controller.cell.sensors import Sensor
 from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.guidance_frames import told_frames
 from rapidsim.controller.moves.guidance_start import used_axes
-from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.controller.queue.motion_queue import foreseen
 from rapidsim.frames.transform import Array
 from rapidsim.language.data import ToolData, WobjData
 from rapidsim.motion.guidance.feedback import Feedback, Frames, Guided, standing_feedback
@@ -80,10 +79,7 @@ def told_along(
         times: Of the words.
         guided: What is told of guidance.
     """
-    trajectory = unit.queue.trajectory
-    with suppress(MotionError):
-        trajectory = unit.queue.preview()
-    samples = trajectory.at(np.concatenate([times, times + SPEED_STEP_S]))
+    samples = foreseen(unit.queue).at(np.concatenate([times, times + SPEED_STEP_S]))
     return told_of(unit, resolver, told_in(samples.external[0]), samples, len(times), guided)
 
 

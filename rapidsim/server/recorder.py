@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Final
@@ -11,11 +10,10 @@ from typing import Final
 import numpy as np
 
 from rapidsim.controller.journal.events import Event, EventKind
-from rapidsim.controller.moves.queued_move import MotionError
+from rapidsim.controller.queue.motion_queue import foreseen
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Array
 from rapidsim.motion.guidance.sensor import SensorAnswer
-from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.recording.live_recording import LiveArm, LiveRecording
 from rapidsim.server.messages import Refusal, Reply, Request
 from rapidsim.simulation.live.controller import LiveController
@@ -109,12 +107,7 @@ class Recorder:
                 self.recording.moved(self._arm(task, name, times))
 
     def _arm(self, task: LiveTask, name: str, times: Array) -> LiveArm:
-        queue = task.unit.queue
-        path = queue.trajectory
-        with suppress(MotionError):
-            path = queue.preview()
-        samples: Samples = path.at(times)
-        return LiveArm(name, task.unit.own.robot, samples)
+        return LiveArm(name, task.unit.own.robot, foreseen(task.unit.queue).at(times))
 
     def _do(self, write: Callable[[], None]) -> None:
         if not self._is_on:

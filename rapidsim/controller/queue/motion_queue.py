@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import Protocol
 
 from rapidsim.controller.moves.executed_move import CornerKind
-from rapidsim.controller.moves.queued_move import QueuedMove
+from rapidsim.controller.moves.queued_move import MotionError, QueuedMove
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
@@ -130,3 +131,13 @@ class MotionQueue(Protocol):
         Empty where it is near enough to go back there by itself.
         """
         ...
+
+
+def foreseen(queue: MotionQueue) -> Trajectory:
+    """What the robot will do if nothing more is said, for somebody who looks on; never raises.
+
+    Where that cannot be planned, it is what is decided: whoever asks for the moves hears why.
+    """
+    with suppress(MotionError):
+        return queue.preview()
+    return queue.trajectory

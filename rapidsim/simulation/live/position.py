@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
 from enum import StrEnum
 from typing import TypeVar
 
 import numpy as np
 
 from rapidsim.controller.moves.queued_move import MotionError
+from rapidsim.controller.queue.motion_queue import foreseen
 from rapidsim.frames.transform import Array
 from rapidsim.language.data import (
     WOBJ0,
@@ -79,10 +79,7 @@ class Glance:
 
 def glance(task: LiveTask) -> Glance:
     """Where a task's robot is now."""
-    now_s, queue = task.turns.now_s, task.unit.queue
-    path = queue.trajectory
-    with suppress(MotionError):
-        path = queue.preview()
+    now_s, path = task.turns.now_s, foreseen(task.unit.queue)
     samples = path.at(np.array([now_s]))
     arm, external, move = samples.joints[0], samples.external[0], int(samples.move[0])
     resolver, motion = task.run.controller.others.resolver, task.run.controller.motion
