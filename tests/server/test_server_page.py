@@ -57,6 +57,7 @@ def test_to_look_takes_no_time_and_changes_nothing(tmp_path: Path) -> None:
         assert task["pointer"] == ["job", 4]
         assert task["modules"] == ["job"]
         assert len(task["joints"]) == 6
+        assert task["measures"] == ["deg"] * 6
         async with served.client.get(f"{served.base}/ui/text?task=T_ROB1&module=JOB") as response:
             text = (await response.json())["text"]
         assert text == PROGRAM

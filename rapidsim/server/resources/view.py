@@ -92,6 +92,7 @@ def _task(task: LiveTask, state: TaskState) -> dict[str, object]:
         shown |= {
             "motion": None if now.move is None else _place(task, now.move),
             "joints": [_number(one) for one in now.joints.robax if one != UNUSED_AXIS],
+            "measures": [joint.measure for joint in task.unit.own.robot.joints],
             "external": [_number(one) for one in external],
             "position": [_number(one) for one in now.target.trans],
             "orientation": [_number(one, 4) for one in now.target.rot],
