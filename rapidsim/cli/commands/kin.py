@@ -34,6 +34,15 @@ SEARCHES = ("lm", "bfgs", "trf")
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 
+_joints_option = click.option(
+    "--joints",
+    type=numbers(),
+    required=True,
+    metavar="A,B,...",
+    help="Joints [deg; mm where one slides].",
+)
+
+
 def _common(command: Command) -> Command:
     """The options of all three commands."""
     for option in (
@@ -77,13 +86,7 @@ def kin(context: click.Context) -> int | None:
 
 
 @kin.command()
-@click.option(
-    "--joints",
-    type=numbers(),
-    required=True,
-    metavar="A,B,...",
-    help="Joints [deg; mm where one slides].",
-)
+@_joints_option
 @click.option("--tables", is_flag=True, help="Also the matrix of each link, and the arm's tables.")
 @_common
 def fk(
@@ -230,13 +233,7 @@ def ik(
 
 
 @kin.command(short_help="Show how joints move the TCP, and how close singularities are.")
-@click.option(
-    "--joints",
-    type=numbers(),
-    required=True,
-    metavar="A,B,...",
-    help="Joints [deg; mm where one slides].",
-)
+@_joints_option
 @click.option(
     "--twist",
     type=numbers(6),
