@@ -57,6 +57,18 @@ def test_two_half_circles_with_one_orientation_keep_it_all_the_way() -> None:
     assert first.length_m == pytest.approx(np.pi * 0.1)
 
 
+@pytest.mark.parametrize("size", [-0.001, -32_000.0])
+def test_a_zone_below_zero_is_one_without_size(size: float) -> None:
+    zone = ZoneData(False, *[size] * 6)
+    cell = Cell()
+    cell.move(1000.0, 0.0, 600.0, zone=zone, kind=Interpolation.JOINT)
+    circle(cell, target(900.0, 100.0, 600.0), target(800.0, 0.0, 600.0), zone)
+    cell.move(800.0, 0.0, 700.0, zone=FINE)
+    cell.controller.motion.finish()
+    moves = cell.moves()[:2]
+    assert [(one.zone_m, one.corner_reason) for one in moves] == [(0.0, "zone without size")] * 2
+
+
 @pytest.mark.parametrize(
     ("via", "to", "why"),
     [

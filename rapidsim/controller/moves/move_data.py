@@ -149,16 +149,17 @@ def external_speeds_of(
 
 
 def zone_of(move: Move) -> Zone | None:
-    """The zone of a fly-by point; None at a stop point."""
+    """The zone of a fly-by point, without size where it is negative; None at a stop point."""
     zone = move.zone
     if zone.finep:
         return None
+    position = max(0.0, zone.pzone_tcp)
     return Zone(
-        position=zone.pzone_tcp * MM,
-        orientation=max(zone.pzone_ori, zone.pzone_tcp) * MM,
-        angle=math.radians(zone.zone_ori),
-        linear_axes=zone.zone_leax * MM,
-        rotating_axes=math.radians(zone.zone_reax),
+        position=position * MM,
+        orientation=max(zone.pzone_ori, position) * MM,
+        angle=math.radians(max(0.0, zone.zone_ori)),
+        linear_axes=max(0.0, zone.zone_leax) * MM,
+        rotating_axes=math.radians(max(0.0, zone.zone_reax)),
     )
 
 
