@@ -41,7 +41,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> RapidFile | None:
     """Collect `test_*.mod` and its like."""
-    from rapidsim.files import MODULE_SUFFIXES
+    from rapidsim.module_files import MODULE_SUFFIXES
 
     if file_path.suffix.lower() not in MODULE_SUFFIXES:
         return None
@@ -241,7 +241,7 @@ class RapidTest(pytest.Item):
 
 def _beside(file: Path) -> list[Path]:
     """The modules of its folder that are no tests."""
-    from rapidsim.files import MODULE_SUFFIXES
+    from rapidsim.module_files import MODULE_SUFFIXES
 
     return sorted(
         one

@@ -17,12 +17,13 @@ from rapidsim.comparison.program_changes import program_changes
 from rapidsim.comparison.program_parts import Parts, parts_of
 from rapidsim.comparison.run_changes import RanProgram, run_changes
 from rapidsim.diagnostics import Diagnostic, Source
-from rapidsim.files import InputError, TaskFiles, decode, input_bytes
+from rapidsim.files import InputError, decode, input_bytes
 from rapidsim.jobs.answers import answers_of_file
 from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.check_files import check_job
 from rapidsim.jobs.job import Job, job
 from rapidsim.jobs.run_files import ProgramRejectedError, run_job
+from rapidsim.module_files import TaskFiles
 from rapidsim.report.run.json_report import course_json
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
 from rapidsim.station.tasks import DEFAULT_TASK

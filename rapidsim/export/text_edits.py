@@ -11,7 +11,8 @@ import shutil
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from rapidsim.files import STANDARD_INPUT, InputError, SourceFile, decode, input_bytes
+from rapidsim.files import InputError, SourceFile, decode, input_bytes
+from rapidsim.module_files import STANDARD_INPUT
 from rapidsim.output_files import whole_file
 
 TextEdit = tuple[int, int, str]

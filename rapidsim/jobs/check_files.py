@@ -17,7 +17,6 @@ from rapidsim.analysis.program_parts import ENTRY
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
 from rapidsim.diagnostics import Diagnostic, Severity
-from rapidsim.files import TaskFiles
 from rapidsim.findings.runs import EndlessWait
 from rapidsim.jobs.baseline import Key, read_baseline, told_apart
 from rapidsim.jobs.checked_program import Loaded, load_task
@@ -29,6 +28,7 @@ from rapidsim.jobs.move_checks import CheckMoves, choose_move_check
 from rapidsim.jobs.selection import choose_selection
 from rapidsim.jobs.standing_rows import stand_for_all
 from rapidsim.jobs.undriven_inputs import find_never_driven, not_told
+from rapidsim.module_files import TaskFiles
 from rapidsim.reach.checked_moves import MOST_MOVES, Coverage, ReachReport, UncheckedMove
 from rapidsim.reach.dataflow.written_moves import RunNotFollowedError, written_moves
 from rapidsim.station.tasks import DEFAULT_TASK

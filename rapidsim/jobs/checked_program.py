@@ -9,8 +9,9 @@ from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.passes.checker import Find, check
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Severity, Source
-from rapidsim.files import SourceFile, TaskFiles
+from rapidsim.files import SourceFile
 from rapidsim.jobs.runnable_part import runnable_part
+from rapidsim.module_files import TaskFiles
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse
 from rapidsim.values import dataclass

@@ -9,7 +9,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rapidsim.files import backup_folders, seen_from_here
+from rapidsim.files import seen_from_here
+from rapidsim.module_files import backup_folders
 from rapidsim.station.station import Station, find_station
 from rapidsim.values import dataclass
 

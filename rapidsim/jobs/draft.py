@@ -16,15 +16,9 @@ from pathlib import Path
 from rapidsim.analysis.names.signal_violations import UnknownSignal
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.diagnostics import Source
-from rapidsim.files import (
-    PACKED_SUFFIX,
-    InputError,
-    SourceFile,
-    TaskFiles,
-    backup_folders,
-    read_tasks,
-)
+from rapidsim.files import InputError, SourceFile
 from rapidsim.jobs.checked_program import load_task
+from rapidsim.module_files import PACKED_SUFFIX, TaskFiles, backup_folders, read_tasks
 from rapidsim.motion.robot.catalogue import find_entry
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.reach.dataflow.written_moves import written_moves

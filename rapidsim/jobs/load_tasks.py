@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.program import DataSymbol, Program
 from rapidsim.diagnostics import Diagnostic, Related, Span, Violation
-from rapidsim.files import TaskFiles
 from rapidsim.interpreter.runtime.memory import module_data
 from rapidsim.interpreter.runtime.shared_persistents import disagreements, may_be_shared
 from rapidsim.jobs.checked_program import load_task
+from rapidsim.module_files import TaskFiles
 from rapidsim.reach.dataflow.side_effects import ProgramEffects
 from rapidsim.reach.dataflow.written_moves import written_moves
 from rapidsim.station.tasks import DEFAULT_TASK

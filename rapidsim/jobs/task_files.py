@@ -8,17 +8,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from rapidsim.diagnostics import Diagnostic
-from rapidsim.files import (
-    InputError,
-    TaskFiles,
-    did_you_mean,
-    named_tasks,
-    neighbours,
-    opened,
-    read_tasks,
-    require_inside,
-    seen_from_here,
-)
+from rapidsim.files import InputError, did_you_mean, require_inside, seen_from_here
+from rapidsim.module_files import TaskFiles, named_tasks, neighbours, opened, read_tasks
 from rapidsim.station.station import Station
 
 # Rules that find a name which another module may declare.

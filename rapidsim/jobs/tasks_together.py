@@ -6,11 +6,12 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from rapidsim.diagnostics import Diagnostic
-from rapidsim.files import InputError, TaskFiles
+from rapidsim.files import InputError
 from rapidsim.jobs.checked_program import Loaded
 from rapidsim.jobs.entry import require_entry
 from rapidsim.jobs.job import Job
 from rapidsim.jobs.load_tasks import LoadedTask
+from rapidsim.module_files import TaskFiles
 from rapidsim.reach.dataflow.written_moves import written_moves
 from rapidsim.station.tasks import DEFAULT_TASK
 

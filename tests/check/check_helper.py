@@ -7,8 +7,8 @@ from pathlib import Path
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
 from rapidsim.diagnostics import Diagnostic
-from rapidsim.files import read_tasks
 from rapidsim.jobs.check_files import check_tasks
+from rapidsim.module_files import read_tasks
 
 HERE = Path(__file__).parent
 CORPUS = HERE / "corpus"

@@ -8,9 +8,10 @@ from unittest.mock import patch
 
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Span
-from rapidsim.files import SourceFile, TaskFiles
+from rapidsim.files import SourceFile
 from rapidsim.jobs import check_files
 from rapidsim.jobs.check_files import CheckResult, check_tasks
+from rapidsim.module_files import TaskFiles
 from rapidsim.motion.robot.robot import Robot, load_robot
 from rapidsim.reach import trial_run
 from rapidsim.reach.checked_moves import ReachReport

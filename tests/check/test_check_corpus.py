@@ -8,7 +8,7 @@ import pytest
 from check_helper import CORPUS, found_in, lines
 
 from rapidsim.diagnostics import Severity
-from rapidsim.files import MODULE_SUFFIXES
+from rapidsim.module_files import MODULE_SUFFIXES
 
 REPOSITORY = Path(__file__).parents[2]
 # Folders are programs of several modules, a backup of several tasks; other modules stand alone.

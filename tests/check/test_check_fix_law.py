@@ -17,8 +17,9 @@ from rapidsim.cli.boundary import run_commands
 from rapidsim.cli.tools.fixes import choose_fixes, cured, harmless_fixes
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.export.text_edits import edited_text
-from rapidsim.files import SourceFile, TaskFiles, decode
+from rapidsim.files import SourceFile, decode
 from rapidsim.jobs.check_files import check_tasks
+from rapidsim.module_files import TaskFiles
 
 ROOT = Path(__file__).parents[2]
 PROGRAMS = [decode(path.read_bytes())[0] for path in sorted((ROOT / "programs").rglob("*.mod"))]

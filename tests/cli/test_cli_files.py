@@ -6,7 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rapidsim.files import InputError, decode, did_you_mean, read_tasks
+from rapidsim.files import InputError, decode, did_you_mean
+from rapidsim.module_files import read_tasks
 
 MODULE = "MODULE {0}\nENDMODULE\n"
 

@@ -15,10 +15,10 @@ from rapidsim.cli import viewer
 from rapidsim.cli.boundary import run_commands
 from rapidsim.cli.tools import debugger
 from rapidsim.controller.cell import home_folder
-from rapidsim.files import read_tasks
 from rapidsim.jobs.checked_program import load
 from rapidsim.language.errors import RapidError
 from rapidsim.language.files import FileMode
+from rapidsim.module_files import read_tasks
 
 SECRET = "SECRET-OF-ANOTHER-FOLDER"
 PROGRAM = 'MODULE job\n  PROC main()\n    TPWrite "done";\n  ENDPROC\nENDMODULE\n'

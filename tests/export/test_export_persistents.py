@@ -5,8 +5,9 @@ from pathlib import Path
 import pytest
 
 from rapidsim.export.persistents import write_persistents
-from rapidsim.files import InputError, SourceFile, read_tasks
+from rapidsim.files import InputError, SourceFile
 from rapidsim.jobs.checked_program import load
+from rapidsim.module_files import read_tasks
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.persistents import PersistentChange

@@ -11,8 +11,9 @@ from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic
-from rapidsim.files import SourceFile, TaskFiles
+from rapidsim.files import SourceFile
 from rapidsim.jobs.load_tasks import load_tasks
+from rapidsim.module_files import TaskFiles
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.simulate import simulate_tasks

@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 from laws import examples
 
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind, Status
-from rapidsim.files import backup_folders
 from rapidsim.jobs.run_files import simulate
 from rapidsim.language.robotware import RobotWare
+from rapidsim.module_files import backup_folders
 from rapidsim.simulation.results.signal_history import signal_changes
 from rapidsim.station.backup.backup import backup_station
 from rapidsim.station.backup.cfg_file import read_configuration

@@ -5,9 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rapidsim.files import backup_folders
 from rapidsim.jobs.check_files import check
 from rapidsim.jobs.run_files import simulate
+from rapidsim.module_files import backup_folders
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.station.backup.backup import backup_station
 from rapidsim.station.backup.robots import catalogue_name

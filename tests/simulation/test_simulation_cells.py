@@ -17,9 +17,9 @@ from simulation_program import arm
 from rapidsim.controller import solo_moves
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.controller.motion import TaskMotion
-from rapidsim.files import read_tasks
 from rapidsim.jobs.checked_program import load
 from rapidsim.language.data import RobTarget
+from rapidsim.module_files import read_tasks
 from rapidsim.motion.model import MODELS
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import Simulation

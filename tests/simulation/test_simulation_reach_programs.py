@@ -10,11 +10,12 @@ import pytest
 from simulation_program import arm
 
 from rapidsim.diagnostics import Diagnostic, Severity
-from rapidsim.files import InputError, read_tasks
+from rapidsim.files import InputError
 from rapidsim.frames.transform import Transform
 from rapidsim.jobs.checked_program import Loaded, load
 from rapidsim.library.catalogue import ROUTINES
 from rapidsim.library.traits import Does
+from rapidsim.module_files import read_tasks
 from rapidsim.motion.configurations.reachability import why_unreachable
 from rapidsim.reach.checked_moves import ReachReport
 from rapidsim.reach.dataflow.program_walk import walk_program

@@ -12,8 +12,9 @@ from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.asked import say_remarks
 from rapidsim.cli.options.numbers import Number
 from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
-from rapidsim.files import MODULE_SUFFIXES, InputError, read_tasks
+from rapidsim.files import InputError
 from rapidsim.jobs.choices import choose_robot, choose_station
+from rapidsim.module_files import MODULE_SUFFIXES, read_tasks
 
 
 @click.command()

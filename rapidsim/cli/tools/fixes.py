@@ -9,8 +9,8 @@ from dataclasses import replace
 
 from rapidsim.diagnostics import Diagnostic, Edit, Severity
 from rapidsim.export.text_edits import TextEdit, edited_text
-from rapidsim.files import TaskFiles
 from rapidsim.jobs.check_files import check_tasks
+from rapidsim.module_files import TaskFiles
 from rapidsim.values import dataclass
 
 _MOST_ROUNDS = 20

@@ -10,7 +10,8 @@ from pathlib import Path
 import click
 
 from rapidsim.cli.terminal import current_terminal, say
-from rapidsim.files import MODULE_SUFFIXES, InputError
+from rapidsim.files import InputError
+from rapidsim.module_files import MODULE_SUFFIXES
 from rapidsim.station.station import find_station
 
 _LOOKS_S = 0.4

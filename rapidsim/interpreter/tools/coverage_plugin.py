@@ -23,8 +23,9 @@ from coverage.plugin_support import Plugins
 from coverage.types import TConfigurable, TConfigValueIn, TSourceTokenLines
 
 from rapidsim.diagnostics import Source
-from rapidsim.files import MODULE_SUFFIXES, decode
+from rapidsim.files import decode
 from rapidsim.interpreter.tools.executable_lines import RoutineLines, routine_lines
+from rapidsim.module_files import MODULE_SUFFIXES
 from rapidsim.syntax.parser import parse
 
 _MEASURED = [f"*{form(suffix)}" for suffix in MODULE_SUFFIXES for form in (str.lower, str.upper)]

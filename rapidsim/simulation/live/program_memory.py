@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from rapidsim.diagnostics import Source
-from rapidsim.files import InputError, decode, module_names
+from rapidsim.files import InputError, decode
 from rapidsim.interpreter.linking.loader import FatalError
 from rapidsim.language.errors import RapidError
 from rapidsim.library.loading import LARGEST_FILE
+from rapidsim.module_files import module_names
 from rapidsim.simulation.live.live_task import LiveTask
 from rapidsim.simulation.live.states import Refused, Why
 from rapidsim.syntax import tree
