@@ -36,6 +36,15 @@ _MODULE_HEADER = re.compile(r"^\s*(MODULE\s+\w|%%%)", re.IGNORECASE | re.MULTILI
 
 
 @dataclass(frozen=True, slots=True)
+class Backup:
+    """A controller backup, or what is laid out like one."""
+
+    root: Path
+    tasks: tuple[Path, ...]
+    """The folders of its tasks; none where SYS.cfg loads every module from HOME."""
+
+
+@dataclass(frozen=True, slots=True)
 class TaskFiles:
     """The modules of one task, in a fixed order."""
 
@@ -50,13 +59,16 @@ class TaskFiles:
     """Whether its controller loads it with references that nothing declares."""
 
 
-def read_tasks(paths: Sequence[str], rooms: Sequence[Path] = ()) -> tuple[TaskFiles, ...]:
+def read_tasks(
+    paths: Sequence[str], rooms: Sequence[Path] = (), *, more: bool = False
+) -> tuple[TaskFiles, ...]:
     """Read everything the user named.
 
     Args:
         paths: Files, `.pgf` files, folders, or `-`. Together they are one task, except that each
             task folder of a controller backup is a task of its own.
         rooms: Folders into which links may lead, besides those among the paths.
+        more: Whether there are modules besides, so that a folder may have none of its own.
 
     Raises:
         InputError: If something is missing, unreadable, or not RAPID.
@@ -76,14 +88,14 @@ def read_tasks(paths: Sequence[str], rooms: Sequence[Path] = ()) -> tuple[TaskFi
                 unseen = (*read.unseen, *missing)
                 tasks.append(replace(read, name=folder.name, unseen=unseen, left_out=left_out))
         elif found.is_dir():
-            modules += require_inside(_in_folder(found), (found, *rooms))
+            modules += require_inside(_in_folder(found, may_be_empty=more), (found, *rooms))
         elif found.suffix.lower() == ".pgf":
             modules += require_inside(_in_program_file(found), (found.parent, *rooms))
         else:
             modules.append(found)
     if modules:
         tasks.insert(0, _read(modules))
-    if not tasks:
+    if not tasks and not more:
         raise InputError("no RAPID file was named", "name a module, a .pgf file or a folder")
     return tuple(tasks)
 
@@ -121,14 +133,19 @@ def _is_task_by_name(folder: Path) -> bool:
     return bool(_modules_below(folder))
 
 
-def backup_folders(paths: Iterable[str]) -> tuple[Path, ...]:
-    """The task folders of the first controller backup among some paths; none without one."""
+def backup_among(paths: Iterable[str]) -> Backup | None:
+    """The first controller backup among some paths; None without one."""
     for path in paths:
         folder = opened(path)
-        folders = task_folders(folder) if path != "-" and folder.is_dir() else ()
-        if folders:
-            return folders
-    return ()
+        if path == "-" or not folder.is_dir():
+            continue
+        tasks = task_folders(folder)
+        if tasks:
+            return Backup(tasks[0].parent.parent, tasks)
+        below = {entry.name.upper() for entry in _entries(folder) if entry.is_dir()}
+        if below >= {"SYSPAR", "HOME"} and not _in_folder(folder, may_be_empty=True):
+            return Backup(folder, ())
+    return None
 
 
 def opened(path: str) -> Path:
@@ -211,11 +228,11 @@ def _modules_of(folder: Path) -> list[Path]:
     ]
 
 
-def _in_folder(folder: Path) -> list[Path]:
+def _in_folder(folder: Path, *, may_be_empty: bool = False) -> list[Path]:
     """The modules of a folder; a task folder of a backup keeps them in PROGMOD and SYSMOD."""
     rapid = [e for e in _entries(folder) if e.name.upper() == "RAPID" and e.is_dir()]
     modules = _modules_below(folder) or [m for entry in rapid for m in _modules_below(entry)]
-    if modules:
+    if modules or may_be_empty:
         return modules
     below = [entry.name for entry in _entries(folder) if entry.is_dir() and _modules_of(entry)]
     raise InputError(

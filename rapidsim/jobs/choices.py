@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rapidsim.files import seen_from_here
-from rapidsim.module_files import backup_folders
+from rapidsim.module_files import backup_among
 from rapidsim.station.station import Station, find_station
 from rapidsim.values import dataclass
 
@@ -51,13 +51,13 @@ def choose_station(paths: Sequence[str], file: str | None) -> Station:
 
 
 def _backup(paths: Sequence[str]) -> Station:
-    folders = backup_folders(paths)
-    if not folders:
+    backup = backup_among(paths)
+    if backup is None:
         return Station()
     # Most of what is named is no backup, and does not pay for importing NumPy here.
     from rapidsim.station.backup.backup import backup_station
 
-    return backup_station(folders)
+    return backup_station(backup)
 
 
 def choose_robot(

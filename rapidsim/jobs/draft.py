@@ -18,7 +18,8 @@ from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.diagnostics import Source
 from rapidsim.files import InputError, SourceFile
 from rapidsim.jobs.checked_program import load_task
-from rapidsim.module_files import PACKED_SUFFIX, TaskFiles, backup_folders, read_tasks
+from rapidsim.jobs.task_files import all_tasks
+from rapidsim.module_files import PACKED_SUFFIX, Backup, TaskFiles, backup_among, read_tasks
 from rapidsim.motion.robot.catalogue import find_entry
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.reach.dataflow.written_moves import written_moves
@@ -81,12 +82,12 @@ def draft_for(paths: Sequence[str], robot: str | None) -> DraftFile:
     programs = [path for path in paths if path not in configured]
     if not programs:
         raise InputError("no RAPID file was named", "name a module, a folder or a backup")
-    folders = backup_folders(programs)
-    if folders:
+    backup = backup_among(programs)
+    if backup is not None:
         # A packed station is unpacked out of sight; its file lies beside the archive.
         packed = (Path(path) for path in programs if Path(path).suffix.lower() == PACKED_SUFFIX)
         beside = next(packed, None)
-        return _of_backup(folders, robot, None if beside is None else beside.parent)
+        return _of_backup(backup, robot, None if beside is None else beside.parent)
     tasks = read_tasks(programs)
     configuration = loose_configuration(Path(configured[0])) if configured else None
     files = [file for task in tasks for file in task.files]
@@ -94,10 +95,9 @@ def draft_for(paths: Sequence[str], robot: str | None) -> DraftFile:
     return DraftFile(folder / FILE_NAME, _of_modules(files, configuration, folder, robot))
 
 
-def _of_backup(folders: Sequence[Path], robot: str | None, beside: Path | None) -> DraftFile:
-    station = backup_station(folders)
-    root = folders[0].parent.parent
-    tasks = read_tasks([str(root)])
+def _of_backup(backup: Backup, robot: str | None, beside: Path | None) -> DraftFile:
+    station = backup_station(backup)
+    tasks = all_tasks([str(backup.root)], station)
     arms = ", ".join(one.name or one.unknown or "" for one in station.robots)
     remarks = (
         "Tasks, signals and wiring are those of the backup: SYS.cfg and EIO.cfg.",
@@ -114,7 +114,7 @@ def _of_backup(folders: Sequence[Path], robot: str | None, beside: Path | None) 
     signals = _undeclared(tasks, station)
     draft = Draft(remarks, robots, (), signals)
     lacks = station.remarks if robot else (*station.remarks, *_without_speeds(station))
-    return DraftFile((beside or root) / FILE_NAME, draft, lacks)
+    return DraftFile((beside or backup.root) / FILE_NAME, draft, lacks)
 
 
 def _without_speeds(station: Station) -> Iterator[str]:

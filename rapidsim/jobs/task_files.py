@@ -38,9 +38,12 @@ def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
         refers_late = bool(station.tasks) and station.tasks[0].refers_late
         return tuple(
             replace(task, unseen=(*task.unseen, *unseen), refers_late=refers_late)
-            for task in named_tasks(read_tasks(everything, rooms), station.task)
+            for task in named_tasks(
+                read_tasks(everything, rooms, more=bool(station.modules)), station.task
+            )
         )
-    named = read_tasks(paths, rooms)
+    lists_modules = any(task.modules for task in station.tasks)
+    named = read_tasks(paths, rooms, more=lists_modules) or (TaskFiles(None, ()),)
     stubs = read_tasks(_as_typed(station.stubs), rooms)[0].files if station.stubs else ()
     listed = [
         read_tasks(_as_typed(task.modules), rooms)[0] if task.modules else TaskFiles(None, ())
@@ -69,6 +72,8 @@ def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
     )
     for task in tasks:
         if not task.files:
+            if station.file is None:
+                raise InputError(f"SYS.cfg of the backup loads no module into {task.name}")
             raise InputError(
                 f"{station.file}: the task {task.name} has no module",
                 "list them: modules = [...]",

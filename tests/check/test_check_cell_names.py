@@ -26,6 +26,7 @@ from rapidsim.analysis.suggestions import reserved_words
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import SourceFile
 from rapidsim.jobs.checked_program import load
+from rapidsim.module_files import Backup
 from rapidsim.station.backup.backup import backup_station
 from rapidsim.station.cell_names import declared_names
 from rapidsim.station.read import read_io, read_station
@@ -127,7 +128,7 @@ def in_backup(folder: Path, signals: dict[str, str]) -> CellNames:
     for made in (task, folder / "SYSPAR"):
         made.mkdir(parents=True, exist_ok=True)
     (folder / "SYSPAR" / "EIO.cfg").write_text("EIO_SIGNAL:\n" + "\n".join(lines))
-    return declared_names(backup_station([task]))
+    return declared_names(backup_station(Backup(folder, (task,))))
 
 
 Declare = Callable[[Path, dict[str, str]], CellNames]

@@ -162,6 +162,22 @@ def test_what_a_station_says_wrong_of_tasks_is_refused(
     assert message in caught.value.message
 
 
+@pytest.mark.parametrize("task", ["", '[[task]]\nname = "T_BACK"\nmodules = ["cell/back.mod"]\n'])
+def test_modules_may_lie_where_only_the_station_file_says(tmp_path: Path, task: str) -> None:
+    below = tmp_path / "cell"
+    below.mkdir()
+    (below / "left.mod").write_text(module("left", 'TPWrite "here";'))
+    (below / "back.mod").write_text(module("back", 'TPWrite "there";'))
+    listing = '[[task]]\nmodules = ["cell/left.mod"]\n' + task
+    (tmp_path / "rapidsim.toml").write_text(listing)
+    ended = run(tmp_path)
+    assert (ended.code, "here" in ended.out) == (0, True)
+    # What the station file does not list is in no task.
+    (tmp_path / "rapidsim.toml").write_text("")
+    ended = run(tmp_path)
+    assert (ended.code, "there are some in cell" in ended.err) == (2, True)
+
+
 def test_a_task_without_modules_is_refused(cell: Path) -> None:
     text = STATION.replace('modules = ["back.mod"]\n', "")
     (cell / "rapidsim.toml").write_text(text)

@@ -12,7 +12,7 @@ from laws import examples
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind, Status
 from rapidsim.jobs.run_files import simulate
 from rapidsim.language.robotware import RobotWare
-from rapidsim.module_files import backup_folders
+from rapidsim.module_files import Backup, backup_among
 from rapidsim.simulation.results.signal_history import signal_changes
 from rapidsim.station.backup.backup import backup_station
 from rapidsim.station.backup.cfg_file import read_configuration
@@ -75,7 +75,9 @@ def station(folder: Path, configuration: Mapping[str, str]) -> Station:
     for name, text in {"RAPID/TASK1/m.mod": MODULE, **configuration}.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(text, newline="\r\n")
-    return backup_station(backup_folders([str(folder)]))
+    backup = backup_among([str(folder)])
+    assert backup is not None
+    return backup_station(backup)
 
 
 def test_signals_are_those_of_the_configuration(tmp_path: Path) -> None:
@@ -240,5 +242,5 @@ def test_a_backup_says_which_robotware_it_is_of(
     (tmp_path / "BACKINFO" / "backinfo.txt").write_text(
         f">>PRODUCTS_ID:\n{line}\n>>TASK1: (T_ROB1,MAIN,)\n"
     )
-    station = backup_station([tmp_path / "RAPID" / "TASK1"])
+    station = backup_station(Backup(tmp_path, (tmp_path / "RAPID" / "TASK1",)))
     assert station.robotware == version

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from rapidsim.files import InputError
 from rapidsim.jobs.check_files import check
 from rapidsim.jobs.run_files import simulate
 
@@ -117,6 +118,25 @@ def test_a_backup_without_backinfo_has_the_folders_of_its_tasks(backup: Backup) 
         ("logger", "log"),
         ("logger", "user"),
     }
+
+
+def test_all_modules_may_come_from_home(backup: Backup) -> None:
+    loads = [
+        f'-File "HOME:/{name}" -Task "{task}"'
+        for name, task in (("MainModule.mod", "T_ROB1"), ("logs.mod", "logger"))
+    ]
+    files: dict[str, str | bytes] = {
+        "HOME/MainModule.mod": MAIN.replace("fromUser;", "fromUser;\n    WaitTime 1;"),
+        "HOME/logs.mod": LOGGER,
+        "HOME/user.sys": USER,
+        "SYSPAR/SYS.cfg": SYS.replace("#\nCAB_TASKS", "\n\n".join([*loads, "#\nCAB_TASKS"])),
+    }
+    folder = backup(files)
+    assert codes(folder) == []
+    assert texts(folder) == {"main", "log", "user"}
+    (folder / "SYSPAR/SYS.cfg").write_text(SYS.replace("-AllTask", '-Task "T_ROB1"'))
+    with pytest.raises(InputError, match=r"loads no module into logger$"):
+        check([folder])
 
 
 def test_the_task_of_the_safety_controller_is_not_run(backup: Backup) -> None:

@@ -7,7 +7,7 @@ import pytest
 
 from rapidsim.jobs.check_files import check
 from rapidsim.jobs.run_files import simulate
-from rapidsim.module_files import backup_folders
+from rapidsim.module_files import backup_among
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.station.backup.backup import backup_station
 from rapidsim.station.backup.robots import catalogue_name
@@ -86,7 +86,9 @@ def backup(folder: Path, arm: str = "ROB1_1200_0.7_7") -> Path:
 
 
 def said(folder: Path) -> Station:
-    return backup_station(backup_folders([str(folder)]))
+    backup = backup_among([str(folder)])
+    assert backup is not None
+    return backup_station(backup)
 
 
 @pytest.mark.parametrize("name", ["ROB1_910SC_0.55_3", "ROB1_IRB910SC_3_0.55"])

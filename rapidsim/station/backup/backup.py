@@ -15,6 +15,7 @@ from pathlib import Path
 from rapidsim.backinfo import listed_products, listed_tasks
 from rapidsim.language.equipment import Configured
 from rapidsim.language.robotware import RobotWare, read_robotware
+from rapidsim.module_files import Backup
 from rapidsim.station.backup.cfg_file import (
     read_configuration,
     text_in,
@@ -34,13 +35,9 @@ _DOMAINS = ("EIO", "MMC", "MOC", "PROC", "SIO", "SYS")
 _ROBOTWARE = re.compile(r"RobotWare(?: Version)?:?[\s_]*(\d+\.\d+)", re.IGNORECASE)
 
 
-def backup_station(folders: Sequence[Path]) -> Station:
-    """What a backup says.
-
-    Args:
-        folders: Its task folders, one or more; see `rapidsim.files.backup_folders`.
-    """
-    root = folders[0].parent.parent
+def backup_station(backup: Backup) -> Station:
+    """What a backup says."""
+    root = backup.root
     motion = read_configuration(text_in(root, "SYSPAR", "MOC.cfg"))
     robots = backup_robots(motion)
     system = read_configuration(text_in(root, "SYSPAR", "SYS.cfg"))
@@ -55,6 +52,10 @@ def backup_station(folders: Sequence[Path]) -> Station:
         replace(one, carried_by=None) if one.carried_by in known else one for one in robots
     )
     io, remarks = backup_io(read_configuration(text_in(root, "SYSPAR", "EIO.cfg")))
+    # Where all modules lie in HOME no folder is there, but each would have the name of its task.
+    folders = backup.tasks or [
+        root / "RAPID" / task.name for task in configured_tasks(system).values()
+    ]
     tasks = _tasks_of(root, folders, [robot.label for robot in robots])
     return Station(
         robots=robots,
