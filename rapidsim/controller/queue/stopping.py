@@ -60,10 +60,9 @@ def halt(planner: BlockPlanner, now_s: float, in_s: float = 0.0) -> float:
         _take_back(planner, 0)
         return now_s
     under_way = block.driven[-1]
-    s = under_way.timing.s_at(now_s - under_way.start_s)
-    speed = under_way.timing.speed_at(now_s - under_way.start_s)
-    braking = stop_at(under_way.path, planner.limits, s, speed, in_s)
-    to_m = float(braking.s[-1])
+    since_s = now_s - under_way.start_s
+    braking = stop_at(under_way.path, planner.limits, under_way.timing, since_s, in_s)
+    s, to_m = float(braking.s[0]), float(braking.s[-1])
     if to_m > s:
         planner.trajectory.append(Piece(now_s, under_way.path, braking, s, to_m))
         block.driven.append(BlockPlan(under_way.path, braking, under_way.first, s, now_s))

@@ -27,36 +27,57 @@ SOFT_STOP_S = 0.15
 r"""The same where it hurries: \SStop."""
 _STANDSTILL = 1e-9
 """Path speed [m/s] that counts as standing."""
+_BEFORE_S = 1.0
+_AFTER_S = 4.0
+"""On this part [s] of a plan, before and after the instant, braking is worked out: a block may go
+on for hours."""
 
 
-def stop_at(path: Path, limits: Limits, s: float, speed: float, in_s: float = 0.0) -> Timing:
-    """Brake from a place on a path, evenly in a given time or as fast as the axes can.
+def stop_at(path: Path, limits: Limits, timing: Timing, time_s: float, in_s: float = 0.0) -> Timing:
+    """Brake on a path, evenly in a given time or as fast as the axes can.
 
     Args:
         path: The geometry.
         limits: Of the axes.
-        s: Where braking begins [m].
-        speed: Path speed there [m/s], one that the plan of the path has.
+        timing: The plan that the arm has followed.
+        time_s: When braking begins [s], in the plan's time.
         in_s: How long it takes [s], where neither the axes nor the end of the path ask for another.
 
     Returns:
         The motion to rest; its last `s` is where the arm stands. Time 0 is at `s`.
     """
+    s, speed = timing.s_at(time_s), timing.speed_at(time_s)
     nothing = (Limiter(Quantity.NOTHING),) * len(path.segments)
     if speed <= _STANDSTILL or s >= path.length:
         return Timing(np.full(2, s), np.zeros(2), 0.0, nothing)
-    problem = problem_of(path, cells_of(path, limits, s), limits)
-    # The same stages as for the plan that had this speed here.
-    _, motion = fastest_drive(problem, speed)
-    stages = motion.stages
     hardest = speed / in_s if in_s > 0.0 else np.inf
-    stands, x = _braked(stages, motion.x, speed, hardest)
-    nodes = stages.nodes[: len(x)].copy()
-    nodes[-1] = stands
+    after_s = time_s + _AFTER_S
+    nodes, x = _braked(
+        path, limits, s, speed, hardest, (timing.s_at(time_s - _BEFORE_S), timing.s_at(after_s))
+    )
+    # Near its end the part itself has the arm brake.
+    if nodes[-1] > timing.s_at(time_s + 0.5 * _AFTER_S) and after_s < timing.duration:
+        nodes, x = _braked(path, limits, s, speed, hardest, (0.0, path.length))
     return Timing(nodes, np.sqrt(x), 0.0, nothing)
 
 
-def _braked(stages: Stages, fastest: Array, speed: float, hardest: float) -> tuple[float, Array]:
+def _braked(
+    path: Path, limits: Limits, s: float, speed: float, hardest: float, within: tuple[float, float]
+) -> tuple[Array, Array]:
+    """Nodes [m] from a place to where the arm comes to rest, and x there.
+
+    `hardest` is the most to brake [m/s^2]; the part of the path `within` two places [m] is known.
+    """
+    problem = problem_of(path, cells_of(path, limits, s, within=within), limits)
+    # The same stages as for the plan that had this speed here.
+    _, motion = fastest_drive(problem, speed)
+    stands, x = _along(motion.stages, motion.x, speed, hardest)
+    nodes = motion.stages.nodes[: len(x)].copy()
+    nodes[-1] = stands
+    return nodes, x
+
+
+def _along(stages: Stages, fastest: Array, speed: float, hardest: float) -> tuple[float, Array]:
     """Where the arm comes to rest [m], and x at the nodes on the way, the last of them 0.
 
     `fastest` (m + 1,) is the x of the plan at the nodes, `hardest` the most to brake [m/s^2].

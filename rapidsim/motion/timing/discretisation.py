@@ -74,9 +74,24 @@ class Cells:
         return piece
 
 
-def cells_of(path: Path, limits: Limits, start: float, look: Look = undisturbed) -> Cells:
-    """Cells of a path, fine enough for its derivatives; the motion starts at a place [m] of it."""
-    cells = _evaluate(path, *_first_cells(path, start))
+def cells_of(
+    path: Path,
+    limits: Limits,
+    start: float,
+    look: Look = undisturbed,
+    within: tuple[float, float] = (-np.inf, np.inf),
+) -> Cells:
+    """Cells of a path, fine enough for its derivatives.
+
+    Args:
+        path: The geometry.
+        limits: Of the axes.
+        start: Where [m] on it the motion starts.
+        look: Called now and then.
+        within: Between which places [m] to look, around the start; only pieces that lie there in
+            part have cells.
+    """
+    cells = _evaluate(path, *_first_cells(path, start, within))
     rough = np.arange(len(cells.at))
     for _ in range(_ROUNDS):
         look()
@@ -111,17 +126,20 @@ def _halved(path: Path, cells: Cells, index: Index) -> Cells:
     return Cells(more, rows, cells.driven)
 
 
-def _first_cells(path: Path, start: float) -> tuple[Array, Array, Index]:
-    layout = path.layout
+def _first_cells(
+    path: Path, start: float, within: tuple[float, float]
+) -> tuple[Array, Array, Index]:
+    layout, (first, last) = path.layout, within
     width = np.diff(layout.bounds)
     least = np.where((layout.in_corner >= 0) & _tcp_is_limited(path), _TCP_CELLS, 1)
     least = np.where(_is_mixed(layout), np.maximum(least, _MIXED_CELLS), least)
     longest = np.maximum(_LONGEST_CELL, path.length * 1e-4)
     count = np.maximum(least, np.ceil(width / longest)).astype(np.int64)
+    count[(layout.bounds[1:] <= first) | (layout.bounds[:-1] >= last)] = 0
     owner = np.repeat(np.arange(len(width)), count)
     number = np.arange(len(owner)) - np.repeat(np.cumsum(count) - count, count)
     begin = layout.bounds[owner] + width[owner] * (number / count[owner])
-    end = np.append(begin[1:], layout.bounds[-1])
+    end = np.append(begin[1:], layout.bounds[owner[-1] + 1])
     if start <= 0.0:
         return begin, end, owner.astype(np.int64)
     # A start inside a cell cuts it; a sliver of a cell would only be rounding.
