@@ -12,7 +12,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
 from rapidsim.motion.kinematics.closed_form.opw_geometry import OpwGeometry
 from rapidsim.motion.robot.catalogue import aliases, aliases_of, find_entry, robots_folder
-from rapidsim.motion.robot.robot import Robot, load_robot, robot_names
+from rapidsim.motion.robot.robot import LARGEST_EXCESS, Robot, load_robot, robot_names
 
 MAKERS = {"ABB", "KUKA", "Mitsubishi"}
 LONGEST_REACH_M = 4.0
@@ -74,9 +74,19 @@ def test_every_file_says_only_what_is_read(robot: Robot) -> None:
     text = (robots_folder() / robot.name / "robot.toml").read_text(encoding="utf-8")
     table = tomllib.loads(text)
     known = "name title maker structure payload_kg reach_m sources checks notes not_modelled flange"
-    assert set(table) <= {*known.split(), "geometry_mm", "zero", "joint", "dynamics"}
+    tables = "geometry_mm zero joint dynamics"
+    assert set(table) <= {*known.split(), *tables.split(), "link_excess_mm"}
     assert table["maker"] in MAKERS
     assert table["title"].startswith(table["maker"])
+
+
+def test_links_that_were_compared_say_how_far_they_are_off(robot: Robot) -> None:
+    excess = robot.link_excess_m
+    assert len(excess) in (0, len(robot.joints) + 1)
+    if excess and robot.reach_m:
+        assert min(excess) >= 0.0
+        assert max(excess) <= LARGEST_EXCESS[0] * robot.reach_m
+        assert max(excess[3:]) <= LARGEST_EXCESS[1] * robot.reach_m
 
 
 def test_limits_are_sane(robot: Robot) -> None:

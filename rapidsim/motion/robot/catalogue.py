@@ -66,6 +66,8 @@ class CatalogueEntry:
     notes: tuple[str, ...]
     not_modelled: tuple[str, ...]
     """What the arm has and a run leaves out; every run on it says so."""
+    link_excess_m: tuple[float, ...]
+    """See `Robot.link_excess_m`."""
     folder: Path
 
     @property
@@ -197,6 +199,7 @@ def _entry(table: Mapping[str, Any], folder: Path) -> CatalogueEntry:
         checks=tuple(table["checks"]),
         notes=tuple(table["notes"]),
         not_modelled=tuple(table.get("not_modelled", ())),
+        link_excess_m=tuple(1e-3 * excess for excess in table.get("link_excess_mm", ())),
         folder=folder,
     )
 

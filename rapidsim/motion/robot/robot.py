@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
+from typing import Final
 
 import numpy as np
 
@@ -70,6 +71,11 @@ class LinkMeshes:
     its link: the origin on its axis, and turned as the base with the joints at zero."""
 
 
+LARGEST_EXCESS: Final = (0.18, 0.07)
+"""The largest `Robot.link_excess_m` of an arm that was compared, as a share of its reach: of all
+links, and of those from the third on."""
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Robot:
     """An arm."""
@@ -95,6 +101,9 @@ class Robot:
     notes: tuple[str, ...] = ()
     not_modelled: tuple[str, ...] = ()
     """What the arm has and a run leaves out."""
+    link_excess_m: tuple[float, ...] = ()
+    """How far 95 % of the surface of the maker's links reach beyond ours at most [m], the base
+    first; empty where they were not compared."""
     dynamics: Dynamics | None = None
     """What its main axes can do; None where only axis speeds say something about that."""
     external: tuple[ExternalAxis, ...] = ()
@@ -233,6 +242,7 @@ def _from_entry(entry: CatalogueEntry) -> Robot:
         checks=entry.checks,
         notes=entry.notes,
         not_modelled=entry.not_modelled,
+        link_excess_m=entry.link_excess_m,
     )
 
 

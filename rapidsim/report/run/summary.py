@@ -19,6 +19,7 @@ from rapidsim.collisions.contact import FARTHEST_M
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.motion.robot.external_axes import with_unit
+from rapidsim.motion.robot.robot import LARGEST_EXCESS, Robot
 from rapidsim.report.findings.source_frame import printable
 from rapidsim.report.kept_units import KeptUnits
 from rapidsim.report.run.collision_records import clearance_records, contact_records
@@ -233,15 +234,32 @@ def _collisions(simulation: Simulation, collisions: Collisions) -> Text:
 def shape_margins(simulation: Simulation, collisions: Collisions) -> list[str]:
     """What the bodies that were judged are worth, a line each."""
     drawn = [one.robot for one in simulation.robots if one.robot.meshes is None]
-    likenesses = [robot.name for robot in drawn if robot.maker is not None]
-    said = []
-    if likenesses:
-        names = " and ".join(dict.fromkeys(likenesses))
-        said.append(f"the links of {names} are likenesses, not the maker's drawings: keep a margin")
+    likenesses = {robot.name: robot for robot in drawn if robot.maker is not None}
+    said = [_likeness(robot) for robot in likenesses.values()]
     if collisions.hollow_m:
         depth = collisions.hollow_m * 1000.0
         said.append(f"hulls fill hollows of bodies, up to {depth:.1f} mm deep")
     return said
+
+
+def _likeness(robot: Robot) -> str:
+    """What the links of an arm of the catalogue are worth."""
+    compared = [round(excess * 1000.0) for excess in robot.link_excess_m]
+    text = f"the links of {robot.name} are likenesses: "
+    if compared:
+        text += (
+            f"95 % of the maker's surface lies within {max(compared)} mm of them, "
+            f"from link 3 on within {max(compared[3:])} mm"
+        )
+    elif robot.reach_m is not None:
+        body, wrist = (round(share * robot.reach_m * 1000.0, -1) for share in LARGEST_EXCESS)
+        text += (
+            f"the maker's may lie {body:g} mm beyond them, from link 3 on {wrist:g} mm, "
+            "as on arms that were compared"
+        )
+    else:
+        text += "nobody compared them with the maker's"
+    return f"{text}; keep a margin"
 
 
 def _happenings(simulation: Simulation) -> list[tuple[str, RenderableType]]:

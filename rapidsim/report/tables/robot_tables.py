@@ -91,6 +91,9 @@ def robot_page(robot: Robot, aliases: Sequence[str]) -> RenderableType:
     facts.add_row("payload", _payload(robot))
     facts.add_row("reach", _reach(robot))
     facts.add_row("shapes", str(robot.urdf) if robot.urdf else "none")
+    if robot.link_excess_m:
+        excess = ", ".join(f"{1000.0 * one:.0f}" for one in robot.link_excess_m)
+        facts.add_row("", f"95 % of the maker's surface within {excess} mm of them, base first")
     for label, lines in (
         ("source", robot.sources),
         ("checked", robot.checks),
