@@ -24,7 +24,8 @@ _INLINED = re.compile(
 _MAIN_ERROR = re.compile(
     r"(?m)(^  PROC main\(\)\n(?:    .*\n)+)  ERROR.*\n(?:    .*\n)*(?=  ENDPROC|  UNDO)"
 )
-_NOT_INLINED = re.compile(r"(?m)^ *(VAR|RETURN|RAISE|GOTO|EXIT|\w+:$)")
+# What calls by name may call itself: a call of it uses a tick, and main would be called so.
+_NOT_INLINED = re.compile(r"(?m)^ *(VAR|RETURN|RAISE|GOTO|EXIT|%|\w+:$)")
 _PLACE = re.compile(r"\w+\.mod:\d+")
 _ROUTINE = re.compile(r"(?ms)^  (PROC|FUNC|TRAP) (?!main\().*?^  END\1\n")
 
