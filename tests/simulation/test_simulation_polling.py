@@ -8,9 +8,13 @@ import pytest
 
 from rapidsim.controller import position_reading
 from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.polling import Polling
+from rapidsim.controller.queue.solo_queue import SoloQueue
+from rapidsim.frames.transform import Array
 from rapidsim.jobs.check_files import check
 from rapidsim.jobs.run_files import simulate
+from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.simulation.results.simulation import End, Simulation
 
 STATION = """
@@ -116,6 +120,14 @@ def told(run: Simulation) -> list[tuple[float, str]]:
     return [(round(event.time_s, 9), event.message) for event in run.events]
 
 
+def numbers(run: Simulation) -> list[float]:
+    return [
+        float(event.message)
+        for event in run.events
+        if event.kind is EventKind.TEXT and "on" not in event.message
+    ]
+
+
 @pytest.mark.parametrize("name", LOOPS)
 def test_a_run_that_skips_rounds_is_the_run_that_makes_them(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -166,6 +178,56 @@ def test_readings_made_ahead_are_those_made_one_by_one(
     ahead = ran(tmp_path, loop)
     monkeypatch.setattr(position_reading, "_AT_ONCE", 1)
     assert told(ahead) == told(ran(tmp_path, loop))
+
+
+def test_readings_in_steps_of_a_coarse_clock_are_made_ahead_too(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Whoever waits for what a clock lacks comes microseconds too early or too late."""
+    loop = (
+        "ClkStart watch;\nWaitTime 100;\n"
+        "MoveAbsJ\\Conc,[[20,0,0,0,30,0],none],v100,fine,tool0;\n"
+        "FOR i FROM 1 TO 60 DO\nTPWrite NumToStr(where(),6);\n"
+        "WaitTime 100+0.004*i-ClkRead(watch\\HighRes);\nENDFOR"
+    )
+    asked: list[int] = []
+    seen = SoloQueue.seen
+
+    def counted(self: SoloQueue, now_s: float, times: Array) -> Samples:
+        asked.append(len(times))
+        return seen(self, now_s, times)
+
+    monkeypatch.setattr(SoloQueue, "seen", counted)
+    ahead = numbers(ran(tmp_path, loop))
+    assert len(asked) <= 12
+    monkeypatch.setattr(position_reading, "_AT_ONCE", 1)
+    one_by_one = numbers(ran(tmp_path, loop))
+    assert len(ahead) == 60
+    assert ahead[0] == 0.0
+    assert ahead[-1] > 5.0
+    # In mm; a num has seven digits.
+    assert ahead == pytest.approx(one_by_one, abs=2e-5)
+
+
+def test_an_arm_that_stands_is_looked_at_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[float] = []
+    seen = SoloQueue.seen
+
+    def counted(self: SoloQueue, now_s: float, times: Array) -> Samples:
+        asked.append(now_s)
+        return seen(self, now_s, times)
+
+    monkeypatch.setattr(SoloQueue, "seen", counted)
+    run = ran(
+        tmp_path,
+        "MoveAbsJ [[20,0,0,0,30,0],none],v100,fine,tool0;\n"
+        "FOR i FROM 1 TO 50 DO\nlast:=where();\nWaitTime 0.01*i;\nENDFOR\n"
+        "MoveAbsJ [[0,0,0,0,30,0],none],v100,fine,tool0;\nlast:=where();",
+    )
+    assert run.end is End.ENDED
+    assert len(asked) == 2
 
 
 def test_a_position_that_nothing_changes_is_not_looked_at_for_ever(tmp_path: Path) -> None:

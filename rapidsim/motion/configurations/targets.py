@@ -253,9 +253,10 @@ def joints(target: JointTarget, kinematics: Kinematics) -> Array:
 
 def rob_joint(joints: Array, kinematics: Kinematics) -> RobJoint:
     """Joints (n,) [rad] as axis positions [deg, mm where one slides]; missing axes are 0."""
-    axes = np.zeros(7)
-    axes[list(kinematics.rapid_axes)] = np.degrees(joints)
-    return RobJoint(*axes[:6].tolist())
+    axes = [0.0] * 7
+    for axis, angle in zip(kinematics.rapid_axes, np.degrees(joints).tolist(), strict=True):
+        axes[axis] = angle
+    return RobJoint(*axes[:6])
 
 
 def external_values(

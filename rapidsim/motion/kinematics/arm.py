@@ -29,6 +29,8 @@ Mask = npt.NDArray[np.bool_]
 METRES_PER_UNIT = 1e-3 * degrees(1.0)
 """The way [m] of a joint that slides where its value is 1: what a joint that turns calls a rad is
 57.3 mm."""
+_RAPID_AXES = {4: (0, 1, 2, 5), 7: (0, 1, 6, 2, 3, 4, 5)}
+"""See `Kinematics.rapid_axes`, by the number of joints, where it is not one by one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,8 +123,7 @@ class Kinematics(Protocol):
         The additional joint of seven-axis arms stands third in their chain. The last of four joints
         is axis 6, as on palletizers, unless the arm says otherwise.
         """
-        known = {4: (0, 1, 2, 5), 7: (0, 1, 6, 2, 3, 4, 5)}
-        return known.get(self.joint_count, tuple(range(self.joint_count)))
+        return _RAPID_AXES.get(self.joint_count) or tuple(range(self.joint_count))
 
     @property
     def single(self) -> Single:
