@@ -150,6 +150,16 @@ def test_tasks_of_the_background_run_whatever_is_started_and_stopped() -> None:
     assert live.value("b", "T_BACK") == "4"
 
 
+def test_a_program_without_an_end_leaves_nothing_behind_of_what_it_did() -> None:
+    """A controller that stays on for days would fill up."""
+    live = Live(COUNTS, background=module("WHILE TRUE DO WaitTime 0.01; ENDWHILE"))
+    live.controller.start()
+    journals = [one.journal for one in live.controller.tasks.values()]
+    live.after(2.5)
+    assert live.value("n") == "3"
+    assert [one.noted for one in journals] == [0, 0]
+
+
 def test_motors_off_stop_the_program_and_nothing_starts_without_them() -> None:
     live = Live(TURNS)
     live.controller.start()

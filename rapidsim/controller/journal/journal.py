@@ -65,6 +65,8 @@ class Journal:
     """Everything a task reports while it runs."""
 
     task: str
+    keeps_lines: bool = True
+    """Whether statements and waits are kept; a controller that stays on would fill up."""
     _events: list[_Entry] = field(default_factory=list)
     _lines: list[tuple[Moment, Place]] = field(default_factory=list)
     _waits: list[Wait] = field(default_factory=list)
@@ -81,7 +83,7 @@ class Journal:
 
         So what happens at one instant keeps the order in which it happened.
         """
-        return Journal(task, _events=self._events)
+        return Journal(task, self.keeps_lines, _events=self._events)
 
     @property
     def noted(self) -> int:
@@ -111,19 +113,15 @@ class Journal:
             for e in events
         ]
 
-    def forget_lines(self) -> None:
-        """Forget the statements and waits of this task."""
-        self._lines.clear()
-        self._waits.clear()
-
     def line(self, moment: Moment, place: Place) -> None:
         """Note that the program pointer reached a statement."""
-        if not self._lines or self._lines[-1] != (moment, place):
+        if self.keeps_lines and (not self._lines or self._lines[-1] != (moment, place)):
             self._lines.append((moment, place))
 
     def wait(self, wait: Wait) -> None:
         """Note a wait that is over."""
-        self._waits.append(wait)
+        if self.keeps_lines:
+            self._waits.append(wait)
 
     def finding(
         self,

@@ -87,7 +87,7 @@ class LiveController:
             InputError: If an arm cannot be timed, or no task moves one.
         """
         self.options = replace(self.options, max_time_s=math.inf, max_wall_s=None)
-        self._journal = Journal(self.setups[0].name)
+        self._journal = Journal(self.setups[0].name, self.keeps_all)
         self.cell = Cell(self.options.cell, self._journal)
         self.cell.outsiders_act = True
         self.cell.pendant = self.pendant
@@ -437,10 +437,8 @@ class LiveController:
                 text = f"{task.name} has been stopped by {reason}."
                 self.log.operational(event_log.STOPPED, self.now_s, text, task.name)
 
-    def cycle_ended(self, task: LiveTask) -> bool:
+    def cycle_ended(self) -> bool:
         """Main has returned; whether it begins again at once."""
-        if not self.keeps_all:
-            task.journal.forget_lines()
         return self.cycle is Cycle.FOREVER and not self._ends_with_cycle
 
     def task_failed(self, task: LiveTask, found: tuple[Diagnostic, ...], message: str) -> None:

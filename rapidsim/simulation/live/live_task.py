@@ -32,7 +32,7 @@ class Chief(Protocol):
         """A program asks for all to stop."""
         ...
 
-    def cycle_ended(self, task: LiveTask) -> bool:
+    def cycle_ended(self) -> bool:
         """Main has returned; whether it begins again at once."""
         ...
 
@@ -219,7 +219,7 @@ class LiveTask:
                     with suppress(CycleEnded):
                         self.task.run(routine or self.entry)
                     # Behind a routine that somebody has chosen nothing comes.
-                    goes_on = self.chief.cycle_ended(self) and not routine
+                    goes_on = self.chief.cycle_ended() and not routine
                     clock.begin_again()
                     if goes_on or not self.is_normal:
                         continue
