@@ -33,6 +33,7 @@ from rapidsim.server.loading import engine_of, ready
 from rapidsim.server.messages import Look, Message, Note, Reply, Told
 from rapidsim.server.settings import EngineSettings
 from rapidsim.server.wire import SocketWire
+from rapidsim.syntax.collection import staying_on
 from rapidsim.values import dataclass
 
 _PATIENCE_S: Final = 5.0
@@ -209,7 +210,7 @@ def _run(
         connection.send(SwitchedOn(made.home, made.ramdisk, devices.shown, is_guided))
         for note in made.notes:
             connection.send((None, Note(f"note: {note}")))
-        with recursion_limit(RUNNING_DEPTH):
+        with recursion_limit(RUNNING_DEPTH), staying_on():
             _serve(connection, engine, wire, steps)
         engine.switch_off()
         wire.shut()

@@ -22,6 +22,7 @@ from rapidsim.server.http.second import SecondGeneration
 from rapidsim.server.messages import Note, Told
 from rapidsim.server.process import EngineProcess
 from rapidsim.server.settings import ServerSettings
+from rapidsim.syntax.collection import staying_on
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +54,8 @@ def serve(
         InputError: If a port is taken.
     """
     try:
-        return asyncio.run(_serve(engine, settings, is_ready, noted))
+        with staying_on():
+            return asyncio.run(_serve(engine, settings, is_ready, noted))
     finally:
         engine.end()
 

@@ -1,0 +1,36 @@
+"""When Python looks for garbage."""
+
+from __future__ import annotations
+
+import gc
+import weakref
+
+from rapidsim.syntax.collection import seldom_collected, staying_on
+
+
+class _Connection:
+    """What refers to itself, and so goes only when somebody looks for it."""
+
+    def __init__(self) -> None:
+        self.own = self
+
+
+def _left_of(count: int) -> int:
+    """How many of so many connections that have ended are still there."""
+    ended = [weakref.ref(_Connection()) for _ in range(count)]
+    return sum(one() is not None for one in ended)
+
+
+def test_what_connections_leave_behind_does_not_pile_up_in_a_process_that_stays_on() -> None:
+    with seldom_collected():
+        assert _left_of(20_000) == 20_000
+        with staying_on():
+            assert _left_of(20_000) < 2_000
+        assert _left_of(20_000) == 20_000
+
+
+def test_what_was_there_is_looked_through_again_when_the_process_goes_on_otherwise() -> None:
+    thresholds, before = gc.get_threshold(), gc.get_freeze_count()
+    with staying_on():
+        assert gc.get_freeze_count() > before
+    assert (gc.get_threshold(), gc.get_freeze_count()) == (thresholds, 0)
