@@ -254,8 +254,8 @@ class TaskClock:
         """Take longer for loops than tasks that are started and stopped."""
         self._time.tick_s = BACKGROUND_TICK_S
 
-    def begin_again(self) -> None:
-        """Go back to main; a task of the background that does nothing takes a little time."""
+    def tick(self) -> None:
+        """Let a little time pass: what may go on without end takes some, as a loop does a turn."""
         self.left -= 1
         if self.left < 0:
             self.service()

@@ -64,6 +64,14 @@ class ClockService(Protocol):
         """Serve the interrupts of persistents that the program has changed since."""
         ...
 
+    def tick(self) -> None:
+        """Let a little time pass: what may go on without end takes some, as a loop does a turn.
+
+        Raises:
+            Stopped: When a limit of the run is reached.
+        """
+        ...
+
     def service(self) -> None:
         """Do what is due (traps, other tasks, limits) and grant the next slice.
 

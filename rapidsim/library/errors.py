@@ -113,9 +113,10 @@ def error_texts(controller: Controller, given: Sequence[str]) -> list[str]:
     return [meant.get(text, text) for text in given if text]
 
 
-def reset_retry_count(controller: ErrorNumbers) -> None:
-    """Count the retries of the statement anew whose ERROR clause runs."""
-    controller.retries = 0
+def reset_retry_count(controller: Controller) -> None:
+    """Count the retries of the statement anew whose ERROR clause runs, which then may never end."""
+    controller.error_numbers.retries = 0
+    controller.clock.tick()
 
 
 def remaining_retries(controller: ErrorNumbers) -> Num:

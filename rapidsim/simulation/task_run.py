@@ -261,7 +261,7 @@ def _run_cycles(task: Task, run: TaskRun, options: RunOptions) -> End:
         while True:
             with suppress(CycleEnded):
                 task.run(entry)
-            run.controller.clock.begin_again()
+            run.controller.clock.tick()
     for _ in range(options.max_cycles):
         with suppress(CycleEnded):
             task.run(entry)

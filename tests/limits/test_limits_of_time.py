@@ -68,6 +68,9 @@ FILE += "    Close file;"
 MODULES = '      Load "m.mod";\n      UnLoad "m.mod";'
 WAYS = {
     "recursion": FIB,
+    "retries that are counted anew": once(
+        "    n:=1/(n-n);\n  ERROR\n    ResetRetryCount;\n    RETRY;", ""
+    ),
     "UNDO clauses that begin anew": once(
         "    deep;",
         "  PROC deep()\n    WHILE TRUE DO\n      n:=n+1;\n    ENDWHILE\n"

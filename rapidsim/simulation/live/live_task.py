@@ -220,7 +220,7 @@ class LiveTask:
                         self.task.run(routine or self.entry)
                     # Behind a routine that somebody has chosen nothing comes.
                     goes_on = self.chief.cycle_ended() and not routine
-                    clock.begin_again()
+                    clock.tick()
                     if goes_on or not self.is_normal:
                         continue
                     with suppress(CycleEnded):
