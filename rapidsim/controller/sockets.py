@@ -35,23 +35,35 @@ class TaskSockets:
     journal: Journal
     _opened: list[Port | StreamEnd] = field(default_factory=list)
 
-    def open_port(self, address: str, port: int) -> Listener:
-        """Let clients connect to a port: over the network where the run may use it.
+    def bind_port(self, address: str, port: int) -> Listener:
+        """Take a port: of the network where the run may use it.
+
+        Raises:
+            RapidError: ERR_SOCK_ADDR_INUSE.
+        """
+        self.clock.come_up()
+        network, sockets = self.cell.network, self.cell.sockets
+        if network is not None and not sockets.is_scripted(port, serves=False):
+            return network.bind(address, port)
+        bound = sockets.bind(port, address)
+        self._opened.append(bound)
+        return bound
+
+    def open_port(self, listener: Listener) -> None:
+        """Let clients connect to a port.
 
         Raises:
             RapidError: ERR_SOCK_ADDR_INUSE.
         """
         now_s = self.clock.come_up()
-        network, sockets = self.cell.network, self.cell.sockets
-        opened: Listener
-        if network is not None and not sockets.is_scripted(port, serves=False):
-            opened = network.listen(address, port)
+        if isinstance(listener, NetworkPort):
+            listener.listen()
         else:
-            opened = sockets.listen(port, now_s, address)
-            self._opened.append(opened)
+            assert isinstance(listener, Port)
+            self.cell.sockets.listen(listener, now_s)
+        port = listener.port
         self.clock.event(EventKind.SOCKET, f"listens on port {port}", port=port)
         self.clock.tell()
-        return opened
 
     def accept_client(self, listener: Listener, *, max_time: float | None) -> Connection | None:
         """Wait for a client; None if none came in time.

@@ -239,11 +239,19 @@ DISK_FILES = 10_000
 class Sockets(Protocol):
     """Connections to other computers, or to what stands for them."""
 
-    def open_port(self, address: str, port: int) -> Listener:
+    def bind_port(self, address: str, port: int) -> Listener:
+        """Take a port, to which no client may connect yet.
+
+        Raises:
+            RapidError: ERR_SOCK_ADDR_INUSE if somebody has it already.
+        """
+        ...
+
+    def open_port(self, listener: Listener) -> None:
         """Let clients connect to a port.
 
         Raises:
-            RapidError: ERR_SOCK_ADDR_INUSE if somebody listens there already.
+            RapidError: ERR_SOCK_ADDR_INUSE if another program of the computer has it.
         """
         ...
 

@@ -26,7 +26,7 @@ class Connection(Protocol):
 
 
 class Listener(Protocol):
-    """A port at which a program waits for clients."""
+    """A port of a program, where it may wait for clients."""
 
     port: int
 
@@ -41,3 +41,4 @@ class SocketState:
     """What SocketBind gave it; 0 before."""
     connection: Connection | None = None
     listener: Listener | None = None
+    """The port that SocketBind gave it, whether it listens or not."""

@@ -65,23 +65,27 @@ def socket_create(controller: Honesty, socket: Var[SocketDev], *, udp: Switch = 
     socket.value = SocketState()
 
 
-def socket_bind(socket: Var[SocketDev], local_address: String, local_port: Num) -> None:
+def socket_bind(
+    controller: Sockets, socket: Var[SocketDev], local_address: String, local_port: Num
+) -> None:
     """Give a socket an address and a port of the controller."""
     state = _created(socket)
     if state.port:
         raise rapid_error(ERR_SOCK_IS_BOUND, f"the socket is bound to port {state.port} already")
-    port = _port(local_port)
-    socket.value = replace(state, status=BOUND, address=local_address, port=port)
+    listener = controller.bind_port(local_address, _port(local_port))
+    socket.value = replace(
+        state, status=BOUND, address=local_address, port=listener.port, listener=listener
+    )
 
 
 def socket_listen(controller: Sockets, socket: Var[SocketDev]) -> None:
     """Let clients connect to the port of a socket."""
     state = _created(socket)
-    if not state.port:
-        raise rapid_error(ERR_SOCK_NOT_BOUND, "the socket has no port; SocketBind gives it one")
     if state.listener is None:
-        listener = controller.open_port(state.address, state.port)
-        socket.value = replace(state, status=LISTENING, listener=listener)
+        raise rapid_error(ERR_SOCK_NOT_BOUND, "the socket has no port; SocketBind gives it one")
+    if state.status != LISTENING:
+        controller.open_port(state.listener)
+        socket.value = replace(state, status=LISTENING)
 
 
 def socket_accept(
@@ -94,7 +98,7 @@ def socket_accept(
 ) -> None:
     """Wait for a client; `ClientSocket` talks to it."""
     state = _created(socket)
-    if state.listener is None:
+    if state.listener is None or state.status != LISTENING:
         raise rapid_error(
             ERR_SOCK_NOT_BOUND, "the socket does not listen; SocketListen comes first"
         )

@@ -132,7 +132,8 @@ class SocketWire:
     def listen(self, port: int, address: str) -> None:
         """See `Wire`."""
         # Of its own, for it would keep all ports that ever were.
-        opened = Network(self.hosts).listen(address, port)
+        opened = Network(self.hosts).bind(address, port)
+        opened.listen()
         opened.server.setblocking(False)
         self._servers[port] = opened.server
 

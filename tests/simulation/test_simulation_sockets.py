@@ -232,9 +232,17 @@ ENDMODULE
         ('SocketCreate s; SocketBind s,"",70000;', "ERR_SOCK_ADDR_INVALID"),
         ('SocketCreate s; SocketBind s,"",1025; SocketBind s,"",1026;', "ERR_SOCK_IS_BOUND"),
         (
-            'SocketCreate s; SocketBind s,"",1025; SocketListen s; SocketCreate c;'
-            'SocketBind c,"",1025; SocketListen c;',
+            'SocketCreate s; SocketBind s,"",1025; SocketCreate c; SocketBind c,"",1025;',
             "ERR_SOCK_ADDR_INUSE",
+        ),
+        (
+            'SocketCreate s; SocketBind s,"",1025; SocketListen s; SocketCreate c;'
+            'SocketBind c,"",1025;',
+            "ERR_SOCK_ADDR_INUSE",
+        ),
+        (
+            'SocketCreate s; SocketBind s,"",1025; SocketCreate c; SocketAccept s,c\\Time:=1;',
+            "ERR_SOCK_NOT_BOUND",
         ),
         ("SocketCreate s; SocketSend s\\Str:=text;", "ERR_SOCK_NOT_CONN"),
         ('SocketCreate s; SocketBind s,"",1025; SocketListen s; SocketAccept s,c\\Time:=2;',
@@ -270,6 +278,24 @@ ENDMODULE
         "SocketSendTo",
         "SocketReceiveFrom",
     ]
+
+
+def test_a_port_that_another_program_of_the_computer_has_cannot_be_bound() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        statement = f'SocketCreate s; SocketBind s,"",{taken.getsockname()[1]};'
+        text = WRONG.format(statement=statement, error="ERR_SOCK_ADDR_INUSE")
+        assert ran(text, network=Network()).texts == ["TRUE"]
+
+
+def test_two_sockets_of_a_program_cannot_have_one_real_port() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as found:
+        port = found.getsockname()[1]
+    statement = (
+        f'SocketCreate s; SocketBind s,"",{port}; SocketClose s; SocketCreate s;'
+        f'SocketBind s,"",{port}; SocketCreate c; SocketBind c,"",{port};'
+    )
+    text = WRONG.format(statement=statement, error="ERR_SOCK_ADDR_INUSE")
+    assert ran(text, network=Network()).texts == ["TRUE"]
 
 
 def test_a_real_port_of_this_computer() -> None:

@@ -18,6 +18,7 @@ from rapidsim.language.error_numbers import (
     ERR_SOCK_NET_UNREACH,
     rapid_error,
 )
+from rapidsim.language.errors import RapidError
 
 T = TypeVar("T")
 
@@ -74,10 +75,26 @@ class NetworkConnection:
 
 @dataclass(eq=False, slots=True)
 class NetworkPort:
-    """A port of this computer on which the program listens."""
+    """A port of this computer that the program has taken, to listen on."""
 
     server: socket.socket
+    address: str
     port: int
+
+    def has(self, address: str, port: int) -> bool:
+        """Whether it is this port, and not given back."""
+        return (self.address, self.port) == (address, port) and self.server.fileno() >= 0
+
+    def listen(self) -> None:
+        """Let clients connect.
+
+        Raises:
+            RapidError: ERR_SOCK_ADDR_INUSE.
+        """
+        try:
+            self.server.listen()
+        except OSError as error:
+            raise _in_use(self.address, self.port, error) from None
 
     def accept(self, seconds: float | None) -> NetworkConnection | None:
         """Wait for a client, `seconds` or for ever; None if none came."""
@@ -102,24 +119,26 @@ class Network:
     """Who guides robots; None where nobody does."""
     _opened: list[NetworkConnection | NetworkPort] = field(default_factory=list)
 
-    def listen(self, address: str, port: int) -> NetworkPort:
-        """Listen on a port: at the address if it was named, else only for this computer.
+    def bind(self, address: str, port: int) -> NetworkPort:
+        """Take a port: at the address if it was named, else only for this computer.
 
         Raises:
             RapidError: ERR_SOCK_ADDR_INUSE.
         """
         host = address if address in self.hosts else _LOOPBACK
+        if any(isinstance(one, NetworkPort) and one.has(host, port) for one in self._opened):
+            # Of two sockets of one program some systems notice it only when both listen.
+            raise rapid_error(ERR_SOCK_ADDR_INUSE, f"another socket has {host}:{port} already")
         server = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
         try:
             server.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
             server.bind((host, port))
-            server.listen()
         except OSError as error:
             server.close()
-            raise rapid_error(ERR_SOCK_ADDR_INUSE, f"{host}:{port}: {_reason(error)}") from None
-        opened = NetworkPort(server, port)
-        self._opened.append(opened)
-        return opened
+            raise _in_use(host, port, error) from None
+        bound = NetworkPort(server, host, port)
+        self._opened.append(bound)
+        return bound
 
     def connect(self, address: str, port: int, seconds: float | None) -> NetworkConnection | None:
         """Connect to a server; None if it does not answer.
@@ -167,6 +186,10 @@ def _tried(act: Callable[[], T], of: socket.socket, seconds: float | None) -> T 
                 return None
         except ConnectionError as error:
             raise rapid_error(ERR_SOCK_CLOSED, _reason(error)) from None
+
+
+def _in_use(host: str, port: int, error: OSError) -> RapidError:
+    return rapid_error(ERR_SOCK_ADDR_INUSE, f"{host}:{port}: {_reason(error)}")
 
 
 def _reason(error: OSError) -> str:

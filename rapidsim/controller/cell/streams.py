@@ -60,11 +60,12 @@ def connected(near_peer: str, far_peer: str) -> tuple[StreamEnd, StreamEnd]:
 
 @dataclass(eq=False, slots=True)
 class Port:
-    """A port on which a program listens, and the clients it has not accepted yet."""
+    """A port that a program has taken, and the clients it has not accepted yet."""
 
     port: int
+    address: str = ""
     waiting: list[StreamEnd] = field(default_factory=list)
-    is_open: bool = True
+    listens: bool = False
 
 
 @dataclass(eq=False, slots=True)
@@ -138,7 +139,7 @@ class Outside(Protocol):
 
 
 class SocketTable:
-    """The ports that programs listen on and the scripts that talk to them."""
+    """The ports that programs have taken and the scripts that talk to them."""
 
     def __init__(self, scripts: Sequence[SocketScript], schedule: Schedule) -> None:
         """Let scripts do what they do at the times they say."""
@@ -154,26 +155,33 @@ class SocketTable:
         """Whether a script serves a port, or connects to it."""
         return any(one.port == port and one.serves == serves for one in self._scripts)
 
-    def listen(self, port: int, now_s: float, address: str = "") -> Port:
-        """Open a port, at an address if that matters; scripts that connect to it set out.
+    def bind(self, port: int, address: str) -> Port:
+        """Take a port, at an address if that matters.
 
         Raises:
             RapidError: ERR_SOCK_ADDR_INUSE.
         """
         if port in self._ports:
-            raise rapid_error(ERR_SOCK_ADDR_INUSE, f"somebody listens on port {port} already")
-        opened = Port(port)
-        if self.outside is not None and not self.is_scripted(port, serves=False):
-            self.outside.opened(opened, address)
-        self._ports[port] = opened
+            raise rapid_error(ERR_SOCK_ADDR_INUSE, f"another socket has port {port} already")
+        self._ports[port] = bound = Port(port, address)
+        return bound
+
+    def listen(self, port: Port, now_s: float) -> None:
+        """Open a port; scripts that connect to it set out.
+
+        Raises:
+            RapidError: ERR_SOCK_ADDR_INUSE.
+        """
+        if self.outside is not None and not self.is_scripted(port.port, serves=False):
+            self.outside.opened(port, port.address)
+        port.listens = True
         for index, script in enumerate(self._scripts):
-            if script.port == port and not script.serves and index not in self._busy:
+            if script.port == port.port and not script.serves and index not in self._busy:
                 self._set_out(index, now_s)
-        return opened
 
     def close_port(self, port: Port) -> None:
-        """Listen no more."""
-        port.is_open = False
+        """Give a port back."""
+        port.listens = False
         if self.outside is not None:
             self.outside.closed(port)
         if self._ports.get(port.port) is port:
@@ -189,7 +197,7 @@ class SocketTable:
                 far.notice = peer.notice
                 peer.notice(now_s)
                 return near
-        listening = self._ports.get(port)
+        listening = self._listening(port)
         if listening is None:
             return None if self.outside is None else self.outside.called(address, port)
         host = "127.0.0.1" if address in _LOCAL else address
@@ -202,13 +210,18 @@ class SocketTable:
         if self.outside is not None:
             self.outside.hung_up(address, port, now_s)
 
+    def _listening(self, port: int) -> Port | None:
+        """The port of that number, if a program listens there."""
+        found = self._ports.get(port)
+        return found if found is not None and found.listens else None
+
     def _set_out(self, index: int, now_s: float) -> None:
         """Let a script connect to the program's port after its time."""
         script = self._scripts[index]
         self._busy.add(index)
 
         def arrive(time_s: float) -> None:
-            listening = self._ports.get(script.port)
+            listening = self._listening(script.port)
             if listening is None:
                 self._busy.discard(index)
                 return
@@ -221,7 +234,7 @@ class SocketTable:
         def again(time_s: float) -> None:
             if script.reconnects:
                 self._busy.discard(index)
-                if script.port in self._ports:
+                if self._listening(script.port) is not None:
                     self._set_out(index, time_s)
 
         self._schedule(now_s + script.after_s, arrive)
