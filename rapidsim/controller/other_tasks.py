@@ -21,7 +21,12 @@ from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.position_reading import PositionReader
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.language.data import JointTarget, RobTarget, ToolData, WobjData
-from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_TASKNAME, rapid_error
+from rapidsim.language.error_numbers import (
+    ERR_ARGVALERR,
+    ERR_NOT_MOVETASK,
+    ERR_TASKNAME,
+    rapid_error,
+)
 
 
 @dataclass(slots=True, eq=False)
@@ -85,7 +90,7 @@ class TaskOthers:
         """Where the axes of a task's robot are now.
 
         Raises:
-            RapidError: ERR_TASKNAME, if there is no such task or it has no robot.
+            RapidError: ERR_TASKNAME if there is no such task, ERR_NOT_MOVETASK if it has no robot.
         """
         other = self._robot_of(task)
         reading = other.reader.read(self.clock.come_up())
@@ -182,5 +187,5 @@ class TaskOthers:
         if other is None:
             raise rapid_error(ERR_TASKNAME, f"there is no task {task} in this run")
         if not other.has_robot:
-            raise rapid_error(ERR_TASKNAME, f"the task {task} has no robot")
+            raise rapid_error(ERR_NOT_MOVETASK, f"the task {task} has no robot")
         return other

@@ -39,7 +39,7 @@ class TaskService(Protocol):
         """Tool and work object of the last move of a task's robot.
 
         Raises:
-            RapidError: ERR_TASKNAME, if there is no such task or it has no robot.
+            RapidError: ERR_TASKNAME if there is no such task, ERR_NOT_MOVETASK if it has no robot.
         """
         ...
 
@@ -70,7 +70,7 @@ class TaskService(Protocol):
         """Where the axes of another task's robot are now.
 
         Raises:
-            RapidError: ERR_TASKNAME, if there is no such task or it has no robot.
+            RapidError: ERR_TASKNAME if there is no such task, ERR_NOT_MOVETASK if it has no robot.
         """
         ...
 
