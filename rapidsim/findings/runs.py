@@ -54,6 +54,10 @@ class ProgramStopped(Violation, code="R107"):
     instruction: str
 
 
+class ConveyorNotFollowed(Violation, code="R131"):
+    conveyor: str
+
+
 class BackwardNotExecuted(Violation, code="R108"):
     routine: str
 

@@ -56,5 +56,9 @@ class NotDeclared(Stopped):
     """The run comes to what no file given declares; a controller may well have it."""
 
 
+class NotSimulated(Stopped):
+    """The run comes to what is not simulated, and whatever it did instead would be wrong."""
+
+
 class CycleEnded(Stopped):
     """ExitCycle: the cycle ends here and the next one begins with main."""

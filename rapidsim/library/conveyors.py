@@ -1,7 +1,7 @@
 r"""Conveyors: waiting for the next object, and letting go of it.
 
 When objects come, [[conveyor]] tables of the station say. The robot does not follow the conveyor:
-moves in a work object that one carries say so.
+a run ends at a move in a work object that one of the station carries.
 
 Source: Application manual Conveyor tracking, "WaitWObj", "DropWObj".
 """

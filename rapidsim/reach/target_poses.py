@@ -120,4 +120,6 @@ def _placement(
     for frame in (tool.tframe, wobj.uframe, wobj.oframe):
         if targets.is_no_orientation(frame.rot):
             return targets.NotSimulatedFrame(FRAME_WITHOUT_ORIENTATION)
+    if not wobj.ufprog and not wobj.robhold and not targets.unit_of(wobj, external):
+        return targets.NotSimulatedFrame(f"`{wobj.ufmec}` moves its work object, who knows where")
     return targets.placement(tool, wobj, base_from_world, external)

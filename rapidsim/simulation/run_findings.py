@@ -21,6 +21,7 @@ from rapidsim.diagnostics import Diagnostic, Related, Span
 from rapidsim.findings.runs import (
     AcceptedWithoutEffect,
     BackwardNotExecuted,
+    ConveyorNotFollowed,
     CutOff,
     EndlessWait,
     NotDeclaredHere,
@@ -32,7 +33,7 @@ from rapidsim.findings.runs import (
 )
 from rapidsim.interpreter.runtime.call_stack import FatalError, Frame, rapid_stack
 from rapidsim.language.controller import ACCEPTED
-from rapidsim.language.errors import NotAllowed, NotDeclared, Stopped
+from rapidsim.language.errors import NotAllowed, NotDeclared, NotSimulated, Stopped
 from rapidsim.language.moves import Place
 from rapidsim.syntax import tree
 
@@ -71,6 +72,12 @@ def not_declared_finding(stopped: NotDeclared, place: Place) -> Diagnostic:
     """The instruction that names what is missing, with the call chain as related places."""
     routine, span, callers = _where(rapid_stack(stopped), place)
     return Diagnostic(NotDeclaredHere(stopped.reason), span, callers, routine=routine)
+
+
+def not_followed_finding(stopped: NotSimulated, place: Place) -> Diagnostic:
+    """The instruction that would follow a conveyor, with the call chain as related places."""
+    routine, span, callers = _where(rapid_stack(stopped), place)
+    return Diagnostic(ConveyorNotFollowed(stopped.reason), span, callers, routine=routine)
 
 
 def impossible_move_finding(stopped: MoveImpossible, place: Place) -> Diagnostic:

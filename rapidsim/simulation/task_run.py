@@ -30,7 +30,7 @@ from rapidsim.files import InputError
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.interpreter.linking.loader import Task, running
 from rapidsim.interpreter.runtime.call_stack import FatalError
-from rapidsim.language.errors import CycleEnded, NotAllowed, NotDeclared, Stopped
+from rapidsim.language.errors import CycleEnded, NotAllowed, NotDeclared, NotSimulated, Stopped
 from rapidsim.language.moves import Place
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.robot.external_axes import ExternalAxis
@@ -45,6 +45,7 @@ from rapidsim.simulation.run_findings import (
     motion_finding,
     not_allowed_finding,
     not_declared_finding,
+    not_followed_finding,
     stopped_finding,
     time_limit_finding,
     trap_storm_finding,
@@ -148,6 +149,7 @@ def begun(
         setup.place.inverse(),
         options.model.payload_acceleration,
         options.nearest_configuration,
+        frozenset(cell.conveyors),
     )
     place = _entry_place(setup.program, setup.entry or options.entry)
     has_robot = setup.robot is not None
@@ -246,6 +248,9 @@ def outcome_of(
         case NotDeclared():
             controller.motion.abandon()
             return Outcome(End.ERROR, (not_declared_finding(error, place),))
+        case NotSimulated():
+            controller.motion.abandon()
+            return Outcome(End.ERROR, (not_followed_finding(error, place),))
         case NotAllowed():
             controller.motion.abandon()
             return Outcome(End.ERROR, (not_allowed_finding(error, place),))

@@ -45,6 +45,7 @@ from rapidsim.language.data import (
     WobjData,
 )
 from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH
+from rapidsim.language.errors import NotSimulated
 from rapidsim.language.moves import CirclePathMode, Interpolation, MotionSettings, Move, Place
 from rapidsim.motion.configurations import targets
 from rapidsim.motion.configurations.short_lines import end_of_short_line
@@ -68,6 +69,8 @@ class Resolver:
     """See `MotionModel`."""
     nearest_configuration: bool = False
     """Whether a stored configuration that cannot be had gives way to the nearest."""
+    conveyors: frozenset[str] = frozenset()
+    """Folded names of the mechanical units that are conveyors of the cell."""
     _placements: dict[tuple[ToolData, WobjData], targets.Placement | targets.NotSimulatedFrame] = (
         field(default_factory=dict)
     )
@@ -259,7 +262,10 @@ class Resolver:
 
         Raises:
             MoveRefusedError: When one of their frames has no orientation.
+            NotSimulated: When a conveyor of the cell carries the work object.
         """
+        if not wobj.ufprog and wobj.ufmec.lower() in self.conveyors:
+            raise NotSimulated(wobj.ufmec)
         placed = self._placements.get((tool, wobj))
         if placed is None:
             for name, rotation in frame_orientations(tool, wobj, self.robot.external):
