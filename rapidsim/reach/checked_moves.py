@@ -28,6 +28,8 @@ class Coverage:
     by_run: int = 0
     """A run of main met them."""
     unchecked: tuple[UncheckedMove, ...] = ()
+    main_left_out: str = ""
+    """Why main was not run for the errors that only a run meets; empty where it was."""
 
     @property
     def checked(self) -> int:
@@ -49,6 +51,7 @@ class Coverage:
             self.by_value + other.by_value,
             self.by_run + other.by_run,
             (*self.unchecked, *other.unchecked),
+            self.main_left_out or other.main_left_out,
         )
 
 

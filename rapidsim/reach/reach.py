@@ -27,7 +27,13 @@ from rapidsim.reach.target_findings import (
     wind_up_findings,
 )
 from rapidsim.reach.target_poses import FRAME_WITHOUT_ORIENTATION, PosedMoves, posed
-from rapidsim.reach.trial_run import LONGEST_RUN_S, RunMoves, run_for_error, run_for_moves
+from rapidsim.reach.trial_run import (
+    LONGEST_RUN_S,
+    RunMoves,
+    run_for_error,
+    run_for_moves,
+    why_left_out,
+)
 from rapidsim.simulation.options import RunOptions
 
 _SAID_BY_TEXT = ("M501",)
@@ -60,7 +66,10 @@ def check_reach(
     walked = walk_program(program)
     budget = cycle_budget_s if run else None
     if not walked.written and budget is None:
-        return ReachReport(run_for_error(program, robot, options, walked) if run else ())
+        if not run:
+            return ReachReport()
+        told_of_text = run_for_error(program, robot, options, walked)
+        return ReachReport(told_of_text, Coverage(main_left_out=why_left_out(program, walked)))
     known = list(walked.known)
     told: RunMoves | None = None
     joints: dict[int, Array] = {}
@@ -103,7 +112,10 @@ def check_reach(
     if told is not None and any(one.severity is Severity.ERROR for one in found):
         found = list(_not_sure(program, walked, found))
     distinct = tuple(_Places(walked).distinct(found))
-    return ReachReport(distinct, _coverage(walked, ends, told, left_out))
+    coverage = _coverage(walked, ends, told, left_out)
+    if told is None and run and len(options.cell_tasks) <= 1:
+        coverage = replace(coverage, main_left_out=why_left_out(program, walked))
+    return ReachReport(distinct, coverage)
 
 
 def _unrun_collisions(

@@ -151,9 +151,8 @@ def run_for_error(
     """
     if (
         program.routines.get(options.entry.lower()) is None
-        or len(walked.written) > MOST_MOVES_FOR_ERRORS
         or len(options.cell_tasks) > 1
-        or asks_outside(program)
+        or why_left_out(program, walked)
     ):
         return ()
     limited = _limited(options, LONGEST_RUN_S, LONGEST_WORK_FOR_ERRORS_S)
@@ -166,6 +165,15 @@ def run_for_error(
     # What follows from a move that this arm cannot make is as sure as the arm is.
     unmade = any(one.failed_moves for one in run.robots)
     return tuple(replace(one, assumed=one.assumed or unmade) for one in found)
+
+
+def why_left_out(program: Program, walked: WalkedProgram) -> str:
+    """Why main is not run for its errors alone; empty where it is."""
+    if len(walked.written) > MOST_MOVES_FOR_ERRORS:
+        return f"all its moves are known without, and they are more than {MOST_MOVES_FOR_ERRORS}"
+    if asks_outside(program):
+        return "a check has no files, sockets, cameras and modules to load"
+    return ""
 
 
 def run_together(setups: Sequence[TaskSetup], options: RunOptions) -> tuple[Diagnostic, ...] | None:

@@ -6,6 +6,8 @@ from pathlib import Path
 import pytest
 from cli_helper import rapidsim
 
+from rapidsim.reach import trial_run
+
 FAR = """MODULE cell
   PERS wobjdata table:=[FALSE,TRUE,"",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
   CONST robtarget pDrop:=[[1300,0,300],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
@@ -134,3 +136,53 @@ def test_a_cycle_over_its_budget_is_found(folder: Path) -> None:
     assert "cell.mod:2:8: warning[D701] one cycle takes 3.00 s; the budget is 2.5 s" in done.out
     full = rapidsim("check", "cell.mod", cwd=folder).out
     assert "the time is that of motion model 2" in full
+
+
+UNRUN = """MODULE cell
+  CONST robtarget p:=[[900,0,900],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  VAR num zero:=0;
+  PROC main()
+    MoveJ p,v500,fine,tool0;
+    {statement}
+    zero:=1/zero;
+  ENDPROC
+ENDMODULE
+"""
+
+
+@pytest.mark.parametrize(
+    ("statement", "why"),
+    [
+        ("MoveJ Offs(p,0,0,50),v500,fine,tool0;", "are more than 1"),
+        ('IF IsFile("HOME:/a.txt") TPWrite "there";', "a check has no files"),
+    ],
+)
+def test_a_check_that_leaves_out_the_run_of_main_says_so(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, statement: str, why: str
+) -> None:
+    monkeypatch.setattr(trial_run, "MOST_MOVES_FOR_ERRORS", 1)
+    (folder / "cell.mod").write_text(UNRUN.format(statement=statement))
+    done = rapidsim("check", "cell.mod", "--robot", "irb1600", cwd=folder)
+    assert done.code == 0
+    assert "Errors that only a run meets, `rapidsim run` tells: " in done.out
+    assert why in " ".join(done.out.split())
+    told = rapidsim("check", "cell.mod", "--output-format", "json", cwd=folder)
+    assert why in json.loads(told.out)["coverage"]["main_left_out"]
+    rapidsim_run = rapidsim("run", "cell.mod", "--robot", "irb1600", "--no-record", cwd=folder)
+    assert "R101" in rapidsim_run.out + rapidsim_run.err
+
+
+def test_nothing_is_said_of_a_run_that_was_made(folder: Path) -> None:
+    (folder / "cell.mod").write_text(UNRUN.format(statement=""))
+    done = rapidsim("check", "cell.mod", "--robot", "irb1600", cwd=folder)
+    assert done.code == 1
+    assert "Errors that only a run meets" not in done.out
+
+
+def test_a_work_object_that_something_unknown_moves_is_not_judged_by_its_text(
+    folder: Path,
+) -> None:
+    text = FAR.replace('FALSE,TRUE,""', 'FALSE,FALSE,"CNV9"').replace("1300", "800")
+    (folder / "cell.mod").write_text(text)
+    done = rapidsim("check", "cell.mod", "--robot", "irb1600", "--no-run", cwd=folder)
+    assert "not checked: cell.mod:6: `CNV9` moves its work object" in " ".join(done.out.split())

@@ -52,6 +52,7 @@ def _report(findings: Sequence[Finding], result: CheckResult) -> dict[str, objec
         {"file": move.span.file, "line": move.span.line, "reason": move.reason}
         for move in coverage.unchecked
     ]
+    left_out = {"main_left_out": coverage.main_left_out} if coverage.main_left_out else {}
     return {
         "schema": 1,
         "files": len(result.files),
@@ -62,5 +63,6 @@ def _report(findings: Sequence[Finding], result: CheckResult) -> dict[str, objec
             "by_value": coverage.by_value,
             "by_run": coverage.by_run,
             "unchecked": unchecked,
+            **left_out,
         },
     }

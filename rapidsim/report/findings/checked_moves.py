@@ -10,14 +10,23 @@ _SHOWN = 3
 
 
 def coverage_lines(coverage: Coverage, robot: str) -> Iterator[str]:
-    """One line of counts, and one for each of the first moves that were not checked.
+    """A line of counts, one if main was not run, one for each of the first moves not checked.
 
     Args:
         coverage: What was looked at.
         robot: The arm, and why it was taken.
     """
-    if not coverage.moves:
-        return
+    if coverage.moves:
+        yield _counts(coverage, robot)
+    if coverage.main_left_out:
+        yield f"Errors that only a run meets, `rapidsim run` tells: {coverage.main_left_out}."
+    for move in coverage.unchecked[:_SHOWN]:
+        yield f"  not checked: {move.span.file}:{move.span.line}: {move.reason}"
+    if (more := len(coverage.unchecked) - _SHOWN) > 0:
+        yield f"  ... and {more} more (--output-format json lists all)"
+
+
+def _counts(coverage: Coverage, robot: str) -> str:
     ways = [
         f"{count} {way}"
         for count, way in (
@@ -28,8 +37,4 @@ def coverage_lines(coverage: Coverage, robot: str) -> Iterator[str]:
     ]
     how = f": {', '.join(ways)}" if ways else ""
     moves = "1 move" if coverage.moves == 1 else f"{coverage.moves} moves"
-    yield f"Reach of {coverage.checked} of {moves} checked on {robot}{how}."
-    for move in coverage.unchecked[:_SHOWN]:
-        yield f"  not checked: {move.span.file}:{move.span.line}: {move.reason}"
-    if (more := len(coverage.unchecked) - _SHOWN) > 0:
-        yield f"  ... and {more} more (--output-format json lists all)"
+    return f"Reach of {coverage.checked} of {moves} checked on {robot}{how}."
