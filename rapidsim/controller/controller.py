@@ -34,6 +34,7 @@ from rapidsim.controller.search import TaskSearch
 from rapidsim.controller.signals import TaskSignals
 from rapidsim.controller.sockets import TaskSockets
 from rapidsim.controller.solo_moves import SoloMoves
+from rapidsim.controller.stop_processes import StopProcesses
 from rapidsim.controller.synchronisation import TaskTeam
 from rapidsim.controller.triggers import Triggers
 from rapidsim.controller.zones import TaskZones
@@ -81,7 +82,7 @@ def virtual_controller(
     watched = WorldZoneTable(unit, world_from_base, cell.max_time_s, cell.watchdog.look)
     clock = TaskClock(cell, unit, journal, table, place)
     interrupts = TaskInterrupts(clock, table)
-    execution = TaskExecution(clock, unit, cell, table)
+    execution = TaskExecution(clock, unit, cell, table, StopProcesses(clock, cell))
     speeds = SpeedOutputs(unit, cell)
     guidance = TaskGuidance(clock, unit, cell, resolver, state, journal)
     clock.happenings = (execution, cell, guidance, marks, watched, speeds, interrupts)

@@ -21,7 +21,10 @@ from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.interrupt_table import InterruptTable
 from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.controller.stop_processes import StopProcess, StopProcesses
 from rapidsim.language.errors import Stopped
+from rapidsim.language.option_data import RestartData
+from rapidsim.language.reference import Reference
 
 
 @dataclass(slots=True)
@@ -42,6 +45,8 @@ class TaskExecution:
     unit: MechanicalUnit
     cell: Cell
     table: InterruptTable
+    processes: StopProcesses
+    """What a stop does to process signals."""
     stops_all: Callable[[str], None] | None = None
     """Lets all tasks stop, for a reason; None where nobody would start them again."""
     stands: bool = False
@@ -59,6 +64,17 @@ class TaskExecution:
         now_s = self.clock.come_up()
         self.stops_all(reason)
         self.clock.pass_time(now_s)
+
+    def supervise(
+        self, restart: Reference[RestartData], process: tuple[str | None, ...], shadow: str
+    ) -> None:
+        """Let a stop note and zero process signals."""
+        self.processes.watch(StopProcess(restart, process, shadow))
+
+    def end(self) -> None:
+        """The program has stopped, nobody starts it again, and its robot made the moves it had."""
+        stood_s = max(self.clock.pointer_s(), self.unit.queue.trajectory.duration)
+        self.processes.stop(stood_s, stood_s, on_path=False)
 
     def ask_to_stop(self, at_s: float, *, on_path: bool) -> None:
         """Stop at a time [s] that has come, before the program does anything more."""
@@ -90,10 +106,12 @@ class TaskExecution:
     def _stand(self, *, on_path: bool) -> None:
         queue, since_s = self.unit.queue, self.clock.pointer_s()
         stopped = on_path and not queue.is_halted
+        stood_s = since_s
         if stopped:
             # What cannot be planned is told when the program comes to it again.
             with suppress(MotionError):
-                queue.halt(since_s)
+                stood_s = queue.halt(since_s)
+        self.processes.stop(since_s, stood_s, on_path=stood_s > since_s)
         waited = self.table.waiting()
         self.stands, now_s = True, since_s
         while self.stands:

@@ -30,6 +30,7 @@ from rapidsim.language.moves import (
     Move,
     Place,
 )
+from rapidsim.language.option_data import RestartData
 from rapidsim.language.path_control import PathControl, PathRecorder, Searches, WorldZones
 from rapidsim.language.path_events import Trigger
 from rapidsim.language.reference import Reference
@@ -116,6 +117,18 @@ class Execution(Protocol):
 
         Raises:
             Stopped: Where nobody would: the run ends.
+        """
+        ...
+
+    def supervise(
+        self, restart: Reference[RestartData], process: tuple[str | None, ...], shadow: str
+    ) -> None:
+        """Let each stop set process signals to 0, and note what they and their shadow were.
+
+        Args:
+            restart: Where it is noted.
+            process: A digital output and four groups, each where one is given.
+            shadow: A digital output.
         """
         ...
 

@@ -6,22 +6,27 @@ that can fail where that is a loop that computes: \SyncOrgMoveInst and \SyncLast
 StopMove brakes as a program that is stopped, \Quick as fast as the axes can; both keep to the
 path.
 
+A run of its own ends where its program stops: the robot then makes the moves it has, so that
+TriggStopProc notes that it does not stand on its path.
+
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "StopMove",
-"StartMove", "StorePath", "RestoPath", "ClearPath".
+"StartMove", "StorePath", "RestoPath", "ClearPath", "TriggStopProc".
 """
 
 from __future__ import annotations
 
-from rapidsim.language.annotations import Bool, Num, SignalDo, Switch, Var
-from rapidsim.language.controller import Controller
+from rapidsim.language.annotations import Bool, Num, Pers, SignalDo, SignalGo, Switch, Var
+from rapidsim.language.controller import Controller, Execution
 from rapidsim.language.error_numbers import (
     ERR_PATH_STOP,
     ERR_PROCSIGNAL_OFF,
     rapid_error,
 )
 from rapidsim.language.errors import NotAllowed
+from rapidsim.language.option_data import RestartData
 from rapidsim.language.path_control import PathControl
 from rapidsim.library.honesty import ignored
+from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
 from rapidsim.library.traits import Does
 
@@ -112,6 +117,22 @@ def is_stop_move_act(
     return controller.is_stopped()
 
 
+def trigg_stop_proc(
+    controller: Execution,
+    restart_ref: Pers[RestartData],
+    shadow_do: Var[SignalDo],
+    *,
+    do1: Var[SignalDo] | None = None,
+    go1: Var[SignalGo] | None = None,
+    go2: Var[SignalGo] | None = None,
+    go3: Var[SignalGo] | None = None,
+    go4: Var[SignalGo] | None = None,
+) -> None:
+    """Let each stop of the program set process signals to 0, and note what they were."""
+    process = tuple(None if one is None else connected(one) for one in (do1, go1, go2, go3, go4))
+    controller.supervise(restart_ref, process, connected(shadow_do))
+
+
 STOP_START = table(
     routine("StopMove", stop_move, does=Does.HOLD_ROBOT, back="StartMove"),
     routine("StartMove", start_move, back="StartMove"),
@@ -128,5 +149,6 @@ STOP_START = table(
     routine("StorePath", store_path, does=Does.LEAVE_PATH),
     routine("RestoPath", resto_path, does=Does.LEAVE_PATH),
     routine("PathLevel", path_level),
+    routine("TriggStopProc", trigg_stop_proc, r"RestartRef \DO1 \GO1 \GO2 \GO3 \GO4 ShadowDO"),
     routine("IsStopMoveAct", is_stop_move_act, r"\FromMoveTask|\FromNonMoveTask"),
 )

@@ -218,6 +218,17 @@ def outcome_of(
         run: The task.
         others: The tasks that wait where this one waits forever, and where.
     """
+    outcome = _outcome_of(error, run, others)
+    if not isinstance(error, TimeLimitReached | WaitsForever):
+        run.controller.execution.end()
+    return outcome
+
+
+def _outcome_of(
+    error: FatalError | MotionError | Stopped,
+    run: TaskRun,
+    others: Callable[[], Sequence[tuple[str, Place]]],
+) -> Outcome:
     controller = run.controller
     place = controller.clock.place
     match error:

@@ -9,6 +9,7 @@ from datetime import datetime, timedelta
 from typing import Any, cast
 
 from memory_file import MemoryFile
+from no_sockets import NoSockets
 from undisturbed import Undisturbed
 
 from rapidsim.diagnostics import Source, Span
@@ -42,10 +43,9 @@ from rapidsim.language.guidance import Guidance
 from rapidsim.language.messages import Messages
 from rapidsim.language.modules import Modules
 from rapidsim.language.moves import Flank, MotionSettings, Move, Place, SearchStop
-from rapidsim.language.option_data import CameraTarget
+from rapidsim.language.option_data import CameraTarget, RestartData
 from rapidsim.language.path_events import Trigger, ZoneShape
 from rapidsim.language.reference import Reference
-from rapidsim.language.sockets import Connection, Listener
 from rapidsim.language.symbols import Symbols
 from rapidsim.library.catalogue import ROUTINES
 
@@ -60,7 +60,7 @@ def call(name: str, *arguments: Any, **options: Any) -> Any:
 
 
 @dataclass
-class RecordingController(Undisturbed):
+class RecordingController(NoSockets, Undisturbed):
     """Implements all protocols of `language.controller` with nothing behind it."""
 
     time_s: float = 0.0
@@ -141,6 +141,11 @@ class RecordingController(Undisturbed):
 
     def stop(self, reason: str) -> None:
         raise Stopped(reason)
+
+    def supervise(
+        self, restart: Reference[RestartData], process: tuple[str | None, ...], shadow: str
+    ) -> None:
+        raise AssertionError("stops are tested with a run around them")
 
     def stop_move(self, *, quick: bool = False) -> None:
         self.log.append("stop")
@@ -342,29 +347,6 @@ class RecordingController(Undisturbed):
 
     def bytes_in(self, path: str) -> int:
         return sum(map(len, self.files.values()))
-
-    def bind_port(self, address: str, port: int) -> Listener:
-        raise AssertionError("sockets are tested with a cell around them")
-
-    def open_port(self, listener: Listener) -> None:
-        raise AssertionError("sockets are tested with a cell around them")
-
-    def accept_client(self, listener: Listener, *, max_time: float | None) -> Connection | None:
-        raise AssertionError("sockets are tested with a cell around them")
-
-    def connect_socket(
-        self, address: str, port: int, *, max_time: float | None
-    ) -> Connection | None:
-        raise AssertionError("sockets are tested with a cell around them")
-
-    def send_bytes(self, connection: Connection, data: bytes) -> None:
-        raise AssertionError("sockets are tested with a cell around them")
-
-    def await_bytes(self, connection: Connection, count: int, *, max_time: float | None) -> bool:
-        raise AssertionError("sockets are tested with a cell around them")
-
-    def close_socket(self, listener: Listener | None, connection: Connection | None) -> None:
-        raise AssertionError("sockets are tested with a cell around them")
 
     @property
     def in_trap(self) -> bool:
