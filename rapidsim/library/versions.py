@@ -1,5 +1,7 @@
 r"""Since which RobotWare a name is known; what is not here, all versions have that anybody runs.
 
+Until which one a name is known stands nowhere: no source lists what RobotWare 7 has no more.
+
 A column of the library that stands by itself, because few names have one. An option is named with
 its instruction, as `ReadStr\Status`.
 

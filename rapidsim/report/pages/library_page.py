@@ -19,6 +19,9 @@ calls them is checked, and {simulated} of them are simulated. Of the others each
 run does instead; the run says so too. Made from the source by
 `python scripts/build_library_page.py`.
 
+What came with RobotWare 7 says so. What RobotWare 7 has no more is not listed: a station with
+`robotware = "7.13"` is refused nothing that RobotWare 6 has.
+
 `\\Name` is an optional argument, `|` divides arguments of which at most one may be given.
 """
 
