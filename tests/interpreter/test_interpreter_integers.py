@@ -6,8 +6,14 @@ loop cannot leave the array. None of that may be seen.
 
 from __future__ import annotations
 
+import math
+
+import numpy as np
 import pytest
-from interpreter_cell import main, run, texts
+from interpreter_cell import checked, main, run, texts
+
+from rapidsim.interpreter.linking.translation import show_python
+from rapidsim.language.single import LARGEST_SINGLE
 
 ARRAYS = """
 PROC show(num value)
@@ -172,3 +178,63 @@ def test_an_error_clause_counts_the_same_variable() -> None:
       RETRY;
     """
     assert texts(main(body, DATA)) == ["1"]
+
+
+@pytest.mark.parametrize(
+    ("statements", "is_looked_at"),
+    [
+        ("FOR i FROM 1 TO 9 DO x := (i - 0.5) / 9; ENDFOR", False),
+        ("FOR i FROM -9 TO -1 DO x := 0.5 / i; ENDFOR", False),
+        ("FOR i FROM 0 TO 9 DO x := 0.5 / i; ENDFOR", True),
+        ("FOR i FROM 1 TO 9 DO x := x / i; ENDFOR", True),
+        ("FOR i FROM 1 TO 9 DO x := x + 1 / i; ENDFOR", True),
+        ("FOR i FROM 1 TO 9 DO x := 0.5 * i * i; ENDFOR", False),
+        ("FOR i FROM 1 TO 9 DO x := 1E38 * i; ENDFOR", True),
+    ],
+)
+def test_only_what_may_be_too_large_is_looked_at(statements: str, is_looked_at: bool) -> None:
+    python = show_python(checked(main(statements, "VAR num x;")))
+    assert ("_overflow" in python) is is_looked_at
+
+
+@pytest.mark.parametrize("quotient", ["x / i", "x / i - 1", "1 + x / i"])
+def test_sums_beyond_the_largest_number_are_refused_when_divided(quotient: str) -> None:
+    """A sum alone is not looked at."""
+    ran = run(
+        main(f"x := x + x; FOR i FROM 1 TO 1 DO x := {quotient}; ENDFOR", "VAR num x := 3E38;")
+    )
+    assert ran.fatal is not None
+    assert "is too large" in ran.fatal.error.message
+
+
+@pytest.mark.parametrize("first", ["7", "-7", "-8", "16777217", "3E38"])
+def test_what_mod_leaves_is_exact(first: str) -> None:
+    """And what is added to it; a fraction is not."""
+    x = np.float32(first)
+    rest = np.float32(math.fmod(x, 4))
+    ran = run(
+        main(
+            "b := x MOD 4 + 1; c := (x MOD 4 - 1) * 3; d := x MOD 4 + 0.1; e := -(x MOD 4);",
+            f"VAR num x := {first}; VAR num b; VAR num c; VAR num d; VAR num e;",
+        )
+    )
+    values = [ran.task.value(name) for name in "bcde"]
+    expected = [rest + 1, (rest - 1) * 3, np.float32(float(rest) + float(np.float32(0.1))), -rest]
+    assert list(map(repr, values)) == [repr(float(one)) for one in expected]
+
+
+@pytest.mark.parametrize("first", ["5", "6", "16777217", "1E20", "3E38"])
+@pytest.mark.parametrize("divisor", [1, 2, 1024, 3])
+def test_large_numbers_are_divided_as_doubles_are(first: str, divisor: int) -> None:
+    """By a power of 2 in Python's own operator."""
+    value = float(np.float32(first))
+    ran = run(
+        main(
+            f"own := {first}; FOR i FROM 1 TO 2 DO own := own * i; ENDFOR x := own DIV {divisor};",
+            "VAR num x;",
+        ).replace("PROC main()", "PROC main() VAR num own;")
+    )
+    if value * 2 > LARGEST_SINGLE:
+        assert ran.fatal is not None
+    else:
+        assert ran.task.value("x") == value * 2 // divisor

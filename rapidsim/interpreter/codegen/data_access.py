@@ -23,7 +23,7 @@ from rapidsim.analysis.program import (
 )
 from rapidsim.interpreter.codegen.ast_builder import At
 from rapidsim.interpreter.codegen.constant_tables import bounds_of, constant_table
-from rapidsim.interpreter.codegen.expression_code import Code, Owed, finished
+from rapidsim.interpreter.codegen.expression_code import Code, Owed, finished, within
 from rapidsim.interpreter.codegen.intervals import MAX_EXACT, Interval
 from rapidsim.interpreter.codegen.operands import Operands
 from rapidsim.interpreter.codegen.written_paths import FlatPath, flat
@@ -393,17 +393,14 @@ class Paths:
             size: Of the array; a string names the Python variable that holds it.
             at: The place of the index.
         """
-        within = integer.high <= size if isinstance(size, int) else integer.size == size
-        if integer.low >= 1 and within:
+        fits = integer.high <= size if isinstance(size, int) else integer.size == size
+        if integer.low >= 1 and fits:
             position = at.operation(code.node, ast.Sub(), at.constant(1))
             return Code(position, may_raise=integer.signed, calls=code.calls)
         limit = at.constant(size) if isinstance(size, int) else at.name(size)
         name = code.node if isinstance(code.node, ast.Name) else at.name("_i")
         first = name if name is code.node else at.named("_i", code.node)
-        if integer.low >= 1:
-            bounds = at.compare(first, (ast.LtE(), limit))
-        else:
-            bounds = at.compare(at.constant(0), (ast.Lt(), first), (ast.LtE(), limit))
+        bounds = within(first, None if integer.low >= 1 else 1, limit, at)
         position = at.operation(name, ast.Sub(), at.constant(1))
         refused = at.call("_out_of_bounds", [name, limit])
         return Code(at.choice(bounds, position, refused), may_raise=True, calls=code.calls)

@@ -9,6 +9,7 @@ they leave for anything else, and are rounded as floats are, which few of them n
 from __future__ import annotations
 
 import ast
+import math
 from enum import Enum
 
 from rapidsim.interpreter.codegen.ast_builder import At
@@ -43,13 +44,24 @@ class Code:
     """The value, where it is a literal."""
     too_exact: bool = False
     """An integer that as a double might have been rounded."""
+    integral: Interval | None = None
+    """Of a double: the integers that it is one of, where that is known."""
+    most: float = math.inf
+    """No double of it is larger, either way."""
+
+    def __post_init__(self) -> None:
+        """Know the size of integers and literals."""
+        if self.literal is not None:
+            self.most = abs(self.literal)
+        elif self.integer is not None and self.integer.is_double:
+            self.most = float(max(-self.integer.low, self.integer.high))
 
     def as_integer(self, at: At) -> ast.expr:
         """The node as a Python integer to compute with; only where `integer` is known."""
         if self.literal is not None:
             return at.constant(int(self.literal))
         if self.too_exact:
-            return _kept(self.node, -MAX_EXACT, MAX_EXACT, "_double_integer", at)
+            return _kept(self, MAX_EXACT, "_double_integer", at)
         return self.node
 
     @property
@@ -60,12 +72,14 @@ class Code:
 
 def finished(code: Code, at: At) -> Code:
     """Pay what is owed: the node then has the value that RAPID would store."""
-    if code.owed is Owed.NOTHING:
+    exact = code.integral is not None and code.integral.exact
+    if code.owed is Owed.NOTHING or exact:
         if not code.stays_integer:
             return code
         whole = at.operation(code.node, ast.Add(), at.constant(0.0))
         return Code(whole, calls=code.calls, may_raise=code.may_raise)
-    if code.owed is Owed.SINGLE:
+    checked = code.owed is not Owed.SINGLE
+    if not checked or (code.owed is Owed.CHECKED_SINGLE and code.most <= LARGEST_SINGLE):
         node: ast.expr = _rounded(code.node, at)
     elif code.owed is Owed.CHECKED_SINGLE:
         node = _in_range(code.node, LARGEST_SINGLE, _split(at.name("_x"), at), at)
@@ -75,7 +89,7 @@ def finished(code: Code, at: At) -> Code:
         length = at.call("_len", [at.named("_s", code.node)])
         fits = at.compare(length, (ast.LtE(), at.constant(MAX_STRING)))
         node = at.choice(fits, at.name("_s"), at.call("_too_long", [at.name("_s")]))
-    return Code(node, may_raise=code.may_raise or code.owed is not Owed.SINGLE, calls=code.calls)
+    return Code(node, may_raise=code.may_raise or checked, calls=code.calls)
 
 
 def whole(code: Code, at: At) -> Code:
@@ -87,10 +101,8 @@ def whole(code: Code, at: At) -> Code:
     if code.literal is not None or code.owed is Owed.NOTHING:
         node = at.constant(int(code.literal)) if code.literal is not None else code.node
         return Code(node, may_raise=code.may_raise, calls=code.calls, integer=code.integer)
-    low = None if code.integer.low >= -MAX_INTEGER else -MAX_INTEGER
-    high = None if code.integer.high <= MAX_INTEGER else MAX_INTEGER
     checked = code.owed is Owed.CHECKED_SINGLE
-    node = _kept(code.node, low, high, "_checked_integer" if checked else "_single_integer", at)
+    node = _kept(code, MAX_INTEGER, "_checked_integer" if checked else "_single_integer", at)
     may_raise = code.may_raise or checked
     return Code(node, may_raise=may_raise, calls=code.calls, integer=rounded(code.integer))
 
@@ -100,20 +112,31 @@ def comparable(code: Code, at: At) -> Code:
     return whole(code, at) if code.stays_integer else finished(code, at)
 
 
-def within(x: ast.expr, low: int | None, high: int | None, at: At) -> ast.expr:
-    """Whether an integer is between two bounds, of which one may be none."""
+def within(
+    x: ast.Name | ast.NamedExpr, low: float | None, high: ast.expr | float | None, at: At
+) -> ast.expr:
+    """Whether a number is between two bounds, of which one may be none.
+
+    Two comparisons of a name and a constant cost CPython less than one that is chained.
+    """
+    limit = high if isinstance(high, ast.expr) else at.constant(high)
     if low is None:
-        return at.compare(x, (ast.LtE(), at.constant(high)))
+        return at.compare(x, (ast.LtE(), limit))
+    enough = at.compare(x, (ast.GtE(), at.constant(low)))
     if high is None:
-        return at.compare(x, (ast.GtE(), at.constant(low)))
-    return at.compare(at.constant(low), (ast.LtE(), x), (ast.LtE(), at.constant(high)))
+        return enough
+    name = at.name((x.target if isinstance(x, ast.NamedExpr) else x).id)
+    return at.both_or_either(ast.And(), enough, at.compare(name, (ast.LtE(), limit)))
 
 
-def _kept(node: ast.expr, low: int | None, high: int | None, otherwise: str, at: At) -> ast.expr:
-    """An integer between two bounds, which may be none; of others what a function gives."""
+def _kept(code: Code, most: int, otherwise: str, at: At) -> ast.expr:
+    """An integer that is no larger, either way; of others what a function gives."""
+    assert code.integer is not None
+    low = None if code.integer.low >= -most else -most
+    high = None if code.integer.high <= most else most
     if low is high is None:
-        return node
-    test = within(at.named("_x", node), low, high, at)
+        return code.node
+    test = within(at.named("_x", code.node), low, high, at)
     return at.choice(test, at.name("_x"), at.call(otherwise, [at.name("_x")]))
 
 
@@ -131,7 +154,5 @@ def _split(x: ast.expr, at: At) -> ast.expr:
 
 def _in_range(node: ast.expr, limit: float, value: ast.expr, at: At) -> ast.expr:
     """A value made from `_x`, the node, or ERR_OVERFLOW where that is beyond the limit or none."""
-    test = at.compare(
-        at.constant(-limit), (ast.LtE(), at.named("_x", node)), (ast.LtE(), at.constant(limit))
-    )
+    test = within(at.named("_x", node), -limit, limit, at)
     return at.choice(test, value, at.call("_overflow", [at.name("_x")]))

@@ -7,6 +7,7 @@ Paths are in `data_access`, calls in `calls`; what an expression owes before it 
 from __future__ import annotations
 
 import ast
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
@@ -243,7 +244,8 @@ class Expressions:
         if integer is None:
             operands = _as_doubles(left, right, at)
             node = at.operation(operands[0], _ARITHMETIC[operator](), operands[1])
-            return Code(node, owed, may_raise or checked or divides, calls)
+            code = Code(node, owed, may_raise or checked or divides, calls)
+            return code if is_dnum else _bounded(code, operator, left, right)
         operands = left.as_integer(at), right.as_integer(at)
         node = at.operation(operands[0], _ARITHMETIC[operator](), operands[1])
         if integer.exact:
@@ -355,7 +357,9 @@ def _integer_division(operator: str, left: Code, right: Code, at: At) -> Code:
     easy = at.compare(at.constant(0.0), (ast.LtE(), at.named("_n", operands[0])), (ast.Eq(), whole))
     refused_or_negative = at.call(_INTEGER[operator], [n, operands[1]])
     node = at.choice(easy, at.operation(n, python, operands[1]), refused_or_negative)
-    return Code(node, may_raise=True, calls=calls)
+    rest = Interval(1 - b.high, b.high - 1) if operator == "MOD" else None
+    most = math.inf if rest is None else rest.high
+    return Code(node, may_raise=True, calls=calls, most=most, integral=rest)
 
 
 def _division_of_integers(
@@ -363,20 +367,21 @@ def _division_of_integers(
 ) -> Code:
     """The same of Python integers; their quotient may be negative, their remainder is not."""
     calls, by_literal = left.calls or right.calls, right.literal is not None
+    halves = right.literal is not None and math.frexp(right.literal)[0] == 0.5
     left, right = whole(left, at), whole(right, at)
     a, b = left.integer, right.integer
     assert a is not None
     assert b is not None
     python = ast.FloorDiv() if operator == "DIV" else ast.Mod()
     node: ast.expr = at.operation(left.node, python, right.node)
-    # A quotient of larger numbers is rounded as doubles are.
+    # A quotient of larger numbers is rounded as doubles are, unless a power of 2 divides them.
     exact = operator == "MOD" or a.is_double
-    may_raise = left.may_raise or right.may_raise or integer.signed
+    may_raise = left.may_raise or right.may_raise or integer.signed or not exact
+    exact = exact or halves
     if not (b.low > 0 and a.low >= 0 and exact):
         may_raise = True
-        name = isinstance(left.node, ast.Name)
-        n = left.node if name else at.name("_n")
-        first = n if name else at.named("_n", left.node)
+        name = left.node if isinstance(left.node, ast.Name) else None
+        n, first = (name, name) if name else (at.name("_n"), at.named("_n", left.node))
         if operator == "DIV" and by_literal and b.low > 0:
             easy = within(first, None if a.low >= 0 else 0, None if exact else MAX_EXACT, at)
             node = at.operation(n, python, right.node)
@@ -395,6 +400,18 @@ def _combined(operator: str, left: Code, right: Code) -> Interval | None:
     if a is None or b is None or not (left.stays_integer or right.stays_integer):
         return None
     return combined(operator, a, b)
+
+
+def _bounded(code: Code, operator: str, left: Code, right: Code) -> Code:
+    """A result in doubles, with what its operands tell of it."""
+    a, b = left.integral or left.integer, right.integral or right.integer
+    if operator == "/":
+        code.most = math.inf if b is None or b.low <= 0 <= b.high else left.most
+        return code
+    code.most = left.most * right.most if operator == "*" else left.most + right.most
+    if a is not None and b is not None and a.exact and b.exact:
+        code.integral = combined(operator, a, b)
+    return code
 
 
 def _cannot_grow(operator: str, left: Code, right: Code) -> bool:

@@ -15,7 +15,7 @@ from types import MappingProxyType
 from typing import TypeAlias
 
 from rapidsim.interpreter.codegen.ast_builder import At
-from rapidsim.interpreter.codegen.expression_code import Code, Owed, finished
+from rapidsim.interpreter.codegen.expression_code import Code, Owed, finished, within
 from rapidsim.interpreter.codegen.operands import Operands
 from rapidsim.library.mathematics import abs_, sqrt
 from rapidsim.library.strings import MAX_DECIMALS, num_to_str, str_part
@@ -57,9 +57,8 @@ def _character(
         return None
     name = position.node if isinstance(position.node, ast.Name) else at.name("_i")
     first = name if name is position.node else at.named("_i", position.node)
-    inside = at.compare(
-        at.constant(0), (ast.Lt(), first), (ast.LtE(), at.call("_len", [string.node]))
-    )
+    begins = position.integer is not None and position.integer.low >= 1
+    inside = within(first, None if begins else 1, at.call("_len", [string.node]), at)
     found = at.item(string.node, at.operation(name, ast.Sub(), at.constant(1)))
     refused = at.call(function, [string.node, finished(position, at).node, one.node])
     return Code(at.choice(inside, found, refused), may_raise=True)
