@@ -168,6 +168,10 @@ class LocalNames:
         """The Python name of a local; None for what is not local."""
         return self._name_of.get(symbol)
 
+    def held(self) -> set[str]:
+        """The Python variables of the routine's data, and of the sizes of its arrays."""
+        return {*self._name_of.values(), *self.tables, *self.sizes}
+
     @contextmanager
     def counter(self, symbol: Symbol, wanted: str) -> Iterator[str]:
         """Give a FOR counter a name for as long as its loop lasts."""

@@ -16,7 +16,8 @@ What it looks like with all its clauses:
             return _l.value
 
 The ERROR clause keeps RAPID's own word: names of the program are lower case, so none clashes.
-`Leave` is a RETURN in it.
+`Leave` is a RETURN in it. A clause that names nothing of its routine's is a function beside it,
+which is made once and not at each call; the routine begins with `ERROR = _ERROR_weld` then.
 """
 
 from __future__ import annotations
@@ -55,6 +56,8 @@ class TranslatedRoutine:
     """The Python functions of one routine."""
 
     function: ast.FunctionDef
+    handler: ast.FunctionDef | None
+    """Its ERROR clause, if that is a function beside it."""
     numbers: ast.FunctionDef | None
     """Gives the numbers that a long-jump ERROR clause lists."""
     callees: Callees
@@ -136,17 +139,21 @@ class _RoutineTranslation:
                 [at.do(at.call("_in_undo", [at.name("_undo")]))],
             )
             body = [at.attempt(body, at.name("_BaseException"), "_u", [unwinds, at.throw()])]
+        names = self._context.names
+        name = names.routine(self._symbol)
         clauses: list[ast.stmt] = [clause for clause in (handler, undo) if clause is not None]
+        beside = handler if handler is not None and not self._sees_locals(handler) else None
+        if beside is not None:
+            beside.name = f"_ERROR_{name}"
+            clauses[0] = at.set("ERROR", at.name(beside.name))
         if handler is not None:
             value = at.leave(at.attribute("_l", "value"))
             body = [at.attempt(body, at.name("_Leave"), "_l", [value])]
-        names = self._context.names
-        name = names.routine(self._symbol)
         if self._names.elements:
             name = names.routine_for_elements(self._symbol, self._names.elements)
         function = at.define(name, parameters, [], [*self._prologue(), *clauses, *body])
         called = callees(self._nodes, self._context.program)
-        return TranslatedRoutine(function, self._numbers(name), called, tick(at))
+        return TranslatedRoutine(function, beside, self._numbers(name), called, tick(at))
 
     def _declare(self) -> list[str]:
         """Name the variables, clear of what the routine uses of its module."""
@@ -246,6 +253,11 @@ class _RoutineTranslation:
         if in_handler and not _ends_in_return(statements):
             statements.append(self._fall_off(at))
         return at.define(name, parameters, [], statements)
+
+    def _sees_locals(self, clause: ast.FunctionDef) -> bool:
+        """Whether a clause names anything that the routine's function holds."""
+        used = {node.id for node in ast.walk(clause) if isinstance(node, ast.Name)}
+        return not used.isdisjoint(self._names.held())
 
     def _fall_off(self, at: At) -> ast.stmt:
         """The end of an ERROR clause is the end of the routine; a function owes its value."""

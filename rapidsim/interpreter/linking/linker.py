@@ -145,10 +145,10 @@ class LinkedProgram:
         exec(code, namespace)
         for name, symbol in module.functions.items():
             self._functions[symbol.node] = _function(namespace, name)
-        for name, routine in module.for_elements.items():
+        for name, shown in module.shown_as.items():
             function = _function(namespace, name)
-            # Call stack, debugger and profiler know it by the routine's name.
-            function.__code__ = function.__code__.replace(co_name=routine, co_qualname=routine)
+            own = shown.rpartition(".")[2]
+            function.__code__ = function.__code__.replace(co_name=own, co_qualname=shown)
         for name, numbers in module.long_jumps:
             jumper = _function(namespace, name)
             self.recovery.long_jumps[jumper.__code__] = _function(namespace, numbers)

@@ -48,8 +48,9 @@ class TranslatedModule:
     bindings: Mapping[str, Binding]
     functions: Mapping[str, RoutineSymbol]
     """The module's routines by the name of their function."""
-    for_elements: Mapping[str, str]
-    """Functions that lend elements of arrays to a routine, by name; the name of the routine's."""
+    shown_as: Mapping[str, str]
+    """What call stack, debugger and profiler call functions that stand for a routine, or for a
+    clause of it, by the name they have in the namespace."""
     computing: Set[str]
     """Names of installed functions that are quick and ask nothing of the controller."""
     long_jumps: tuple[tuple[str, str], ...]
@@ -122,20 +123,23 @@ def _translate_module(
     functions: dict[str, RoutineSymbol] = {}
     body: list[ast.stmt] = []
     long_jumps = []
+    shown_as: dict[str, str] = {}
     for routine in module.routines:
         symbol = program.symbol_of[routine]
         assert isinstance(symbol, RoutineSymbol)
         translated = routines[symbol] = translate_routine(symbol, context)
         functions[translated.function.name] = symbol
         body.append(translated.function)
+        if translated.handler is not None:
+            body.append(translated.handler)
+            shown_as[translated.handler.name] = f"{translated.function.name}.ERROR"
         if translated.numbers is not None:
             body.append(translated.numbers)
             long_jumps.append((translated.function.name, translated.numbers.name))
-    for_elements: dict[str, str] = {}
     # Such routines call none, so no others come up meanwhile.
     for (symbol, parameters), name in names.for_elements.items():
         body.append(translate_routine(symbol, context, parameters).function)
-        for_elements[name] = names.routine(symbol)
+        shown_as[name] = names.routine(symbol)
     initialise = _initialise(module, context)
     if initialise is not None:
         body.append(initialise)
@@ -145,7 +149,7 @@ def _translate_module(
         code,
         names.bindings,
         functions,
-        for_elements,
+        shown_as,
         names.computing,
         tuple(long_jumps),
     )
