@@ -23,7 +23,7 @@ which is made once and not at each call; the routine begins with `ERROR = _ERROR
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Set
 
 from rapidsim.analysis.program import (
     DataSymbol,
@@ -78,6 +78,7 @@ class ModuleContext:
     positions: Positions
     constant_value: ConstantValue
     integers: Mapping[tree.Node, Interval]
+    persistents: Set[tree.Node]
 
 
 def translate_routine(
@@ -223,7 +224,12 @@ class _RoutineTranslation:
     ) -> list[ast.stmt]:
         jumps = Jumps(goto_targets([body]))
         statements = Statements(
-            self._expressions, jumps, is_protected, in_handler, routine=self._node
+            self._expressions,
+            jumps,
+            self._context.persistents,
+            is_protected,
+            in_handler,
+            routine=self._node,
         )
         return statements.body(body)
 

@@ -8,7 +8,7 @@ bodies they choose stand outside. Loops take a tick each turn, which lets virtua
 from __future__ import annotations
 
 import ast
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from dataclasses import dataclass
 from typing import NoReturn, assert_never
 
@@ -34,7 +34,6 @@ from rapidsim.interpreter.codegen.intervals import Interval, counted, way
 from rapidsim.interpreter.codegen.rounds import tick
 from rapidsim.interpreter.codegen.written_paths import declaration
 from rapidsim.interpreter.limits import MAX_BRANCHES, MAX_LOOPS, NotExecutableError
-from rapidsim.language.annotations import Mode
 from rapidsim.language.initial import initial_value
 from rapidsim.language.types import ArrayOf, resolved
 from rapidsim.library.traits import Does
@@ -47,6 +46,8 @@ class Statements:
 
     expressions: Expressions
     jumps: Jumps
+    persistents: Set[tree.Node]
+    """Parameters that may stand for a persistent."""
     is_protected: bool
     """The routine has an ERROR clause, and this is not in it."""
     in_handler: bool = False
@@ -152,7 +153,7 @@ class Statements:
         match self.expressions.paths.symbol(target):
             case DataSymbol(storage=Storage.PERS):
                 pass
-            case ParameterSymbol(mode=Mode.PERS | Mode.INOUT):
+            case ParameterSymbol(node=node) if node in self.persistents:
                 pass
             case _:
                 return []

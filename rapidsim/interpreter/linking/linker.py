@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import linecache
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from types import CodeType, FrameType, FunctionType
 from typing import Any
 
@@ -60,6 +60,7 @@ class LinkedProgram:
         self.late = LateBinding(controller)
         self._constants = Constants(program)
         self._integers: Mapping[tree.Node, Interval] = {}
+        self._persistents: Set[tree.Node] = frozenset()
         self._functions: dict[tree.Routine, FunctionType] = {}
         self._namespaces: dict[tree.Module, dict[str, Any]] = {}
         self.link(program)
@@ -83,7 +84,7 @@ class LinkedProgram:
         codes = [_compiled(module) for module in translation.modules]
         before = self.program, self._constants
         self.program, self._constants = program, translation.constants
-        self._integers = translation.integers
+        self._integers, self._persistents = translation.integers, translation.persistents
         try:
             for module, code in zip(translation.modules, codes, strict=True):
                 self._define(module, code)
@@ -111,7 +112,9 @@ class LinkedProgram:
         own = {node for module in added for node in descendants(*module.routines)}
         known = translation.integers
         kept = {node: integer for node, integer in known.items() if node not in own}
-        return self.program.loads_modules or kept == self._integers
+        lent = translation.persistents - own
+        known_before = self._integers, self._persistents
+        return self.program.loads_modules or (kept, lent) == known_before
 
     def function(self, symbol: RoutineSymbol) -> FunctionType:
         """The function of a routine."""

@@ -17,6 +17,7 @@ from rapidsim.interpreter.codegen.integer_inference import integers_of
 from rapidsim.interpreter.codegen.intervals import Interval
 from rapidsim.interpreter.codegen.local_ticks import count_locally
 from rapidsim.interpreter.codegen.names import Binding, LocalNames, ModuleNames
+from rapidsim.interpreter.codegen.persistent_parameters import persistent_parameters
 from rapidsim.interpreter.codegen.rounds import ticking
 from rapidsim.interpreter.codegen.routines import (
     ModuleContext,
@@ -65,6 +66,8 @@ class Translation:
     constants: Constants
     integers: Mapping[tree.Node, Interval]
     """What was known of nums: functions and their callers must know the same."""
+    persistents: Set[tree.Node]
+    """And which parameters may stand for a persistent."""
 
 
 def translate(
@@ -86,8 +89,9 @@ def translate(
     with recursion_limit(TRANSLATING_DEPTH):
         routines: dict[RoutineSymbol, TranslatedRoutine] = {}
         integers = integers_of(program, constants.value_of)
+        persistents = persistent_parameters(program)
         translated = [
-            _translate_module(module, program, constants, integers, routines)
+            _translate_module(module, program, constants, integers, persistents, routines)
             for module in (program.modules if modules is None else modules)
         ]
     for symbol in ticking({symbol: one.callees for symbol, one in routines.items()}):
@@ -97,7 +101,7 @@ def translate(
             for function in module.code.body:
                 assert isinstance(function, ast.FunctionDef)
                 count_locally(function, module.computing)
-    return Translation(tuple(translated), constants, integers)
+    return Translation(tuple(translated), constants, integers, persistents)
 
 
 def show_python(program: Program) -> str:
@@ -114,12 +118,13 @@ def _translate_module(
     program: Program,
     constants: Constants,
     integers: Mapping[tree.Node, Interval],
+    persistents: Set[tree.Node],
     routines: dict[RoutineSymbol, TranslatedRoutine],
 ) -> TranslatedModule:
     """Translate a module; its routines are added to `routines`."""
     names = ModuleNames(module)
     positions = Positions(module.source)
-    context = ModuleContext(program, names, positions, constants.value_of, integers)
+    context = ModuleContext(program, names, positions, constants.value_of, integers, persistents)
     functions: dict[str, RoutineSymbol] = {}
     body: list[ast.stmt] = []
     long_jumps = []

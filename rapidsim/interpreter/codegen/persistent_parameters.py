@@ -1,0 +1,89 @@
+"""Which parameters that routines take by reference may stand for a persistent.
+
+Where a persistent is assigned, the interrupts come that wait for its change; so a routine has to
+ask for them wherever it assigns to a parameter that may be one. No call can give it another than
+those that are written, unless a name that only the run knows is called, or modules come and go.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from rapidsim.analysis.program import (
+    CounterSymbol,
+    DataSymbol,
+    ParameterSymbol,
+    Program,
+    RoutineSymbol,
+    Storage,
+    Symbol,
+)
+from rapidsim.analysis.tree_walk import descendants
+from rapidsim.interpreter.codegen.calls import Given, match_arguments
+from rapidsim.interpreter.codegen.written_paths import bare, flat
+from rapidsim.language.annotations import Mode
+from rapidsim.syntax import tree
+
+
+def persistent_parameters(program: Program) -> frozenset[tree.Node]:
+    """The parameters of all routines that may stand for a persistent, by declaration."""
+    routines = [
+        symbol
+        for module in program.modules
+        for routine in module.routines
+        if isinstance(symbol := program.symbol_of[routine], RoutineSymbol)
+    ]
+    parameters = [one for routine in routines for one in routine.parameters]
+    lent: set[tree.Node] = {one.node for one in parameters if one.mode is Mode.INOUT}
+    found: set[tree.Node] = {one.node for one in parameters if one.mode is Mode.PERS}
+    if program.loads_modules:
+        return frozenset(found | lent)
+    takers: dict[tree.Node, set[tree.Node]] = {}
+    """What a parameter is lent on to."""
+    for routine in routines if lent else ():
+        options = {one.name.lower(): one for one in routine.parameters}
+        for node in descendants(routine.node):
+            if isinstance(node, tree.LateCall) and node.arguments:
+                return frozenset(found | lent)
+            for taker, giver in _lent(node, options, program):
+                match giver:
+                    case ParameterSymbol(mode=Mode.INOUT | Mode.PERS, node=given):
+                        takers.setdefault(given, set()).add(taker)
+                    case DataSymbol(storage=Storage.VAR | Storage.CONST):
+                        pass
+                    case ParameterSymbol() | CounterSymbol() | None:
+                        pass
+                    case _:
+                        found.add(taker)
+    waiting = list(found)
+    while waiting:
+        new = takers.get(waiting.pop(), set()) - found
+        found |= new
+        waiting += new
+    return frozenset(found)
+
+
+def _lent(
+    node: tree.Node, options: Mapping[str, ParameterSymbol], program: Program
+) -> Iterator[tuple[tree.Node, Symbol | None]]:
+    """What a call lends to INOUT parameters of a user routine, by declaration of the parameter."""
+    if not isinstance(node, tree.Call | tree.FunctionCall):
+        return
+    callee = program.symbol_of[node]
+    if not isinstance(callee, RoutineSymbol):
+        return
+    given = match_arguments(node.arguments, callee.parameters)
+    for parameter in callee.parameters:
+        one = given.get(parameter.name.lower())
+        if parameter.mode is Mode.INOUT and one is not None:
+            yield parameter.node, _giver(one, options, program)
+
+
+def _giver(given: Given, options: Mapping[str, ParameterSymbol], program: Program) -> Symbol | None:
+    """The data that an argument is made of; None for a value that nobody else has."""
+    if given.caller_option is not None:
+        return options.get(given.caller_option.key)
+    value = None if given.value is None else bare(given.value)
+    if isinstance(value, tree.Reference | tree.Index | tree.Component):
+        return program.symbol_of[flat(value).reference]
+    return None
