@@ -15,7 +15,7 @@ count that is right; the loop knows by its own being below zero.
 from __future__ import annotations
 
 import ast
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from copy import deepcopy
 from typing import TypeGuard
 
@@ -52,21 +52,34 @@ class _Plan:
         return self.ticks > self.looks and self.statements <= _MOST
 
 
-def count_locally(function: ast.FunctionDef, computing: Collection[str]) -> None:
-    """Let the loops of a routine count for themselves where that pays.
+def count_locally(functions: Sequence[ast.FunctionDef], computing: Collection[str]) -> None:
+    """Let the loops of a module's routines count for themselves where that pays.
 
     Nowhere else may its data be shared with other tasks: those look at the clock where they stand.
 
     Args:
-        function: Which is changed.
+        functions: Of the routines; they are changed.
         computing: Names of functions that are quick and look at no clock, beside `COMPUTING`.
     """
-    function.body = list(_Loops(frozenset(computing) | COMPUTING).outside(function.body))
+    statements = dict.fromkeys((*computing, *COMPUTING), 0)
+    installed = _Loops(statements)
+    only_compute = {one.name: len(one.body) for one in functions if installed.none_in(one)}
+    loops = _Loops(statements | only_compute)
+    for function in functions:
+        function.body = list(loops.outside(function.body))
 
 
 class _Loops:
-    def __init__(self, computing: frozenset[str]) -> None:
+    def __init__(self, computing: Mapping[str, int]) -> None:
+        """Take the functions that look at no clock, and how many statements each has."""
         self._computing = computing
+
+    def none_in(self, function: ast.FunctionDef) -> bool:
+        """Whether a routine has no loops and only computes; it calls no other, so it is quick."""
+        parts = (ast.For, ast.While, ast.FunctionDef)
+        return not self._looks(function) and not any(
+            isinstance(part, parts) for statement in function.body for part in ast.walk(statement)
+        )
 
     def outside(self, body: Sequence[ast.stmt], depth: int = 0) -> Iterator[ast.stmt]:
         """Statements in so many loops, with the loops among them and in them changed."""
@@ -89,6 +102,7 @@ class _Loops:
             statements += 1
             if _is_block(statement):
                 decides = statement.iter if isinstance(statement, ast.For) else statement.test
+                statements += self._called(decides)
                 if isinstance(decides, ast.Attribute) and decides.attr == "watches":
                     continue  # It seldom looks.
                 if self._looks(decides) or depth > _DEEPEST:
@@ -98,6 +112,7 @@ class _Loops:
                 waiting += [(inner, depth) for inner in (*statement.body, *statement.orelse)]
             elif not _is_tick(statement):
                 looks += self._looks(statement)
+                statements += self._called(statement)
         return _Plan(ticks, looks, statements)
 
     def _looks(self, node: ast.AST) -> bool:
@@ -110,6 +125,11 @@ class _Loops:
             elif isinstance(part, ast.Lambda | ast.Try):
                 return True
         return False
+
+    def _called(self, node: ast.AST) -> int:
+        """The statements of routines that a part of a program calls."""
+        calls = (part.func for part in ast.walk(node) if isinstance(part, ast.Call))
+        return sum(self._computing.get(one.id, 0) for one in calls if isinstance(one, ast.Name))
 
     def _all_at_once(self, loop: ast.For) -> bool:
         """Whether all turns of a loop may be taken away at once, if so many are left."""

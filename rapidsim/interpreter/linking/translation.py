@@ -98,9 +98,8 @@ def translate(
         routines[symbol].function.body[:0] = routines[symbol].tick
     if not shares:
         for module in translated:
-            for function in module.code.body:
-                assert isinstance(function, ast.FunctionDef)
-                count_locally(function, module.computing)
+            functions = [one for one in module.code.body if isinstance(one, ast.FunctionDef)]
+            count_locally(functions, module.computing)
     return Translation(tuple(translated), constants, integers, persistents)
 
 
