@@ -36,7 +36,7 @@ LOOPS = (
     *("sieve", "insertion_sort", "quicksort", "matrix_product", "texts"),
     *("records", "recursion", "collatz", "floats"),
 )
-GEOMETRIC_MEAN_TARGET = 2.7
+GEOMETRIC_MEAN_TARGET = 2.3
 WORST_TARGET = 4.0
 CLOSURE_TARGET = 2.0
 POLLED_S = {

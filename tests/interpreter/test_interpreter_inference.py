@@ -14,7 +14,7 @@ from laws import examples
 
 from rapidsim.analysis.program import RoutineSymbol
 from rapidsim.analysis.tree_walk import descendants
-from rapidsim.interpreter.codegen import calls
+from rapidsim.interpreter.codegen import calls, statements
 from rapidsim.interpreter.codegen.integer_inference import integers_of
 from rapidsim.interpreter.codegen.intervals import LARGEST
 from rapidsim.interpreter.linking import translation
@@ -164,7 +164,10 @@ def test_an_option_may_be_absent() -> None:
 names = st.sampled_from(["x", "y", "z"])
 literals = st.sampled_from(["0", "1", "2", "3", "7", "100", "16777215", "16777216", "1E20", "0.5"])
 atoms = st.one_of(
-    names, names, literals, st.sampled_from(["i", "a{1}", "Dim(a, 1)", "own", "T{x}", "T{3}"])
+    names,
+    names,
+    literals,
+    st.sampled_from(["i", "a{1}", "a{i}", "i - 1", "Dim(a, 1)", "own", "T{x}", "T{3}"]),
 )
 
 
@@ -192,6 +195,7 @@ simple = st.one_of(
         lambda t: f"bump {t[0]}, {t[1]};"
     ),
     st.tuples(nums, nums).map(lambda t: f"exchange a{{{t[0]}}}, a{{{t[1]}}};"),
+    names.map(lambda name: f"a{{i - 1}} := a{{i}} + {name} / i;"),
     conditions.map(lambda e: f"IF {e} RETURN;"),
 )
 
@@ -297,7 +301,8 @@ def test_nobody_can_tell(
     plainly = mock.patch.multiple(
         translation, integers_of=lambda *_: {}, count_locally=lambda *_: None
     )
-    with plainly, mock.patch.object(calls, "takes_elements", return_value=False):
+    counters = mock.patch.object(statements, "position_once", lambda body, *_: body)
+    with plainly, counters, mock.patch.object(calls, "takes_elements", return_value=False):
         expected = seen(text)
     assert found == expected
 

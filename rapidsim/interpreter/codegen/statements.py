@@ -20,6 +20,7 @@ from rapidsim.analysis.program import (
     does,
 )
 from rapidsim.interpreter.codegen.ast_builder import At
+from rapidsim.interpreter.codegen.counter_positions import position_once
 from rapidsim.interpreter.codegen.data_access import whole_number
 from rapidsim.interpreter.codegen.error_handling import protected
 from rapidsim.interpreter.codegen.expression_code import Code, comparable, finished, whole
@@ -288,7 +289,8 @@ class Statements:
             if interval is not None:
                 counters[name] = interval
             body = self.body(statement.body)
-            counters.pop(name, None)
+            if counters.pop(name, None) is not None:
+                body = position_once(body, name, at)
         before: list[ast.stmt] = []
         if may_raise and self.is_protected:
             before = self._guard(
