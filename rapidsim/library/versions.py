@@ -16,10 +16,14 @@ from types import MappingProxyType
 
 from rapidsim.language.robotware import RobotWare
 
-_SEVEN = RobotWare(7)
-_NAMES = (
-    *("CONTINUE", "EGMWaitCond", r"EGMRunJoint\NoWaitCond", r"EGMRunPose\NoWaitCond", "Max"),
-    *("Min", "MovePnP", r"ReadStr\Status", "StrFormat", "TriggAbsJ", "iconQuestion"),
+_LATE_SIX = ("EGMWaitCond", r"EGMRunJoint\NoWaitCond", r"EGMRunPose\NoWaitCond", "StrFormat")
+"""Manuals of RobotWare 6 lack them, but public programs that were made and tried on 6.14 use them;
+since which version before there were any is not known."""
+_SEVEN = ("CONTINUE", "Max", "Min", "MovePnP", r"ReadStr\Status", "TriggAbsJ", "iconQuestion")
+SINCE: Mapping[str, RobotWare] = MappingProxyType(
+    {
+        **dict.fromkeys((name.lower() for name in _LATE_SIX), RobotWare(6, 14)),
+        **dict.fromkeys((name.lower() for name in _SEVEN), RobotWare(7)),
+    }
 )
-SINCE: Mapping[str, RobotWare] = MappingProxyType({name.lower(): _SEVEN for name in _NAMES})
 """By folded name; a routine, an option of one, or data."""

@@ -80,7 +80,8 @@ def _how(row: LibraryRoutine) -> Iterator[str]:
         yield "Carried out by the interpreter"
     for name, key in _versioned(row):
         if key in SINCE:
-            yield f"{name} since RobotWare {SINCE[key].major}"
+            since = SINCE[key]
+            yield f"{name} since RobotWare {since if since.minor else since.major}"
 
 
 def _versioned(row: LibraryRoutine) -> Iterator[tuple[str, str]]:

@@ -1,4 +1,4 @@
-! RAPID Instructions, EGMWaitCond (RobotWare 7): where no sensor answers, the time-out ends it.
+! RAPID Instructions, EGMWaitCond: where no sensor answers, the time-out ends it.
 MODULE egm_waits
   VAR egmident guide;
   CONST egm_minmax near:=[-0.1,0.1];

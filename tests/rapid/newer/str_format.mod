@@ -1,4 +1,4 @@
-! RAPID Functions, StrFormat: arguments stand in the places of their numbers (RobotWare 7).
+! RAPID Functions, StrFormat: arguments stand in the places of their numbers.
 MODULE str_format
   PROC main()
     TPWrite StrFormat("{1} of {2}, {1}"\Arg1:="3"\Arg2:="8"); ! -> 3 of 8, 3
