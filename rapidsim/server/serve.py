@@ -100,8 +100,7 @@ async def _serve(
             one.cancel()
         return over.is_set()
     finally:
-        for runner in runners:
-            await runner.cleanup()
+        await asyncio.gather(*(runner.cleanup() for runner in runners))
 
 
 async def _listen(

@@ -98,3 +98,16 @@ def test_what_nobody_can_listen_to_is_refused(tmp_path: Path) -> None:
         assert await served.status("poll/99") == (404, -1073414146)
 
     serve(tmp_path, PROGRAM, use)
+
+
+def test_a_client_that_does_not_answer_does_not_hold_the_end_up(tmp_path: Path) -> None:
+    """It hears that its websocket is closed, and reads it or not."""
+
+    async def use(served: Served) -> Served:
+        sockets.append(await _listen(served, ROUNDS))
+        sockets.append(await _listen(served, PULSE))
+        assert served.engine.subscriptions.groups == 2
+        return served
+
+    sockets: list[aiohttp.ClientWebSocketResponse] = []
+    assert serve(tmp_path, PROGRAM, use).engine.subscriptions.groups == 0

@@ -41,6 +41,11 @@ MOST_RESOURCES: Final = 1000
 """Of one group."""
 MOST_WAITING: Final = 1000
 """Events that wait for a slow reader; the oldest of all are dropped first."""
+_PARTING_S: Final = 1.0
+"""So long [s] on the wall a client may take to answer that its websocket is closed."""
+_LAST_S: Final = 0.2
+"""So long [s] on the wall what is under way at the end may take, once to end by itself and once
+more to be broken off."""
 _NO_SPEAKING: Final = b"Client cannot send data."
 """What a controller says to a client that speaks on a websocket where it may not."""
 
@@ -57,7 +62,7 @@ _QUIET.disabled = True
 def runner_of(app: web.Application) -> web.AppRunner:
     """What serves an application."""
     return web.AppRunner(
-        app, handle_signals=False, access_log=None, shutdown_timeout=1.0, logger=_QUIET
+        app, handle_signals=False, access_log=None, shutdown_timeout=_LAST_S, logger=_QUIET
     )
 
 
@@ -222,7 +227,8 @@ class Face:
         group = self._groups.get(int(rest)) if rest.isdecimal() else None
         if group is None:
             return dialect.shown(request, Refusal(*NOT_FOUND, f"there is no subscription {rest}"))
-        socket = web.WebSocketResponse(protocols=(dialect.protocol,), heartbeat=30.0)
+        protocols = (dialect.protocol,)
+        socket = web.WebSocketResponse(timeout=_PARTING_S, protocols=protocols, heartbeat=30.0)
         ready = socket.can_prepare(request)
         if not ready.ok or (not dialect.clients_may_speak and ready.protocol is None):
             return dialect.shown(request, Refusal(*BAD_PARAMETER, "this address is for websockets"))
