@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 from served_controller import Served, serve
 
+from rapidsim.controller.cell.description import GROUP_WIDTH, mapped_bits
 from rapidsim.language.equipment import Attributes
 from rapidsim.server.messages import Request
 
@@ -103,11 +104,29 @@ def test_signals_stand_behind_their_devices_and_are_written_where_that_is_config
     serve(tmp_path, None, use)
 
 
+@pytest.mark.parametrize(
+    ("text", "bits"),
+    [("7", (7,)), ("2-4", (2, 3, 4)), ("1-0, 8", (1, 0, 8)), ("", ()), ("-", ()), ("9" * 5000, ())],
+)
+def test_the_bits_of_a_group_stand_lowest_first(text: str, bits: tuple[int, ...]) -> None:
+    assert mapped_bits(text) == bits
+
+
+def test_a_group_has_no_more_bits_than_a_group_can_have() -> None:
+    assert mapped_bits("8-999999999,3") == tuple(range(8, 8 + GROUP_WIDTH))
+
+
 def test_the_inputs_of_a_device_are_set_at_once(tmp_path: Path) -> None:
     more = """
       -Name "diNear" -SignalType "DI" -Device "d651" -DeviceMap "7"
 
       -Name "giPart" -SignalType "GI" -Device "d651" -DeviceMap "2-5"
+
+      -Name "giApart" -SignalType "GI" -Device "d651" -DeviceMap "16-17, 33-32"
+
+      -Name "giWide" -SignalType "GI" -Device "d651" -DeviceMap "64-87"
+
+      -Name "diNowhere" -SignalType "DI" -Device "d651" -DeviceMap "-"
 """
     for name, text in (("RAPID/TASK1/PROGMOD/Still.mod", PROGRAM), ("SYSPAR/EIO.cfg", EIO + more)):
         (tmp_path / "cell" / name).parent.mkdir(parents=True, exist_ok=True)
@@ -124,6 +143,12 @@ def test_the_inputs_of_a_device_are_set_at_once(tmp_path: Path) -> None:
         # What the mask leaves out stays.
         assert put("d651", startbyte="0", signaldata="00000000", datamask="132") == 204
         assert (live.signal_value("diNear"), live.signal_value("giPart")) == (0.0, 12.0)
+        # A group need not lie in one stretch, nor end in the bytes that are set.
+        assert put("d651", startbyte="2", signaldata="00000010") == 204
+        assert put("d651", startbyte="4", signaldata="00000010") == 204
+        assert live.signal_value("giApart") == 6.0
+        assert put("d651", startbyte="9", signaldata="00000001") == 204
+        assert live.signal_value("giWide") == 256.0
         assert put("none", startbyte="0", signaldata="00000000", datamask="1") == 404
         assert put("d651", startbyte="0", signaldata="12", datamask="1") == 400
 

@@ -27,8 +27,29 @@ class SignalKind(StrEnum):
     AO = "ao"
 
 
+_LONGEST_NUMBER = 10
 GROUP_WIDTH = 32
 """Bits of a group that nobody declares, and the most a group can have."""
+
+
+def mapped_bits(text: str) -> tuple[int, ...]:
+    """The bits of a device that `0-3,8` names, the lowest of the group first.
+
+    At most as many as a group can have; what cannot be read names none.
+    """
+    found: list[int] = []
+    for part in text.replace(" ", "").split(","):
+        first, _, last = part.partition("-")
+        if _is_bit(first) and _is_bit(last or first):
+            begin, end = int(first), int(last or first)
+            step = 1 if begin <= end else -1
+            bits = range(begin, end + step, step)
+            found += bits[: GROUP_WIDTH - len(found)]
+    return tuple(found)
+
+
+def _is_bit(word: str) -> bool:
+    return word.isascii() and word.isdecimal() and len(word) < _LONGEST_NUMBER
 
 
 class Status(StrEnum):

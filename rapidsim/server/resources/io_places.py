@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Final
 
+from rapidsim.controller.cell.description import mapped_bits
 from rapidsim.server.resources.context import Context
 
 VIRTUAL: Final = "Local"
@@ -31,14 +32,12 @@ def devices(context: Context) -> Iterator[tuple[str, Mapping[str, str]]]:
                 yield spelled.get(network.lower(), network), one
 
 
-def inputs_of(context: Context, device: str) -> Iterator[tuple[str, range]]:
+def inputs_of(context: Context, device: str) -> Iterator[tuple[str, tuple[int, ...]]]:
     """The digital and group inputs of a device, with the bits that it maps to them."""
     for one in context.live.cell.parameters.instances("EIO", "EIO_SIGNAL") or ():
-        first, _, last = one.get("DeviceMap", "").partition("-")
         is_input = one.get("SignalType", "").upper() in ("DI", "GI")
-        mapped = first.isdecimal() and (last or first).isdecimal()
-        if is_input and mapped and one.get("Device", "").lower() == device.lower():
-            yield one.get("Name", ""), range(int(first), int(last or first) + 1)
+        if is_input and one.get("Device", "").lower() == device.lower():
+            yield one.get("Name", ""), mapped_bits(one.get("DeviceMap", ""))
 
 
 class SignalPlaces:

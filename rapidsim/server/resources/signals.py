@@ -81,8 +81,8 @@ def set_device_inputs(context: Context, request: Request, network: str, device: 
         if mask >> bit & 1
     }
     for name, places in io_places.inputs_of(context, device):
-        if places[0] in bits or places[-1] in bits:
-            old = int(context.live.signal_value(name))
+        if not bits.keys().isdisjoint(places):
+            old = int(context.live.signal_value(context.live.signal(name).name))
             told = (bits.get(at, bool(old >> k & 1)) for k, at in enumerate(places))
             context.live.set_signal(name, float(sum(one << k for k, one in enumerate(told))))
     return DONE

@@ -17,6 +17,7 @@ from rapidsim.controller.cell.description import (
     SignalDeclaration,
     SignalKind,
     Status,
+    mapped_bits,
 )
 from rapidsim.station.backup.cfg_file import SWITCHED_ON, Configuration, Instance
 from rapidsim.station.signals import follows_itself
@@ -83,18 +84,9 @@ def _signal(instance: Instance) -> SignalDeclaration | None:
     width = 1
     if kind in (SignalKind.GI, SignalKind.GO):
         bits = instance.get("devicemap") or instance.get("unitmap")
-        width = _width(bits) if bits else int(_number(instance.get("size")) or GROUP_WIDTH)
+        size = len(mapped_bits(bits)) if bits else _number(instance.get("size"))
+        width = int(size or GROUP_WIDTH)
     return SignalDeclaration(name, kind, start, 0.0, 2.0**width - 1.0)
-
-
-def _width(bits: str) -> int:
-    """How many bits `0-3,8` are; as many as a group can have where it cannot be read."""
-    count = 0
-    for part in bits.replace(" ", "").split(","):
-        first, _, last = part.partition("-")
-        if first.isdecimal() and (last or first).isdecimal():
-            count += abs(int(last or first) - int(first)) + 1
-    return min(count, GROUP_WIDTH) or GROUP_WIDTH
 
 
 def _crosses(
