@@ -166,6 +166,18 @@ def is_encoded(data: bytes) -> bool:
     return steering > _FEW_STRAY and steering > _STRAY_SHARE * len(head)
 
 
+def entries_of(folder: Path) -> list[Path]:
+    """What a folder holds; sorted without case, so that the order is that of any file system.
+
+    Raises:
+        InputError: If it cannot be read.
+    """
+    try:
+        return sorted(folder.iterdir(), key=lambda entry: (entry.name.lower(), entry.name))
+    except OSError as error:
+        raise unreadable(folder, error) from error
+
+
 def unreadable(path: Path, error: OSError) -> InputError:
     """The mistake that a file could not be read, with the file that was meant if it is known."""
     if isinstance(error, FileNotFoundError):

@@ -19,11 +19,11 @@ from rapidsim.files import (
     SourceFile,
     decode,
     did_you_mean,
+    entries_of,
     input_bytes,
     is_encoded,
     require_inside,
     standard_input,
-    unreadable,
 )
 from rapidsim.values import dataclass
 
@@ -113,16 +113,16 @@ def task_folders(folder: Path) -> tuple[Path, ...]:
     TASK0 holds what the system installs in every task, and is none. Beside a folder SYSPAR, the
     folders in RAPID may have the names of the tasks.
     """
-    below = [entry for entry in _entries(folder) if entry.name.upper() == "RAPID"]
+    below = [entry for entry in entries_of(folder) if entry.name.upper() == "RAPID"]
     for entry in (folder, *below):
         if not entry.is_dir():
             continue
-        tasks = [e for e in _entries(entry) if re.fullmatch(r"TASK[1-9]\d*", e.name.upper())]
+        tasks = [e for e in entries_of(entry) if re.fullmatch(r"TASK[1-9]\d*", e.name.upper())]
         if tasks:
             return tuple(sorted(tasks, key=lambda e: int(e.name[4:])))
         is_rapid = entry.name.upper() == "RAPID"
-        if is_rapid and any(e.name.upper() == "SYSPAR" for e in _entries(entry.parent)):
-            return tuple(e for e in _entries(entry) if _is_task_by_name(e))
+        if is_rapid and any(e.name.upper() == "SYSPAR" for e in entries_of(entry.parent)):
+            return tuple(e for e in entries_of(entry) if _is_task_by_name(e))
     return ()
 
 
@@ -142,7 +142,7 @@ def backup_among(paths: Iterable[str]) -> Backup | None:
         tasks = task_folders(folder)
         if tasks:
             return Backup(tasks[0].parent.parent, tasks)
-        below = {entry.name.upper() for entry in _entries(folder) if entry.is_dir()}
+        below = {entry.name.upper() for entry in entries_of(folder) if entry.is_dir()}
         if below >= {"SYSPAR", "HOME"} and not _in_folder(folder, may_be_empty=True):
             return Backup(folder, ())
     return None
@@ -212,29 +212,21 @@ def _source_file(name: str, data: bytes) -> SourceFile:
     return file
 
 
-def _entries(folder: Path) -> list[Path]:
-    """What a folder holds; sorted without case, so that the order is that of any file system."""
-    try:
-        return sorted(folder.iterdir(), key=lambda entry: (entry.name.lower(), entry.name))
-    except OSError as error:
-        raise unreadable(folder, error) from error
-
-
 def _modules_of(folder: Path) -> list[Path]:
     return [
         entry
-        for entry in _entries(folder)
+        for entry in entries_of(folder)
         if entry.suffix.lower() in MODULE_SUFFIXES and entry.exists() and not entry.is_dir()
     ]
 
 
 def _in_folder(folder: Path, *, may_be_empty: bool = False) -> list[Path]:
     """The modules of a folder; a task folder of a backup keeps them in PROGMOD and SYSMOD."""
-    rapid = [e for e in _entries(folder) if e.name.upper() == "RAPID" and e.is_dir()]
+    rapid = [e for e in entries_of(folder) if e.name.upper() == "RAPID" and e.is_dir()]
     modules = _modules_below(folder) or [m for entry in rapid for m in _modules_below(entry)]
     if modules or may_be_empty:
         return modules
-    below = [entry.name for entry in _entries(folder) if entry.is_dir() and _modules_of(entry)]
+    below = [entry.name for entry in entries_of(folder) if entry.is_dir() and _modules_of(entry)]
     raise InputError(
         f"{folder} holds no RAPID file ({', '.join(MODULE_SUFFIXES)})",
         f"there are some in {', '.join(below[:5])}: name one of these folders" if below else None,
@@ -243,7 +235,7 @@ def _in_folder(folder: Path, *, may_be_empty: bool = False) -> list[Path]:
 
 def _modules_below(folder: Path) -> list[Path]:
     modules = _modules_of(folder)
-    for entry in _entries(folder):
+    for entry in entries_of(folder):
         if entry.name.upper() in _IN_TASK and entry.is_dir():
             modules += _modules_of(entry)
     return modules
@@ -269,7 +261,7 @@ def _in_task_folder(folder: Path) -> tuple[list[Path], tuple[str, ...], tuple[st
 def _backinfo(folder: Path) -> Mapping[str, ListedTask]:
     """What the backup of a task folder says of its tasks; nothing where it does not say."""
     root = folder.parent.parent
-    for entry in _entries(root):
+    for entry in entries_of(root):
         file = entry / "backinfo.txt"
         if entry.name.upper() == "BACKINFO" and file.is_file():
             return listed_tasks(decode(input_bytes(require_inside([file], [root])[0]))[0])
@@ -281,7 +273,7 @@ def _in_program_file(path: Path) -> list[Path]:
     names = module_names(path, input_bytes(path))
     if not names:
         raise InputError(f"{path} lists no module")
-    beside = {entry.name.lower(): entry for entry in _entries(path.parent)}
+    beside = {entry.name.lower(): entry for entry in entries_of(path.parent)}
     modules = []
     for name in names:
         # The file is not trusted: it names neighbours, never places elsewhere.

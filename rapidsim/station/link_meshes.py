@@ -10,7 +10,7 @@ from pathlib import Path
 
 from rapidsim.collisions.link_shapes import shapes_of_meshes
 from rapidsim.collisions.meshes.read import KINDS
-from rapidsim.files import InputError
+from rapidsim.files import InputError, entries_of, require_inside
 from rapidsim.motion.robot.robot import LinkMeshes, Robot
 
 _OWN_UNIT = (".glb", ".gltf")
@@ -30,9 +30,8 @@ def with_meshes(arm: Robot, folder: Path, unit_m: float | None, *, in_base: bool
     """
     names = ("base_link", *(f"link_{number + 1}" for number in range(len(arm.joints))))
     found: dict[str, Path] = {}
-    for file in sorted(folder.iterdir()):
-        if file.suffix.lower() not in KINDS:
-            continue
+    meshes = [one for one in entries_of(folder) if one.suffix.lower() in KINDS]
+    for file in require_inside(meshes, [folder]):
         name = file.stem.lower()
         if name not in names:
             raise InputError(

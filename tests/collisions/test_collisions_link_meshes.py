@@ -106,3 +106,13 @@ def test_shapes_that_are_not_those_of_the_arm_are_told(
     assert said in ended.err
     assert ended.err.count("error") == 1
     assert not list(tmp_path.glob("*.rrd"))
+
+
+def test_a_link_out_of_the_folder_is_not_followed(tmp_path: Path) -> None:
+    own_arm(tmp_path)
+    own_cell(tmp_path)
+    (tmp_path / "arm" / "link_2.stl").rename(tmp_path / "elsewhere.stl")
+    (tmp_path / "arm" / "link_2.stl").symlink_to(tmp_path / "elsewhere.stl")
+    ended = call("check", "cell.mod", cwd=tmp_path, columns=1000)
+    assert ended.code == 2, ended
+    assert "link_2.stl leads out of" in ended.err
