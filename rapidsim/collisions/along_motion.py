@@ -133,11 +133,11 @@ class _Search:
         self._pair = self._first, self._second
         self._owner: Index = np.array([pair.owner for pair in scene.pairs])
         self._touch_only = np.array([pair.touch_only for pair in scene.pairs])
-        self._best: dict[tuple[int, int], _Best] = {}
+        self._best: dict[_Key, _Best] = {}
         # Of each robot and move: from which gap on a stretch is no news; and that gap itself.
         self._wanted = np.full((len(scene.arms), 1), FARTHEST_M)
         self._nearest = self._wanted.copy()
-        self._touch: dict[tuple[int, int], _Touch] = {}
+        self._touch: dict[_Key, _Touch] = {}
         self._decided = True
 
     def look(self, times: Array) -> None:
@@ -386,7 +386,7 @@ class _Search:
         )
         return Found(contacts, clearances, self._decided)
 
-    def _places(self, touched: Sequence[tuple[tuple[int, int], _Touch]]) -> dict[_Key, Array]:
+    def _places(self, touched: Sequence[tuple[_Key, _Touch]]) -> dict[_Key, Array]:
         """Where (3,) pairs are nearest to each other just before they touch.
 
         Once they overlap, corners of one are known to be in the other, and not where it met them.
@@ -406,11 +406,11 @@ class _Search:
         apart = np.isfinite(gaps.found)
         return {key: world[k] for k, (key, _) in enumerate(touched) if apart[k]}
 
-    def _depths(self, touched: Sequence[tuple[int, int]]) -> dict[tuple[int, int], float]:
+    def _depths(self, touched: Sequence[_Key]) -> dict[_Key, float]:
         """How deep [m] pairs are in each other at most, from their contact in a move on."""
         # As far as the contact goes, in ever longer steps.
         later = np.concatenate([[0.0], 0.002 * 1.25 ** np.arange(_DEPTHS)])
-        found: dict[tuple[int, int], float] = {}
+        found: dict[_Key, float] = {}
         some = max(1, _BLOCK // len(later))
         for begin in range(0, len(touched), some):
             keys = touched[begin : begin + some]
@@ -432,7 +432,7 @@ class _Search:
             found |= dict(zip(keys, exact.tolist(), strict=True))
         return found
 
-    def _continued(self) -> set[tuple[int, int]]:
+    def _continued(self) -> set[_Key]:
         """Contacts of pairs that touched in the move before and touch where this one begins."""
         keys = [(p, move) for p, move in self._touch if (p, move - 1) in self._touch]
         if not keys:

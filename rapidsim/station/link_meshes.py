@@ -9,11 +9,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from rapidsim.collisions.link_shapes import shapes_of_meshes
-from rapidsim.collisions.meshes.read import KINDS
+from rapidsim.collisions.meshes.read import IN_METRES, KINDS
 from rapidsim.files import InputError, entries_of, require_inside
 from rapidsim.motion.robot.robot import LinkMeshes, Robot
-
-_OWN_UNIT = (".glb", ".gltf")
+from rapidsim.station.toml_reader import UNITS_M
 
 
 def with_meshes(arm: Robot, folder: Path, unit_m: float | None, *, in_base: bool) -> Robot:
@@ -40,9 +39,10 @@ def with_meshes(arm: Robot, folder: Path, unit_m: float | None, *, in_base: bool
             )
         if name in found:
             raise InputError(f"{folder} has two files of {name}", "which one counts, nobody knows")
-        if unit_m is None and file.suffix.lower() not in _OWN_UNIT:
+        if unit_m is None and file.suffix.lower() not in IN_METRES:
             raise InputError(
-                f"{file} does not say its unit", 'say `shapes-unit = "mm"`, or "cm", "m", "inch"'
+                f"{file} does not say its unit",
+                f'say `shapes-unit = "mm"`, or another of {", ".join(UNITS_M)}',
             )
         found[name] = file
     if missing := [name for name in names if name not in found]:
@@ -51,8 +51,7 @@ def with_meshes(arm: Robot, folder: Path, unit_m: float | None, *, in_base: bool
             f"{arm.name} needs {len(names)}, such as {names[0]}.stl and {names[1]}.stl",
         )
     files = tuple(found[name] for name in names)
-    # glTF counts in m whatever the others do.
     units = tuple(
-        1.0 if unit_m is None or file.suffix.lower() in _OWN_UNIT else unit_m for file in files
+        1.0 if unit_m is None or file.suffix.lower() in IN_METRES else unit_m for file in files
     )
     return shapes_of_meshes(arm, LinkMeshes(files, units, in_base))

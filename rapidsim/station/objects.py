@@ -31,7 +31,7 @@ from rapidsim.collisions.geometry import (
     Parent,
     ParentKind,
 )
-from rapidsim.collisions.meshes.read import read_mesh
+from rapidsim.collisions.meshes.read import IN_METRES, read_mesh
 from rapidsim.collisions.shape import Filling, Shape
 from rapidsim.files import InputError, did_you_mean
 from rapidsim.frames.transform import Transform
@@ -208,7 +208,7 @@ def _mesh(reader: Reader, path: str, table: Table) -> Shape | None:
     file = None if name is None else reader.inside(name, f"{path}.mesh")
     if file is None:
         return None
-    if unit is None and file.suffix.lower() in (".glb", ".gltf"):
+    if unit is None and file.suffix.lower() in IN_METRES:
         unit = "m"
     if unit not in UNITS_M:
         wrong = "its file does not say" if unit is None else f"`{unit}` is no unit of length"

@@ -11,7 +11,9 @@ from rapidsim.collisions.meshes.stl import read_stl
 from rapidsim.collisions.meshes.triangles import Triangles, checked_triangles
 from rapidsim.files import InputError, input_bytes, require_inside
 
-KINDS = (".stl", ".obj", ".ply", ".glb", ".gltf")
+IN_METRES = (".glb", ".gltf")
+"""Kinds whose files count in metres; the others do not say their unit."""
+KINDS = (".stl", ".obj", ".ply", *IN_METRES)
 _MOST_BYTES = 50_000_000
 
 
