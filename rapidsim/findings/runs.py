@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
-from rapidsim.diagnostics import Violation
+from rapidsim.diagnostics import Diagnostic, Violation
+
+FAMILY_OF_RUNS = "R"
+
+
+def is_of_runs(found: Diagnostic) -> bool:
+    """Whether a finding is of this family."""
+    return found.code.startswith(FAMILY_OF_RUNS)
 
 
 class UncaughtError(Violation, code="R101"):

@@ -17,7 +17,7 @@ from rapidsim.analysis.program_parts import ENTRY
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
 from rapidsim.diagnostics import Diagnostic, Severity
-from rapidsim.findings.runs import EndlessWait
+from rapidsim.findings.runs import FAMILY_OF_RUNS, EndlessWait, is_of_runs
 from rapidsim.jobs.baseline import Key, read_baseline, told_apart
 from rapidsim.jobs.checked_program import Loaded, load_task
 from rapidsim.jobs.faultless_part import faultless_part
@@ -41,7 +41,6 @@ if TYPE_CHECKING:
     from rapidsim.simulation.options import RunOptions
 
 _FAMILIES_OF_MOVES = "DKM"
-_FAMILY_OF_RUNS = "R"
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
@@ -82,7 +81,7 @@ class CheckResult:
             selector: A code, the beginning of a code, or the name of a rule. What moves do is only
                 known where all of them were checked.
         """
-        if selector[:1].upper() == _FAMILY_OF_RUNS:
+        if selector[:1].upper() == FAMILY_OF_RUNS:
             return False
         may_be_of_moves = selector[:1].upper() in _FAMILIES_OF_MOVES or "-" in selector
         return not (may_be_of_moves and self.coverage.unchecked)
@@ -193,9 +192,9 @@ def check_tasks(
 
 def _as_all_tasks(alone: Iterable[Diagnostic], of_all: Iterable[Diagnostic]) -> list[Diagnostic]:
     """The findings of tasks without those of runs of one alone; a run of all tasks is surer."""
-    kept = [one for one in alone if one.violation.code[0] != _FAMILY_OF_RUNS]
-    told = {(one.violation.code, one.span) for one in kept}
-    return [*kept, *(one for one in of_all if (one.violation.code, one.span) not in told)]
+    kept = [one for one in alone if not is_of_runs(one)]
+    told = {(one.code, one.span) for one in kept}
+    return [*kept, *(one for one in of_all if (one.code, one.span) not in told)]
 
 
 def _checked(

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 from functools import cache
 from typing import Protocol
 
 from rapidsim.analysis.program import Program
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.findings.runs import is_of_runs
 from rapidsim.jobs.job import Job
 from rapidsim.jobs.pointed_targets import pointed_at_targets
 from rapidsim.reach.checked_moves import ReachReport
@@ -75,14 +78,15 @@ def choose_move_check(job: Job) -> CheckMoves | None:
         )
         # What a run of main has found stands at the instruction.
         pointed = pointed_at_targets(report.diagnostics, (program,))
-        report = replace(report, diagnostics=pointed)
-        if job.is_arm_named:
-            return report
-        # Whether the program is for the default arm nobody knows.
-        assumed = tuple(
-            found if found.violation.code.startswith("R") else replace(found, assumed=True)
-            for found in report.diagnostics
-        )
-        return replace(report, diagnostics=assumed)
+        found = pointed if job.is_arm_named else of_unnamed_arm(pointed)
+        return replace(report, diagnostics=found)
 
     return check_moves if job.asked.reach else None
+
+
+def of_unnamed_arm(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+    """The findings where nobody knows whether the program is for the default arm.
+
+    What ends a run does not hang on the arm.
+    """
+    return tuple(one if is_of_runs(one) else replace(one, assumed=True) for one in found)

@@ -11,12 +11,11 @@ from rapidsim.jobs.checked_program import Loaded
 from rapidsim.jobs.entry import require_entry
 from rapidsim.jobs.job import Job
 from rapidsim.jobs.load_tasks import LoadedTask
+from rapidsim.jobs.move_checks import of_unnamed_arm
 from rapidsim.module_files import TaskFiles
+from rapidsim.reach.checked_moves import MOST_MOVES_FOR_ERRORS
 from rapidsim.reach.dataflow.written_moves import written_moves
 from rapidsim.station.tasks import DEFAULT_TASK
-
-MOST_MOVES = 300
-"""Move instructions in the texts of all tasks beyond which a check does not run them."""
 
 
 def errors_together(
@@ -33,8 +32,8 @@ def errors_together(
         for task, one in tasks
         if one.program is not None
     ]
-    few_moves = sum(one.moves for one in named) <= MOST_MOVES
-    if len(named) < 2 or len(named) < len(tasks) or not few_moves:
+    few_moves = sum(one.moves for one in named) <= MOST_MOVES_FOR_ERRORS
+    if len(named) < len(tasks) or not few_moves:
         return None
     # A check of one task needs no run of several.
     from rapidsim.jobs.pointed_targets import pointed_at_targets
@@ -53,8 +52,4 @@ def errors_together(
     if found is None:
         return None
     found = pointed_at_targets(found, [one.program for one in named])
-    if job.is_arm_named:
-        return found
-    return tuple(
-        one if one.violation.code.startswith("R") else replace(one, assumed=True) for one in found
-    )
+    return found if job.is_arm_named else of_unnamed_arm(found)

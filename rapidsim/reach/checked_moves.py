@@ -9,6 +9,8 @@ from rapidsim.values import dataclass
 
 MOST_MOVES = 4000
 """Move instructions in a text beyond which a check does not run it."""
+MOST_MOVES_FOR_ERRORS = 300
+"""Likewise, where only an error can be found: all moves are known, or tasks are run together."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,12 +17,12 @@ from rapidsim.analysis.program import Program
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import InputError
-from rapidsim.findings.runs import EndlessWait, NotDeclaredHere
+from rapidsim.findings.runs import EndlessWait, NotDeclaredHere, is_of_runs
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.language.errors import Stopped
 from rapidsim.language.moves import MotionSettings
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.reach.checked_moves import MOST_MOVES
+from rapidsim.reach.checked_moves import MOST_MOVES, MOST_MOVES_FOR_ERRORS
 from rapidsim.reach.dataflow.known_moves import KnownMove, MoveStatement, WalkedProgram
 from rapidsim.reach.outside_values import asks_outside, is_given_values, looks_at_inputs
 from rapidsim.simulation.options import RunOptions
@@ -39,8 +39,6 @@ LONGEST_RUN_S = 120.0
 LONGEST_WORK_S = 60.0
 """Time on the computer's clock after which it is over, too: many times what so much virtual time
 takes in a program that gets on."""
-MOST_MOVES_FOR_ERRORS = 300
-"""Likewise, where all moves are known and only an error can be found."""
 LONGEST_WORK_FOR_ERRORS_S = 2.0
 """Time on the computer's clock that such a run may take."""
 _TOLD_BY_RUN = frozenset({"conf_j", "conf_l"})
@@ -214,7 +212,7 @@ def _is_told(found: Diagnostic) -> bool:
 
 
 def _of_run(found: Diagnostic) -> bool:
-    return found.violation.code.startswith("R") and not _of_text(found)
+    return is_of_runs(found) and not _of_text(found)
 
 
 def _of_text(found: Diagnostic) -> bool:
