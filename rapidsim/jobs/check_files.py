@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import field, replace
 from functools import partial
 from os import PathLike
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 from rapidsim.analysis.can_fail import can_fail
 from rapidsim.analysis.cell_names import NO_CELL, CellNames
@@ -40,6 +40,10 @@ if TYPE_CHECKING:
     from rapidsim.motion.robot.robot import Robot
     from rapidsim.simulation.options import RunOptions
 
+CheckTogether: TypeAlias = Callable[
+    [Sequence[tuple[TaskFiles, Loaded]]], tuple[Diagnostic, ...] | None
+]
+"""Gives the errors of a run of all tasks, or None where that tells nothing."""
 _FAMILIES_OF_MOVES = "DKM"
 
 
@@ -137,9 +141,7 @@ def check_job(job: Job) -> CheckResult:
     return replace(result, diagnostics=selection.kept(unsuppressed))
 
 
-def _together(
-    job: Job,
-) -> Callable[[Sequence[tuple[TaskFiles, Loaded]]], tuple[Diagnostic, ...] | None] | None:
+def _together(job: Job) -> CheckTogether | None:
     if len(job.tasks) < 2 or not (job.asked.reach and job.asked.trial_run):
         return None
     from rapidsim.jobs.tasks_together import errors_together
@@ -154,8 +156,7 @@ def check_tasks(
     *,
     even_without_moves: bool = False,
     cell: CellNames = NO_CELL,
-    together: Callable[[Sequence[tuple[TaskFiles, Loaded]]], tuple[Diagnostic, ...] | None]
-    | None = None,
+    together: CheckTogether | None = None,
 ) -> CheckResult:
     """Check tasks that have been read, each on its own, and then all of them.
 
@@ -167,7 +168,7 @@ def check_tasks(
         even_without_moves: Whether `moves` has something to say of programs that have none, such
             as how long they take.
         cell: What the configuration declares beside the modules.
-        together: The errors of a run of all tasks, or None where none was made.
+        together: Runs all tasks; None leaves each for itself.
     """
     wanted = detectors_of() if rules is None else rules
     checked = [(task, *_checked(task, wanted, moves, even_without_moves, cell)) for task in tasks]
