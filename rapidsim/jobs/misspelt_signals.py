@@ -14,11 +14,8 @@ from rapidsim.controller.cell.description import CellIo
 from rapidsim.diagnostics import Diagnostic, Source, Span, Violation
 from rapidsim.files import SourceFile, input_text
 from rapidsim.jobs.job import Job
+from rapidsim.jobs.text_words import words_of
 from rapidsim.library.traits import Does
-
-_NAME = re.compile(r"[A-Za-z]\w*")
-_CHUNK = 1_000_000
-"""Characters whose names are listed at once; large programs say the same few again and again."""
 
 
 class MisspeltSignal(Violation, code="I804"):
@@ -54,7 +51,7 @@ def find_misspelt(
         tables: The files that say so; what a backup says, its controller has checked.
         found: What checking the programs found, for the signals that they use undeclared.
     """
-    used = frozenset(name.lower() for file in files for name in _names(file.text))
+    used = frozenset[str]().union(*(words_of(file.text) for file in files))
     if any(Does.LOAD in does(installed_symbol(name)) for name in used):
         # Modules that come while the program runs may use more.
         return
@@ -80,14 +77,3 @@ def _place(name: str, tables: Sequence[Path]) -> Span | None:
         if match is not None:
             return Span(Source(str(file), text), match.start(), match.end())
     return None
-
-
-def _names(text: str) -> set[str]:
-    """The words of a text."""
-    found: set[str] = set()
-    begin = 0
-    while begin < len(text):
-        end = text.find("\n", begin + _CHUNK) + 1 or len(text)
-        found.update(_NAME.findall(text, begin, end))
-        begin = end
-    return found

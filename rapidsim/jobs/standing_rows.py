@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_right
+from collections import Counter
 from collections.abc import Iterator, Sequence
 
 from rapidsim.analysis.cell_names import CellNames
@@ -12,10 +12,10 @@ from rapidsim.analysis.program import does
 from rapidsim.analysis.rules.motion.target_data import tells_of_axes
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Span
+from rapidsim.jobs.text_words import words_of
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
-_WORD = re.compile(r"\w+")
 _BY_NAME = Does.READ_BY_NAME | Does.WRITE_BY_NAME
 
 
@@ -26,19 +26,36 @@ def stand_for_all(files: Sequence[tree.File], found: Sequence[Diagnostic], cell:
     or of what is beside it, is not said of any of those that it stands for.
     """
     stretches = {
-        module.source.file: [(run.like.start, run.end) for run in module.runs]
+        file.source.file: sorted(
+            (run.like.start, run.end) for module in file.modules for run in module.runs
+        )
         for file in files
-        for module in file.modules
-        if module.runs
     }
     if any(_touches(stretches.get(span.file, []), span) for one in found for span in _places(one)):
         return False
-    return all(
-        _are_only_targets(file, module, files, found, cell)
-        for file in files
-        for module in file.modules
-        if any(run.names for run in module.runs)
-    )
+    homes = [module for file in files for module in file.modules if _declared(module)]
+    if not homes:
+        return True
+    names = frozenset[str]().union(*map(_declared, homes))
+    # What was meant by a wrong name may be one of them.
+    if any("nearest" in one.violation.facts for one in found) or _asks_by_name(files):
+        return False
+    if not names.isdisjoint((*cell.symbols, *cell.wired)) or any(map(_is_predefined, names)):
+        return False
+    said_in = Counter(word for file in files for word in words_of(file.source.text) & names)
+    return max(said_in.values()) == 1 and all(map(_has_alike_axes, homes))
+
+
+def _declared(module: tree.Module) -> frozenset[str]:
+    """The names that runs of a module declare."""
+    return frozenset(name for run in module.runs for name in run.names)
+
+
+def _asks_by_name(files: Sequence[tree.File]) -> bool:
+    """Whether an instruction finds data by names that are made while the program runs."""
+    nodes = descendants(*(module for file in files for module in file.modules))
+    calls = (node for node in nodes if isinstance(node, tree.Call | tree.FunctionCall))
+    return any(_BY_NAME & does(installed_symbol(call.name.key)) for call in calls)
 
 
 def _places(one: Diagnostic) -> Iterator[Span]:
@@ -60,28 +77,8 @@ def _touches(stretches: Sequence[tuple[int, int]], span: Span) -> bool:
     return False
 
 
-def _are_only_targets(
-    file: tree.File,
-    module: tree.Module,
-    files: Sequence[tree.File],
-    found: Sequence[Diagnostic],
-    cell: CellNames,
-) -> bool:
-    """Whether the names that runs declare mean nothing but their targets, to nobody else."""
-    names = {name for run in module.runs for name in run.names}
-    # What was meant by a wrong name may be one of them.
-    if any("nearest" in one.violation.facts for one in found):
-        return False
-    known = (*cell.symbols, *cell.wired)
-    if not names.isdisjoint(known) or any(map(_is_predefined, names)):
-        return False
-    elsewhere = (one.source.text for one in files if one is not file)
-    if any(not names.isdisjoint(map(str.lower, _WORD.findall(text))) for text in elsewhere):
-        return False
-    nodes = list(descendants(*(one for every in files for one in every.modules)))
-    calls = (node for node in nodes if isinstance(node, tree.Call | tree.FunctionCall))
-    if any(_BY_NAME & does(installed_symbol(call.name.key)) for call in calls):
-        return False
+def _has_alike_axes(module: tree.Module) -> bool:
+    """Whether all targets of a module say of external axes what those say that a run declares."""
     axes = next(run.numbers_of_like[-6:].tolist() for run in module.runs if run.names)
     inside = (node for node in descendants(module) if isinstance(node, tree.Data))
     return all(tells_of_axes(node, axes) for node in inside)

@@ -95,6 +95,13 @@ def test_a_routine_that_is_called_twice_makes_its_moves_twice() -> None:
     assert rows_in_runs(assert_runs_change_nothing(main, text))
 
 
+def test_what_is_said_of_each_module_of_a_file_is_said_of_its_runs() -> None:
+    wrong = _text().replace("main()", "first()").replace("z1", "zz1")
+    right = _text().replace("MODULE export", "MODULE other")
+    assert not rows_in_runs(assert_runs_change_nothing(wrong + right))
+    assert not rows_in_runs(assert_runs_change_nothing(right + wrong))
+
+
 @pytest.mark.parametrize(
     ("old", "new", "is_run"),
     [

@@ -1,0 +1,20 @@
+"""The words of a text, those of strings and comments among them."""
+
+from __future__ import annotations
+
+import re
+
+_WORD = re.compile(r"[A-Za-z]\w*")
+_CHUNK = 1_000_000
+"""Characters whose words are listed at once; large programs say the same few again and again."""
+
+
+def words_of(text: str) -> set[str]:
+    """All that could be names, folded."""
+    found: set[str] = set()
+    begin = 0
+    while begin < len(text):
+        end = text.find("\n", begin + _CHUNK) + 1 or len(text)
+        found.update(map(str.lower, _WORD.findall(text, begin, end)))
+        begin = end
+    return found
