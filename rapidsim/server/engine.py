@@ -26,8 +26,8 @@ from rapidsim.server.journal import (
 from rapidsim.server.messages import (
     DONE,
     FromNetwork,
+    Inquiry,
     Look,
-    Message,
     Note,
     Refusal,
     RefusedRequest,
@@ -235,9 +235,7 @@ class Engine:
     def step(self) -> bool:
         """Let one thing happen whose time has come; whether there was any."""
         stepped = self.live.step(self.pace.horizon_s())
-        self.subscriptions.look()
-        if self.recorder is not None:
-            self.recorder.look()
+        self._look()
         if stepped:
             self._tell_lag()
         return stepped
@@ -246,7 +244,7 @@ class Engine:
         """How long on the wall nothing will happen by itself [s]; None for ever."""
         return self.pace.wait_s(self.live.wants_s)
 
-    def reply(self, message: Message | Look) -> Reply:
+    def reply(self, message: Inquiry) -> Reply:
         """Do what is asked, at the time that has come."""
         if isinstance(message, Look):
             return self._replied(message)
@@ -259,11 +257,9 @@ class Engine:
         self._note(lambda: request_line(now_s, message, reply))
         for line in held:
             self._note(lambda line=line: line)  # type: ignore[misc]
-        self.subscriptions.look()
-        if self.recorder is not None:
-            if isinstance(message, Request):
-                self.recorder.asked(now_s, message, reply)
-            self.recorder.look()
+        if self.recorder is not None and isinstance(message, Request):
+            self.recorder.asked(now_s, message, reply)
+        self._look()
         return reply
 
     def sensor_answered(self, passed_s: float) -> None:
@@ -271,9 +267,9 @@ class Engine:
         if isinstance(self.pace, LockStep):
             self.pace.answered_s += passed_s
             self.live.advance(self.pace.horizon_s())
-            self.subscriptions.look()
+            self._look()
 
-    def _replied(self, message: Message | Look) -> Reply:
+    def _replied(self, message: Inquiry) -> Reply:
         try:
             return self._done(message)
         except RefusedRequest as refused:
@@ -284,7 +280,7 @@ class Engine:
             self.told(Note(f"error: {defect}; please report it with the request, {message!r}"))
             return Refusal(500, -1, defect)
 
-    def _done(self, message: Message | Look) -> Reply:
+    def _done(self, message: Inquiry) -> Reply:
         match message:
             case Look():
                 return looked(self.context, message)
@@ -328,6 +324,12 @@ class Engine:
             self.journal(line())
         else:
             self._held.append(line())
+
+    def _look(self) -> None:
+        """Let those who show it see what has changed."""
+        self.subscriptions.look()
+        if self.recorder is not None:
+            self.recorder.look()
 
     def _listen(self) -> None:
         """Hear what happens in the run, which costs a little."""

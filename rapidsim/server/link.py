@@ -6,13 +6,13 @@ from collections.abc import Callable
 from typing import Protocol
 
 from rapidsim.server.engine import Engine
-from rapidsim.server.messages import Look, Message, Reply, Told
+from rapidsim.server.messages import Inquiry, Reply, Told
 
 
 class Link(Protocol):
     """Asks the engine."""
 
-    async def ask(self, message: Message | Look) -> Reply:
+    async def ask(self, message: Inquiry) -> Reply:
         """The engine's reply.
 
         Raises:
@@ -33,6 +33,6 @@ class DirectLink:
         self.listener: Callable[[Told], None] = lambda told: None
         self.engine = make(lambda told: self.listener(told))
 
-    async def ask(self, message: Message | Look) -> Reply:
+    async def ask(self, message: Inquiry) -> Reply:
         """See `Link`."""
         return self.engine.reply(message)

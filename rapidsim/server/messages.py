@@ -129,12 +129,14 @@ class Look:
     """Somebody looks at the controller: nothing comes of it, and no time passes for it."""
 
     task: str = ""
-    """Whose program is looked at; empty looks at all but texts."""
     module: str = ""
+    """Of that task, whose text is looked at; empty looks at all but texts."""
 
 
 Message: TypeAlias = Request | SessionEnded | Subscribe | Unsubscribe | FromNetwork
 """What the controller's life hangs on: a journal of it has them all."""
+Inquiry: TypeAlias = Message | Look
+"""All that the engine is asked."""
 Reply: TypeAlias = Answer | Refusal
 
 

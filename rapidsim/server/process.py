@@ -30,7 +30,7 @@ from rapidsim.server.engine import Engine, WallPace
 from rapidsim.server.journal import JournalFile
 from rapidsim.server.link import EngineEndedError
 from rapidsim.server.loading import engine_of, ready
-from rapidsim.server.messages import Look, Message, Note, Reply, Told
+from rapidsim.server.messages import Inquiry, Note, Reply, Told
 from rapidsim.server.settings import EngineSettings
 from rapidsim.server.wire import SocketWire
 from rapidsim.syntax.collection import staying_on
@@ -80,7 +80,7 @@ class EngineProcess:
         )
         receive.start()
 
-    async def ask(self, message: Message | Look) -> Reply:
+    async def ask(self, message: Inquiry) -> Reply:
         """See `link.Link`."""
         if self.ended.is_set():
             raise EngineEndedError

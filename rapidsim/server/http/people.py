@@ -10,11 +10,11 @@ from collections.abc import Awaitable, Callable
 from functools import cache
 from pathlib import Path
 from types import MappingProxyType
-from typing import Final
+from typing import Final, TypeAlias
 
 from aiohttp import web
 
-from rapidsim.server.messages import Look, Message, Refusal, Reply, Request
+from rapidsim.server.messages import Inquiry, Look, Refusal, Reply, Request
 
 _FOLDER: Final = Path(__file__).with_name("shipped")
 _FILES: Final = MappingProxyType(
@@ -34,7 +34,7 @@ _HEADERS: Final = MappingProxyType(
         "Cache-Control": "no-store",
     }
 )
-Ask = Callable[[Message | Look], Awaitable[Reply]]
+Ask: TypeAlias = Callable[[Inquiry], Awaitable[Reply]]
 
 
 async def shown_to_people(
