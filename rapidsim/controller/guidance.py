@@ -66,7 +66,7 @@ class TaskGuidance:
     journal: Journal
     _identities: dict[int, SensorIdentity] = field(default_factory=dict)
     _under_way: GuidanceUnderWay | None = None
-    _correcting: tuple[SensorIdentity, PathCorrecting] | None = None
+    _correcting: PathCorrecting | None = None
     """Who corrects the path, until the robot leaves it."""
     _puts: bool = False
     """Whether a move is put on a path that is corrected."""
@@ -143,7 +143,7 @@ class TaskGuidance:
         if self.unit.seat is not None:
             raise NotAllowed("the path of robots that move together cannot be corrected")
         self.clock.note_line()
-        if self._correcting is None or self._correcting[0] is not one:
+        if not self._corrects(one):
             self._end_correction()
             self.clock.come_to_rest()
             self.clock.await_restart()
@@ -161,7 +161,7 @@ class TaskGuidance:
         finally:
             self._puts = False
         if not self.unit.own.is_open:
-            self._pause(one, correcting)
+            self._pause(correcting)
 
     def await_condition(self, identity: int) -> None:
         """Wait until the robot that is guided is there."""
@@ -261,8 +261,8 @@ class TaskGuidance:
     def _streams(self) -> list[tuple[SensorIdentity, SensorStream]]:
         """Who is told where the robot is, the earliest first; a sensor that guides hears it so."""
         guides = None if self._under_way is None else self._under_way.identity
-        if self._correcting is not None and self._correcting[1].runs:
-            guides = self._correcting[0]
+        if self._correcting is not None and self._correcting.runs:
+            guides = self._correcting.identity
         found = [
             (one, one.stream)
             for one in self._identities.values()
@@ -323,28 +323,29 @@ class TaskGuidance:
         self.clock.grant()
 
     def _corrects(self, one: SensorIdentity) -> bool:
-        return self._correcting is not None and self._correcting[0] is one
+        return self._correcting is not None and self._correcting.identity is one
 
     def _corrected_s(self) -> float:
         """When the next sample of a correction is [s]; infinite if none is."""
-        if self._correcting is None or not self._correcting[1].runs:
+        if self._correcting is None or not self._correcting.runs:
             return math.inf
-        return self._correcting[1].next_s
+        return self._correcting.next_s
 
     def _correction_of(self, one: SensorIdentity, move: Move) -> PathCorrecting:
         """The correction of a path on which a move is put; a new one where it begins."""
         queue = self.unit.own
         external = queue.end.external
         frames = told_frames(self.resolver, self.state_of_motion, move.tool, move.wobj, external)
-        if self._correcting is not None and queue.corrected is self._correcting[1]:
-            self._correcting[1].frames = frames
-            return self._correcting[1]
+        if self._correcting is not None and queue.corrected is self._correcting:
+            self._correcting.frames = frames
+            return self._correcting
         assert one.setup is not None
         assert one.sensor is not None
         assert one.sample_s is not None
         stretch = CorrectedStretch(self.clock.observe(), self.resolver.robot.kinematics)
         law = PathCorrection(one.data.gain, (one.data.bandwidth_hz,) if one.data.filters else ())
         correcting = PathCorrecting(
+            one,
             self.unit,
             self.resolver,
             one.sensor,
@@ -356,21 +357,21 @@ class TaskGuidance:
             frames,
         )
         queue.trajectory.correct(stretch)
-        self._correcting, queue.corrected = (one, correcting), correcting
+        self._correcting = queue.corrected = correcting
         device = one.setup.device
         self.clock.event(EventKind.GUIDANCE, f"path corrected by {device}", device=device)
         return correcting
 
     def _sample(self, passed_s: float) -> float:
         """Correct the path up to the next sample; the time [s] of this one."""
-        assert self._correcting is not None
-        one, correcting = self._correcting
+        correcting = self._correcting
+        assert correcting is not None
         ended, now_s = correcting.sample(passed_s), max(passed_s, correcting.told_s)
         if ended is not None:
             correcting.ended, correcting.runs = ended, False
             if ended is Ended.SILENT and not correcting.law.has_heard:
-                self._tell_nobody(one)
-            failure = self._failure(one, ended)
+                self._tell_nobody(correcting.identity)
+            failure = self._failure(correcting.identity, ended)
             raise failure if self._puts else NotAllowed(str(failure))
         return now_s
 
@@ -382,23 +383,22 @@ class TaskGuidance:
         correcting.last_word(Guided.FAILED)
         queue.clear()
         queue.resume(self.clock.observe())
-        assert self._correcting is not None
-        self._correcting[0].state, self._correcting = CONNECTED, None
+        correcting.identity.state, self._correcting = CONNECTED, None
 
-    def _pause(self, one: SensorIdentity, correcting: PathCorrecting) -> None:
+    def _pause(self, correcting: PathCorrecting) -> None:
         """The robot has come to a stop point of its path."""
         if correcting.runs:
             self.clock.pass_time(max(self.clock.observe(), correcting.rest()))
             correcting.last_word(Guided.STOPPED)
-        one.state = CONNECTED
+        correcting.identity.state = CONNECTED
 
     def _end_correction(self) -> None:
         """Let the robot come to the end of a path that is corrected, and stay beside it."""
-        if self._correcting is None:
+        correcting = self._correcting
+        if correcting is None:
             return
-        one, correcting = self._correcting
         self.clock.come_to_rest()
-        self._pause(one, correcting)
+        self._pause(correcting)
         correcting.settle()
         self._correcting = None
 

@@ -16,6 +16,7 @@ import numpy as np
 from rapidsim.controller.cell.sensors import Sensor
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.controller.sensor_identities import SensorIdentity
 from rapidsim.controller.sensor_streams import SPEED_STEP_S, told_along, told_of
 from rapidsim.frames.transform import Array
 from rapidsim.language.moves import Sensed
@@ -36,6 +37,8 @@ _ROUNDING: Final = 1e-6
 class PathCorrecting:
     """Implements `solo_queue.CorrectedMotion`."""
 
+    identity: SensorIdentity
+    """Whose sensor it is."""
     unit: MechanicalUnit
     resolver: Resolver
     sensor: Sensor
