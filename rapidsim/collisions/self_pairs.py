@@ -33,8 +33,9 @@ _ALWAYS = 0.9
 _NEVER_M = 0.02
 """A pair that never came as near as this never touches."""
 _POSTURES = 300
-_TURN = np.pi
+_HALF_TURN = np.pi
 _LOOKS = 3000
+"""Postures of an arm that the catalogue does not have, to show that a pair never touches."""
 _SHOWN_M = 0.002
 """Of links that come nearer nobody shows that they never touch: it takes too many looks."""
 _SEEN_RAD = 0.1
@@ -98,7 +99,7 @@ def self_pairs(
         first, second = links[a].number, links[b].number
         if second - first <= 1:
             continue
-        seen = link_frame(base_from_link, second).inverse() @ link_frame(base_from_link, first)
+        seen = _seen(base_from_link, first, second)
         pair = _seen_often(bodies, (a, b), (first, second), seen[:_POSTURES])
         if pair.touching < _ALWAYS and postures > _POSTURES:
             pair = _seen_often(bodies, (a, b), (first, second), seen)
@@ -141,15 +142,19 @@ def _are_apart(
     first, second = links[a].number, links[b].number
     zero = np.zeros(len(robot.joints))
     tried = np.vstack([zero, _SEEN_RAD * np.eye(len(zero))])
-    seen = _seen(robot, first, second, tried)
+    frames = robot.kinematics.link_frames(tried)
+    seen = _seen(frames, first, second)
     others = np.abs(seen.rotation[1:] - seen.rotation[0]).max(axis=(1, 2))
     others += np.abs(seen.translation[1:] - seen.translation[0]).max(axis=1)
     turning = np.flatnonzero(others > 1e-9)
-    origins = np.vstack([np.zeros(3), robot.kinematics.link_frames(tried[:1]).translation[0]])
+    origins = np.vstack([np.zeros(3), frames.translation[0]])
     own = float(np.linalg.norm(bodies.bounds.centre[b]) + bodies.bounds.bound[b])
     steps = np.linalg.norm(np.diff(origins, axis=0), axis=1)
     arms = np.array([own + steps[joint + 1 : second].sum() for joint in turning])
-    lower, upper = np.maximum(robot.lower, -_TURN)[turning], np.minimum(robot.upper, _TURN)[turning]
+    lower, upper = (limit[turning] for limit in _limits(robot))
+    # Beyond a whole turn links stand as they have stood.
+    whole = upper - lower > 2.0 * _HALF_TURN
+    lower, upper = np.where(whole, -_HALF_TURN, lower), np.where(whole, _HALF_TURN, upper)
     middle, half = 0.5 * (lower + upper)[None], 0.5 * (upper - lower)[None]
     while len(middle):
         looks -= len(middle)
@@ -159,7 +164,8 @@ def _are_apart(
         joints[:, turning] = middle
         room = half @ arms + TOUCH_M
         row = np.zeros(len(middle), dtype=np.int64)
-        gaps = bodies.gaps(row + a, row + b, _seen(robot, first, second, joints), room)
+        seen = _seen(robot.kinematics.link_frames(joints), first, second)
+        gaps = bodies.gaps(row + a, row + b, seen, room)
         if gaps.found.min() < _SHOWN_M:
             return False
         open_ones = gaps.least < room
@@ -172,20 +178,25 @@ def _are_apart(
     return True
 
 
-def _seen(robot: Robot, first: int, second: int, joints: Array) -> Transform:
+def _seen(base_from_link: Transform, first: int, second: int) -> Transform:
     """second_from_first (k,) of two links."""
-    base_from_link = robot.kinematics.link_frames(joints)
     return link_frame(base_from_link, second).inverse() @ link_frame(base_from_link, first)
 
 
 def random_postures(robot: Robot, count: int, seed: int = SEED) -> Array:
     """Joints (count, n) [rad] within limits, those without limits within a turn."""
-    lower = np.where(np.isfinite(robot.lower), robot.lower, -_TURN)
-    upper = np.where(np.isfinite(robot.upper), robot.upper, _TURN)
+    lower, upper = _limits(robot)
     # Plain numbers of a fixed seed: the same postures on every machine.
     share = np.random.default_rng(seed).random((count, len(lower)))
     joints: Array = lower + share * (upper - lower)
     return joints
+
+
+def _limits(robot: Robot) -> tuple[Array, Array]:
+    """Lower and upper limits (n,) [rad]; of joints without limits those of a turn."""
+    lower = np.where(np.isfinite(robot.lower), robot.lower, -_HALF_TURN)
+    upper = np.where(np.isfinite(robot.upper), robot.upper, _HALF_TURN)
+    return lower, upper
 
 
 def link_frame(base_from_link: Transform, number: int) -> Transform:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from math import cos, radians, sin
+
 import numpy as np
 import pytest
 
@@ -31,13 +34,29 @@ def test_pairs_are_left_out_for_what_all_postures_say(
     room: float, beside: float, said: str | None
 ) -> None:
     """A ball around joint 2 and one at the elbow, with some room between them."""
-    shoulder = Transform(np.eye(3), np.array([0.0, 0.0, 0.29]))
-    links = (
-        LinkShape(1, sphere(0.2).moved(shoulder)),
-        LinkShape(
-            3,
-            sphere(ELBOW_M - 0.2 - room).moved(Transform(np.eye(3), np.array([0.0, 0.0, -beside]))),
-        ),
-    )
-    (found,) = self_pairs(ROBOT, links, 30)
+    (found,) = self_pairs(ROBOT, _balls(room, (0.0, 0.0, -beside)), 30)
     assert found.left_out == said
+
+
+@pytest.mark.parametrize(
+    ("lower", "said"), [(-230.0, None), (-180.0, "no posture lets them touch")]
+)
+def test_all_of_a_range_is_looked_at_that_goes_beyond_half_a_turn(
+    lower: float, said: str | None
+) -> None:
+    """The ball beside the elbow meets the other one where axis 3 stands at -225 degrees."""
+    limits = replace(ROBOT.joints[2], lower=radians(lower), upper=radians(50.0))
+    robot = replace(ROBOT, joints=(*ROBOT.joints[:2], limits, *ROBOT.joints[3:]))
+    there = radians(-225.0)
+    (found,) = self_pairs(robot, _balls(0.0199, (0.02 * sin(there), 0.0, -0.02 * cos(there))), 30)
+    assert not found.touching
+    assert found.left_out == said
+
+
+def _balls(room: float, beside: tuple[float, float, float]) -> tuple[LinkShape, LinkShape]:
+    shoulder = Transform(np.eye(3), np.array([0.0, 0.0, 0.29]))
+    elbow = Transform(np.eye(3), np.array(beside))
+    return (
+        LinkShape(1, sphere(0.2).moved(shoulder)),
+        LinkShape(3, sphere(ELBOW_M - 0.2 - room).moved(elbow)),
+    )
