@@ -80,9 +80,11 @@ def test_another_program_takes_the_place_of_the_one_that_is_there(tmp_path: Path
             assert await served.post(load, progpath=wrong) == (400, -1073438708)
         names = [one["name"] for one in await served.get("rw/rapid/modules?task=T_ROB1")]
         assert names == ["Calling"]
-        assert await served.post(load, progpath="$HOME/all.pgf") == (204, 0)
-        names = [one["name"] for one in await served.get("rw/rapid/modules?task=T_ROB1")]
-        assert names == ["Other", "PartMod"]
+        # A name alone is one of the home folder.
+        for path in ("$HOME/all.pgf", "all.pgf"):
+            assert await served.post(load, progpath=path) == (204, 0)
+            names = [one["name"] for one in await served.get("rw/rapid/modules?task=T_ROB1")]
+            assert names == ["Other", "PartMod"]
         execution = "rw/rapid/execution?action="
         assert await served.post(f"{execution}resetpp") == (204, 0)
         assert await served.post(f"{execution}start", cycle="once") == (204, 0)

@@ -20,16 +20,13 @@ def modules(task: LiveTask) -> tuple[tree.Module, ...]:
     return tuple(program.modules)
 
 
-def load_module(task: LiveTask, path: str, *, replace: bool) -> str:
+def load_module(task: LiveTask, path: str, *, replace: bool) -> None:
     """Take a file's module into a task that stands, with its initial values.
 
     Args:
         task: The task.
         path: As a program names it: `HOME:/part.mod`.
         replace: Whether a module of the same name goes first.
-
-    Returns:
-        Its name.
 
     Raises:
         Refused: If there is no such file or it does not fit.
@@ -38,15 +35,13 @@ def load_module(task: LiveTask, path: str, *, replace: bool) -> str:
     try:
         place, data = task.cell.home.read(path, LARGEST_FILE)
         source = Source(str(place), decode(data)[0])
-        names = [one.name.text for one in parse(source).file.modules]
         if replace:
-            for name in names:
-                if memory.has(name):
-                    memory.erase(name)
+            for one in parse(source).file.modules:
+                if memory.has(one.name.text):
+                    memory.erase(one.name.text)
         memory.load(source, path, check_references=False)
     except (RapidError, FatalError) as error:
         raise Refused(Why.NO_FILE, str(error)) from None
-    return names[0]
 
 
 def load_program(task: LiveTask, path: str) -> None:
@@ -57,14 +52,15 @@ def load_program(task: LiveTask, path: str) -> None:
         path: Of a `.pgf` file, or of a module that is the program, as programs name it.
 
     Raises:
-        Refused: If a file is missing or wrong; then nothing has changed, or if they do not fit.
+        Refused: If a file is missing or wrong, and then nothing has changed; or if the modules do
+            not fit, when the old ones are gone.
     """
     memory, home = task.run.controller.concerns.modules, task.cell.home
     try:
         place, data = home.read(path, LARGEST_FILE)
-        folder, paths = path.rpartition("/")[0], [path]
+        folder, paths = path[: path.rfind("/") + 1], [path]
         if place.suffix.lower() == ".pgf":
-            paths = [f"{folder}/{name}" for name in module_names(place, data)]
+            paths = [f"{folder}{name}" for name in module_names(place, data)]
         read = [home.read(one, LARGEST_FILE) for one in paths]
         sources = [Source(str(file), decode(text)[0]) for file, text in read]
         for source in sources:
