@@ -25,13 +25,7 @@ from rapidsim.language.annotations import (
     Var,
 )
 from rapidsim.language.controller import Controller
-from rapidsim.language.data import (
-    LoadData,
-    Pose,
-    Signal,
-    ToolData,
-    WobjData,
-)
+from rapidsim.language.data import LoadData, Pose, Signal, ToolData, WobjData
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.guidance import (
     RAMP_DOWN,
