@@ -164,32 +164,36 @@ def stances_of(
 
 def is_monitored(known: KnownMove, robot: Robot) -> bool:
     """Whether the controller insists on the stored configuration at the end of a move for sure."""
-    field = "conf_l" if known.move.interpolation.leads_tcp else "conf_j"
-    monitored = bool(getattr(known.settings, field)) and field not in known.uncertain
+    monitored = _monitoring(known) is True
     return monitored and told_apart(robot.kinematics) and not led_by_wrist(known, robot)
 
 
 def is_free(known: KnownMove) -> bool:
     """Whether the configuration is not monitored for sure: ConfJ or ConfL is off."""
-    field = "conf_l" if known.move.interpolation.leads_tcp else "conf_j"
-    return not getattr(known.settings, field) and field not in known.uncertain
+    return _monitoring(known) is False
+
+
+def _monitoring(known: KnownMove) -> bool | None:
+    """Whether ConfJ or ConfL, the one that counts for a move, is on; None where that is open."""
+    name = "conf_l" if known.move.interpolation.leads_tcp else "conf_j"
+    return None if name in known.uncertain else bool(getattr(known.settings, name))
 
 
 def stored_confdata(known: KnownMove) -> tuple[int, int, int, int]:
     """cf1, cf4, cf6 and cfx of a move to a pose; numbers far beyond any turn stay countable."""
-    cf1, cf4, cf6, cfx = (round(min(max(n, -_MOST), _MOST)) for n in _robconf(known))
+    cf1, cf4, cf6, cfx = map(round, confdata_columns([known])[0].tolist())
     return cf1, cf4, cf6, cfx
-
-
-def _robconf(known: KnownMove) -> ConfData:
-    assert isinstance(known.move.to, RobTarget)
-    return known.move.to.robconf
 
 
 def confdata_columns(moves: Sequence[KnownMove]) -> Array:
     """What the targets of moves to poses store: cf1, cf4, cf6 and cfx, shape (k, 4)."""
     written = np.array([_robconf(known) for known in moves], dtype=np.float64).reshape(-1, 4)
     return np.rint(np.clip(written, -_MOST, _MOST))
+
+
+def _robconf(known: KnownMove) -> ConfData:
+    assert isinstance(known.move.to, RobTarget)
+    return known.move.to.robconf
 
 
 def _end_of_led(
