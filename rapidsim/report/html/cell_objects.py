@@ -5,8 +5,6 @@ A page draws outlines of convex bodies; a shape with bays is drawn filled.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
@@ -14,9 +12,6 @@ from rapidsim.report.html.arm_shapes import apart, outermost
 from rapidsim.report.html.packing import packed_columns
 from rapidsim.simulation.results.relative_motion import is_shown_in_world
 from rapidsim.simulation.results.simulation import Simulation
-
-if TYPE_CHECKING:
-    from rapidsim.collisions.shape import Shape
 
 _MM = 1000.0
 _WIDEST_M = 10.0
@@ -35,7 +30,8 @@ def objects_data(simulation: Simulation, times: Array) -> list[dict[str, object]
     found: list[dict[str, object]] = []
     for number, one in collisions.objects.items():
         body = collisions.scene.bodies[number]
-        if float(np.ptp(body.shape.vertices, axis=0).max()) > _WIDEST_M:
+        corners, faces = body.shape.vertices, body.shape.faces
+        if float(np.ptp(corners, axis=0).max()) > _WIDEST_M:
             continue
         stands = shown_from_world @ poses.of(number)
         if body.stands:
@@ -45,13 +41,9 @@ def objects_data(simulation: Simulation, times: Array) -> list[dict[str, object]
             {
                 "name": one.name,
                 "colour": f"#{red:02x}{green:02x}{blue:02x}",
-                "parts": [outermost(corners) for corners in _pieces(body.shape)],
+                "parts": [outermost(part) for part in apart(corners, faces)],
                 "turn": packed_columns(stands.rotation.reshape(len(stands), -1), 6),
                 "place": packed_columns(_MM * stands.translation, 1),
             }
         )
     return found
-
-
-def _pieces(shape: Shape) -> list[Array]:
-    return apart(shape.vertices, shape.faces)
