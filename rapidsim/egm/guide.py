@@ -63,6 +63,10 @@ class Correcting:
     """Of the first sample [s]."""
     sample_s: float
 
+    def sample_at(self, time_s: float) -> int:
+        """The number of the sample at a time [s]; guide and controller count alike."""
+        return round((time_s - self.first_s) / self.sample_s)
+
 
 @dataclass(frozen=True, slots=True)
 class Stopping:
@@ -217,8 +221,7 @@ class _Talk:
         self.socket.send(told)
         if one is None:
             return None
-        sample = round((told.time_s - one.first_s) / one.sample_s)
-        return Heard(self.number, one.number, sample, answer)
+        return Heard(self.number, one.number, one.sample_at(told.time_s), answer)
 
     def _wall_s(self, virtual_s: float) -> float:
         return self.opened.began_s + virtual_s / self.opened.speed

@@ -106,7 +106,7 @@ class GuidedSensor:
         """What has been said by this sample; the guide has told the sensor long ago."""
         sample, self._samples = self._samples, self._samples + 1
         if (one := self._correcting) is not None:
-            sample = round((feedback.time_s - one.first_s) / one.sample_s)
+            sample = one.sample_at(feedback.time_s)
         return self.all.next(self.number, self._guidance, sample)
 
     def stop(self, *, goes_back: bool, ramp_out_s: float) -> None:
