@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import fields
+from functools import partial
 from itertools import repeat
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -74,21 +76,10 @@ def _part(numbers: Numbers, kind: Any) -> Iterable[Any]:
 def _moves(
     rows: Iterable[tree.RunRow], targets: Iterable[RobTarget], like: KnownMove, first: int
 ) -> Iterator[KnownMove]:
-    move = like.move
+    # As `replace` does, which takes several times as long.
+    same = {one.name: getattr(like.move, one.name) for one in fields(Move)}
+    move_to = partial(Move, **same)
     module, routine = like.module, like.routine
     settings, uncertain = like.settings, like.uncertain
     for index, (row, to) in enumerate(zip(rows, targets, strict=False), first):
-        made = Move(
-            move.instruction,
-            move.interpolation,
-            to,
-            move.speed,
-            move.zone,
-            move.tool,
-            move.wobj,
-            duration_s=move.duration_s,
-            concurrent=move.concurrent,
-            sync_id=move.sync_id,
-            stop=move.stop,
-        )
-        yield KnownMove(row, module, routine, made, settings, uncertain, index - 1)
+        yield KnownMove(row, module, routine, move_to(to=to), settings, uncertain, index - 1)
