@@ -49,6 +49,7 @@ def motion_data(simulation: Simulation) -> dict[str, object]:
     return {
         "end": round(end_s, 6),
         "step_ms": round(1000.0 * step_s),
+        "kinds": [kind.name for kind in DRAWN_KINDS],
         "frame": "world" if is_shown_in_world(simulation) else "base",
         "robots": [
             _robot(sampled(simulation, one, step_s, most_moves=MOST_MOVES)) for one in robots

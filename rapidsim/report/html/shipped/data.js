@@ -24,7 +24,7 @@ const robots = run.robots.map(packed => {
 const objects = run.objects.map(packed => ({ ...packed, turn: packed.turn.map(column), place: packed.place.map(column) }));
 const topSpeed = Math.max(1e-9, ...robots.map(robot => robot.speed.reduce((a, b) => Math.max(a, b), 0)));
 
-const KINDS = ["joint", "axes", "line", "circle", "corner"];
+const KINDS = run.kinds;
 const KIND_NAMES = { joint: "MoveJ", axes: "MoveAbsJ", line: "MoveL", circle: "MoveC", corner: "corner" };
 
 // Colours live in the style sheet, so that they follow light and dark.
