@@ -68,6 +68,20 @@ def test_to_look_takes_no_time_and_changes_nothing(tmp_path: Path) -> None:
     serve(cell(tmp_path), None, use)
 
 
+def test_an_external_axis_has_its_own_name_also_where_it_is_the_only_one(tmp_path: Path) -> None:
+    (cell(tmp_path) / "cell" / "rapidsim.toml").write_text(
+        "[[external_axis]]\nname = 'TABLE'\naxis = 'b'\nkind = 'rotational'\n"
+        "limits = [-90, 90]\nspeed = 90\nacceleration = 360\n"
+    )
+
+    async def use(served: Served) -> None:
+        async with served.client.get(f"{served.base}/ui/state") as response:
+            (task,) = (await response.json())["tasks"]
+        assert task["external"] == {"eax_b": 0.0}
+
+    serve(tmp_path, None, use)
+
+
 def test_nothing_is_done_by_get_or_for_a_page_from_elsewhere(tmp_path: Path) -> None:
     async def use(served: Served) -> None:
         done = {"path": "/rw/rapid/execution", "action": "start"}

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Final
 
 from rapidsim.language.data import UNUSED_AXIS
+from rapidsim.motion.robot.external_axes import LETTERS
 from rapidsim.server.derived_parameters import robots
 from rapidsim.server.messages import Answer, Item, Request
 from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
@@ -14,7 +15,6 @@ from rapidsim.simulation.live import position
 from rapidsim.simulation.live.live_task import LiveTask
 from rapidsim.simulation.live.position import Coordinates
 
-_LETTERS: Final = "abcdef"
 _FRAMES: Final = {
     "": Coordinates.BASE,
     "base": Coordinates.BASE,
@@ -87,7 +87,7 @@ def joint_target(context: Context, request: Request, unit: str) -> Answer:
     name, task = _robot(context, unit)
     now = position.joints(task)
     fields = {f"rax_{index}": _text(one) for index, one in enumerate(now.robax, start=1)}
-    axes = zip(_LETTERS, now.extax, strict=True)
+    axes = zip(LETTERS, now.extax, strict=True)
     fields |= {f"eax_{letter}": _text(one) for letter, one in axes}
     return Answer((Item("ms-jointtarget", name, fields),))
 
@@ -101,7 +101,7 @@ def rob_target(context: Context, request: Request, unit: str) -> Answer:
     now = position.target(task, tool, wobj, frame)
     fields = _numbers(("x", "y", "z"), now.trans) | _numbers(("q1", "q2", "q3", "q4"), now.rot)
     fields |= _numbers(("cf1", "cf4", "cf6", "cfx"), now.robconf)
-    for letter, one in zip(_LETTERS, now.extax, strict=True):
+    for letter, one in zip(LETTERS, now.extax, strict=True):
         # One public client reads this name, another that.
         fields |= {f"eax{letter}": _text(one), f"eax_{letter}": _text(one)}
     return Answer((Item("ms-robtargets", name, fields),))

@@ -15,6 +15,7 @@ from rapidsim.controller.cell.pendant import Question
 from rapidsim.interpreter.linking.saved_text import text_of
 from rapidsim.language.data import UNUSED_AXIS
 from rapidsim.language.moves import Place
+from rapidsim.motion.robot.external_axes import LETTERS
 from rapidsim.server.messages import Answer, Look
 from rapidsim.server.resources.codes import NOT_FOUND, as_answered, refused
 from rapidsim.server.resources.context import Context
@@ -88,12 +89,14 @@ def _task(task: LiveTask, state: TaskState) -> dict[str, object]:
     if state.moves_robot:
         now = glance(task)
         tool, wobj = active_frames(task)
-        external = [one for one in now.joints.extax if one != UNUSED_AXIS]
+        external = zip(LETTERS, now.joints.extax, strict=True)
         shown |= {
             "motion": None if now.move is None else _place(task, now.move),
             "joints": [_number(one) for one in now.joints.robax if one != UNUSED_AXIS],
             "measures": [joint.measure for joint in task.unit.own.robot.joints],
-            "external": [_number(one) for one in external],
+            "external": {
+                f"eax_{letter}": _number(one) for letter, one in external if one != UNUSED_AXIS
+            },
             "position": [_number(one) for one in now.target.trans],
             "orientation": [_number(one, 4) for one in now.target.rot],
             "tool": tool,

@@ -90,7 +90,7 @@ function showRobot() {
   const task = shownTask().joints ? shownTask() : state.tasks.find((one) => one.joints);
   if (!task) { $("robot").hidden = true; return; }
   $("frames").textContent = `${task.tool} in ${task.wobj}`;
-  const axes = [...task.joints.map((one, k) => [`J${k + 1} ${task.measures[k] === "mm" ? "mm" : "°"}`, one]), ...task.external.map((one, k) => [`E${k + 1}`, one])];
+  const axes = [...task.joints.map((one, k) => [`J${k + 1} ${task.measures[k] === "mm" ? "mm" : "°"}`, one]), ...Object.entries(task.external)];
   $("joints").replaceChildren(...axes.map(([name, value]) => {
     const tile = element("div");
     tile.append(element("span", name), value.toFixed(2));
