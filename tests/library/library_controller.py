@@ -132,6 +132,9 @@ class RecordingController(NoSockets, Undisturbed):
         self.log.append(f"wait until, max {max_time}, every {poll_s:g}")
         return condition()
 
+    def tick(self) -> None:
+        """No time passes here."""
+
     def service(self) -> None:
         raise AssertionError("nothing is due here")
 
