@@ -152,11 +152,10 @@ def load(program: Program, controller: Controller, shared: SharedPersistents | N
     with _fatal_errors():
         linked = LinkedProgram(program, controller, shared)
     linked.memory.remember()
-    main_module = program.modules[0].name.key
 
     def call_procedure(name: str) -> None:
         # It runs like a trap, so its errors do not reach the statement that it interrupts.
-        late = linked.late
+        late, main_module = linked.late, linked.program.modules[0].name.key
         linked.recovery.trap(lambda: late.call(main_module, controller.clock.place, name, (), ()))()
 
     def beside() -> object:

@@ -59,10 +59,10 @@ def stop(context: Context, request: Request) -> Answer:
     return DONE
 
 
-def reset_pointers(context: Context, request: Request) -> Answer:
-    """Put all pointers to main."""
+def reset_pointers(context: Context, request: Request, task: str = "") -> Answer:
+    """Put the pointer of a task, or of all, to main."""
     context.require_mastership("rapid", request)
-    context.live.reset_pointers()
+    context.live.reset_pointers(task)
     return DONE
 
 

@@ -235,16 +235,17 @@ class LiveController:
         self.settle()
         self._show_states()
 
-    def reset_pointers(self) -> None:
-        """Put the pointers of all normal tasks to main.
+    def reset_pointers(self, name: str = "") -> None:
+        """Put the pointers of all normal tasks to main, or that of one.
 
         Raises:
-            Refused: While a program executes.
+            Refused: While a program executes, or if there is no such task.
         """
         self._require_stopped()
-        self.cell.home.close_all()
-        self.cell.meetings = Meetings()
-        for task in self.tasks.values():
+        if not name:
+            self.cell.home.close_all()
+            self.cell.meetings = Meetings()
+        for task in [self.task(name)] if name else self.tasks.values():
             if task.is_normal:
                 task.begin(self.now_s, self._refresh)
         self._acquaint()

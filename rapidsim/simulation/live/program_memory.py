@@ -6,6 +6,7 @@ from rapidsim.diagnostics import Source
 from rapidsim.files import InputError, decode
 from rapidsim.interpreter.linking.loader import FatalError
 from rapidsim.language.errors import RapidError
+from rapidsim.language.modules import Modules
 from rapidsim.library.loading import LARGEST_FILE
 from rapidsim.module_files import module_names
 from rapidsim.simulation.live.live_task import LiveTask
@@ -31,7 +32,7 @@ def load_module(task: LiveTask, path: str, *, replace: bool) -> None:
     Raises:
         Refused: If there is no such file or it does not fit.
     """
-    memory = task.run.controller.concerns.modules
+    memory = _memory(task)
     try:
         place, data = task.cell.home.read(path, LARGEST_FILE)
         source = Source(str(place), decode(data)[0])
@@ -55,7 +56,7 @@ def load_program(task: LiveTask, path: str) -> None:
         Refused: If a file is missing or wrong, and then nothing has changed; or if the modules do
             not fit, when the old ones are gone.
     """
-    memory, home = task.run.controller.concerns.modules, task.cell.home
+    memory, home = _memory(task), task.cell.home
     try:
         place, data = home.read(path, LARGEST_FILE)
         folder, paths = path[: path.rfind("/") + 1], [path]
@@ -88,6 +89,17 @@ def unload_module(task: LiveTask, name: str) -> None:
         Refused: If there is none of this name, or the rest would not go without it.
     """
     try:
-        task.run.controller.concerns.modules.erase(name)
+        _memory(task).erase(name)
     except (RapidError, FatalError) as error:
         raise Refused(Why.NO_MODULE, str(error)) from None
+
+
+def _memory(task: LiveTask) -> Modules:
+    """The modules of a task, to be changed.
+
+    Raises:
+        Refused: If its program has failed before main, so that none is there.
+    """
+    if task.failure is not None:
+        raise Refused(Why.STATE, f"the program of {task.name} cannot be made ready: {task.failure}")
+    return task.run.controller.concerns.modules
