@@ -30,6 +30,7 @@ from rapidsim.values import dataclass
 
 _MOST_LATE: Final = 25
 """So many cycles are made up for; what is later comes later."""
+_ROUNDING_S: Final = 1e-6
 _HOLDS_S: Final = 0.5
 """So long [s] on the wall a stream goes on where the controller says nothing more."""
 
@@ -225,9 +226,6 @@ class _Talk:
 
     def _wall_s(self, virtual_s: float) -> float:
         return self.opened.began_s + virtual_s / self.opened.speed
-
-
-_ROUNDING_S: Final = 1e-6
 
 
 def guide(connection: Connection) -> None:

@@ -74,10 +74,10 @@ class Sweep:
     other_configuration: Index
     margin_deg: Array
     """Shape (k,); see `PlacedReach`."""
+    margin_measure: str
+    """RAPID's unit of margins: `deg or mm` where an axis of the arm slides."""
     runs: tuple[Outcome | None, ...]
     """None for a variant that was not run."""
-    margin_measure: str = "deg"
-    """RAPID's unit of margins: `deg or mm` where an axis of the arm slides."""
 
     @property
     def works(self) -> Array:
@@ -171,8 +171,8 @@ def sweep(
         reach.unreachable,
         reach.other_configuration,
         np.degrees(reach.margin),
-        tuple(runs),
         "deg or mm" if ready.robot.kinematics.slides.any() else "deg",
+        tuple(runs),
     )
 
 
