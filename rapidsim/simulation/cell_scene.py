@@ -129,7 +129,7 @@ class _Builder:
         for number, one in enumerate(self._runs):
             if one.task.lower() == task.lower():
                 return number
-        self._remarks.append(f"{whose}: no robot of a task `{task}` is in the run")
+        self._remarks.append(f"`{whose}`: no robot of a task `{task}` is in the run")
         return None
 
     def _add_object(self, one: CellObject) -> None:
