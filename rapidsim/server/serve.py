@@ -67,7 +67,7 @@ async def _serve(
     noted: Callable[[str], None],
 ) -> bool:
     guard = Guard(settings.host)
-    face = Face(engine, guard, settings.most_sessions, settings.session_timeout_s, noted)
+    face = Face(engine, guard, noted, settings.most_sessions, settings.session_timeout_s)
 
     def told(what: Told) -> None:
         if isinstance(what, Note):

@@ -111,7 +111,7 @@ async def _serve(
     settings = EngineSettings(request_s=STEP_S)
     link = DirectLink(lambda told: engine_of(made, settings, told))
     users = DigestAuthentication(DEFAULT_USERS)
-    face = Face(link, Guard("127.0.0.1"), **limits)
+    face = Face(link, Guard("127.0.0.1"), print, **limits)
     link.listener = face.told
     # Both without TLS, whose package and key have tests of their own.
     dialects = (

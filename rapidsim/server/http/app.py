@@ -83,10 +83,10 @@ class Face:
 
     link: Link
     guard: Guard
+    noted: Callable[[str], None]
+    """Told, in a line, what whoever started the server should know."""
     most_sessions: int = 70
     idle_s: float = 300.0
-    noted: Callable[[str], None] = print
-    """Told a line at what whoever started the server should know."""
     sessions: Sessions = field(init=False)
     _groups: dict[int, _Group] = field(default_factory=dict)
     _last_group: int = 0
