@@ -1,4 +1,4 @@
-"""Saying which options of an instruction a run does not heed, and where it may not stand."""
+"""Saying which options of an instruction a run does not heed, and refusing it in UNDO clauses."""
 
 from __future__ import annotations
 

@@ -85,7 +85,7 @@ def whole_remainder(left: int, right: int) -> int:
 
 
 def double_integer(x: int) -> int:
-    """An integer as doubles would have it that compute the same."""
+    """An integer as it would be if doubles had computed it."""
     double = _as_double(x)
     if math.isinf(double):
         overflow(double)
