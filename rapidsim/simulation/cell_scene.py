@@ -278,6 +278,9 @@ class _Builder:
         if not moving or (self._rests(a) and self._rests(b)):
             return None
         holders_a, holders_b = self._carriers.get(a, set()), self._carriers.get(b, set())
+        if len(self._frames(a)) == 1 and self._frames(a) == self._frames(b):
+            # What one thing carries never moves against the rest of it.
+            return None
         fixed_a, fixed_b = self._fixed_to(a), self._fixed_to(b)
         if fixed_a is not None and fixed_b is not None and fixed_a[0] == fixed_b[0]:
             # Tool and last link touch, as any two things that are bolted to each other do.
@@ -294,15 +297,17 @@ class _Builder:
         owner = min(self._movers(first) or moving)
         return Pair(first, second, owner, touch_only=False)
 
+    def _frames(self, body: int) -> set[Frame]:
+        """What ever carries a body."""
+        return {one.frame for one in self._bodies[body].carried}
+
     def _movers(self, body: int) -> set[int]:
         """The robots that ever move a body."""
-        return {
-            one.frame.robot for one in self._bodies[body].carried if one.frame.robot is not None
-        }
+        return {frame.robot for frame in self._frames(body) if frame.robot is not None}
 
     def _rests(self, body: int) -> bool:
         """Whether a body never moves: it stands in the world, or is a base that no track moves."""
-        frames = {one.frame for one in self._bodies[body].carried}
+        frames = self._frames(body)
         return (
             all(
                 frame.robot is None
@@ -314,7 +319,7 @@ class _Builder:
 
     def _fixed_to(self, body: int) -> tuple[int, int] | None:
         """Robot and link that a body always belongs to; None for what is carried at times."""
-        frames = {one.frame for one in self._bodies[body].carried}
+        frames = self._frames(body)
         (frame, *others) = frames
         if others or frame.robot is None or frame.axes or self._carriers.get(body):
             return None

@@ -276,6 +276,21 @@ def test_what_a_positioner_carries_turns_with_it(parent: str, tmp_path: Path) ->
     assert first["point_mm"][:2] == pytest.approx([360.0, -20.0], abs=0.1)
 
 
+FIXTURE = """
+[[object]]
+name = "fixture"
+box = [60, 60, 60]
+pose = { position = [300, 0, 155] }
+parent = "unit:TABLE"
+"""
+
+
+def test_what_stands_on_what_a_positioner_carries_is_not_judged_against_it(tmp_path: Path) -> None:
+    alone = POSITIONER % "unit:TABLE:1" + POST.partition("[[object]]")[0]
+    cell(tmp_path, "", alone.replace('"post"', '"fixture"') + FIXTURE, TURNED)
+    assert not report(tmp_path, 0)["collisions"]
+
+
 def test_a_positioner_that_is_not_there_is_told(tmp_path: Path) -> None:
     cell(tmp_path, DOWN.format(-10), TABLE + 'parent = "unit:TABLES:1"')
     found = report(tmp_path, 0)
