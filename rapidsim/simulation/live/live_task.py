@@ -6,6 +6,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Protocol
 
+from rapidsim.analysis.program import RoutineSymbol
 from rapidsim.controller.cell.cell import Cell, Listener
 from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.journal.journal import Journal
@@ -131,7 +132,7 @@ class LiveTask:
         else:
             if old is not None:
                 self.task.keep(old)
-        self.has_pointer = True
+        self.has_pointer = self._procedure(self.entry) is not None
 
     def put_pointer(self, module: str, routine: str, now_s: float, refresh_percent: float) -> None:
         """Put the pointer to a procedure; variables begin anew, as at main.
@@ -145,15 +146,11 @@ class LiveTask:
         Raises:
             Refused: If there is no such procedure without parameters.
         """
-        program = self.setup.program if self.task is None else self.task.program
-        symbol = program.routines.get(routine.lower())
-        if symbol is not None and module.lower() not in ("", symbol.module.name.key):
-            symbol = None
-        is_plain = symbol is not None and isinstance(symbol.node, tree.Proc)
-        if symbol is None or not is_plain or any(not one.optional for one in symbol.parameters):
-            raise Refused(Why.NO_SYMBOL, f"{self.name} has no procedure {routine} to begin with")
+        symbol = self._procedure(routine)
+        if symbol is None or module.lower() not in ("", symbol.module.name.key):
+            raise Refused(Why.NO_SYMBOL, self._nothing_to_begin_with(routine))
         self.begin(now_s, refresh_percent)
-        self._routine = symbol.name
+        self._routine, self.has_pointer = symbol.name, True
         place = Place(symbol.module.span(symbol.node.name), symbol.name)
         self.run.controller.clock.place = place
 
@@ -204,6 +201,17 @@ class LiveTask:
         motion = self.run.controller.motion
         motion.settings = replace(motion.settings, speed_refresh_percent=percent)
 
+    def _procedure(self, name: str) -> RoutineSymbol | None:
+        """The procedure of a name, in any case, that needs no arguments."""
+        program = self.setup.program if self.task is None else self.task.program
+        symbol = program.routines.get(name.lower())
+        if symbol is None or not isinstance(symbol.node, tree.Proc):
+            return None
+        return None if any(not one.optional for one in symbol.parameters) else symbol
+
+    def _nothing_to_begin_with(self, name: str) -> str:
+        return f"{self.name} has no procedure {name} to begin with"
+
     def _execute(self) -> None:
         """The life of the program, in a greenlet of its own."""
         clock, execution = self.run.controller.clock, self.run.controller.execution
@@ -216,6 +224,10 @@ class LiveTask:
             with running():
                 while True:
                     routine, self._routine = self._routine, ""
+                    if not routine and self._procedure(self.entry) is None:
+                        # Its module has been taken away.
+                        message = self._nothing_to_begin_with(self.entry)
+                        break
                     with suppress(CycleEnded):
                         self.task.run(routine or self.entry)
                     # Behind a routine that somebody has chosen nothing comes.
