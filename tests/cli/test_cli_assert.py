@@ -294,4 +294,4 @@ def test_the_page_for_ci_names_every_figure() -> None:
 
 def test_help_lists_the_exit_code() -> None:
     shown = " ".join(rapidsim("run", "--help").out.split())
-    assert "4 it ended and an --assert or the cycle budget of the station file failed" in shown
+    assert "4 an --assert or the cycle budget of the station file failed" in shown
