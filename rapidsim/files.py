@@ -57,7 +57,7 @@ _MODULE_HEADER = re.compile(r"^\s*(MODULE\s+\w|%%%)", re.IGNORECASE | re.MULTILI
 
 
 class InputError(Exception):
-    """What the user gave cannot be used: a path, a name, a value. Never a defect of rapidsim."""
+    """Unusable input of the user: a path, a name, a value. Never a defect of rapidsim."""
 
     def __init__(self, message: str, help: str | None = None) -> None:
         """Say what is wrong, and the cure if it is known, in one line each."""
