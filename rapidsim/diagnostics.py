@@ -314,7 +314,7 @@ class Diagnostic:
     related: tuple[Related, ...] = ()
     fix: Fix | None = None
     routine: str | None = None
-    """The routine the place stands in, when it stands in one."""
+    """The routine around the place, if it is in one."""
     assumed: bool = False
     """Whether it holds under an assumption only, such as an arm that nobody named, or the station
     says that a run goes on."""

@@ -44,7 +44,7 @@ _AS_NEAR = 0.1
 
 
 class InputError(Exception):
-    """What the user gave cannot be used: a path, a name, a value. Never a defect of rapidsim."""
+    """Unusable input of the user: a path, a name, a value. Never a defect of rapidsim."""
 
     def __init__(self, message: str, help: str | None = None) -> None:
         """Say what is wrong, and the cure if it is known, in one line each."""

@@ -40,7 +40,7 @@ def load(
             the default.
         station: The station file; None takes `rapidsim.toml` beside the program or above it.
         task: Only this one of several tasks.
-        home: The folder for HOME:, where a run names none; None is `<program>.home`.
+        home: The folder for HOME: of runs that name none; None is `<program>.home`.
 
     Raises:
         InputError: If something is missing, unreadable, or not RAPID.
@@ -57,7 +57,7 @@ def load(
 
 
 class Cell:
-    """A program with its station. Its files are read anew by each call, so edits count."""
+    """A program with its station. Each call reads the files again, so edits take effect."""
 
     def __init__(self, asked: Asked) -> None:
         """Find the files and the station; `load` makes one of paths.
@@ -87,7 +87,7 @@ class Cell:
         ignore: Sequence[str] = (),
         run: bool = True,
     ) -> CheckResult:
-        """Find the mistakes in the program without running it, as `rapidsim check` does.
+        """Check the program for mistakes, as `rapidsim check` does.
 
         Args:
             select: Codes or beginnings of codes of the rules that are looked for; none means those
@@ -96,7 +96,7 @@ class Cell:
             run: Whether main is run, for moves only a run can tell and for its error.
 
         Raises:
-            InputError: If a file has gone, or a selector means nothing.
+            InputError: If a file no longer exists, or a selector is not known.
         """
         asked = replace(self._asked, select=tuple(select), ignore=tuple(ignore), trial_run=run)
         return check_job(job(asked))
@@ -158,7 +158,7 @@ class Cell:
         """Call a FUNC or PROC, with all data as the program declares them and the robot at start.
 
         Args:
-            routine: Its name; LOCAL ones can be called, too.
+            routine: Its name; LOCAL routines can be called, too.
             *arguments: The required arguments: numbers, bool, str, the name of a signal, sequences
                 for records and arrays.
             home: See `run`.

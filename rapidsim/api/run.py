@@ -49,12 +49,12 @@ class Run:
 
     @property
     def end(self) -> str:
-        """How it ended: `ended`, `stopped`, `time_limit`, `cycle_limit` or `error`."""
+        """How the run ended: `ended`, `stopped`, `time_limit`, `cycle_limit` or `error`."""
         return self.simulation.end.value
 
     @property
     def ok(self) -> bool:
-        """Whether the program came to its end, or to one that it chose itself."""
+        """Whether the program reached its end, or ended itself."""
         return self.simulation.end in (End.ENDED, End.STOPPED, End.CYCLE_LIMIT)
 
     @property
@@ -74,7 +74,7 @@ class Run:
 
     @property
     def path_mm(self) -> float:
-        """What the TCPs travel, with corners cut."""
+        """The distance that the TCPs travel, with corners cut."""
         return 1000.0 * self.simulation.path_m
 
     @cached_property
@@ -84,7 +84,7 @@ class Run:
 
     @cached_property
     def waits(self) -> tuple[WaitRecord, ...]:
-        """What was waited for, in order of time."""
+        """The waits, in order of time."""
         return wait_records(self.simulation)
 
     @property
@@ -94,12 +94,12 @@ class Run:
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
-        """What checking found, then what the run met."""
+        """The findings of the check, then those of the run."""
         return self.simulation.diagnostics
 
     @property
     def error(self) -> Diagnostic | None:
-        """What ended the run with an error; None where nothing did."""
+        """The error that ended the run, or None."""
         if self.simulation.end is not End.ERROR:
             return None
         errors = [one for one in self.diagnostics if one.severity is Severity.ERROR]
@@ -124,7 +124,7 @@ class Run:
         """The motion of the robot.
 
         Raises:
-            InputError: Where there are several; `trajectory_of` names one.
+            InputError: If there are several; use `trajectory_of`.
         """
         return self.trajectory_of(self.simulation.only.task)
 
@@ -132,7 +132,7 @@ class Run:
         """The motion of the robot of a task.
 
         Raises:
-            InputError: Where the task moves none.
+            InputError: If the task moves none.
         """
         found = self.simulation.robot_of(task)
         offset = self.simulation.move_offsets[self.simulation.robots.index(found)]

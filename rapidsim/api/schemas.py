@@ -13,14 +13,14 @@ def json_schema(name: str) -> dict[str, Any]:
     """The JSON Schema (draft 2020-12) of an output.
 
     What a schema lists is stable: keys keep their names, units and meaning while the number
-    `schema` in the output stays the same. New keys may come at any time.
+    `schema` in the output stays the same. New keys may be added at any time.
 
     Args:
         name: `run`, `check`, `kin-fk`, `kin-ik`, `kin-jacobian`, `robots`, `robot`, `frames`,
             `follow`, `follow-compare` or `calibrate`.
 
     Raises:
-        InputError: If there is none of that name.
+        InputError: If there is none with that name.
     """
     names = [file.stem for file in shipped("schemas").glob("*.json")]
     if name not in names:

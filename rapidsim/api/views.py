@@ -33,7 +33,7 @@ class SignalHistory:
 
     name: str
     times_s: tuple[float, ...]
-    """From when on it has each value; the first is 0."""
+    """When it takes each value; the first is 0."""
     values: tuple[float, ...]
 
     def at(self, time_s: float) -> float:
@@ -42,18 +42,18 @@ class SignalHistory:
 
     @property
     def edges(self) -> tuple[Edge, ...]:
-        """Where it changes, in order of time."""
+        """Its changes, in order of time."""
         pairs = zip(self.times_s[1:], self.values, self.values[1:], strict=False)
         return tuple(Edge(time_s, old, new) for time_s, old, new in pairs if old != new)
 
     @property
     def rises_s(self) -> tuple[float, ...]:
-        """When it becomes greater [s]."""
+        """When it rises [s]."""
         return tuple(edge.time_s for edge in self.edges if edge.new > edge.old)
 
     @property
     def falls_s(self) -> tuple[float, ...]:
-        """When it becomes less [s]."""
+        """When it falls [s]."""
         return tuple(edge.time_s for edge in self.edges if edge.new < edge.old)
 
     def __repr__(self) -> str:
@@ -96,11 +96,11 @@ class ArmMotion:
 
     @property
     def duration_s(self) -> float:
-        """When it has come to rest [s]."""
+        """When it comes to rest [s]."""
         return self.robot_run.trajectory.duration
 
     def at(self, time_s: float | Sequence[float] | Array) -> ArmState:
-        """The arm at an instant or several [s]; before the start and after the end it stands."""
+        """The arm at one or several instants [s]; at rest before the start and after the end."""
         many = bool(np.ndim(time_s))
         samples = self.robot_run.sample(np.asarray(time_s, dtype=np.float64))
         rows: int | slice = slice(None) if many else 0
@@ -121,7 +121,7 @@ class ArmMotion:
 
 @dataclass(frozen=True, slots=True)
 class Datum:
-    """Data that a module declares, with the value that the run left."""
+    """Data that a module declares, with the value at the end of the run."""
 
     task: str
     module: str

@@ -152,7 +152,7 @@ def _say(message: str, help: str | None) -> None:
 def _usage_error(error: click.ClickException) -> tuple[str, str | None]:
     """Message and help line of a mistake on the command line."""
     context = getattr(error, "ctx", None)
-    shown = f"`{context.command_path} --help` shows what there is" if context else None
+    shown = f"`{context.command_path} --help` lists them all" if context else None
     match error:
         case click.NoSuchOption():
             options = [o for p in context.command.params for o in p.opts] if context else []

@@ -18,11 +18,11 @@ from rapidsim.syntax.collection import uncollected
 # `rapidsim.cli.commands.<name>` holds the command of that name.
 _COMMANDS: Mapping[str, str] = MappingProxyType(
     {
-        "run": "Run a program and say what happened.",
+        "run": "Run a program and report what happens.",
         "serve": "Serve a controller to clients of Robot Web Services.",
         "view": "Open a recording.",
-        "check": "Find the mistakes in a program without running it.",
-        "diff": "Tell what changed between two programs or runs.",
+        "check": "Check a program for mistakes.",
+        "diff": "Show what changed between two programs or runs.",
         "explain": "Explain a rule, with an example and a fix.",
         "init": "Write a first station file for a program, a folder or a backup.",
         "robots": "List the robots, or show one.",

@@ -32,17 +32,17 @@ _BLOCK = 2000
 _AT_ONCE = 100_000
 """Pairs and instants whose bounds are found at once."""
 _MOST_LOOKS = 400_000
-"""Pairs and instants looked at in a block before it is given up."""
+"""Pairs and instants checked in a block before it is given up."""
 _ROUND, _BEST = 400, 24
 """Stretches that are looked at in one round, the nearest of each move first; of a move so many."""
 _DEPTHS = 30
-"""Instants at which the depth of a contact is looked at."""
+"""Instants at which the depth of a contact is measured."""
 _MOST_DEPTHS = 500
-"""Contacts whose depth is looked for, the first of the run."""
+"""How many contacts, the first of the run, have their depth measured."""
 
 
 def search(scene: Scene, end_s: float, bodies: Bodies | None = None) -> Found:
-    """Look along the whole motion.
+    """Check the whole motion.
 
     Args:
         scene: What moves.
@@ -109,7 +109,7 @@ class _Best:
 
     @property
     def wanted(self) -> float:
-        """A stretch that comes no nearer than this need not be looked at."""
+        """A stretch that comes no closer than this need not be checked."""
         return self.gap - max(_NEARER_M, _NEARER * self.gap)
 
 

@@ -22,7 +22,7 @@ _GROUPED = 64
 _IN_GROUP = 16
 _ROWS_AT_ONCE = 400_000
 _FEW = 400
-"""So many pairs of groups are looked at in one go: fewer steps cost more than fewer pairs save."""
+"""How many pairs of groups are checked at once: fewer steps cost more than fewer pairs save."""
 _CLOSE_M, _CLOSE = 5e-8, 2e-3
 """How exact gaps are, or to which share of them, where that is more."""
 _EXACT_M, _EXACT = 2.0 * _CLOSE_M, 2.0 * _CLOSE
@@ -34,7 +34,7 @@ class Gaps:
     """What is known of pairs of bodies (k,)."""
 
     least: Array
-    """[m]: the bodies are no nearer."""
+    """[m]: the bodies are at least this far apart."""
     found: Array
     """[m]: of two points that were found; inf where nothing nearer than asked for is, -inf where
     the bodies overlap by more than they may."""
@@ -238,7 +238,7 @@ def _around(bounds: Bounds, groups: Index) -> Bounds:
 
 
 def _grouped(body: Sequence[ConvexPart]) -> list[list[ConvexPart]]:
-    """The parts of a body, each by itself, or of many those together that are near each other."""
+    """The parts of a body, singly, or grouped by nearness if there are many."""
     if len(body) <= _GROUPED:
         return [[part] for part in body]
     centres = np.array([part.centre for part in body])

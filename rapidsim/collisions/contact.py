@@ -61,5 +61,5 @@ class Found:
     clearances: tuple[Clearance, ...]
     """One a move in whose course bodies came nearer than `FARTHEST_M`, in order of moves."""
     decided: bool = True
-    """Whether everything was looked at to the end; a motion that slides along a body for long may
+    """Whether everything was checked to the end; a motion that slides along a body for long may
     not be."""

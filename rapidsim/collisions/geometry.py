@@ -76,8 +76,8 @@ class CellGeometry:
     attachments: tuple[Attachment, ...] = ()
     ignored: tuple[IgnoredPair, ...] = ()
     clearance_m: float = 0.0
-    """A run that comes nearer than this is told so."""
+    """A run that comes closer than this is reported."""
     stops: bool = False
     """Whether a contact ends the run."""
     own_links: bool = True
-    """Whether an arm is judged against itself."""
+    """Whether an arm is checked against itself."""

@@ -27,7 +27,7 @@ from rapidsim.motion.robot.urdf_text import plain_urdf
 from rapidsim.values import dataclass
 
 BASE = 0
-"""The number of the link that stands still."""
+"""The number of the link that does not move."""
 _MOST_M = 100.0
 _LEAST_LINK_M, _MOST_LINK_M = 0.005, 10.0
 
@@ -49,15 +49,15 @@ class LinkShapes:
     links: tuple[LinkShape, ...]
     """From base to flange; links without a body are left out."""
     remarks: tuple[str, ...] = ()
-    """What of the arm is not judged."""
+    """What of the arm is not checked."""
 
 
 def link_shapes(robot: Robot) -> LinkShapes:
-    """The bodies of an arm; without a description there are none, and that is told."""
+    """The bodies of an arm; without a description there are none, which is reported."""
     if robot.meshes is not None:
         return _from_meshes(robot.meshes, _at_zero(robot))
     if robot.urdf is None:
-        return LinkShapes((), (f"{robot.name} has no link shapes: nothing it does is judged",))
+        return LinkShapes((), (f"{robot.name} has no link shapes: its collisions are not checked",))
     return _from_urdf(robot.urdf, tuple(joint.name for joint in robot.joints))
 
 
@@ -72,7 +72,9 @@ def _from_urdf(file: Path, joint_names: tuple[str, ...]) -> LinkShapes:
         name = link.get("name", "")
         bodies = list(link.iter("collision")) or list(link.iter("visual"))
         if name not in frames:
-            remarks += [f"{name} is moved by no joint of the arm: not judged"] if bodies else []
+            remarks += (
+                [f"{name} is not moved by any joint of the arm: not checked"] if bodies else []
+            )
             continue
         number, frame = frames[name]
         for body in bodies:
@@ -80,7 +82,7 @@ def _from_urdf(file: Path, joint_names: tuple[str, ...]) -> LinkShapes:
                 own = _geometry(body.find("geometry"), file)
             except (InputError, ValueError) as mistake:
                 reason = mistake.message if isinstance(mistake, InputError) else "no sizes"
-                remarks.append(f"the shape of {name} cannot be read and is not judged: {reason}")
+                remarks.append(f"the shape of {name} cannot be read and is not checked: {reason}")
                 continue
             if own is not None:
                 by_number.setdefault(number, []).append(own.moved(frame @ _origin(body)))
@@ -105,7 +107,7 @@ def _from_meshes(meshes: LinkMeshes, at_zero: tuple[tuple[float, ...], ...]) -> 
         size_m = unit_m * float(np.ptp(mesh.vertices, axis=0).max())
         if not _LEAST_LINK_M <= size_m <= _MOST_LINK_M:
             raise InputError(
-                f"{file} would be {1e3 * size_m:.6g} mm long", "say the unit that it was drawn in"
+                f"{file} would be {1e3 * size_m:.6g} mm long", "give the unit that it was drawn in"
             )
         own = shape.hull_of_each_piece(Triangles(unit_m * mesh.vertices, mesh.faces, mesh.closed))
         base_from_link = np.array(place).reshape(3, 4)

@@ -1,4 +1,4 @@
-"""Bodies that move: where each is at any time of a run, and which pairs of them are judged."""
+"""Bodies that move: where each is at any time of a run, and which pairs of them are checked."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from rapidsim.motion.trajectory.trajectory import Postures
 from rapidsim.values import dataclass
 
 STEP_S = 0.016
-"""So often a motion is looked at where nothing is near."""
+"""How often a motion is sampled where nothing is near."""
 SHORTEST_S = 4e-5
 """A contact begins within this of the instant given."""
 Bodily = int | Index
@@ -68,7 +68,7 @@ class Body:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Pair:
-    """Two bodies that must not touch; the second is the one that stands, where one does."""
+    """Two bodies that must not touch; if one of them is stationary, it is the second."""
 
     first: int
     second: int

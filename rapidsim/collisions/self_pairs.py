@@ -1,4 +1,4 @@
-"""Which links of an arm are judged against each other.
+"""Which links of an arm are checked against each other.
 
 Neighbours share a joint and touch always. Of the others those are left out that touch in almost
 every posture (the shapes overlap by their making) or in none at all. Random postures tell; and of
@@ -43,7 +43,7 @@ _SEEN_RAD = 0.1
 
 @dataclass(frozen=True, slots=True)
 class SelfPair:
-    """Two links that are no neighbours, by their numbers."""
+    """Two links that are not neighbours, by their numbers."""
 
     first: int
     second: int
@@ -56,7 +56,7 @@ class SelfPair:
 
     @property
     def left_out(self) -> str | None:
-        """Why nobody judges them; None where they are judged."""
+        """Why they are not checked; None if they are."""
         if self.touching >= _ALWAYS:
             return "their shapes overlap"
         if not self.touching and self.nearest_m > _NEVER_M:
@@ -67,7 +67,7 @@ class SelfPair:
 
 
 def judged_pairs(robot: Robot, shapes: LinkShapes) -> tuple[tuple[int, int], ...]:
-    """The links of an arm that are judged against each other."""
+    """The links of an arm that are checked against each other."""
     stored = None if robot.urdf is None or robot.meshes else robot.urdf.parent / FILE_NAME
     if robot.maker is not None and stored is not None and stored.is_file():
         return tuple((a, b) for a, b in tomllib.loads(input_text(stored))["judged"])

@@ -18,7 +18,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.values import dataclass
 
 _CONVEX_M = 1e-4
-"""A piece that stands out over none of its faces by more is convex."""
+"""A piece that protrudes beyond none of its faces by more than this is convex."""
 _NORMALS = 24
 """Faces of a piece on which others may come to lie."""
 _AROUND = 48
@@ -45,7 +45,7 @@ _BOX_FACES = np.array(
 
 
 class Filling(StrEnum):
-    """What of a mesh is judged."""
+    """The parts of a mesh that are checked."""
 
     SOLID = "solid"
     """A closed surface: the body that it bounds."""
@@ -65,7 +65,7 @@ class Shape:
     faces: Faces
     """Shape (f, 3)"""
     hollow_m: float = 0.0
-    """How much deeper the body may be than what is judged."""
+    """How much deeper the body may be than the shape that is checked."""
     solid: Triangles | None = None
     """A closed surface whose triangles are the parts: it has an inside that no part fills."""
 

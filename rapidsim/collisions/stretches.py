@@ -51,6 +51,6 @@ _NAMES = tuple(one.name for one in fields(Stretches))
 
 
 def unseen(pair: Index, start: Index, end: Index, gap_start: Array, gap_end: Array) -> Stretches:
-    """Stretches whose ends nobody measured."""
+    """Stretches whose ends have not been measured."""
     no = np.zeros(len(pair), dtype=np.bool_)
     return Stretches(pair, start, end, gap_start, gap_end, no, no.copy(), np.zeros(len(pair)))

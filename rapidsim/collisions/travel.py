@@ -85,7 +85,7 @@ def turned(one: Array, other: Array) -> Array:
 
 
 def straight(bounds: Bounds, first: Index, start: Transform, end: Transform) -> Array:
-    """How far (k,) [m] points of bodies move on the straight way between two poses."""
+    """How far (k,) [m] points of bodies move on the straight path between two poses."""
     centre = bounds.centre[first]
     shift = np.linalg.norm(
         np.einsum("kij,kj->ki", end.rotation - start.rotation, centre)

@@ -123,7 +123,7 @@ def _decoded(of: Message, data: bytes, depth: int) -> dict[str, Any]:
             case Kind.DOUBLES, 2:
                 # Packed, as writers of later generations do.
                 if len(value) % 8:
-                    raise DecodeError(f"{field.name}: {len(value)} bytes are no doubles")
+                    raise DecodeError(f"{field.name}: {len(value)} bytes are not doubles")
                 parts = (value[at : at + 8] for at in range(0, len(value), 8))
                 read.setdefault(field.name, []).extend(map(_double, parts))
             case Message() as inner, 2:

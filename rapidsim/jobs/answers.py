@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def answers_in_order(lines: Iterable[str]) -> Answers:
-    """Answers in the order of the questions; when they are used up, nobody answers."""
+    """Answers in the order of the questions; after the last one, questions go unanswered."""
     waiting = iter(tuple(lines))
     return lambda _: next(waiting, None)
 

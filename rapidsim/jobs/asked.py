@@ -40,9 +40,9 @@ class Asked:
     answers: Answers | None = None
     answers_are_typed: bool = False
     home: str | None = None
-    """The folder HOME: stands for; None is `<program>.home` here."""
+    """The folder for HOME:; None is `<program>.home` here."""
     ramdisk: str | None = None
-    """The folder RAMDISK: stands for; None is one in the home folder."""
+    """The folder for RAMDISK:; None is one in the home folder."""
     network: Network | None = None
     starts_at: datetime | None = None
     max_time_s: float = 3600.0
@@ -55,4 +55,4 @@ class Asked:
     reach: bool = True
     """Whether a check asks if the robot can make the moves."""
     trial_run: bool = True
-    """Whether it runs main for the moves that only a run can tell."""
+    """Whether main is run for the moves that only a run can check."""

@@ -17,7 +17,7 @@ from rapidsim.values import dataclass
 
 _SCHEMA = 1
 _OF_TIME = "DR"
-"""Families of rules that a run or its time tell."""
+"""Families of rules that depend on a run or its time."""
 _FIRST_MODEL = "1"
 """The motion model of those that name none."""
 Key = tuple[str, str, str]
@@ -40,7 +40,7 @@ class Baseline:
             return ""
         return (
             f"The baseline was made with motion model {self.motion_model}; this is "
-            f"{motion_model}, with other times. `--update-baseline` makes it anew."
+            f"{motion_model}, which gives other times. `--update-baseline` recreates it."
         )
 
 

@@ -49,7 +49,7 @@ _FAMILIES_OF_MOVES = "DKM"
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
 class CheckResult:
-    """What checking found, and what it did not look at."""
+    """What checking found, and what it did not check."""
 
     files: tuple[str, ...]
     """The files that were read."""
@@ -68,7 +68,7 @@ class CheckResult:
         return all(d.severity is not Severity.ERROR for d in (*self.diagnostics, *self.known))
 
     def against(self, known: Counter[Key]) -> CheckResult:
-        """The same where the findings of a baseline are known."""
+        """The same result with the findings of a baseline marked as known."""
         new, old = told_apart(self.diagnostics, known)
         return replace(self, diagnostics=new, known=old)
 
@@ -79,7 +79,7 @@ class CheckResult:
         return f"<check: {verdict}, files: {len(self.files)}, findings: {count}>"
 
     def looked_for(self, selector: str) -> bool:
-        """Whether all that a selector may mean was looked for.
+        """Whether everything that a selector covers was checked.
 
         Args:
             selector: A code, the beginning of a code, or the name of a rule. What moves do is only
@@ -101,7 +101,7 @@ def check(
     """Check the modules, program files or folders named, as `rapidsim check` does.
 
     Args:
-        paths: What is checked; together it is one task, unless a backup or the station file says
+        paths: What is checked; together it forms one task, unless a backup or the station file says
             which modules belong to which. The station file is the one near them.
         robot: An arm, or its name in the catalogue; None takes that of the station or the default.
         options: What counts more than the station file, and how main is run for the moves that only
@@ -242,7 +242,7 @@ def _moves_checked(
     loaded: Loaded, task: str, moves: CheckMoves | None, always: bool, cell: CellNames
 ) -> ReachReport:
     written = written_moves(loaded.files)
-    why = "nobody asked for it" if moves is None else "the program cannot run as it is"
+    why = "not requested" if moves is None else "the program cannot run as it is"
     program = loaded.program
     if moves is not None and program is not None and (written or always or _may_end_badly(program)):
         report = moves(program, task, runs=True)

@@ -81,7 +81,7 @@ def draft_for(paths: Sequence[str], robot: str | None) -> DraftFile:
     configured = [path for path in paths if has_configuration(Path(path))]
     programs = [path for path in paths if path not in configured]
     if not programs:
-        raise InputError("no RAPID file was named", "name a module, a folder or a backup")
+        raise InputError("no RAPID file was named", "give a module, a folder or a backup")
     backup = backup_among(programs)
     if backup is not None:
         # A packed station is unpacked out of sight; its file lies beside the archive.
@@ -100,8 +100,8 @@ def _of_backup(backup: Backup, robot: str | None, beside: Path | None) -> DraftF
     tasks = all_tasks([str(backup.root)], station)
     arms = ", ".join(one.name or one.unknown or "" for one in station.robots)
     remarks = (
-        "Tasks, signals and wiring are those of the backup: SYS.cfg and EIO.cfg.",
-        *((f"So are the arms, of MOC.cfg: {arms}.",) if arms and robot is None else ()),
+        "Tasks, signals and wiring come from the backup: SYS.cfg and EIO.cfg.",
+        *((f"So do the arms, from MOC.cfg: {arms}.",) if arms and robot is None else ()),
         "What is written here takes precedence.",
     )
     unknown = next((one.unknown for one in station.robots if one.unknown), None)
@@ -123,7 +123,7 @@ def _without_speeds(station: Station) -> Iterator[str]:
         if None in find_entry(name).max_speeds:
             yield (
                 f"no source gives the axis speeds of {name}, which a run needs: "
-                f"[motion] axis_speed = [...] in {load_robot(name).units('/s')}, one value an axis"
+                f"[motion] axis_speed = [...] in {load_robot(name).units('/s')}, one value per axis"
             )
 
 

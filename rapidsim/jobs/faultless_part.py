@@ -26,7 +26,7 @@ class FaultlessPart:
 
     program: Program
     replaced: tuple[Span, ...]
-    """The statements that stand no more in it."""
+    """The statements that were taken out of it."""
 
 
 def faultless_part(loaded: Loaded, cell: CellNames) -> FaultlessPart | None:

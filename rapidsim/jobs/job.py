@@ -51,7 +51,7 @@ class Job:
 
     @property
     def is_arm_named(self) -> bool:
-        """Whether anybody named the arm; else nobody knows if the program is for this one."""
+        """Whether the arm was named; if not, the program may be meant for another."""
         return self.robot.reason is None or self.station.robot is not None
 
     @property

@@ -30,7 +30,7 @@ class LoadedTask:
     name: str
     program: Program
     moves: int
-    """How many move instructions stand in it."""
+    """How many move instructions it has."""
 
     @property
     def has_moves(self) -> bool:

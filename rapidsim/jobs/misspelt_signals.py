@@ -27,11 +27,11 @@ class MisspeltSignal(Violation, code="I804"):
         """The nearest signal, or how to declare one."""
         if self.nearest:
             return f"did you mean `{self.nearest}`?"
-        return "declare it in [signals] if something else is to know it"
+        return "declare it in [signals] if the name is intended"
 
 
 def misspelt_in(job: Job, found: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """What the files of a job misspell; nothing where only one of its tasks is looked at."""
+    """Signal names that the files of a job misspell; none if only one of its tasks is checked."""
     if job.asked.task is not None or not job.tables:
         return ()
     return tuple(find_misspelt(job.station.io, job.files, job.tables, found))
@@ -70,7 +70,7 @@ def find_misspelt(
 
 
 def _place(name: str, tables: Sequence[Path]) -> Span | None:
-    """Where a name stands first in the files."""
+    """Where a name occurs first in the files."""
     for file in tables:
         text = input_text(file)
         match = re.search(rf"\b{re.escape(name)}\b", text)

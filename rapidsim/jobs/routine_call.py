@@ -168,7 +168,7 @@ def _argument(
             raise InputError(f"{what}: the name of a signal is needed, not {value!r}")
         return _Argument("", "", before + value, False)
     if not has_value(parameter.type):
-        raise InputError(f"{what}: data of type {parameter.type.name} cannot come from outside")
+        raise InputError(f"{what}: data of type {parameter.type.name} cannot be passed in")
     name = f"rapidsim_argument_{number}"
     held = _held(value, parameter.type, what)
     storage = "PERS" if parameter.mode is Mode.PERS else "VAR"

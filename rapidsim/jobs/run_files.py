@@ -61,8 +61,8 @@ def simulate(
     """Run the modules, program files or folders named, as `rapidsim run` does.
 
     Args:
-        paths: What is run; together it is one task, unless a backup or the station file says which
-            modules belong to which. The station file is the one near them.
+        paths: What is run; together it forms one task, unless a backup or the station file says
+            which modules belong to which. The station file is the one near them.
         robot: An arm, or its name in the catalogue; None takes that of the station or the default.
         io: A file of signals and what happens to inputs; adds to the station and the options.
         max_time: Virtual time [s] at which the run ends; replaces that of the options.
@@ -200,7 +200,7 @@ def _home(home: str | None, paths: tuple[str, ...]) -> Path:
         if folder.is_symlink():
             # A checkout may hold it; then the program, which is not trusted, would choose its room.
             raise InputError(
-                f"{folder} is a link, and a home folder that is there by default must not be one",
+                f"{folder} is a link, which a default home folder must not be",
                 "`--home DIR` names any folder",
             )
         return _fresh(folder) if _UNATTENDED & os.environ.keys() else folder

@@ -14,18 +14,18 @@ from rapidsim.values import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Selection:
-    """What is looked for and shown."""
+    """What is checked and shown."""
 
     settings: CheckSettings
     select: tuple[str, ...]
-    """Rules that are looked for; none means those that are on by default."""
+    """Rules to check; none means those that are on by default."""
     also: tuple[str, ...]
-    """Rules besides."""
+    """Additional rules."""
     ignore: tuple[str, ...]
     """Rules that are left out."""
 
     def wants(self, rule: Rule) -> bool:
-        """Whether a rule is looked for."""
+        """Whether a rule is checked."""
         return is_selected(rule, self.select, self.ignore, self.also)
 
     def is_looked_for(self, selector: str) -> bool:

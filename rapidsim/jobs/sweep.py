@@ -69,7 +69,7 @@ class Sweep:
     values: Array
     """Shape (k, axes)."""
     moves: int
-    """How many move instructions were looked at."""
+    """How many move instructions were checked."""
     unreachable: Index
     other_configuration: Index
     margin_deg: Array
@@ -109,10 +109,10 @@ def axis_of(text: str) -> Axis:
         return Axis(key, (numbers[0],))
     first, last, step = numbers
     if step == 0.0 or (last - first) / step < 0.0:
-        raise InputError(f"--vary {text}: steps of {step:g} do not lead from {first:g} to {last:g}")
+        raise InputError(f"--vary {text}: steps of {step:g} never get from {first:g} to {last:g}")
     steps = (last - first) / step + _ROUNDING
     if steps >= MOST_VARIANTS:
-        raise InputError(f"--vary {text}: over {MOST_VARIANTS} values", "take a larger step")
+        raise InputError(f"--vary {text}: over {MOST_VARIANTS} values", "use a larger step")
     return Axis(key, tuple(first + number * step for number in range(int(steps) + 1)))
 
 
@@ -124,7 +124,7 @@ def sweep(
     run: bool = True,
     processes: int = 1,
 ) -> Sweep:
-    """Look at all variants of a job.
+    """Try all variants of a job.
 
     Args:
         ready: A job of one task with one robot, whose station says where it stands.
@@ -139,10 +139,10 @@ def sweep(
     """
     keys = [axis.key for axis in axes]
     if len(set(keys)) < len(keys):
-        raise InputError("one key is varied twice", "give each --vary a key of its own")
+        raise InputError("a key is varied twice", "give each --vary its own key")
     count = math.prod(len(axis.values) for axis in axes)
     if count > MOST_VARIANTS:
-        raise InputError(f"{count} variants are over {MOST_VARIANTS}", "take larger steps")
+        raise InputError(f"{count} variants are over {MOST_VARIANTS}", "use larger steps")
     made = ready.job
     if len(made.tasks) > 1:
         raise InputError(f"there are {len(made.tasks)} tasks", "name one with --task")

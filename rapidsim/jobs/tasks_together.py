@@ -1,4 +1,4 @@
-"""The errors that end a run of all tasks of a cell, as a check tells them."""
+"""The errors that end a run of all tasks of a cell, as a check reports them."""
 
 from __future__ import annotations
 

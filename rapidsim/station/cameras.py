@@ -59,7 +59,7 @@ def _pictures(
             if isinstance(one, dict):
                 targets.append(_target(reader, one, here, camera, float(number)))
             else:
-                reader.wrong(here, 'what is found is written as { name = "part" }')
+                reader.wrong(here, 'write what is found as { name = "part" }')
         found.append(tuple(targets))
     return tuple(found)
 

@@ -11,7 +11,7 @@ from rapidsim.controller.cell.description import GROUP_WIDTH, SignalDeclaration,
 from rapidsim.station.task_kind import TaskKind
 from rapidsim.values import dataclass
 
-NOT_NAMED = "nothing names the arm: `rapidsim robots` lists those there are"
+NOT_NAMED = "no arm is named: `rapidsim robots` lists those available"
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 _GROUPS = (SignalKind.GI, SignalKind.GO)
 _ANALOG = (SignalKind.AI, SignalKind.AO)

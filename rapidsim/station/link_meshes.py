@@ -38,16 +38,16 @@ def with_meshes(arm: Robot, folder: Path, unit_m: float | None, *, in_base: bool
                 f"its links are {names[0]}, {names[1]} to {names[-1]}",
             )
         if name in found:
-            raise InputError(f"{folder} has two files of {name}", "which one counts, nobody knows")
+            raise InputError(f"{folder} has two files for {name}", "remove one of them")
         if unit_m is None and file.suffix.lower() not in IN_METRES:
             raise InputError(
                 f"{file} does not say its unit",
-                f'say `shapes-unit = "mm"`, or another of {", ".join(UNITS_M)}',
+                f'give `shapes-unit = "mm"`, or another of {", ".join(UNITS_M)}',
             )
         found[name] = file
     if missing := [name for name in names if name not in found]:
         raise InputError(
-            f"{folder} has no file of {', '.join(missing)}",
+            f"{folder} has no file for {', '.join(missing)}",
             f"{arm.name} needs {len(names)}, such as {names[0]}.stl and {names[1]}.stl",
         )
     files = tuple(found[name] for name in names)

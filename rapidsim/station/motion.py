@@ -77,8 +77,8 @@ def read_motion(
     if default.version != "1" and zone != default.orientation_zone:
         zone = default.orientation_zone
         remarks = (
-            'motion.orientation_zone counts with `model = "1"` only: the orientation turns within '
-            "its own zone, as was measured; the key will go with the next release",
+            'motion.orientation_zone has an effect only with `model = "1"`: the orientation '
+            "turns within its own zone, as measured; the key will be removed in the next release",
         )
     zone_share = reader.positive(motion, "motion", "zone_share")
     if zone_share is not None and zone_share > 1.0:

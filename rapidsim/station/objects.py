@@ -125,7 +125,7 @@ def _attachment(
         if key not in table:
             reader.wrong(f"{path}.{key}", "is missing")
     if to is not None and to != ParentKind.TOOL:
-        reader.wrong(f"{path}.to", f"`{to}` is not `tool`, which is all that carries objects")
+        reader.wrong(f"{path}.to", f"`{to}` is not `tool`; only a tool carries objects")
     if name is not None and name.lower() not in objects:
         cure = did_you_mean(name, objects) or f"there are {', '.join(objects) or 'none'}"
         reader.wrong(f"{path}.object", f"there is no object `{name}`", cure)
@@ -168,7 +168,9 @@ def _solid(reader: Reader, path: str, table: Table, kind: str) -> Shape | None:
         return shape.box(np.array(size) * MM)
     if kind == "plane":
         if table["plane"] is not True:
-            reader.wrong(f"{path}.plane", "plane = true; all below its x and y axes is solid")
+            reader.wrong(
+                f"{path}.plane", "plane = true; everything below its x and y axes is solid"
+            )
         return shape.half_space()
     sizes = reader.table(table, kind, f"{path}.{kind}")
     keys = ("diameter",) if kind == "sphere" else ("diameter", "length")
@@ -211,7 +213,7 @@ def _mesh(reader: Reader, path: str, table: Table) -> Shape | None:
     if unit is None and file.suffix.lower() in IN_METRES:
         unit = "m"
     if unit not in UNITS_M:
-        wrong = "its file does not say" if unit is None else f"`{unit}` is no unit of length"
+        wrong = "the file does not give one" if unit is None else f"`{unit}` is no unit of length"
         reader.wrong(f"{path}.unit", wrong, f"known: {', '.join(UNITS_M)}")
         return None
     try:
@@ -222,8 +224,8 @@ def _mesh(reader: Reader, path: str, table: Table) -> Shape | None:
     if filling == Filling.SOLID and not mesh.closed:
         reader.wrong(
             f"{path}.mesh",
-            f"{file} is not closed: what is inside, nobody knows",
-            'filling = "surface" judges its triangles alone, filling = "hull" what is around them',
+            f"{file} is not closed, so it has no inside",
+            'filling = "surface" checks only its triangles, filling = "hull" their convex hull',
         )
         return None
     mesh = replace(mesh, vertices=mesh.vertices * (UNITS_M[unit] * factor))
@@ -232,7 +234,7 @@ def _mesh(reader: Reader, path: str, table: Table) -> Shape | None:
         reader.wrong(
             f"{path}.unit",
             f"{file} would be {size / MM:.6g} mm long in {unit}",
-            "say the unit that it was drawn in",
+            "give the unit that it was drawn in",
         )
         return None
     return shape.of_mesh(mesh, Filling(filling))

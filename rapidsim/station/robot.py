@@ -130,7 +130,7 @@ def _with_shapes(reader: Reader, path: str, robot: Table, found: StationRobot) -
     if name is None:
         for key in ("shapes-unit", "shapes-frame"):
             if key in robot:
-                reader.wrong(f"{path}.{key}", "says something of `shapes`, which is missing")
+                reader.wrong(f"{path}.{key}", "describes `shapes`, which are missing")
         return found
     if "urdf" in robot:
         reader.wrong(f"{path}.shapes", "a `urdf` names its own shapes")

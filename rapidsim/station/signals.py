@@ -103,7 +103,7 @@ def _status(reader: Reader, path: str, table: Table) -> Status | None:
     text = reader.text(table, path, "system")
     if text is None:
         if "task" in table:
-            reader.wrong(f"{path}.task", 'it goes with `system`, as in system = "TaskExecuting"')
+            reader.wrong(f"{path}.task", 'it needs `system`, as in system = "TaskExecuting"')
         return None
     for status in Status:
         if status.lower() == text.lower():

@@ -27,14 +27,14 @@ def read_sockets(reader: Reader, tables: Table) -> tuple[SocketScript, ...]:
     for path, table in reader.tables(tables, "socket"):
         reader.known(path, table, _KEYS)
         if ("accept" in table) == ("connect" in table):
-            reader.wrong(path, "say `accept` for a server, or `connect` for a client; one of them")
+            reader.wrong(path, "give either `accept` for a server or `connect` for a client")
             continue
         serves = "accept" in table
         address, port = _place(reader, table, path, "accept" if serves else "connect")
         if serves:
             for key in ("after", "reconnect"):
                 if key in table:
-                    reader.wrong(f"{path}.{key}", "it is for peers that `connect`")
+                    reader.wrong(f"{path}.{key}", "only for peers that `connect`")
         steps = _steps(reader, path, table)
         repeats = _switch(reader, table, path, "repeat")
         if repeats and not any(step.expect or step.after_s for step in steps):
@@ -71,7 +71,7 @@ def _steps(reader: Reader, path: str, table: Table) -> tuple[SocketStep, ...]:
         here = f"{path}.{place}"
         reader.known(here, step, _STEP_KEYS)
         if not step:
-            reader.wrong(here, 'say what happens, as in { expect = "GET", send = "12" }')
+            reader.wrong(here, 'give what happens, as in { expect = "GET", send = "12" }')
         steps.append(
             SocketStep(
                 expect=_bytes(reader, step, here, "expect"),

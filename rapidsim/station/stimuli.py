@@ -30,9 +30,9 @@ def read_stimuli(reader: Reader, tables: Table) -> tuple[Stimulus, ...]:
         if "when" in table and ("at" in table or "every" in table):
             reader.wrong(path, "`when` waits for signals, `at` and `every` for the clock; give one")
         elif not {"when", "at", "every"} & set(table):
-            reader.wrong(path, "say `at`, `every` or `when` it happens")
+            reader.wrong(path, "give `at`, `every` or `when`")
         if after_s is not None and "when" not in table:
-            reader.wrong(f"{path}.after", "it needs `when`; with the clock, say `at`")
+            reader.wrong(f"{path}.after", "it needs `when`; with the clock, use `at`")
         if every_s is not None and every_s < _LEAST_PERIOD_S:
             reader.wrong(f"{path}.every", f"at least {_LEAST_PERIOD_S:g} s is needed")
         if every_s is not None and pulse_s is not None and pulse_s >= every_s:

@@ -292,6 +292,6 @@ def test_a_misspelt_signal_of_the_station_file_is_found(
     found = json.loads(capsys.readouterr().out)["diagnostics"]
     told = [(one["code"], one["line"], one["help"]) for one in found if one["code"] == "I804"]
     assert told == [
-        ("I804", 6, "declare it in [signals] if something else is to know it"),
+        ("I804", 6, "declare it in [signals] if the name is intended"),
         ("I804", 9, "did you mean `diPart`?"),
     ]

@@ -182,7 +182,7 @@ def test_a_run_without_its_end_is_not_judged(
     assert ended.code == code
     (verdict,) = json.loads(ended.out)["assertions"]
     assert (verdict["holds"], verdict["reason"]) == (None, reason)
-    assert ended.err == f"assertion not judged: count = 99, {reason}\n"
+    assert ended.err == f"assertion not evaluated: count = 99, {reason}\n"
 
 
 def test_what_the_program_stopped_itself_at_is_judged(cell: Path) -> None:
@@ -210,8 +210,8 @@ def test_the_cycles_asked_for_are_an_end_and_a_limit_before_them_is_none(cell: P
         ((), -0.001, 0, True, "cycle budget kept: the cycle takes"),
         ((), 0.25, 4, False, "0.25 s over it"),
         (("--cycles", "2"), 0.25, 4, False, "each of 2 cycles takes"),
-        (("--proc", "half"), 0.25, 0, None, "cycle budget not judged: it is about `main`"),
-        (("--max-time", "1"), 0.25, 3, None, "cycle budget not judged: the run was cut off"),
+        (("--proc", "half"), 0.25, 0, None, "cycle budget not checked: it is about `main`"),
+        (("--max-time", "1"), 0.25, 3, None, "cycle budget not checked: the run was cut off"),
     ],
 )
 def test_a_run_holds_the_cycle_budget(
@@ -294,4 +294,4 @@ def test_the_page_for_ci_names_every_figure() -> None:
 
 def test_help_lists_the_exit_code() -> None:
     shown = " ".join(rapidsim("run", "--help").out.split())
-    assert "4 it ended and an --assert or the cycle budget of the station file failed" in shown
+    assert "4 an --assert or the cycle budget of the station file failed" in shown

@@ -23,7 +23,7 @@ def test_the_home_folder_is_fresh(variable: str, tmp_path: Path) -> None:
     environment = {variable: "1"}
     assert call(*command, cwd=tmp_path, environment=environment).err == ""
     second = call(*command, cwd=tmp_path, environment=environment)
-    note = "note: HOME: is notes-2.home, a fresh one; `--home notes.home` is the one there"
+    note = "note: HOME: is notes-2.home, a fresh one; `--home notes.home` takes the existing one"
     assert second.err.splitlines() == [note]
     third = call(*command, "--home", "notes.home", cwd=tmp_path, environment=environment)
     assert third.err == ""

@@ -210,5 +210,5 @@ def test_what_a_run_lacks_of_a_backup_is_said(tmp_path: Path) -> None:
     )
     it = call("init", "backup", cwd=tmp_path)
     assert it.code == 0, it.err
-    assert "note: the unit STN_1 of the backup is known by its name alone" in it.err
+    assert "note: the unit STN_1 of the backup is known only by name" in it.err
     assert "note: no source gives the axis speeds of irb1300-11-0.9" in it.err

@@ -133,7 +133,7 @@ def test_an_arm_in_millimetres_runs_and_is_checked_when_it_is_scaled(in_millimet
         ('[signals]\ndi1 = { type = "di", min = 1 }', "di1.min: a di has no such key", None),
         ('[signals]\ngo1 = { type = "go", width = 2, value = 4 }', "4 is outside", None),
         ("[[stimulus]]\nat = 1", "stimulus.set: name signals", None),
-        ("[[stimulus]]\nset = { a = 1 }", "stimulus: say `at`, `every` or `when`", None),
+        ("[[stimulus]]\nset = { a = 1 }", "stimulus: give `at`, `every` or `when`", None),
         ('[[stimulus]]\nwhen = "a = b"\nset = { c = 1 }', "`a = b` is not a valid condition", None),
         ('[[cross]]\nset = "a"\nfrom = "b and a"', "`a` follows itself", None),
         ('[check]\nfail-on = "never"', "`never` is not a severity", None),

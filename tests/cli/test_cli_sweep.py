@@ -147,8 +147,8 @@ def test_the_table_and_the_picture(cell: Path, tmp_path: Path) -> None:
         "base.x=1:2": "the values are FROM:TO:STEP",
         "base.x=nan:1:1": "the values are FROM:TO:STEP",
         "base.x=0:inf:1": "the values are FROM:TO:STEP",
-        "base.x=0:1:0": "steps of 0 do not lead from 0 to 1",
-        "base.x=0:1:-1": "steps of -1 do not lead from 0 to 1",
+        "base.x=0:1:0": "steps of 0 never get from 0 to 1",
+        "base.x=0:1:-1": "steps of -1 never get from 0 to 1",
         "base.x=0:1e9:1e-3": "over 10000000 values",
         "base.x=0:1E308:1E-308": "over 10000000 values",
     }.items(),
@@ -161,7 +161,7 @@ def test_wrong_values_are_told(cell: Path, vary: str, told: str) -> None:
 
 def test_other_mistakes_are_told(cell: Path) -> None:
     twice = call("sweep", cell, "--vary", "base.x=1", "--vary", "base.x=2", cwd=cell)
-    assert "one key is varied twice" in twice.err
+    assert "a key is varied twice" in twice.err
     many = [f"--vary={key}=0:1000:1" for key in KEYS[:3]]
     assert "variants are over" in call("sweep", cell, *many, cwd=cell).err
     assert "1/4" in call("sweep", cell, "--vary", "base.x=1", "--shard", "5/4", cwd=cell).err

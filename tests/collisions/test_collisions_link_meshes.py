@@ -77,18 +77,18 @@ def test_recording_and_report_show_them(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("wanted", "remove", "add", "said"),
     [
-        (SHAPES, ("link_3",), "", "has no file of link_3"),
-        (SHAPES, NAMES, "", "has no file of base_link, link_1"),
+        (SHAPES, ("link_3",), "", "has no file for link_3"),
+        (SHAPES, NAMES, "", "has no file for base_link, link_1"),
         (SHAPES, (), "link_7.stl", "has no such link"),
-        (SHAPES, (), "link_2.obj", "two files of link_2"),
-        (SHAPES, ("link_2",), "link_2.stl", "no STL file"),
+        (SHAPES, (), "link_2.obj", "two files for link_2"),
+        (SHAPES, ("link_2",), "link_2.stl", "not an STL file"),
         ('shapes = "arm"\n', (), "", "does not say its unit"),
         ('shapes = "arm"\nshapes-unit = "m"\n', (), "", "20000 mm long"),
         ('shapes = "arm"\nshapes-unit = "mile"\n', (), "", "no unit of length"),
         (SHAPES + 'shapes-frame = "tool"\n', (), "", "neither `link` nor `base`"),
         ('shapes = "arms"\n', (), "", "is no folder"),
         ('shapes = "../.."\n', (), "", "leads out of"),
-        ('shapes-unit = "mm"\n', (), "", "`shapes`, which is missing"),
+        ('shapes-unit = "mm"\n', (), "", "`shapes`, which are missing"),
     ],
 )
 def test_shapes_that_are_not_those_of_the_arm_are_told(

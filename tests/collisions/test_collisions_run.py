@@ -49,7 +49,7 @@ def test_the_summary_says_what_happened_and_what_the_shapes_are_worth(tmp_path: 
     cell(tmp_path, DOWN.format(-150), TABLE)
     ended = call("run", "cell.mod", "--no-record", cwd=tmp_path)
     assert ended.code == 1
-    assert "likenesses" in ended.out
+    assert "approximations" in ended.out
     cell(tmp_path, DOWN.format(-100), TABLE)
     ended = call("run", "cell.mod", "--no-record", cwd=tmp_path)
     assert ended.code == 0
@@ -67,7 +67,7 @@ def test_a_report_lists_contacts_and_the_nearest_of_each_move(tmp_path: Path) ->
     assert "link 6 and <code>table</code>" in section
     assert "cell.mod:6 in main" in section
     assert "less than the 30 mm to keep" in section
-    assert "likenesses" in section
+    assert "approximations" in section
     # Nothing of it where the station says nothing of bodies.
     cell(tmp_path, DOWN.format(-150), "")
     assert call("run", "cell.mod", "--no-record", "--report", "run.html", cwd=tmp_path).code == 0

@@ -55,12 +55,12 @@ class DuplicateName(Violation, code="N202"):
         """What makes the names differ."""
         if self.is_module:
             return (
-                "what is named together is one task: leave out the one that is a copy, or name "
+                "files named together form one task: leave out the copy, or name "
                 "each program by itself"
             )
         if self.between_modules and self.duplicate.lower() == "main":
             return (
-                "what is named together is one task: name each program by itself, or let "
+                "files named together form one task: name each program separately, or let "
                 "`rapidsim init` give each a [[task]] in rapidsim.toml"
             )
         if self.between_modules:

@@ -20,10 +20,10 @@ from rapidsim.module_files import MODULE_SUFFIXES, read_tasks
 @click.command()
 @click.argument("logs", nargs=-1, required=True, metavar="LOG...", type=Path)
 @click.option(
-    "--program", metavar="PATH", help="The program that ran, if not LOG's name with .mod."
+    "--program", metavar="PATH", help="The program that was logged; default: LOG's name with .mod."
 )
 @click.option("--robot", metavar="NAME|FILE.urdf", help="The arm.")
-@click.option("--station", metavar="FILE.toml", help="Where the fit starts from.")
+@click.option("--station", metavar="FILE.toml", help="The station file from which the fit starts.")
 @click.option(
     "--clock",
     metavar="RATIO",
@@ -45,9 +45,10 @@ def calibrate(
     """Fit acceleration, smoothing and dwell to moves that a controller logged.
 
     LOG is a CSV file of times and joint angles in degrees (`time,j1,...,j6`), taken every 4 to 12
-    ms from standstill before the program starts until the arm stands again. The program that ran is
-    the module of the same name beside it. A good set: one long straight move at moderate speed,
-    five or more short moves to stop points, and ten or more corners with small zones at full speed.
+    ms from standstill before the program starts until the arm stands still again. The program that
+    ran is the module of the same name next to it. A good set: one long straight move at moderate
+    speed, five or more short moves to stop points, and ten or more corners with small zones at full
+    speed.
     """
     from rapidsim.cli.options.robot_choice import open_robot
     from rapidsim.jobs.checked_program import load

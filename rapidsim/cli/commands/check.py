@@ -49,9 +49,9 @@ _SEVERITIES = tuple(Severity)
 @click.option("--select", metavar="CODES", help="Only these rules: `K6,N201,syntax-error`.")
 @click.option("--extend-select", metavar="CODES", help="These rules in addition, such as `S9`.")
 @click.option("--ignore", metavar="CODES", help="Not these rules.")
-@click.option("--fix", is_flag=True, help="Apply the fixes that change nothing in a run.")
+@click.option("--fix", is_flag=True, help="Apply safe fixes, which do not change what a run does.")
 @click.option("--unsafe-fixes", is_flag=True, help="With --fix or --diff: all other fixes too.")
-@click.option("--diff", is_flag=True, help="Show what --fix would change, and change nothing.")
+@click.option("--diff", is_flag=True, help="Show what --fix would change, without changing it.")
 @click.option(
     "--baseline",
     metavar="FILE",
@@ -59,11 +59,13 @@ _SEVERITIES = tuple(Severity)
 )
 @click.option("--update-baseline", is_flag=True, help="Write the current findings to the baseline.")
 @click.option("--statistics", "counted", is_flag=True, help="Count findings by rule.")
-@click.option("--no-reach", is_flag=True, help="Do not check whether the robot can make the moves.")
+@click.option(
+    "--no-reach", is_flag=True, help="Do not check the moves: reach, limits, configuration, path."
+)
 @click.option(
     "--no-run",
     is_flag=True,
-    help="Do not run main, for moves only a run can tell and for its error.",
+    help="Do not run main to find its errors and the moves that only a run can check.",
 )
 @click.option("--no-merge", is_flag=True, help="Show repeated findings one by one.")
 @click.option(
@@ -92,11 +94,11 @@ def check(
     no_merge: bool,
     fail_on: str | None,
 ) -> int:
-    """Find the mistakes in RAPID modules: syntax, names, types, flow, data of motion.
+    """Check RAPID modules for mistakes: syntax, names, types, flow, motion data, reach.
 
     PATH is a module (.mod .modx .sys .sysx .prg), a .pgf program file, a folder, a controller
-    backup, a station packed by RobotStudio (.rspag), or - for standard input. What is named
-    together is checked together, as one task.
+    backup, a RobotStudio Pack&Go station (.rspag), or - for standard input. All PATHs together
+    are checked as one task.
 
     A comment `! rapidsim: ignore[K601] reason` after a statement, or on the line
     before it, suppresses findings.

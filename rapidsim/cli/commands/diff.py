@@ -21,7 +21,7 @@ _FORMATS = ("text", "json", "markdown", "html")
 @click.argument("new", metavar="B")
 @click.option("--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them.")
 @click.option("--station", metavar="FILE.toml", help="The station file, instead of the nearest.")
-@click.option("--task", metavar="NAME", help="Only this one of several tasks.")
+@click.option("--task", metavar="NAME", help="Only this task, of several.")
 @click.option("--proc", metavar="NAME", default="main", help="The procedure to run.")
 @click.option("--io", metavar="FILE.toml", help="Signals and what happens to inputs, in both runs.")
 @click.option("--answers", metavar="FILE", help="Answers to the programs' questions, one per line.")
@@ -32,7 +32,7 @@ _FORMATS = ("text", "json", "markdown", "html")
     type=POSITIVE,
     default=3600.0,
     show_default=True,
-    help="Simulated time after which a run is cut off.",
+    help="End a run after this much simulated time.",
 )
 @click.option(
     "--format",
@@ -42,7 +42,7 @@ _FORMATS = ("text", "json", "markdown", "html")
     show_default=True,
     help="What is printed.",
 )
-@click.option("--output", metavar="FILE", help="Write it there; HTML needs a file.")
+@click.option("--output", metavar="FILE", help="Write to this file; required for html.")
 @terminal_options
 def diff(
     old: str,
@@ -58,11 +58,11 @@ def diff(
     output_format: str,
     output: str | None,
 ) -> int:
-    """Tell what changed from A to B: two programs, folders, backups, or JSON of saved runs.
+    """Show what changed from A to B: two programs, folders, backups, or JSON of saved runs.
 
     Targets, tools, work objects, speeds, zones, signals and routines; the time of each routine and
-    line before and after; outputs that fire elsewhere or at another instant; findings that are new
-    or gone. Layout, comments and the order of routines are no change.
+    line before and after; outputs that fire at another place or time; findings that are new or
+    gone. Layout, comments and the order of routines do not count as changes.
 
     Exit codes: 0 the same, 1 different, 2 wrong usage.
     """

@@ -18,9 +18,9 @@ from rapidsim.report.pages.rules import rule_list, rule_page
 def explain(code: str | None, everything: bool) -> int:
     """Explain a rule: what it finds and why it matters, with an example and a fix.
 
-    CODE is the code of a rule or its name: `N201` or `undefined-name`. The beginning of a code,
-    such as `K` or `M5`, lists the rules that have it. The number of an event of
-    the controller explains the rules that stand for it: `50050`.
+    CODE is the code of a rule or its name: `N201` or `undefined-name`. The start of a code, such
+    as `K` or `M5`, lists all rules that begin with it. The number of a controller event, such as
+    `50050`, explains the matching rules.
     """
     terminal = current_terminal()
     palette = terminal.palette

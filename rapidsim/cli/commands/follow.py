@@ -64,14 +64,14 @@ SHORTEST_DT, LONGEST_DT = 0.0001, 0.05
     type=click.Choice(_WAYS),
     default="line",
     show_default=True,
-    help="How it goes from point to point.",
+    help="How the arm moves from point to point.",
 )
 @click.option(
     "--profile",
     type=click.Choice(_PROFILES),
     default="trapezoid",
     show_default=True,
-    help="How its speed rises and falls.",
+    help="How the speed rises and falls.",
 )
 @click.option(
     "--speed",
@@ -79,7 +79,7 @@ SHORTEST_DT, LONGEST_DT = 0.0001, 0.05
     type=POSITIVE,
     default=100.0,
     show_default=True,
-    help="Of the TCP [mm/s].",
+    help="Speed of the TCP [mm/s].",
 )
 @click.option(
     "--acceleration",
@@ -87,7 +87,7 @@ SHORTEST_DT, LONGEST_DT = 0.0001, 0.05
     type=POSITIVE,
     default=1000.0,
     show_default=True,
-    help="Along the path [mm/s2].",
+    help="Acceleration along the path [mm/s2].",
 )
 @click.option(
     "--turn-speed",
@@ -95,7 +95,7 @@ SHORTEST_DT, LONGEST_DT = 0.0001, 0.05
     type=POSITIVE,
     default=90.0,
     show_default=True,
-    help="Where the tool turns more than it travels [deg/s].",
+    help="Limit where the tool turns more than it travels [deg/s].",
 )
 @click.option(
     "--ease",
@@ -116,26 +116,28 @@ SHORTEST_DT, LONGEST_DT = 0.0001, 0.05
     metavar="MM",
     type=Number(min=0.0),
     default=0.0,
-    help="Distance from the origin of the base that the TCP keeps [mm].",
+    help="Minimum distance of the TCP from the origin of the base [mm].",
 )
 @click.option(
-    "--avoid", is_flag=True, help="Lead lines around that sphere; without it they are refused."
+    "--avoid", is_flag=True, help="Lead lines around that sphere; without it, they are refused."
 )
 @click.option(
     "--conf",
     type=numbers(4),
     metavar="CF1,CF4,CF6,CFX",
-    help="Configuration at the first point; without it, the one that turns least.",
+    help="Configuration at the first point; default: the one with the least movement.",
 )
 @click.option(
     "--start",
     type=numbers(),
     metavar="A,B,...",
-    help="Joints that it begins near to [deg; mm where one slides].",
+    help="Joints to start close to [deg; mm for a linear joint].",
 )
 @click.option("--skip-unreachable", is_flag=True, help="Skip points that cannot be reached.")
 @click.option(
-    "--compare", is_flag=True, help="All four ways side by side: poses solved, deviation, time."
+    "--compare",
+    is_flag=True,
+    help="All four kinds of path side by side: poses solved, deviation, time.",
 )
 @click.option(
     "--dt",
@@ -143,16 +145,18 @@ SHORTEST_DT, LONGEST_DT = 0.0001, 0.05
     type=numbers(),
     default="0.012",
     show_default=True,
-    help="Between samples [s]; several show how poses and time of the solver grow.",
+    help="Time between samples [s]; several show how poses and solver time grow.",
 )
 @click.option(
     "--starts",
     is_flag=True,
-    help="Numerical solvers at the poses of the path: from joints of the pose before, or from 0.",
+    help="Compare numerical solvers on the path, started from the previous pose and from 0.",
 )
 @click.option("--trace", metavar="FILE.csv|.parquet|.json", help="Write joints and TCP over time.")
 @click.option("--record", metavar="FILE.rrd", help="Write a recording for the rerun viewer.")
-@click.option("--plots", metavar="DIR", help="Write pictures of path, joints, deviation, attitude.")
+@click.option(
+    "--plots", metavar="DIR", help="Write pictures of path, joints, deviation, orientation."
+)
 @table_or_json
 @terminal_options
 def follow(
@@ -184,12 +188,12 @@ def follow(
     plots: str | None,
     output_format: str,
 ) -> int:
-    """Follow the points of a table, and say how well the arm can.
+    """Follow the points of a table, and show how well the arm can.
 
     POINTS.csv names its columns in the first line: x, y, z in mm in the robot's base frame, or with
     --base in the world, and q1 to q4, e1 to e3 (Euler angles) or pitch [deg] for the tool. `-`
-    reads it from standard input; --line needs no file. The exit code is 1 if a point or the way
-    between is out of reach, or a joint would have to be too fast.
+    reads it from standard input; --line needs no file. The exit code is 1 if a point or the path
+    between two points is out of reach, or a joint would have to exceed its speed.
     """
     from rapidsim.cli.options.robot_choice import open_robot
     from rapidsim.cli.tools.follow_steps import (
@@ -216,7 +220,7 @@ def follow(
     if starts:
         require("scipy", "--starts")
     if (points_file is None) == (line is None):
-        raise InputError("points come from a file or from --line X,Y,Z,X,Y,Z, one of them")
+        raise InputError("give points either in a file or by --line X,Y,Z,X,Y,Z")
     for step in dt:
         # With longer steps a jump could not be told from a fast axis.
         if not SHORTEST_DT <= step <= LONGEST_DT:
@@ -231,7 +235,7 @@ def follow(
         raise InputError(f"{name} {verb} no files", f"leave out {name}, or the files")
     several = bool(asked)
     if avoid and not min_radius:
-        raise InputError("--avoid needs to know the sphere", "name its radius with --min-radius")
+        raise InputError("--avoid needs to know the sphere", "give its radius with --min-radius")
     arm, given_as = open_robot(robot, scale), Convention(convention)
     if points_file is not None:
         text = _text(points_file)

@@ -27,7 +27,7 @@ from rapidsim.simulation.start_values import start_values
 @click.option("--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them.")
 @scale_option
 @click.option("--station", metavar="FILE.toml", help="The station file, instead of the nearest.")
-@click.option("--task", metavar="NAME", help="Only this one of several tasks.")
+@click.option("--task", metavar="NAME", help="Only this task, of several.")
 @table_or_json
 @terminal_options
 def frames(

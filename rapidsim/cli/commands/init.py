@@ -22,16 +22,18 @@ from rapidsim.station.station import find_station
 def init(paths: tuple[str, ...], robot: str | None) -> int:
     """Write `rapidsim.toml` with robot, tasks and signals, as far as they are known.
 
-    PATH is a module, a .pgf program file, a folder or a controller backup; a folder of SYS.cfg,
-    EIO.cfg and MOC.cfg says what a controller would be told. Where a folder has several mains, each
-    is a task. The file lies beside the modules, or in the backup; one that is there is kept.
+    PATH is a module, a .pgf program file, a folder or a controller backup, or a folder with
+    SYS.cfg, EIO.cfg and MOC.cfg. If a folder has several mains, each becomes a task. The file is
+    written next to the modules, or into the backup; an existing one is kept.
     """
     if robot is not None and not robot.lower().endswith(".urdf"):
         robot = open_robot(robot).name
     found = draft_for(paths, robot)
     shown = seen_from_here(found.path)
     if found.path.exists():
-        raise InputError(f"{shown} is there already, and is kept", "edit it, or move it away")
+        raise InputError(
+            f"{shown} is there already, and is kept", "edit it, or move it out of the way"
+        )
     with whole_file(found.path) as temporary:
         temporary.write_text(draft_text(found.draft), encoding="utf-8")
     # What is written can be read: a mistake here is ours.
@@ -49,4 +51,4 @@ def _counted(draft: Draft) -> str:
     """What stands in the file, in words."""
     counts = ((len(draft.tasks), "task"), (len(draft.signals), "signal"))
     words = [f"{count} {noun}{'s' * (count != 1)}" for count, noun in counts if count]
-    return ", ".join(words) or "nothing that a backup or a default does not say"
+    return ", ".join(words) or "nothing beyond the backup or the defaults"

@@ -39,7 +39,7 @@ _joints_option = click.option(
     type=numbers(),
     required=True,
     metavar="A,B,...",
-    help="Joints [deg; mm where one slides].",
+    help="Joints [deg; mm for a linear joint].",
 )
 
 
@@ -87,7 +87,9 @@ def kin(context: click.Context) -> int | None:
 
 @kin.command()
 @_joints_option
-@click.option("--tables", is_flag=True, help="Also the matrix of each link, and the arm's tables.")
+@click.option(
+    "--tables", is_flag=True, help="Also show the matrix of each link, and the arm's tables."
+)
 @_common
 def fk(
     joints: tuple[float, ...],
@@ -130,24 +132,37 @@ def fk(
 
 @kin.command()
 @click.option(
-    "--position", type=numbers(3), required=True, metavar="X,Y,Z", help="Of the TCP in base [mm]."
+    "--position",
+    type=numbers(3),
+    required=True,
+    metavar="X,Y,Z",
+    help="Position of the TCP in base [mm].",
 )
-@click.option("--quaternion", type=numbers(4), metavar="Q1,Q2,Q3,Q4", help="Scalar first.")
+@click.option(
+    "--quaternion",
+    type=numbers(4),
+    metavar="Q1,Q2,Q3,Q4",
+    help="Orientation of the TCP, scalar first.",
+)
 @euler_option
 @click.option(
     "--pitch",
     type=ANY_NUMBER,
     metavar="DEG",
-    help="Instead: the tool in the vertical plane through axis 1, this far above level.",
+    help="Instead: the tool in the vertical plane through axis 1, at this angle above horizontal.",
 )
 @click.option(
-    "--roll", type=ANY_NUMBER, metavar="DEG", default=0.0, help="With --pitch: about the tool."
+    "--roll",
+    type=ANY_NUMBER,
+    metavar="DEG",
+    default=0.0,
+    help="With --pitch: rotation about the tool [deg].",
 )
 @click.option(
     "--conf",
     type=numbers(4),
     metavar="CF1,CF4,CF6,CFX",
-    help="Only the solution in this configuration.",
+    help="Only solutions in this configuration.",
 )
 @click.option(
     "--all",
@@ -160,7 +175,7 @@ def fk(
     type=click.Choice(["auto", "analytic", *SEARCHES]),
     default="auto",
     show_default=True,
-    help="Closed form where the arm has one, else a search; or one of SciPy's by name.",
+    help="auto: closed form where the arm has one, else numerical; or a SciPy solver by name.",
 )
 @_common
 def ik(
@@ -184,7 +199,7 @@ def ik(
 ) -> int:
     """Show the joints that bring the TCP to a pose.
 
-    One solution a branch within the joint limits, in the turn nearest to joint values 0. The exit
+    One solution per branch within the joint limits, in the turn nearest to joint values 0. The exit
     code is 1 if there is none.
     """
     from rapidsim.cli.options.robot_choice import open_robot
@@ -238,7 +253,7 @@ def ik(
     "--twist",
     type=numbers(6),
     metavar="VX,VY,VZ,WX,WY,WZ",
-    help="Velocity of the TCP in base [mm/s, deg/s]: shows the joint speeds for it.",
+    help="Velocity of the TCP in base [mm/s, deg/s]; shows the joint speeds it needs.",
 )
 @_common
 def jacobian(

@@ -22,28 +22,32 @@ if TYPE_CHECKING:
     "--shell",
     type=numbers(2),
     metavar="R1,R2",
-    help="Radii of the spheres around the base between which they lie [mm].",
+    help="Inner and outer radius of a spherical shell around the base [mm].",
 )
-@click.option("--postures", is_flag=True, help="Instead: where random joints put the tool.")
+@click.option("--postures", is_flag=True, help="Instead: the TCP at random joint values.")
 @line_option
 @click.option(
-    "--count", type=click.IntRange(1, 20_000), default=8, show_default=True, help="How many."
+    "--count",
+    type=click.IntRange(1, 20_000),
+    default=8,
+    show_default=True,
+    help="Number of points.",
 )
 @click.option(
     "--seed",
     type=click.IntRange(min=0),
     default=0,
     show_default=True,
-    help="Another number gives other points; the same gives the same.",
+    help="Seed of the random numbers; the same seed gives the same points.",
 )
 @click.option(
-    "--robot", metavar="NAME|FILE.urdf", help="Only points that this arm reaches in its limits."
+    "--robot", metavar="NAME|FILE.urdf", help="Only points that this arm reaches within its limits."
 )
 @scale_option
 @click.option(
     "--attitude",
     type=click.Choice(["down", "random"]),
-    help="With --robot: the tool straight down (default), or any way round.",
+    help="With --robot: the tool straight down (default), or in any orientation.",
 )
 @click.option(
     "--tool", type=numbers(3, 7), metavar="X,Y,Z[,Q1,Q2,Q3,Q4]", help="The TCP in the flange [mm]."
@@ -53,7 +57,7 @@ if TYPE_CHECKING:
     "--euler",
     "convention",
     type=click.Choice(poses.CONVENTIONS),
-    help="Attitudes as Euler angles e1,e2,e3 of this convention, not as quaternions.",
+    help="Orientations as Euler angles e1,e2,e3 of this convention, not as quaternions.",
 )
 @terminal_options
 def points(
@@ -71,9 +75,9 @@ def points(
 ) -> int:
     """Print points as a table for `follow`.
 
-    They lie in a shell around the base, evenly in its volume; or are those of random joints; or
-    stand evenly on a line. With --base they are in the world. The exit code is 1 if an arm reaches
-    fewer of a shell than were asked for.
+    The points are random in a spherical shell around the base, or those of random joint values, or
+    evenly spaced on a line. With --base they are in the world. The exit code is 1 if the arm
+    reaches fewer points of the shell than requested.
     """
     from rapidsim.motion.waypoints.random_points import (
         posture_points,
@@ -84,11 +88,11 @@ def points(
     ways = [name for name, given in (("--shell", shell), ("--postures", postures), ("--line", line))
             if given]  # fmt: skip
     if len(ways) != 1:
-        raise InputError("points are those of one of --shell, --postures and --line")
+        raise InputError("give exactly one of --shell, --postures and --line")
     if robot is None and (postures or tool or attitude or base != "floor"):
         raise InputError("--postures, --attitude, --tool and --base need --robot")
     if scale is not None and robot is None:
-        raise InputError("--scale is of a URDF file", "name it with --robot")
+        raise InputError("--scale is for a URDF file", "name it with --robot")
     if attitude and not shell:
         raise InputError("--attitude is for points of a --shell")
     if line is not None:

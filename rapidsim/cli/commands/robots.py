@@ -29,11 +29,13 @@ from rapidsim.report.tables.robot_tables import (
 
 @click.command()
 @click.argument("name", required=False)
-@click.option("--table", is_flag=True, help="Also the DH table of the arm and its screws.")
+@click.option("--table", is_flag=True, help="Also show the DH table and the screw axes of the arm.")
 @click.option(
-    "--workspace", is_flag=True, help="Also the volume that the arm reaches, and a section of it."
+    "--workspace",
+    is_flag=True,
+    help="Also show the volume that the arm reaches, and a section of it.",
 )
-@click.option("--plots", metavar="DIR", help="With --workspace: a picture of the section.")
+@click.option("--plots", metavar="DIR", help="With --workspace: write a picture of the section.")
 @scale_option
 @table_or_json
 @terminal_options
@@ -51,9 +53,9 @@ def robots(
     """
     terminal = current_terminal()
     if name is None and (table or workspace or scale):
-        raise InputError("--table, --workspace and --scale are of one robot", "name it")
+        raise InputError("--table, --workspace and --scale are for one robot", "name it")
     if plots and not workspace:
-        raise InputError("--plots needs --workspace", "there is no other picture of a robot")
+        raise InputError("--plots needs --workspace", "it draws a section of the workspace")
     if name is not None:
         folder = new_plots(plots) if plots else None
         robot = open_robot(name, scale)

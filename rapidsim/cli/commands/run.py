@@ -69,7 +69,7 @@ _EXIT_CODES = {
     "asserted",
     metavar="EXPR",
     multiple=True,
-    help="A RAPID expression that must hold when the run has ended, such as 'time_s < 12.5'.",
+    help="A RAPID expression that must be TRUE when the run has ended, such as 'time_s < 12.5'.",
 )
 @click.option(
     "--format",
@@ -82,22 +82,24 @@ _EXIT_CODES = {
 @click.option(
     "--write-pers",
     is_flag=True,
-    help="Write what the run left in persistents into the program's files.",
+    help="Write the final values of persistents into the program's files.",
 )
 @click.option(
     "--break",
     "breaks",
     metavar="FILE:LINE",
     multiple=True,
-    help="Stop there and take commands; on a terminal only.",
+    help="Stop there and read commands from the terminal.",
 )
 @click.option(
-    "--profile", metavar="FILE.prof", help="Where the interpreter spends the computer's time."
+    "--profile",
+    metavar="FILE.prof",
+    help="Profile the interpreter: where does the computer time go?",
 )
 @click.option(
     "--replay",
     metavar="JOURNAL",
-    help="Live a journal of `rapidsim serve` again, in place of running main.",
+    help="Replay a journal of `rapidsim serve` instead of running main.",
 )
 @terminal_options
 def run(
@@ -113,11 +115,11 @@ def run(
     """Run a RAPID program on a virtual controller with a simulated robot.
 
     PATH is a module (.mod .modx .sys .sysx .prg), a .pgf program file, a folder, a controller
-    backup, a station packed by RobotStudio (.rspag), or - for standard input. What is named
-    together is one task, unless a backup or the station file says which modules belong to which.
+    backup, a RobotStudio Pack&Go station (.rspag), or - for standard input. All PATHs together
+    form one task, unless a backup or the station file assigns modules to tasks.
 
-    Exit codes: 0 the program ended, 1 it has errors or stopped with one, 2 wrong usage, 3 the time
-    limit came first, 4 it ended and an --assert or the cycle budget of the station file failed.
+    Exit codes: 0 the program ended, 1 it has errors or stopped with one, 2 wrong usage, 3 a time
+    limit ended the run, 4 an --assert or the cycle budget of the station file failed.
     """
     terminal = current_terminal()
     watch = choose_watch(breaks, profile)
@@ -186,7 +188,10 @@ def _say_home(asked: Asked, home: Path | None) -> None:
     """Say that HOME: is not the folder that is there."""
     default = Path(f"{program_name(asked.paths)}.home")
     if asked.home is None and home not in (None, default) and not current_terminal().quiet:
-        say(f"note: HOME: is {home}, a fresh one; `--home {default}` is the one there", err=True)
+        say(
+            f"note: HOME: is {home}, a fresh one; `--home {default}` takes the existing one",
+            err=True,
+        )
 
 
 def _judged(

@@ -28,19 +28,23 @@ _MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
 @click.argument("paths", metavar="PATH...", nargs=-1, required=True)
 @click.option("--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them.")
 @click.option("--station", metavar="FILE.toml", help="The station file, instead of the nearest.")
-@click.option("--task", metavar="NAME", help="Only this one of several tasks.")
+@click.option("--task", metavar="NAME", help="Only this task, of several.")
 @click.option(
     "--io", metavar="FILE.toml", help="Signals and what happens to inputs; adds to the station."
 )
 @click.option(
-    "--host", metavar="ADDRESS", default="127.0.0.1", show_default=True, help="Where it listens."
+    "--host",
+    metavar="ADDRESS",
+    default="127.0.0.1",
+    show_default=True,
+    help="The address to listen on.",
 )
 @click.option(
     "--rws1-port",
     metavar="N|off",
     default="8080",
     show_default=True,
-    help="The port of Robot Web Services 1.0 (RobotWare 6); 0 takes a free one, off serves none.",
+    help="The port of Robot Web Services 1.0 (RobotWare 6); 0 picks a free one, off disables it.",
 )
 @click.option(
     "--rws2-port",
@@ -54,26 +58,26 @@ _MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
     metavar="F|max",
     default="1",
     show_default=True,
-    help="Virtual seconds in a second on the wall; max is as fast as it can.",
+    help="Virtual seconds per second of real time; max is as fast as possible.",
 )
 @click.option(
-    "--lock-step", is_flag=True, help="Virtual time passes with requests only, so runs repeat."
+    "--lock-step", is_flag=True, help="Virtual time passes only with requests, so that runs repeat."
 )
 @click.option(
     "--request-time",
     metavar="SECONDS",
     type=POSITIVE,
-    help="In lock-step, the virtual time before each request; else 0.05.",
+    help="In lock-step, the virtual time before each request; default 0.05.",
 )
 @click.option(
     "--egm",
     "sensors",
     metavar="NAME=HOST:PORT",
     multiple=True,
-    help="Where the sensor behind a UDPUC device is; counts over SIO.cfg.",
+    help="Address of the sensor behind a UDPUC device; overrides SIO.cfg.",
 )
-@click.option("--home", metavar="DIR", help="The folder for HOME:; else <program>.home.")
-@click.option("--ramdisk", metavar="DIR", help="The folder for RAMDISK:; else one in HOME:.")
+@click.option("--home", metavar="DIR", help="The folder for HOME:; default <program>.home.")
+@click.option("--ramdisk", metavar="DIR", help="The folder for RAMDISK:; default: one in HOME:.")
 @click.option(
     "--opmode",
     type=click.Choice(list(_MODES)),
@@ -86,14 +90,14 @@ _MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
     type=click.Choice(["on", "off"]),
     default="on",
     show_default=True,
-    help="At the start.",
+    help="The state of the motors at the start.",
 )
 @click.option(
     "--user",
     "users",
     metavar="NAME:PASSWORD",
     multiple=True,
-    help="Who may come in, instead of a controller's default users.",
+    help="A login that replaces a controller's default users.",
 )
 @click.option(
     "--max-sessions",
@@ -101,7 +105,7 @@ _MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
     type=click.IntRange(min=1),
     default=70,
     show_default=True,
-    help="Clients at one time.",
+    help="Maximum number of clients at a time.",
 )
 @click.option(
     "--session-timeout",
@@ -109,14 +113,14 @@ _MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
     type=POSITIVE,
     default=300.0,
     show_default=True,
-    help="A session that is idle for so long ends.",
+    help="End a session that has been idle this long.",
 )
 @click.option(
     "--network-host",
     "network_hosts",
     metavar="ADDRESS",
     multiple=True,
-    help="An address beyond this computer that sockets of programs may use.",
+    help="Another host that the program's sockets may reach.",
 )
 @click.option(
     "--journal",
@@ -126,9 +130,9 @@ _MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
 @click.option(
     "--record",
     metavar="FILE.rrd",
-    help="Write a recording that grows while it runs; the file appears at the end.",
+    help="Record while the server runs; the file appears at the end.",
 )
-@click.option("--view", is_flag=True, help="Show the recording while it grows.")
+@click.option("--view", is_flag=True, help="Show the recording live.")
 @terminal_options
 def serve(
     paths: tuple[str, ...],
@@ -157,10 +161,10 @@ def serve(
 ) -> int:
     """Serve a virtual controller to clients of Robot Web Services 1.0 and 2.0.
 
-    PATH is as for `rapidsim run`. The first line on stdout says, as JSON, where it listens. It runs
-    until Ctrl-C or SIGTERM.
+    PATH is as for `rapidsim run`. The first line on stdout gives the addresses as JSON. The server
+    runs until Ctrl-C or SIGTERM.
 
-    Exit codes: 0 it was ended, 1 the program has errors, 2 wrong usage or a port that is taken.
+    Exit codes: 0 ended on request, 1 the program has errors, 2 wrong usage or a port in use.
     """
     require("aiohttp", "rapidsim serve")
     ports = _port("--rws1-port", rws1_port), _port("--rws2-port", rws2_port)

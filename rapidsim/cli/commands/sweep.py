@@ -32,19 +32,24 @@ def _shard(text: str) -> tuple[int, int]:
     metavar="KEY=FROM:TO:STEP",
     multiple=True,
     required=True,
-    help="base.x, base.y, base.z [mm], base.rz, base.ry, base.rx [deg]; more than one make a grid.",
+    help="base.x, base.y, base.z [mm], base.rz, base.ry, base.rx [deg]; several form a grid.",
 )
 @click.option("--robot", metavar="NAME|FILE.urdf", help="The arm, instead of the station's.")
-@click.option("--task", metavar="NAME", help="Only this one of several tasks.")
-@click.option("--no-run", is_flag=True, help="Only ask for reach; run nothing.")
-@click.option("--max-time", type=POSITIVE, default=3600.0, help="Virtual time of each run [s].")
+@click.option("--task", metavar="NAME", help="Only this task, of several.")
+@click.option("--no-run", is_flag=True, help="Only check reach; run nothing.")
+@click.option(
+    "--max-time",
+    type=POSITIVE,
+    default=3600.0,
+    help="End each run after this much virtual time [s].",
+)
 @click.option(
     "-j",
     "processes",
     type=click.IntRange(1, 256),
     default=1,
     show_default=True,
-    help="Processes that run the variants.",
+    help="Number of parallel processes.",
 )
 @click.option(
     "--shard",
@@ -53,8 +58,10 @@ def _shard(text: str) -> tuple[int, int]:
     metavar="I/N",
     help="Part I of N equal parts, on one of N machines.",
 )
-@click.option("--out", metavar="FILE", help="A table of all variants: .parquet or .csv.")
-@click.option("--plots", metavar="DIR", help="A picture of where it works, and how well.")
+@click.option("--out", metavar="FILE", help="Write a table of all variants: .parquet or .csv.")
+@click.option(
+    "--plots", metavar="DIR", help="Write a picture of where the program works, and how well."
+)
 @terminal_options
 def sweep(
     paths: tuple[str, ...],
@@ -70,9 +77,9 @@ def sweep(
 ) -> int:
     """Try a program with the robot in many places.
 
-    JOB.toml is a station file; the program is what stands in its folder, or what is named beside
-    it. All places are looked at for reach at once; where every move is reached as it is stored,
-    the program is run. The exit code is 1 if there is no such place.
+    JOB.toml is a station file; the program is in the same folder, or given as further PATHs.
+    Reach is checked for all places at once; where every target is reached in its stored
+    configuration, the program is run. The exit code is 1 if there is no such place.
     """
     from rapidsim.export.variants import write_variants
     from rapidsim.jobs.run_files import ProgramRejectedError, loaded

@@ -18,7 +18,7 @@ from rapidsim.extras import require
 def view(recording: str) -> int:
     """Open a recording in the rerun viewer and wait until the window is closed.
 
-    The viewer is a program of its own: `rerun FILE.rrd` does the same.
+    The viewer is a separate program: `rerun FILE.rrd` does the same.
     """
     require("rerun", "the viewer")
     path = Path(recording)

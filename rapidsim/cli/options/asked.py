@@ -32,7 +32,7 @@ _PROGRAM = (
     click.option(
         "--station", metavar="FILE.toml", help="The station file, instead of the nearest."
     ),
-    click.option("--task", metavar="NAME", help="Only this one of several tasks."),
+    click.option("--task", metavar="NAME", help="Only this task, of several."),
     click.option("--proc", metavar="NAME", default="main", help="The procedure to run."),
 )
 _INPUTS = (
@@ -42,7 +42,7 @@ _INPUTS = (
     click.option(
         "--answers", metavar="FILE", help="Answers to the program's questions, one per line."
     ),
-    click.option("--home", metavar="DIR", help="The folder for HOME:; else <program>.home."),
+    click.option("--home", metavar="DIR", help="The folder for HOME:; default <program>.home."),
     click.option(
         "--allow-network", is_flag=True, help="Sockets may use real ports of this computer."
     ),
@@ -51,18 +51,18 @@ _INPUTS = (
         "network_hosts",
         metavar="ADDRESS",
         multiple=True,
-        help="An address beyond this computer that sockets may use.",
+        help="Another host that sockets may reach.",
     ),
     click.option(
         "--assume-missing",
         is_flag=True,
-        help="Take tool0, wobj0 and load0 for tools, work objects and loads that are missing.",
+        help="Use tool0, wobj0 and load0 for missing tools, work objects and loads.",
     ),
     click.option(
         "--start-time",
         metavar="DATE",
         type=Date(),
-        help="The controller's clock at the start; else 2000-01-01.",
+        help="The controller's clock at the start; default 2000-01-01.",
     ),
     click.option(
         "--max-time",
@@ -70,13 +70,13 @@ _INPUTS = (
         type=POSITIVE,
         default=3600.0,
         show_default=True,
-        help="Simulated time after which the run is cut off.",
+        help="End the run after this much simulated time.",
     ),
     click.option(
         "--max-wall",
         metavar="SECONDS",
         type=POSITIVE,
-        help="Wall-clock time after which the run is cut off; else none.",
+        help="End the run after this much real time; default: no limit.",
     ),
     click.option(
         "--cycles",

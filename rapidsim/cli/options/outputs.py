@@ -41,14 +41,14 @@ class AskedFiles:
 
 _OPTIONS = (
     click.option(
-        "--record", metavar="FILE.rrd", help="Where to write the recording; else <program>.rrd."
+        "--record", metavar="FILE.rrd", help="Where to write the recording; default <program>.rrd."
     ),
     click.option("--no-record", is_flag=True, help="Write no recording."),
     click.option(
         "--record-dt",
         metavar="SECONDS",
         type=POSITIVE,
-        help="Time step of the recording; else 0.012, or more if it would exceed 100 MB.",
+        help="Time step of the recording; default 0.012, or more if it would exceed 100 MB.",
     ),
     click.option("--view", is_flag=True, help="Open the recording when it is written."),
     click.option(
@@ -64,7 +64,7 @@ _OPTIONS = (
         type=POSITIVE,
         default=TRACE_STEP_S,
         show_default=True,
-        help="Step of the trace.",
+        help="Time step of the trace.",
     ),
     click.option("--events", metavar="FILE.jsonl", help="Write events, one JSON object per line."),
 )

@@ -24,7 +24,7 @@ convention_option = click.option(
     type=click.Choice(CONVENTIONS),
     default="zyx",
     show_default=True,
-    help="Euler angles: zyx as in OrientZYX and KUKA's A,B,C; rpy about axes that stand still.",
+    help="Euler angles: zyx as in OrientZYX and KUKA's A,B,C; rpy about fixed axes.",
 )
 euler_option = click.option(
     "--euler", type=numbers(3), metavar="A,B,C", help="Euler angles [deg] by --convention."
@@ -34,7 +34,7 @@ base_option = click.option(
     metavar="floor|wall|ceiling|X,Y,Z[,Q1..Q4]",
     default="floor",
     show_default=True,
-    help="How the robot stands in the world; positions are in the world then.",
+    help="How the robot is mounted in the world; positions are then in the world.",
 )
 
 line_option = click.option(
@@ -48,7 +48,7 @@ scale_option = click.option(
     "--scale",
     type=POSITIVE,
     metavar="FACTOR",
-    help="Lengths of a URDF file times this: 0.001 for one in mm.",
+    help="Scale lengths of a URDF file: 0.001 if they are in mm.",
 )
 
 _STANDS = {
@@ -83,7 +83,7 @@ def world_from_base(text: str) -> Transform:
     except click.BadParameter as error:
         raise InputError(
             f"--base: {error.message}",
-            "floor, wall, ceiling, or where it stands: X,Y,Z,Q1,Q2,Q3,Q4",
+            "floor, wall, ceiling, or a pose: X,Y,Z,Q1,Q2,Q3,Q4",
         ) from None
     return pose(given[:3], given[3:] or _STANDS["floor"], "--base")
 
@@ -137,7 +137,7 @@ def asked_pose(
     if len(given) != 1:
         named = " and ".join(given) or "none"
         raise InputError(
-            f"the attitude is given by one of --quaternion, --euler and --pitch, not by {named}"
+            f"give the orientation by one of --quaternion, --euler and --pitch, not by {named}"
         )
     place = np.array([value / 1000.0 for value in position])
     if quaternion is not None:
@@ -160,6 +160,6 @@ def line_points(line: tuple[float, ...], count: int) -> Array:
     import numpy as np
 
     if count < 2:
-        raise InputError("a line has two points or more", "give their number with --count")
+        raise InputError("a line needs at least two points", "set their number with --count")
     places: Array = np.linspace(line[:3], line[3:], count)
     return places

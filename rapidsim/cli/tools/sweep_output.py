@@ -14,9 +14,9 @@ def swept_text(sweep: Sweep, written: Sequence[Path]) -> str:
     """How many variants work, the best of them, and where the table is."""
     works, count = sweep.works, len(sweep.number)
     moves = "1 move" if sweep.moves == 1 else f"{sweep.moves} moves"
-    lines = [f"{int(works.sum())} of {count} variants reach all of {moves} as stored."]
+    lines = [f"{int(works.sum())} of {count} variants reach all of {moves} as programmed."]
     if not sweep.moves:
-        lines.append("No move is known before the program runs, so nothing was asked of the arm.")
+        lines.append("No move is known before the program runs, so reach was not checked.")
     if works.any():
         best = int(np.argmax(np.where(works, sweep.margin_deg, -np.inf)))
         if np.isfinite(sweep.margin_deg[best]):
@@ -28,15 +28,15 @@ def swept_text(sweep: Sweep, written: Sequence[Path]) -> str:
         ran = sum(one is not None for one in sweep.runs)
         if runs:
             time_s, row = min(runs)
-            lines.append(f"{len(runs)} of {ran} runs came to their end.")
+            lines.append(f"{len(runs)} of {ran} runs reached their end.")
             lines.append(f"Fastest, in {time_s:.3f} s: {_place(sweep, row)}.")
         elif ran:
-            lines.append(f"None of {ran} runs came to its end.")
+            lines.append(f"None of {ran} runs reached its end.")
     elif count:
         row = int(np.argmin(sweep.unreachable + sweep.other_configuration))
         lines.append(
-            f"The least is missing at {_place(sweep, row)}: {sweep.unreachable[row]} out of reach, "
-            f"{sweep.other_configuration[row]} in another configuration."
+            f"Closest to working: {_place(sweep, row)}, with {sweep.unreachable[row]} out of "
+            f"reach, {sweep.other_configuration[row]} in another configuration."
         )
     if written:
         lines.append(f"Wrote {', '.join(map(str, written))}.")

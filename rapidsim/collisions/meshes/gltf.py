@@ -40,7 +40,7 @@ def read_gltf(name: str, data: bytes, beside: Beside) -> tuple[Array, Faces]:
         tree, binary = _parts(data)
         return _Scene(name, tree, binary, beside).triangles()
     except (ValueError, LookupError, TypeError, AttributeError, OverflowError, binascii.Error):
-        raise InputError(f"{name} is no readable glTF file") from None
+        raise InputError(f"{name} is not a readable glTF file") from None
     except RecursionError:
         raise InputError(f"{name} is nested too deeply") from None
 
@@ -81,7 +81,7 @@ class _Scene:
 
     def _add_node(self, number: int, scene_from_parent: Array, depth: int) -> None:
         if number in self._seen or depth > _DEEPEST:
-            raise InputError(f"{self._name}: its nodes are no tree, or too deep a one")
+            raise InputError(f"{self._name}: its nodes do not form a tree, or one too deep")
         self._seen.add(number)
         node = self._tree["nodes"][number]
         scene_from_node = scene_from_parent @ _matrix(node)

@@ -46,17 +46,17 @@ def read_ply(name: str, data: bytes) -> tuple[Array, Faces]:
     """Corners (k, 3) and faces (f, 3); a face with more corners becomes a fan.
 
     Raises:
-        InputError: If it is no PLY file, or cut off.
+        InputError: If it is not a PLY file, or cut off.
     """
     head, mark, body = data.partition(b"end_header")
     if not data.startswith(b"ply") or not mark:
-        raise InputError(f"{name} is no PLY file")
+        raise InputError(f"{name} is not a PLY file")
     try:
         order, elements = _header(head)
         rows = _rows(body.split(b"\n", 1)[1], order, elements)
         corners = np.array([row[:3] for row in rows["vertex"]], dtype=np.float64)
     except (ValueError, IndexError, KeyError, struct.error, OverflowError):
-        raise InputError(f"{name} is a damaged PLY file, or cut off") from None
+        raise InputError(f"{name} is a damaged or truncated PLY file") from None
     faces: list[tuple[int, int, int]] = []
     for around in rows.get("face", []):
         faces += [(int(around[0]), int(b), int(c)) for b, c in pairwise(around[1:])]

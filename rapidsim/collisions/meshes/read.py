@@ -29,7 +29,7 @@ def read_mesh(file: Path, room: Path) -> Triangles:
     """
     name, kind = str(file), file.suffix.lower()
     if kind not in KINDS:
-        raise InputError(f"{name}: no kind of shape file", f"known: {', '.join(KINDS)}")
+        raise InputError(f"{name}: unknown kind of shape file", f"known: {', '.join(KINDS)}")
     data = _bytes_of(file)
 
     def beside(other: str) -> bytes:
@@ -58,6 +58,6 @@ def _bytes_of(file: Path) -> bytes:
         size = 0  # What is missing, `input_bytes` says.
     if size > _MOST_BYTES:
         raise InputError(
-            f"{file} is larger than {_MOST_BYTES // 1_000_000} MB", "export it coarser"
+            f"{file} is larger than {_MOST_BYTES // 1_000_000} MB", "export it with less detail"
         )
     return input_bytes(file)

@@ -23,7 +23,9 @@ def read_stl(name: str, data: bytes) -> tuple[Array, Faces]:
     if data[:5].lower() == b"solid" and not whole:
         return _ascii(name, data)
     if len(data) < _HEAD or len(data) < _HEAD + count * _FACET.itemsize:
-        raise InputError(f"{name} is no STL file, or cut off: {count} triangles do not fit in it")
+        raise InputError(
+            f"{name} is not an STL file, or is truncated: {count} triangles do not fit in it"
+        )
     require_few(name, count)
     corners = np.frombuffer(data, _FACET, count, _HEAD)["corners"].reshape(-1, 3)
     return corners.astype(np.float64), np.arange(3 * count).reshape(-1, 3)
@@ -45,5 +47,5 @@ def _ascii(name: str, data: bytes) -> tuple[Array, Faces]:
         if len(corners) % 3 == 0:
             require_few(name, len(corners) // 3)
     if len(corners) % 3:
-        raise InputError(f"{name} is cut off: the last triangle has {len(corners) % 3} corners")
+        raise InputError(f"{name} is truncated: the last triangle has {len(corners) % 3} corners")
     return np.array(corners).reshape(-1, 3), np.arange(len(corners)).reshape(-1, 3)

@@ -41,13 +41,13 @@ def checked_triangles(name: str, vertices: Array, faces: Faces) -> Triangles:
     """
     require_few(name, len(faces))
     if not len(faces):
-        raise InputError(f"{name} holds no triangles")
+        raise InputError(f"{name} has no triangles")
     if faces.min() < 0 or faces.max() >= len(vertices):
-        raise InputError(f"{name} is damaged: a triangle has a corner that is not there")
+        raise InputError(f"{name} is damaged: a triangle refers to a corner that does not exist")
     vertices = vertices[np.unique(faces)] if len(vertices) > 3 * len(faces) else vertices
     used = vertices[np.unique(faces)] if faces.max() < len(vertices) else vertices
     if not np.isfinite(used).all() or np.abs(used).max() > 1e9:
-        raise InputError(f"{name} is damaged: a corner is at no place")
+        raise InputError(f"{name} is damaged: a corner has no finite position")
     size = float(np.ptp(used, axis=0).max())
     if size <= 0.0:
         raise InputError(f"{name}: all corners are in one place")
@@ -75,7 +75,7 @@ def require_few(name: str, count: int) -> None:
     if count > MOST_TRIANGLES:
         raise InputError(
             f"{name} holds more than {MOST_TRIANGLES} triangles",
-            "export it coarser: half a millimetre is fine enough for a robot",
+            "export it with less detail: half a millimetre is fine enough for a robot",
         )
 
 

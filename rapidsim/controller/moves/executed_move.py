@@ -23,7 +23,7 @@ class CornerKind(StrEnum):
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
 class ExecutedMove:
-    """A move as it was carried out; target, joints and configuration are the programmed end."""
+    """A move as it was made; target, joints and configuration are the programmed end."""
 
     index: int
     task: str

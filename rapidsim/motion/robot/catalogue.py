@@ -37,7 +37,7 @@ NEAR_NAMES = 5
 
 
 class RobotError(Exception):
-    """A robot that cannot be loaded; the message says which, why, and what would do."""
+    """A robot that cannot be loaded; the message says which, why, and what to do."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,7 +62,7 @@ class CatalogueEntry:
     sources: tuple[str, ...]
     """Where the numbers come from."""
     checks: tuple[str, ...]
-    """What they were compared with."""
+    """What the figures were compared with."""
     notes: tuple[str, ...]
     not_modelled: tuple[str, ...]
     """What the arm has and a run leaves out; every run on it says so."""

@@ -87,7 +87,7 @@ class Robot:
     joints: tuple[Joint, ...]
     kinematics: Kinematics
     urdf: Path | None
-    """The description with link shapes, for the recording and for other tools."""
+    """The description with link shapes, for the recording and other tools."""
     payload_kg: float | None = None
     reach_m: float | None = None
     maker: str | None = None
@@ -97,10 +97,10 @@ class Robot:
     """What the user should know of how this arm is solved; commands print them."""
     """Where the numbers come from."""
     checks: tuple[str, ...] = ()
-    """What they were compared with."""
+    """What the figures were compared with."""
     notes: tuple[str, ...] = ()
     not_modelled: tuple[str, ...] = ()
-    """What the arm has and a run leaves out."""
+    """What the arm has but a run does not model."""
     link_excess_m: tuple[float, ...] = ()
     """How far 95 % of the surface of the maker's links reach beyond ours at most [m], the base
     first; empty where they were not compared."""
@@ -109,7 +109,7 @@ class Robot:
     external: tuple[ExternalAxis, ...] = ()
     """Axes beside the arm, in the order of their letters; the station file names them."""
     meshes: LinkMeshes | None = None
-    """Shapes that take the place of those of the description."""
+    """Shapes that replace those of the description."""
 
     def units(self, per: str = "") -> str:
         """RAPID's units of all joints, such as `deg/s` or, where one slides, `deg, j3 in mm`.
@@ -162,7 +162,7 @@ class Robot:
         return self.kinematics.forward(np.asarray(joints, dtype=np.float64))
 
     def inverse(self, base_from_flange: Transform) -> Branches:
-        """All branches of poses (...,), before limits; `confdata.configurations` heeds those."""
+        """All branches of poses (...,), before limits; `confdata.configurations` applies those."""
         return self.kinematics.inverse(base_from_flange)
 
 

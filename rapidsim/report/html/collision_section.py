@@ -28,9 +28,9 @@ def collision_tile(simulation: Simulation) -> str:
     if hits:
         return tile("Collisions", f"{len(hits)}", f"the first at {hits[0].time_s:.4f} s")
     if near is None:
-        return tile("Nearest clearance", f"> {1000.0 * FARTHEST_M:g} mm")
+        return tile("Smallest clearance", f"> {1000.0 * FARTHEST_M:g} mm")
     between = f"{near.first}, {near.second}".replace("`", "")
-    return tile("Nearest clearance", f"{near.distance_mm:.1f} mm", between)
+    return tile("Smallest clearance", f"{near.distance_mm:.1f} mm", between)
 
 
 def collision_section(simulation: Simulation) -> str:
@@ -41,7 +41,7 @@ def collision_section(simulation: Simulation) -> str:
     contacts, nearest = contact_records(simulation), clearance_records(simulation)
     parts = []
     if contacts:
-        columns = [">time [s]", "bodies", "line", ">deep [mm]", ">at x, y, z [mm]", ""]
+        columns = [">time [s]", "bodies", "line", ">depth [mm]", ">at x, y, z [mm]", ""]
         touching = [
             (
                 f"{one.time_s:.4f}",
@@ -49,7 +49,7 @@ def collision_section(simulation: Simulation) -> str:
                 text(_line(one)),
                 "" if one.depth_mm is None else f"{one.depth_mm:.1f}",
                 ", ".join(f"{number:.0f}" for number in one.point_mm),
-                "since the move before" if one.continued else "",
+                "from the previous move" if one.continued else "",
             )
             for one in contacts[:_MOST]
         ]
@@ -57,7 +57,7 @@ def collision_section(simulation: Simulation) -> str:
         parts.append(_left(len(contacts), "contacts"))
     if nearest:
         wanted = 1000.0 * collisions.geometry.clearance_m
-        heads = (">nearest [mm]", "bodies", "line", ">time [s]", "")
+        heads = (">clearance [mm]", "bodies", "line", ">time [s]", "")
         rows = [
             (
                 f"{one.distance_mm:.1f}",
@@ -68,15 +68,18 @@ def collision_section(simulation: Simulation) -> str:
             )
             for one in nearest[:_MOST]
         ]
-        parts.append(f"<h3>Nearest of each move</h3>{_scrolled(table(heads, rows, kind='events'))}")
+        parts.append(
+            "<h3>Smallest clearance of each move</h3>"
+            + _scrolled(table(heads, rows, kind="events"))
+        )
         parts.append(_left(len(nearest), "moves"))
     if not parts:
         parts.append(f"<p>Nothing came within {1000.0 * FARTHEST_M:g} mm of anything.</p>")
-    remarks = [f"not judged: {one}" for one in collisions.remarks]
+    remarks = [f"not checked: {one}" for one in collisions.remarks]
     for one in (*shape_margins(simulation, collisions), *remarks):
         parts.append(f'<p class="aside">{prose(one)}</p>')
     pairs = len(collisions.scene.pairs)
-    return section("collisions", "Collisions", "".join(parts), f"{pairs} pairs of bodies judged")
+    return section("collisions", "Collisions", "".join(parts), f"{pairs} pairs of bodies checked")
 
 
 def _line(one: ContactRecord | ClearanceRecord) -> str:

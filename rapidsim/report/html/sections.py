@@ -32,7 +32,7 @@ _LONGEST_LINE = 160
 _ENDS = {
     End.ENDED: ("ended as programmed", "good"),
     End.STOPPED: ("stopped by the program", "good"),
-    End.CYCLE_LIMIT: ("ended after the cycles asked for", "good"),
+    End.CYCLE_LIMIT: ("ended after the requested cycles", "good"),
     End.TIME_LIMIT: ("cut off at the time limit", "warning"),
     End.ERROR: ("stopped with an error", "error"),
 }
@@ -168,8 +168,8 @@ def cycle_time(simulation: Simulation) -> str:
             ],
             kind="times",
         )
-        + f'</div><p class="aside">off it: the furthest of the TCP from the programmed line or arc '
-        f"between its zones, and its root mean square; by forward kinematics</p>{note}"
+        + f'</div><p class="aside">off it: largest distance of the TCP from the programmed line or '
+        f"arc between its zones, and the root mean square; by forward kinematics</p>{note}"
     )
     return section(
         "times",
@@ -200,7 +200,7 @@ def _stretches(simulation: Simulation) -> str:
     heads = ("lines", "held by", ">moves", ">programmed [mm/s]", ">mean [mm/s]", ">time [s]",
              ">lost [s]", "")  # fmt: skip
     left = len(found) - len(rows)
-    more = f'<p class="aside">and {left} stretches that cost less</p>' if left else ""
+    more = f'<p class="aside">and {left} stretches that cost less time</p>' if left else ""
     table_of_them = table(heads, rows, kind="times")
     return (
         "<h3>Where the programmed speed is not reached</h3>"
@@ -335,7 +335,7 @@ def _corner(kind: CornerKind, count: int) -> str:
         case CornerKind.STOP:
             return _counted(count, "stop")
         case CornerKind.STOP_CORNER_PATH_FAILURE:
-            return f"{_counted(count, 'stop')} as the next move came too late"
+            return f"{_counted(count, 'stop')} because the next move came too late"
 
 
 def _counted(count: int, name: str) -> str:

@@ -77,7 +77,7 @@ def _how(row: LibraryRoutine) -> Iterator[str]:
     if row.treated_as is not None:
         yield f"*Not simulated: {row.treated_as}*"
     elif not first:
-        yield "Carried out by the interpreter"
+        yield "Executed by the interpreter"
     for name, key in _versioned(row):
         if key in SINCE:
             since = SINCE[key]

@@ -61,8 +61,8 @@ def rule_page(rule: Rule, palette: Palette, *, width: int) -> str:
     """
     code = palette.paint(rule.code, palette.of(rule.severity))
     headline = f"{code} {palette.paint(rule.name, palette.strong)} ({rule.severity.value})"
-    asked = "" if rule.on_by_default else f"\n\nLooked for with `--extend-select {rule.code}`."
-    compare = f"\n\nThe controller's event for it: {rule.cf}." if rule.cf else ""
+    asked = "" if rule.on_by_default else f"\n\nEnabled by `--extend-select {rule.code}`."
+    compare = f"\n\nController event: {rule.cf}." if rule.cf else ""
     page = _HEADING.sub(
         lambda heading: palette.paint(heading.group(1), palette.strong), markdown(rule)
     )

@@ -58,7 +58,7 @@ def _row(rule: Rule) -> str:
 def _section(rule: Rule) -> str:
     lines = [f"\n### {rule.code} {rule.name}\n", explanation(rule)]
     if rule.cf:
-        lines.append(f"\nThe controller's event for it: {rule.cf}.")
+        lines.append(f"\nController event: {rule.cf}.")
     for heading, program in shown_programs(rule).items():
         lines.append(f"\n{heading}:\n\n```\n{program.strip()}\n```")
     return "\n".join(lines)

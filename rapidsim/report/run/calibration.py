@@ -9,12 +9,12 @@ from rich.text import Text
 from rapidsim.simulation.calibration.fit import Calibration, Fitted
 
 _MEANINGS = {
-    "torque": "factor on what the axis is known to have",
+    "torque": "factor on the known torque of the axis",
     "wrist": "factor on the accelerations of axes 4 to 6",
     "acceleration_time": "axis speed / axis acceleration",
     "filter_time": "smoothing of the command",
-    "fine_dwell": "at a stop point between moves",
-    "zone_share": "share of torques and accelerations that is used in a zone",
+    "fine_dwell": "dwell at a stop point between moves",
+    "zone_share": "share of torques and accelerations used in a zone",
 }
 
 
@@ -48,7 +48,7 @@ def as_text(calibration: Calibration) -> RenderableType:
         if lines
         else Text("The logs say nothing about any of them.")
     )
-    explained = Text("left out: as the other logs alone predict it", "dim")
+    explained = Text("left out: as predicted by the other logs alone", "dim")
     return Group(fitted, Text(), met, explained, Text(), advice)
 
 
@@ -123,7 +123,7 @@ def as_json(calibration: Calibration) -> dict[str, object]:
 def _remark(one: Fitted) -> str:
     meaning = _MEANINGS[one.key]
     if not one.seen:
-        return f"{meaning}; these logs do not show it, kept near what is known"
+        return f"{meaning}; these logs do not determine it, so it stays close to the known value"
     if one.contradicts:
-        return f"{meaning}; another value was measured on an arm of this type: look at the logs"
+        return f"{meaning}; another value was measured on an arm of this type: check the logs"
     return meaning

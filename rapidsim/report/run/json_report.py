@@ -28,7 +28,7 @@ SCHEMA = 2
 _LIGHT_LOAD = 0.01
 """Share of the rated payload that is not worth a word."""
 PROGRAM_POINTER = (
-    "runs ahead of the robot; goes on after a fly-by move when the robot starts that move"
+    "runs ahead of the robot: it continues after a fly-by move when the robot starts that move"
 )
 
 
@@ -187,7 +187,7 @@ def _acceleration(model: MotionModel, robot: Robot) -> str:
         known = (
             "as measured on this arm"
             if robot.dynamics.torques.measured
-            else f"scaled from measured arms, right within a factor of {PRIOR_FACTOR:g}"
+            else f"scaled from measured arms, accurate within a factor of {PRIOR_FACTOR:g}"
         )
         factors = (*model.torque, model.wrist)
         fitted = ""
@@ -211,7 +211,7 @@ def _load(simulation: Simulation) -> dict[str, object]:
             for piece in one.trajectory.pieces
             for segment in piece.path.segments
         ):
-            return {"payload": "the load counts as a point mass at the wrist, which is assumed"}
+            return {"payload": "the load is assumed to be a point mass at the wrist"}
     return {}
 
 
@@ -220,8 +220,7 @@ def _ramps(simulation: Simulation) -> dict[str, object]:
     if not any(robot.trajectory.has_ramps for robot in simulation.robots):
         return {}
     return {
-        "ramp": "AccSet's ramp of p % smooths over 100 / p of that time, which is assumed and not "
-        "measured"
+        "ramp": "AccSet's ramp of p % smooths over 100 / p of that time (assumed, not measured)"
     }
 
 

@@ -43,7 +43,7 @@ class DeviationRecord:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class MoveRecord:
-    """A move as it was carried out; target, joints and configuration are the programmed end."""
+    """A move as it was made; target, joints and configuration are the programmed end."""
 
     index: int
     task: str
@@ -94,7 +94,7 @@ class WaitRecord:
     start_s: float
     end_s: float
     ended_by: str
-    """Why it went on, and whose doing that was."""
+    """Why it ended, and what caused that."""
 
     def __repr__(self) -> str:
         """One line."""

@@ -48,7 +48,7 @@ _ENDS = {
     End.ENDED: ("ended as programmed", "green"),
     End.STOPPED: ("stopped by the program", "green"),
     End.TIME_LIMIT: ("cut off at the time limit", "yellow"),
-    End.CYCLE_LIMIT: ("ended after the cycles asked for", "green"),
+    End.CYCLE_LIMIT: ("ended after the requested cycles", "green"),
     End.ERROR: ("stopped with an error", "red"),
 }
 
@@ -219,7 +219,7 @@ def _collisions(simulation: Simulation, collisions: Collisions) -> Text:
         where = "" if near.file is None else f" at {Path(near.file).name}:{near.line}"
         low = near.distance_mm < collisions.geometry.clearance_m * 1000.0
         text = Text(
-            f"none; nearest {near.distance_mm:.1f} mm, {near.first} and {near.second}{where}",
+            f"none; closest {near.distance_mm:.1f} mm, {near.first} and {near.second}{where}",
             "yellow" if low else "",
         )
     else:
@@ -227,7 +227,7 @@ def _collisions(simulation: Simulation, collisions: Collisions) -> Text:
     for what in shape_margins(simulation, collisions):
         text.append(f"\n{what}", "dim")
     for what in collisions.remarks:
-        text.append(f"\nnot judged: {what}", "yellow")
+        text.append(f"\nnot checked: {what}", "yellow")
     return text
 
 
@@ -238,14 +238,14 @@ def shape_margins(simulation: Simulation, collisions: Collisions) -> list[str]:
     said = [_likeness(robot) for robot in likenesses.values()]
     if collisions.hollow_m:
         depth = collisions.hollow_m * 1000.0
-        said.append(f"hulls fill hollows of bodies, up to {depth:.1f} mm deep")
+        said.append(f"convex hulls fill hollows of bodies up to {depth:.1f} mm deep")
     return said
 
 
 def _likeness(robot: Robot) -> str:
     """What the links of an arm of the catalogue are worth."""
     compared = [round(excess * 1000.0) for excess in robot.link_excess_m]
-    text = f"the links of {robot.name} are likenesses: "
+    text = f"the links of {robot.name} are approximations: "
     if compared:
         text += (
             f"95 % of the maker's surface lies within {max(compared)} mm of them, "
@@ -379,11 +379,10 @@ def _models(simulation: Simulation, figures: Figures) -> Text:
     not_modelled = of_robots(simulation, lambda robot: robot.not_modelled)
     left_out = "".join(f" Not modelled: {what}." for what in not_modelled)
     return Text(
-        f"Models behind it: motion model {behind['motion']}{real}; {speeds}"
-        f"{behind['acceleration']}{load}; corners {behind['corner']}; "
+        f"Models: motion model {behind['motion']}{real}; {speeds}"
+        f"{behind['acceleration']}{load}; corner shape {behind['corner']}; "
         f"{smoothed} smoothed over {behind['filter_time_s']:.4g} s{ramps}; "
-        f"{behind['fine_dwell_s']:.4g} s "
-        "at a fine point; "
+        f"dwell {behind['fine_dwell_s']:.4g} s at fine points; "
         f"the program pointer {behind['program_pointer']}.{left_out}"
         f"{f' The run takes {others}.' if others else ''}",
         "dim",

@@ -23,7 +23,7 @@ class Verdict:
     def text(self) -> str:
         """One line for a person."""
         if self.holds is None:
-            return f"assertion not judged: {self.expression}, {self.reason}"
+            return f"assertion not evaluated: {self.expression}, {self.reason}"
         if self.holds:
             return f"assertion holds: {self.expression}"
         parts = [f"{text} is {value}" for text, value in self.values if text != self.expression]
@@ -65,10 +65,10 @@ class BudgetVerdict:
         """One line for a person."""
         budget = f"the budget is {self.budget_s:g} s"
         if self.cycle_s is None:
-            return f"cycle budget not judged: {self.reason}; {budget}"
+            return f"cycle budget not checked: {self.reason}; {budget}"
         many = self.cycles > 1
         took = f"{f'each of {self.cycles} cycles takes' if many else 'the cycle takes'} "
-        took += f"{self.cycle_s:.3f} s{' in the mean' if many else ''}"
+        took += f"{self.cycle_s:.3f} s{' on average' if many else ''}"
         if self.holds:
             return f"cycle budget kept: {took}; {budget}"
         # A cycle may be over by less than the digits of its time show.

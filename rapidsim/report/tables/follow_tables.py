@@ -123,7 +123,7 @@ def trajectory_page(attempt: Attempt) -> RenderableType:
     facts.add_row("duration", f"{result.duration:.3f} s")
     facts.add_row(
         "TCP speed",
-        f"at most {result.peak_speed * 1000.0:.1f} mm/s, asked for {plan.speed * 1000.0:g} mm/s",
+        f"at most {result.peak_speed * 1000.0:.1f} mm/s, requested {plan.speed * 1000.0:g} mm/s",
     )
     off = "from the path" if plan.way.of_tcp else "from the straight lines between the points"
     facts.add_row(
@@ -158,9 +158,9 @@ def compare_page(attempts: Sequence[Attempt]) -> RenderableType:
             f"{100.0 * max(known):.0f} %" if known else "?",
         )
     said = (
-        "poses: solved by inverse kinematics; solver: time of this computer; off the line: the "
-        "furthest from the straight lines between the points; axis: peak speed of the fastest, of "
-        "its limit"
+        "poses: solved by inverse kinematics; solver: time on this computer; off the line: "
+        "largest distance from the straight lines between the points; axis: peak speed of the "
+        "fastest axis, as a share of its limit"
     )
     return Group(table, *refused, Text(said, "dim"))
 
@@ -180,7 +180,7 @@ def scaling_page(attempts: Sequence[Attempt]) -> RenderableType:
             f"{attempt.seconds * 1000.0:.1f} ms",
             f"{attempt.seconds * 1e6 / result.poses_solved:.1f} µs",
         )
-    said = "solver: time of this computer"
+    said = "solver: time on this computer"
     return Group(table, *refused, Text(said, "dim"))
 
 
@@ -198,7 +198,7 @@ def starts_page(tried: Sequence[Started]) -> RenderableType:
         )
     said = (
         "cold: from joints at 0 at every pose; warm: from the joints of the pose before; where a "
-        "start fails, others spread over the limits follow; time of this computer"
+        "start fails, others spread over the limits follow; time on this computer"
     )
     return Group(table, Text(said, "dim"))
 
@@ -252,7 +252,7 @@ def refused_text(refused: Refused) -> RenderableType:
     table.add_column(style="cyan", no_wrap=True)
     table.add_column()
     for conf, message in refused.others:
-        words = Text("goes all the way", "green") if message is None else Text(message)
+        words = Text("lasts all the way", "green") if message is None else Text(message)
         table.add_row(f"[{','.join(map(str, conf))}]", words)
     return Group(text, Text(), Text("other configurations", "bold"), table)
 

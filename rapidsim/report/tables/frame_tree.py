@@ -64,7 +64,7 @@ def frame_tree(
     ]
     moved_to = {name for names in used.values() for name in names}
     unused = [
-        _target(name, target, IDENTITY_POSE, "in no move")
+        _target(name, target, IDENTITY_POSE, "not used by any move")
         for name, target in targets.items()
         if name not in moved_to
     ]

@@ -70,8 +70,8 @@ def axis_tables_page(robot: Robot) -> RenderableType:
     dh, screws = dh_table_of(robot.kinematics), screws_of(robot.kinematics)
     if dh is None or screws is None:
         return Text(
-            f"{robot.title} has no DH table and no screws: rods carry its links, so that a joint "
-            "turns more than one axis",
+            f"{robot.title} has no DH table and no screw axes: rods carry its links, so that a "
+            "joint turns more than one axis",
             "dim",
         )
     table = _table("joint", "theta [deg]", "d [mm]", "a [mm]", "alpha [deg]")
@@ -82,7 +82,7 @@ def axis_tables_page(robot: Robot) -> RenderableType:
             turn, way = _number(degrees(theta), 3), f"q{number}{_added(1000.0 * d)}"
         table.add_row(str(number), turn, way, _number(1000.0 * a, 3), _number(degrees(alpha), 3))
     parts: list[RenderableType] = [Text("DH, standard form", "bold"), table]
-    for name, frame in (("base, before row 1", dh.base), ("flange, behind the last", dh.flange)):
+    for name, frame in (("base, before row 1", dh.base), ("flange, after the last row", dh.flange)):
         if not _is_unit(frame):
             parts += [Text(), _matrix(name, frame)]
     poe = _table("joint", "wx", "wy", "wz", "vx [mm]", "vy [mm]", "vz [mm]")
@@ -92,7 +92,7 @@ def axis_tables_page(robot: Robot) -> RenderableType:
         poe.add_row(str(number), *(_number(w, 6) for w in turn), *(_number(v, 3) for v in moment))
     parts += [
         Text(),
-        Text("screws of the product of exponentials, in the base frame", "bold"),
+        Text("screw axes of the product of exponentials, in the base frame", "bold"),
         poe,
         Text(),
         _matrix("M, joints at 0", screws.base_from_flange),

@@ -18,9 +18,9 @@ from rapidsim.report.uncut_table import UncutTable
 
 _UNKNOWN = "?"
 _MEANING = (
-    "? is not known: no source gives it, and nothing is made up. To run a program on an arm of "
+    "? is not known: no source gives it. To run a program on an arm with "
     "unknown axis speeds, give them in rapidsim.toml: [motion] axis_speed = [...] in deg/s, "
-    "mm/s for an axis that slides."
+    "mm/s for a linear axis."
 )
 
 
@@ -59,11 +59,11 @@ def workspace_page(found: Workspace | str) -> RenderableType:
     facts = Table.grid(padding=(0, 2))
     facts.add_column(style="cyan", no_wrap=True)
     facts.add_column()
-    facts.add_row("workspace", f"{found.volume:.2f} m3, of the flange in any attitude")
+    facts.add_row("workspace", f"{found.volume:.2f} m3, of the flange in any orientation")
     facts.add_row("from axis 1", f"{near} to {far}")
     facts.add_row("height", f"{low} to {high}")
     facts.add_row("around", f"{degrees(found.swept):.0f} deg")
-    facts.add_row("found", f"by trying postures, in cells of {1000.0 * found.cell:.1f} mm")
+    facts.add_row("found", f"by sampling postures, in cells of {1000.0 * found.cell:.1f} mm")
     return facts
 
 

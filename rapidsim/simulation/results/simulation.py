@@ -153,7 +153,7 @@ class Simulation:
         """What the robot of a task did.
 
         Raises:
-            InputError: Where the task moves none.
+            InputError: If the task moves none.
         """
         for one in self.robots:
             if one.task.lower() == task.lower():

@@ -91,9 +91,9 @@ def _not_simulated(units: ExternalUnits) -> Iterator[str]:
     """What is said of units whose axes no run has."""
     for unit in units.others:
         yield (
-            f"the unit {unit} of the backup is known by its name alone: MOC.cfg does not say what "
-            "its axes can do, it is not active at the start, or it belongs to another task; "
-            "[[external_axis]] tables declare it for the first robot"
+            f"the unit {unit} of the backup is known only by name: MOC.cfg does not "
+            "describe its axes fully, it is not active at the start, or it belongs to another "
+            "task; [[external_axis]] tables declare it for the first robot"
         )
 
 
@@ -102,8 +102,8 @@ def _carried(robots: Sequence[StationRobot]) -> Iterator[str]:
     for robot in robots:
         if robot.carried_by:
             yield (
-                f"{robot.label} stands on {robot.carried_by}, of whose axes MOC.cfg does not say "
-                "enough: its moves are not checked, and a run has it stand still"
+                f"{robot.label} stands on {robot.carried_by}, whose axes MOC.cfg does not "
+                "describe fully: its moves are not checked, and in a run the unit stands still"
             )
 
 
@@ -113,7 +113,7 @@ def _without_robot(tasks: Sequence[StationTask], robots: Sequence[StationRobot])
         if robots and task.robot_number is not None and task.robot_number >= len(robots):
             yield (
                 f"{task.name} moves none of the robots of the backup, but a unit that is not "
-                "simulated: a run gives it an arm of its own, and its moves are not checked"
+                "simulated: a run gives it its own arm, and its moves are not checked"
             )
 
 
