@@ -17,6 +17,7 @@ from typing import NoReturn
 import click
 
 from rapidsim import __version__
+from rapidsim.cli.broken_off import Terminated
 from rapidsim.cli.completion import COMPLETE, complete
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.group import commands
@@ -28,10 +29,6 @@ _LONGEST = 500
 """Characters of a line of a message; a name in a file may have millions."""
 _UNWRITABLE = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 """What the system answers when standard output goes to a full disk, or one that fails."""
-
-
-class Terminated(BaseException):
-    """SIGTERM: like Ctrl-C, it unwinds, so that no half file is left."""
 
 
 def run_commands(arguments: Sequence[str]) -> int:
@@ -54,11 +51,11 @@ def run_commands(arguments: Sequence[str]) -> int:
         # Whoever reads has seen enough.
         _give_up_output()
         return ExitCode.USAGE
-    except (KeyboardInterrupt, click.Abort):
-        _say_last("interrupted")
+    except (KeyboardInterrupt, click.Abort) as broken_off:
+        _say_last("interrupted" + "".join(map(str, broken_off.args)))
         return ExitCode.INTERRUPTED
-    except Terminated:
-        _say_last("terminated")
+    except Terminated as broken_off:
+        _say_last("terminated" + "".join(map(str, broken_off.args)))
         return ExitCode.TERMINATED
 
 

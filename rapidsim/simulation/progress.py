@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from rapidsim.diagnostics import Span
 from rapidsim.simulation.task_run import TaskRun
 from rapidsim.values import dataclass
 
@@ -18,6 +19,10 @@ class Progress:
     """At how many places of the text these moves stand."""
     planned: int
     """Those besides that are planned at once, or wait for the end of their block."""
+    time_s: float = 0.0
+    """Virtual time up to which the first task has come, as far as that is planned."""
+    place: Span | None = None
+    """The statement that it executes; None before there is one."""
 
 
 class Watched:
@@ -40,4 +45,7 @@ class Watched:
                 self._counted[number] += 1
         counted = sum(self._counted)
         given = sum(len(run.queue.moves) for run in self._runs)
-        return Progress(counted, len(self._places), given - counted)
+        clock = self._runs[0].controller.clock
+        return Progress(
+            counted, len(self._places), given - counted, clock.pointer_s(), clock.place.span
+        )

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import click
 
+from rapidsim.cli.broken_off import told_if_broken_off
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.asked import asked_job, input_options, program_options
 from rapidsim.cli.options.outputs import (
@@ -48,7 +49,7 @@ from rapidsim.report.run.figures import Figures, figures
 from rapidsim.report.run.summary import Written
 from rapidsim.report.run.verdicts import Judgement
 from rapidsim.simulation.collected import FinishedRun
-from rapidsim.simulation.results.simulation import End
+from rapidsim.simulation.results.simulation import End, Simulation
 
 _EXIT_CODES = {
     End.ENDED: ExitCode.CLEAN,
@@ -138,14 +139,15 @@ def run(
         if replay is not None:
             execute = _replaying(ready, made, Path(replay))
         assertions = read_assertions(asserted, ready.programs, job.station.io, terminal)
-        finished, measured = watched(execute, ready, watch, terminal, meter)
+        with told_if_broken_off(meter.so_far):
+            finished, measured = watched(execute, ready, watch, terminal, meter)
     except ProgramRejectedError as rejected:
         print_rejected(ready, rejected.diagnostics, output_format, terminal)
         return ExitCode.FINDINGS
     simulation = finished.simulation
     shown = cache(partial(figures, simulation))
     done = RunDone(simulation, shown, _judged(job, assertions, finished, shown), measured)
-    with stage("writing", terminal):
+    with stage("writing", terminal), told_if_broken_off(partial(_ended, simulation)):
         written, refused = write(simulation, outputs)
     if watch.profile and measured:
         from rapidsim.cli.tools.profiler import write_profile
@@ -168,6 +170,12 @@ def run(
     if code is ExitCode.CLEAN and simulation.collisions and simulation.collisions.hits:
         code = ExitCode.FINDINGS
     return ExitCode.FAILED if done.judgement.failed and code is ExitCode.CLEAN else code
+
+
+def _ended(run: Simulation) -> str:
+    """What a run has done of which not all was written that is wanted."""
+    moves = sum(len(robot.moves) for robot in run.robots)
+    return f" behind the run ({run.time_s:.3f} s, {moves:,} moves): not all outputs are written"
 
 
 def _replaying(ready: LoadedJob, made: PreparedRun, journal: Path) -> Callable[[], FinishedRun]:

@@ -41,6 +41,17 @@ class Meter:
             return Text("simulating ...")
         return Text(f"simulating: {_words(self._look(), self._written, seconds)}")
 
+    def so_far(self) -> str:
+        """How far a run is that is broken off, in words to follow `interrupted`."""
+        if self._look is None:
+            return ""
+        far = self._look()
+        waits = f", {far.planned:,} more on the way" if far.planned else ""
+        place = f", the program at {far.place.file}:{far.place.line}" if far.place else ""
+        return (
+            f" at {far.time_s:.3f} s: {far.moves:,} moves made{waits}{place}; no output was written"
+        )
+
 
 def _words(progress: Progress, written: int, seconds: float) -> str:
     """Share and time left are known as long as no move has been repeated: then the text tells."""
