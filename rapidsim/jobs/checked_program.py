@@ -35,6 +35,7 @@ def load(
     unseen: Sequence[str] = (),
     refers_late: bool = False,
     runs_of: int | None = None,
+    keeps_data: bool = False,
 ) -> Loaded:
     """Parse and check the modules of one task; mistakes in them are findings, never raised.
 
@@ -45,8 +46,10 @@ def load(
         unseen: Modules of the task that nobody can read here.
         refers_late: Whether its controller loads it with references that nothing declares.
         runs_of: See `parse`.
+        keeps_data: Likewise.
     """
-    parsed = [parse(Source(file.name, file.text), runs_of=runs_of) for file in files]
+    sources = (Source(file.name, file.text) for file in files)
+    parsed = [parse(one, runs_of=runs_of, keeps_data=keeps_data) for one in sources]
     trees = tuple(one.file for one in parsed)
     names = replace(cell, unseen=tuple(unseen), refers_late=refers_late)
     checked = check(trees, rules, cell=names)
@@ -60,7 +63,12 @@ def load(
 
 
 def load_task(
-    task: TaskFiles, cell: CellNames, rules: Sequence[Find] = (), *, runs_of: int | None = None
+    task: TaskFiles,
+    cell: CellNames,
+    rules: Sequence[Find] = (),
+    *,
+    runs_of: int | None = None,
+    keeps_data: bool = False,
 ) -> Loaded:
     """The same for a task, with what is known of its modules; see `load`."""
     return load(
@@ -70,4 +78,5 @@ def load_task(
         unseen=task.unseen,
         refers_late=task.refers_late,
         runs_of=runs_of,
+        keeps_data=keeps_data,
     )

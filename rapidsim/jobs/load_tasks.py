@@ -5,15 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rapidsim.analysis.cell_names import NO_CELL, CellNames
-from rapidsim.analysis.program import DataSymbol, Program
+from rapidsim.analysis.program import DataSymbol, LibrarySymbol, Program
 from rapidsim.diagnostics import Diagnostic, Related, Span, Violation
 from rapidsim.interpreter.runtime.memory import module_data
 from rapidsim.interpreter.runtime.shared_persistents import disagreements, may_be_shared
-from rapidsim.jobs.checked_program import load_task
+from rapidsim.jobs.checked_program import Loaded, load_task
+from rapidsim.jobs.standing_rows import stand_for_all
+from rapidsim.library.traits import Does
 from rapidsim.module_files import TaskFiles
 from rapidsim.reach.dataflow.side_effects import ProgramEffects
 from rapidsim.reach.dataflow.written_moves import written_moves
 from rapidsim.station.tasks import DEFAULT_TASK
+from rapidsim.syntax import tree
 from rapidsim.values import dataclass
 
 
@@ -21,6 +24,10 @@ class SharedPersistentTypes(Violation, code="N208"):
     data: str
     of: str
     other: str
+
+
+MOST_STATEMENTS = 1000
+"""More alike moves than these are executed as runs; for fewer it is not worth looking for them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,9 +61,17 @@ class LoadedTasks:
     diagnostics: tuple[Diagnostic, ...]
 
 
-def load_tasks(tasks: Sequence[TaskFiles], cell: CellNames = NO_CELL) -> LoadedTasks:
-    """Parse and check the modules of tasks; mistakes in them are findings, never raised."""
-    loaded = [load_task(task, cell) for task in tasks]
+def load_tasks(
+    tasks: Sequence[TaskFiles], cell: CellNames = NO_CELL, *, in_runs: bool = False
+) -> LoadedTasks:
+    """Parse and check the modules of tasks; mistakes in them are findings, never raised.
+
+    Args:
+        tasks: Their files.
+        cell: What the configuration declares beside the modules.
+        in_runs: Keep long runs of alike moves as columns; they are executed as one statement.
+    """
+    loaded = [_in_runs(task, cell) if in_runs else load_task(task, cell) for task in tasks]
     programs = [one.program for one in loaded if one.program is not None]
     conflicts = shared_findings(programs) if len(tasks) > 1 else ()
     diagnostics = (*(found for one in loaded for found in one.diagnostics), *conflicts)
@@ -67,6 +82,31 @@ def load_tasks(tasks: Sequence[TaskFiles], cell: CellNames = NO_CELL) -> LoadedT
         for task, one, program in zip(tasks, loaded, programs, strict=True)
     )
     return LoadedTasks(named, diagnostics)
+
+
+def _in_runs(task: TaskFiles, cell: CellNames) -> Loaded:
+    """A task with long runs of moves as columns, if nothing is to be said of the moves."""
+    loaded = load_task(task, cell, runs_of=MOST_STATEMENTS, keeps_data=True)
+    modules = [module for file in loaded.files for module in file.modules]
+    runs = [run for module in modules for run in module.runs]
+    if not runs:
+        return loaded
+    program = loaded.program
+    if (
+        # A program that runs in part is another than was read.
+        program is not None
+        and list(map(id, program.modules)) == list(map(id, modules))
+        and all(_is_move(run, program) for run in runs)
+        and stand_for_all(loaded.files, loaded.diagnostics, cell)
+    ):
+        return loaded
+    return load_task(task, cell)
+
+
+def _is_move(run: tree.Run, program: Program) -> bool:
+    """Whether the statements of a run are moves, which a routine of the program might hide."""
+    symbol = program.symbol_of.get(run.like)
+    return isinstance(symbol, LibrarySymbol) and Does.MOVE in symbol.routine.does
 
 
 def shared_findings(programs: Sequence[Program]) -> tuple[Diagnostic, ...]:

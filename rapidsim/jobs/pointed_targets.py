@@ -34,14 +34,24 @@ def pointed_at_targets(
     found = tuple(diagnostics)
     if not any(isinstance(one.violation, _ABOUT_TARGETS) for one in found):
         return found
+    programs = tuple(programs)
     places = dict(place for program in programs for place in _targets(program))
-    return tuple(_pointed(one, places) for one in found)
+    runs = [(one, run) for program in programs for one in program.modules for run in one.runs]
+    return tuple(_pointed(one, places, runs) for one in found)
 
 
-def _pointed(found: Diagnostic, places: Mapping[tuple[str, int, int], Span]) -> Diagnostic:
+def _pointed(
+    found: Diagnostic,
+    places: Mapping[tuple[str, int, int], Span],
+    runs: Iterable[tuple[tree.Module, tree.Run]],
+) -> Diagnostic:
     if not isinstance(found.violation, _ABOUT_TARGETS) or found.span is None:
         return found
     span = found.span
+    for module, run in runs:
+        row = run.row_at(span.start) if module.source.file == span.file else None
+        if row is not None:
+            return replace(found, span=module.span(row.target))
     return replace(found, span=places.get((span.file, span.start, span.end), span))
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from itertools import chain, count
@@ -119,13 +120,19 @@ def run_job(job: Job) -> FinishedRun:
         ProgramRejectedError: If checking finds an error.
         InputError: If something that the run needs is missing.
     """
-    return executed(prepared(loaded(job)))
+    return executed(prepared(loaded(job, in_runs=True)))
 
 
-def loaded(job: Job) -> LoadedJob:
-    """Open the robot, parse and check the files; mistakes in them are findings, never raised."""
+def loaded(job: Job, *, in_runs: bool = False) -> LoadedJob:
+    """Open the robot, parse and check the files; mistakes in them are findings, never raised.
+
+    Args:
+        job: What is asked for.
+        in_runs: Take long runs of alike moves as runs, unless somebody follows the execution of
+            Python, who would not see each of them on its line.
+    """
     robot = job.arm()
-    found = load_tasks(job.tasks, job.cell)
+    found = load_tasks(job.tasks, job.cell, in_runs=in_runs and sys.gettrace() is None)
     asked_for = tuple(one for one in found.diagnostics if one.violation.rule.on_by_default)
     diagnostics = (*asked_for, *misspelt_in(job, found.diagnostics))
     return LoadedJob(job, robot, found.tasks, diagnostics)

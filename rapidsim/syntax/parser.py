@@ -45,31 +45,32 @@ class Parsed:
 
 
 @uncollected()
-def parse(source: Source, *, runs_of: int | None = None) -> Parsed:
+def parse(source: Source, *, runs_of: int | None = None, keeps_data: bool = False) -> Parsed:
     """Read a file.
 
     Args:
         source: Its text.
         runs_of: Leave runs of moves out of the tree, as columns of their modules, if there are more
             statements in them than this; None leaves all in the tree.
+        keeps_data: Leave in the tree what is declared, and moves to it by name.
 
     Returns:
         All modules that the text holds, with `tree.Broken` for statements that could not be read,
         and every error of syntax and of size. Errors that need names or types are not looked for.
     """
     if runs_of is not None and len(source.text) > runs_of * _SHORTEST_MOVE:
-        parsed = _parsed_with_runs(source, runs_of)
+        parsed = _parsed_with_runs(source, runs_of, keeps_data=keeps_data)
         if parsed is not None:
             return parsed
     return _parsed(source, ())
 
 
-def _parsed_with_runs(source: Source, runs_of: int) -> Parsed | None:
+def _parsed_with_runs(source: Source, runs_of: int, *, keeps_data: bool) -> Parsed | None:
     """A file whose runs are left out; None where there are too few, or not all can be."""
     # For files of which most have none, and it takes numpy.
     from rapidsim.syntax.runs import stretches  # noqa: PLC0415
 
-    found = stretches(source.text)
+    found = stretches(source.text, keeps_data=keeps_data)
     if sum(len(one.numbers) for one in found if not one.names) <= runs_of:
         return None
     parsed = _parsed(source, [(int(one.lines[0]), int(one.lines[-1])) for one in found])

@@ -16,11 +16,8 @@ _DECLARED = re.compile(r"(\w+)\s*:=\s*(\[[^;]*\])")
 
 def statement_of(row: tree.RunRow, text: str) -> tree.Call:
     """A statement of a run."""
-    first = row.like.arguments[0]
-    assert isinstance(first, tree.Required)
-    before, behind = row.start - row.like.start, row.end - row.like.end
-    moved: tree.Call = _moved(row.like, first.start, before, behind)
-    start, end = first.start + before, first.end + behind
+    moved: tree.Call = _moved(row.like, row)
+    start, end = row.target.start, row.target.end
     value: tree.LiteralAggregate | tree.Reference
     if row.declared is None:
         value = tree.LiteralAggregate(start, end, aggregate(text[start:end]))
@@ -37,17 +34,17 @@ def declaration_of(row: tree.RunRow, text: str) -> tuple[str, tree.Node]:
     return found[1], tree.Node(found.start(2), found.end(2))
 
 
-def _moved(part: Any, place: int, before: int, behind: int) -> Any:
-    """A part of a tree elsewhere: so far what stands up to a place, so far what stands behind."""
+def _moved(part: Any, row: tree.RunRow) -> Any:
+    """A part of the statement in the tree, where the one of a row has it."""
     if isinstance(part, tuple):
-        return tuple(_moved(one, place, before, behind) for one in part)
+        return tuple(_moved(one, row) for one in part)
     if not is_dataclass(part) or isinstance(part, type):
         return part
     new: dict[str, Any] = {}
     for one in fields(part):
         value = getattr(part, one.name)
         if one.name in _OFFSETS:
-            new[one.name] = value + (before if value <= place else behind)
+            new[one.name] = row.moved(value)
         else:
-            new[one.name] = _moved(value, place, before, behind)
+            new[one.name] = _moved(value, row)
     return replace(part, **new)

@@ -98,8 +98,8 @@ class _Alike:
     """Folded; none where targets are written out."""
 
 
-def stretches(text: str) -> tuple[Stretch, ...]:
-    """The runs of a text, in order."""
+def stretches(text: str, *, keeps_data: bool = False) -> tuple[Stretch, ...]:
+    """The runs of a text, in order; with `keeps_data` those alone that declare and name nothing."""
     written: list[Stretch] = []
     declarations: list[_Alike] = []
     by_name: list[_Alike] = []
@@ -109,7 +109,8 @@ def stretches(text: str) -> tuple[Stretch, ...]:
             written += _cut(one, _inner(_is_plain(one.numbers)), one.numbers)
         else:
             (by_name if one.numbers is None else declarations).append(one)
-    named = _joined(text, written, declarations, by_name) if declarations and by_name else []
+    may_join = declarations and by_name and not keeps_data
+    named = _joined(text, written, declarations, by_name) if may_join else []
     return tuple(sorted([*written, *named], key=lambda one: one.like))
 
 

@@ -130,7 +130,7 @@ def run(
     if outputs.lacks_recorder and not terminal.quiet:
         say(f"note: no recording, which needs rerun: {pip_install('rerun')}", err=True)
     job = asked_job(asked)
-    ready = loaded(job)
+    ready = loaded(job, in_runs=not (breaks or profile or replay))
     try:
         made = prepared(ready)
         _say_home(asked, made.options.home)

@@ -8,7 +8,7 @@ to the controller first tells it the place of the statement.
 from __future__ import annotations
 
 import ast
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from itertools import islice
 
 from rapidsim.analysis.program import (
@@ -28,6 +28,7 @@ from rapidsim.interpreter.codegen.operands import Operands
 from rapidsim.interpreter.codegen.special_forms import SPECIAL_FORMS
 from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.interpreter.limits import NotExecutableError
+from rapidsim.interpreter.runtime.executed_runs import ROW, ExecutedRun
 from rapidsim.interpreter.runtime.late_binding import LateArgument
 from rapidsim.interpreter.runtime.loaded_calls import may_be_loaded
 from rapidsim.interpreter.runtime.values import is_signal
@@ -350,14 +351,48 @@ class Calls:
             at.do(at.call(function, [asked, *values], options)),
         ]
 
+    def row(self, run: tree.Run, at: At) -> tuple[ast.expr, list[ast.stmt]]:
+        """The rows of a run of moves, and what is done in the turn of each."""
+        call = run.like
+        assert isinstance(call, tree.Call)
+        symbol, target = self._program.symbol_of[call], call.arguments[0]
+        assert isinstance(symbol, LibrarySymbol)
+        assert isinstance(target, tree.Required)
+        signature = symbol.routine.signature
+        given = match_arguments(call.arguments, signature.parameters)
+        taken = next(name for name, one in given.items() if one.value is target.value)
+        like = self._written(call, given)
+        rows = self._names.module.numbered("_rows", ExecutedRun(run, like, taken))
+        function = at.name(self._names.module.library(symbol.routine))
+        values, options, _ = self._library_arguments(signature, given, at, {taken})
+        asked = at.name(f"_{signature.concern}")
+        return at.name(rows), [
+            at.assign(at.store_attribute("_clock", "place"), at.attribute(ROW, "place")),
+            at.do(at.call(function, [asked, *values], options)),
+        ]
+
     def _library_arguments(
-        self, signature: Signature, given: dict[str, Given], at: At
+        self,
+        signature: Signature,
+        given: dict[str, Given],
+        at: At,
+        of_row: Set[str] = frozenset(),
     ) -> tuple[list[ast.expr], list[tuple[str, ast.expr]], bool]:
-        """Positional arguments, keyword options, and whether calls are among them."""
+        """Positional arguments, keyword options, and whether calls are among them.
+
+        Args:
+            signature: Of what is called.
+            given: What the call gives.
+            at: Its place.
+            of_row: Folded names of parameters that take the target of the row whose turn it is.
+        """
         there = [(p, key) for p in signature.parameters if (key := p.name.lower()) in given]
         nodes: dict[str, ast.expr] = {}
         calls = False
         for parameter, key in there:
+            if key in of_row:
+                nodes[key] = at.attribute(ROW, "target")
+                continue
             code = self._library_argument(parameter, given[key], at)
             calls |= code.calls
             nodes[key] = code.node
@@ -417,14 +452,15 @@ class Calls:
                 return LateArgument(key, False, of), self._expressions.copy(value).node
 
     def _place(self, node: tree.Node, given: dict[str, Given]) -> str:
+        return self._names.module.place(self._written(node, given))
+
+    def _written(self, node: tree.Node, given: dict[str, Given]) -> Place:
         source = self._expressions.module.source.text
         texts = {}
         for name, one in given.items():
             written = one.value or one.caller_option
             texts[name] = source[written.start : written.end] if written is not None else ""
-        return self._names.module.place(
-            Place(self._expressions.span(node), self._names.routine, texts)
-        )
+        return Place(self._expressions.span(node), self._names.routine, texts)
 
     def _initial_value(self, call: tree.FunctionCall) -> object:
         of = self._program.type_of.get(call)

@@ -35,6 +35,7 @@ from rapidsim.interpreter.codegen.intervals import Interval, counted, way
 from rapidsim.interpreter.codegen.rounds import tick
 from rapidsim.interpreter.codegen.written_paths import declaration
 from rapidsim.interpreter.limits import MAX_BRANCHES, MAX_LOOPS, NotExecutableError
+from rapidsim.interpreter.runtime.executed_runs import ROW
 from rapidsim.language.initial import initial_value
 from rapidsim.language.types import ArrayOf, resolved
 from rapidsim.library.traits import Does
@@ -142,12 +143,21 @@ class Statements:
         variable = assigned_in_place(statement, program)
         if variable is None:
             called = self._guard(self.expressions.calls.procedure(statement, at), at)
+            run = self.expressions.names.module.runs.get(statement)
+            if run is not None:
+                return [*called, *self._run(run, at)]
             # The checker lets it stand in ERROR clauses only.
             retries = is_start_move_retry(statement, program)
             return [*called, at.leave(at.constant(1))] if retries else called
         paths = self.expressions.paths
         value = value_in_place(statement, variable, self.expressions, paths, at)
         return self._guard([*paths.write(variable, value, at), *self._told(variable, at)], at)
+
+    def _run(self, run: tree.Run, at: At) -> list[ast.stmt]:
+        """The moves of a run, one turn of a loop each."""
+        rows, move = self.expressions.calls.row(run, at)
+        turn = at.each(at.store(ROW), rows, self._guard(move, at))
+        return [turn, at.set(ROW, at.constant(None))]
 
     def _told(self, target: tree.DataPath, at: At) -> list[ast.stmt]:
         """Let the interrupts come that wait for a change of a persistent."""

@@ -11,7 +11,7 @@ import linecache
 import sys
 from collections.abc import Mapping, Sequence, Set
 from types import CodeType, FrameType, FunctionType
-from typing import Any
+from typing import Any, cast, overload
 
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Storage
 from rapidsim.analysis.tree_walk import data_of, descendants
@@ -199,8 +199,29 @@ class LinkedProgram:
 
 def show_lines_of(source: Source) -> None:
     """Let Python's tools print RAPID lines: they would look for a UTF-8 file of that name."""
-    lines = [source.line(number) + "\n" for number in range(1, len(source.line_starts) + 1)]
+    # What is declared as a list is only read.
+    lines = cast("list[str]", _Lines(source))
     linecache.cache[source.file] = (len(source.text), None, lines, source.file)
+
+
+class _Lines(Sequence[str]):
+    """The lines of a source, each made when somebody asks for it: there may be a million."""
+
+    def __init__(self, source: Source) -> None:
+        self._source = source
+
+    @overload
+    def __getitem__(self, index: int) -> str: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[str]: ...
+    def __getitem__(self, index: int | slice) -> str | list[str]:
+        numbers = range(1, len(self) + 1)[index]
+        if isinstance(numbers, int):
+            return self._source.line(numbers) + "\n"
+        return [self._source.line(number) + "\n" for number in numbers]
+
+    def __len__(self) -> int:
+        return len(self._source.line_starts)
 
 
 def _compiled(module: TranslatedModule) -> CodeType:

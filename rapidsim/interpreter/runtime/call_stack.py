@@ -13,6 +13,7 @@ from types import CodeType, MappingProxyType, TracebackType
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol
 from rapidsim.diagnostics import Source, Span
 from rapidsim.interpreter.runtime.error_recovery import GENERATED, is_generated
+from rapidsim.interpreter.runtime.executed_runs import ROW
 from rapidsim.interpreter.runtime.values import Value
 from rapidsim.language.errors import RapidError
 from rapidsim.syntax import tree
@@ -122,6 +123,10 @@ def _frame(traceback: TracebackType) -> Frame:
     origin: Origin = traceback.tb_frame.f_globals[GENERATED]
     routine = origin.routines.get(code.co_qualname.partition(".")[0])
     start, end = offsets_of(origin.source, code, traceback.tb_lasti, traceback.tb_lineno)
+    row = traceback.tb_frame.f_locals.get(ROW)
+    if row is not None:
+        # The code is that of the statement which the moves of the run are like.
+        start, end = row.written.moved(start), row.written.moved(end)
     clause = CLAUSES.get(code.co_name, "")
     return Frame(routine.name if routine else "", clause, origin.source, start, end)
 

@@ -5,28 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import fields
 from functools import partial
-from itertools import repeat
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 
 from rapidsim.analysis.program import Program
-from rapidsim.language.data import ConfData, ExtJoint, Orient, Pos, RobTarget
+from rapidsim.interpreter.runtime.executed_runs import targets_of
+from rapidsim.language.data import RobTarget
 from rapidsim.language.moves import Move
 from rapidsim.reach.dataflow.known_moves import KnownMove, MoveStatement
 from rapidsim.reach.dataflow.written_moves import RunNotFollowedError
 from rapidsim.syntax import tree
-
-if TYPE_CHECKING:
-    from rapidsim.syntax.tree.runs import Numbers
-
-_PARTS: tuple[tuple[slice, Any], ...] = (
-    (slice(0, 3), Pos),
-    (slice(3, 7), Orient),
-    (slice(7, 11), ConfData),
-    (slice(11, 17), ExtJoint),
-)
-
 
 Runs: TypeAlias = Mapping[tree.Call, tuple[tree.Run, Sequence[tree.RunRow]]]
 """The runs of a program with their statements, by the statement in the tree before each."""
@@ -61,16 +50,7 @@ def moves_of_run(
     went = np.array([number for part in move.to for number in part])
     if move.programmed is not None or not np.array_equal(run.numbers_of_like, went):
         raise RunNotFollowedError
-    columns = (_part(run.numbers[:, part], kind) for part, kind in _PARTS)
-    targets: Iterable[RobTarget] = map(RobTarget._make, zip(*columns, strict=False))
-    return _moves(rows, targets, like, first)
-
-
-def _part(numbers: Numbers, kind: Any) -> Iterable[Any]:
-    """A part of each target; one for all where all are the same, as of external axes."""
-    if (numbers == numbers[0]).all():
-        return repeat(kind(*numbers[0].tolist()))
-    return map(kind._make, numbers.tolist())
+    return _moves(rows, targets_of(run.numbers), like, first)
 
 
 def _moves(

@@ -43,11 +43,18 @@ class Run(Node):
         """How many statements it stands for."""
         return len(self.starts)
 
-    def rows(self) -> Iterator[RunRow]:
-        """Its calls, as places that know what they are like."""
+    def row_at(self, start: int) -> RunRow | None:
+        """The call that begins at an offset; None if none does."""
+        row = int(self.starts.searchsorted(start))
+        if not (row < len(self) and self.starts[row] == start and isinstance(self.like, Call)):
+            return None
+        return next(self.rows(slice(row, row + 1)))
+
+    def rows(self, which: slice = slice(None)) -> Iterator[RunRow]:
+        """Its calls, or some of them, as places that know what they are like."""
         assert isinstance(self.like, Call)
-        places = zip(self.starts.tolist(), self.ends.tolist(), strict=True)
-        declared = repeat(None) if self.declared is None else self.declared.tolist()
+        places = zip(self.starts[which].tolist(), self.ends[which].tolist(), strict=True)
+        declared = repeat(None) if self.declared is None else self.declared[which].tolist()
         for (start, end), line in zip(places, declared, strict=False):
             yield RunRow(start, end, self.like, line)
 
@@ -59,3 +66,15 @@ class RunRow(Node):
     like: Call
     declared: int | None
     """Where the line begins that declares its target."""
+
+    def moved(self, offset: int) -> int:
+        """Where the part stands that the statement in the tree has at an offset."""
+        if offset <= self.like.arguments[0].start:
+            return offset + self.start - self.like.start
+        return offset + self.end - self.like.end
+
+    @property
+    def target(self) -> Node:
+        """The place of its target, or of the name of that."""
+        first = self.like.arguments[0]
+        return Node(self.moved(first.start), self.moved(first.end))

@@ -1,0 +1,181 @@
+"""Long runs of moves are executed as runs; what comes of it is what each move by itself does."""
+
+import random
+import re
+from pathlib import Path
+from unittest.mock import patch
+
+import pytest
+from command_line import Ended, call
+from exports import ROBOT, export
+from laws import cases
+
+from rapidsim.files import SourceFile, TaskFiles
+from rapidsim.jobs import load_tasks
+
+_COUNT = 40
+_FEW = 20
+"""Moves beyond which they are executed as runs here."""
+_AT = 21
+"""The move that something is done to."""
+_SIGNALS = '[signals]\ndo1 = { type = "do" }\ndo2 = { type = "do" }\n'
+_FAR = (r"\[\[[0-9.]+", "[[9000.000")
+
+
+def _text(form: str = "inline") -> str:
+    return export(form, "raster", _COUNT).replace("doExtruder", "do1")
+
+
+def _at(old: str, new: str, text: str) -> str:
+    """A program with one of its moves changed."""
+    lines = text.split("\n")
+    move = 2 + _AT
+    lines[move] = re.sub(old, lambda match: match.expand(new), lines[move], count=1)
+    return "\n".join(lines)
+
+
+def _rows(text: str) -> int:
+    """How many moves are executed as rows of a run."""
+    task = TaskFiles("T_ROB1", (SourceFile("m.mod", text, "utf-8"),))
+    with patch.object(load_tasks, "MOST_STATEMENTS", _FEW):
+        found = load_tasks.load_tasks([task], in_runs=True)
+    return sum(len(run) for task in found.tasks for one in task.program.modules for run in one.runs)
+
+
+def _assert_the_same(text: str, folder: Path, *options: str) -> Ended:
+    """Run a program in both ways: all that is printed and written is the same."""
+    made = []
+    for most in (_FEW, 1_000_000):
+        # In the same place, for its name is printed.
+        home = folder / "here"
+        home.mkdir()
+        (home / "m.mod").write_text(text)
+        (home / "rapidsim.toml").write_text(_SIGNALS)
+        with patch.object(load_tasks, "MOST_STATEMENTS", most):
+            ended = call(
+                *("run", "m.mod", "--robot", ROBOT, "--no-record", "--format", "json"),
+                *("--trace", "t.csv", "--events", "e.jsonl", "--dt", "0.1", *options),
+                cwd=home,
+            )
+        files = {one.name: one.read_bytes() for one in home.iterdir() if one.is_file()}
+        made.append((ended, files))
+        home.rename(folder / f"done {most}")
+    assert made[0] == made[1]
+    return made[0][0]
+
+
+@pytest.mark.parametrize("form", ["inline", "mixed"])
+def test_moves_are_executed_as_runs(form: str, tmp_path: Path) -> None:
+    assert _assert_the_same(_text(form), tmp_path).code == 0
+    # The first move is a MoveJ, the last one stops; of a run three lines are parsed.
+    assert _rows(_text(form)) == _COUNT - 2 - 3
+
+
+def test_moves_by_name_and_what_they_name_stay_statements() -> None:
+    assert not _rows(_text("named"))
+
+
+@pytest.mark.parametrize(
+    ("clause", "code"),
+    [
+        ("", 1),
+        ("ERROR\nTRYNEXT;", 0),
+        ("ERROR\nSetDO do1,1;\nRETRY;", 1),
+        ("ERROR\nRAISE;", 1),
+        ("ERROR(LONG_JMP_ALL_ERR)\nTPWrite NumToStr(ERRNO,0);\nTRYNEXT;", 0),
+        ("UNDO\nSetDO do2,1;", 1),
+    ],
+)  # fmt: skip
+def test_a_move_of_a_run_that_fails(clause: str, code: int, tmp_path: Path) -> None:
+    text = _at(*_FAR, _text()).replace("  ENDPROC", f"{clause}\n  ENDPROC")
+    ended = _assert_the_same(text, tmp_path)
+    assert _rows(text)
+    assert ended.code == code, ended.out
+    if code:
+        assert f'"line": {3 + _AT}' in ended.out
+
+
+def test_a_caller_deals_with_the_error_of_a_move_of_a_run(tmp_path: Path) -> None:
+    main = "PROC main()\npath;\nSetDO do2,1;\nERROR\nSetDO do1,1;\nTRYNEXT;\nENDPROC\n"
+    text = _at(*_FAR, _text()).replace("main()", "path()").replace("ENDMODULE", f"{main}ENDMODULE")
+    assert _rows(text)
+    assert _assert_the_same(text, tmp_path).code == 0
+
+
+_TRAP = """  VAR intnum timer;
+  TRAP now
+    {}
+  ENDTRAP
+  PROC main()
+    CONNECT timer WITH now;
+    ITimer 0.11,timer;
+"""
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "SetDO do1,1-DOutput(do1);",
+        "StopMove;\nStorePath;\nMoveL Offs(CRobT(),0,0,5),v100,fine,tool0;\nRestoPath;\nStartMove;",
+        "VelSet 50,100;\nPDispSet [[0,0,1],[1,0,0,0]];",
+        "EXIT;",
+        "RAISE 7;",
+    ],
+)
+def test_interrupts_between_the_moves_of_a_run(body: str, tmp_path: Path) -> None:
+    text = _text().replace("  PROC main()\n", _TRAP.format(body))
+    assert _rows(text)
+    _assert_the_same(text, tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("ConfL\\Off;", "ConfL\\On;"),
+        ("ConfL\\Off;", "PDispSet [[5,0,0],[1,0,0,0]];"),
+        ("ConfL\\Off;", "again:\nreg1:=reg1+1;\nIF reg1<3 GOTO again;"),
+        ("  ENDPROC", "reg1:=reg1+1;\nIF reg1<2 GOTO again;\n  ENDPROC"),
+        ("[0,0,0,0]", "[-0,-1,0,0]"),
+        ("z1", "z1\\Inpos:=inpos50"),
+        ("MoveL ", "MoveL\\Conc,"),
+        ("v200", "v200\\V:=reg1"),
+        ("v200", "v7000\\T:=0.02"),
+    ],
+)
+def test_other_programs(old: str, new: str, tmp_path: Path) -> None:
+    text = _text().replace(old, new)
+    if "again" in new and "ENDPROC" in new:
+        text = text.replace("ConfL\\Off;", "again:\nConfL\\Off;")
+    _assert_the_same(text, tmp_path)
+
+
+@pytest.mark.parametrize(("old", "new"), [("MoveL", "MovL"), (r"\]\],v", "],v")])
+def test_a_fault_is_found_where_it_stands(old: str, new: str, tmp_path: Path) -> None:
+    ended = _assert_the_same(_at(old, new, _text()), tmp_path)
+    assert f'"line": {3 + _AT}' in ended.out
+
+
+@pytest.mark.parametrize("limit", ["0.2"])
+def test_the_time_limit_comes_within_a_run(limit: str, tmp_path: Path) -> None:
+    assert _assert_the_same(_text(), tmp_path, "--max-time", limit).code == 3
+
+
+def test_moves_are_executed_again_and_again(tmp_path: Path) -> None:
+    text = _text("mixed").replace("main()", "path()")
+    main = "PROC main()\nFOR i FROM 1 TO 2 DO\npath;\nENDFOR\npath;\nENDPROC\n"
+    text = text.replace("ENDMODULE", f"{main}ENDMODULE")
+    assert _rows(text)
+    assert _assert_the_same(text, tmp_path).code == 0
+
+
+@pytest.mark.parametrize("seed", range(cases(10)))
+def test_whatever_goes_wrong_in_a_program(seed: int, tmp_path: Path) -> None:
+    dice = random.Random(f"runs {seed}")
+    text = export(dice.choice(("inline", "mixed")), dice.choice(("spiral", "tilted")), _COUNT, seed)
+    lines = text.replace("doExtruder", "do1").split("\n")
+    for _ in range(dice.randrange(1, 3)):
+        harm = [_FAR, ("z1", "fine"), ("1150|700", "0"), (r"\.", "9."), (r"9E9", "0")]
+        old, new = dice.choice(harm)
+        at = dice.randrange(4, len(lines) - 4)
+        lines[at] = re.sub(old, new, lines[at])
+    _assert_the_same("\n".join(lines), tmp_path, "--max-time", "30")
