@@ -165,7 +165,7 @@ RIGHT = MappingProxyType(
     }
 )
 """What requests of all kinds take, together."""
-FORMS: tuple[dict[str, str], ...] = (
+FORMS: tuple[Mapping[str, str], ...] = (
     {},
     RIGHT,
     dict.fromkeys(RIGHT, "\0[\u2603"),

@@ -10,8 +10,9 @@ from command_line import Ended, call
 from exports import ROBOT, export
 from laws import cases
 
-from rapidsim.files import SourceFile, TaskFiles
+from rapidsim.files import SourceFile
 from rapidsim.jobs import load_tasks
+from rapidsim.module_files import TaskFiles
 
 _COUNT = 40
 _FEW = 20
