@@ -162,7 +162,7 @@ def test_two_programs_in_one_task_are_told_apart_from_two_names(check: Check, fo
         )
     check("one.mod", "two.mod", "--output-format", "full")
     said = check.out.split("error[")
-    assert all("is one task" in one for one in said if "`main` is declared twice" in one)
+    assert all("form one task" in one for one in said if "`main` is declared twice" in one)
     assert [("LOCAL" in one) for one in said if "`same` is declared twice" in one] == [True]
 
 

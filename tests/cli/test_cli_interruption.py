@@ -52,7 +52,7 @@ def test_while_the_command_line_loads_and_checks(instant: int, tmp_path: Path) -
 @pytest.mark.parametrize("instant", [250, 300, 350, 400, 450, 500, 600, 700, 900, 1200])
 def test_while_a_program_runs_and_is_recorded(instant: int, tmp_path: Path) -> None:
     done = interrupted(instant, tmp_path, "run", "job.mod")
-    said = re.fullmatch(r"interrupted(| at .*| behind the run .*)\n|", done.stderr)
+    said = re.fullmatch(r"interrupted(| at .*| after the run .*)\n|", done.stderr)
     assert said
     assert done.returncode == (130 if done.stderr else 0)
     assert not [one for one in tmp_path.iterdir() if one.name.endswith(".part")]
@@ -128,8 +128,8 @@ def test_while_the_outputs_of_a_large_program_are_written(tmp_path: Path) -> Non
         done = _large_run(("file", number), tmp_path / f"file {number}")
         assert done.returncode == 130, done.stderr
         assert re.fullmatch(
-            r"interrupted behind the run \([0-9.]+ s, 60 moves\): "
-            r"not all outputs are written\n",
+            r"interrupted after the run \([0-9.]+ s, 60 moves\): "
+            r"not all outputs were written\n",
             done.stderr,
         ), done.stderr
         there = {one.name: one.read_bytes() for one in (tmp_path / f"file {number}").iterdir()}

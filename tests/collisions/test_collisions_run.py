@@ -53,7 +53,7 @@ def test_the_summary_says_what_happened_and_what_the_shapes_are_worth(tmp_path: 
     cell(tmp_path, DOWN.format(-100), TABLE)
     ended = call("run", "cell.mod", "--no-record", cwd=tmp_path)
     assert ended.code == 0
-    assert "none; nearest 18.8 mm, link 6 and `table`" in " ".join(ended.out.split())
+    assert "none; closest 18.8 mm, link 6 and `table`" in " ".join(ended.out.split())
 
 
 def test_a_report_lists_contacts_and_the_nearest_of_each_move(tmp_path: Path) -> None:

@@ -139,7 +139,7 @@ def test_interrupts_between_the_moves_of_a_run(body: str, tmp_path: Path) -> Non
         ("[0,0,0,0]", "[-0,-1,0,0]"),
         ("z1", "z1\\Inpos:=inpos50"),
         ("MoveL ", "MoveL\\Conc,"),
-        ("v200", "v200\\V:=reg1"),
+        ("v200", "v200\\V:=50+reg1"),
         ("v200", "v7000\\T:=0.02"),
     ],
 )

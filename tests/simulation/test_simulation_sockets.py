@@ -339,7 +339,7 @@ steps = []
     text = str(caught.value)
     assert "socket 1.accept: a port is needed" in text
     assert "socket 1.repeat: a step must `expect` something" in text
-    assert "socket 2: say `accept` for a server, or `connect` for a client" in text
+    assert "socket 2: give either `accept` for a server or `connect` for a client" in text
 
 
 def test_tasks_that_wait_for_clients_do_not_wait_for_each_other() -> None:

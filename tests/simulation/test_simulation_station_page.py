@@ -13,7 +13,7 @@ ROOT = Path(__file__).parents[2]
 
 def test_the_gripper_of_the_page_answers_and_is_five_lines(tmp_path: Path) -> None:
     page = (ROOT / "docs" / "station.md").read_text(encoding="utf-8")
-    (gripper,) = (part for part in re.split(r"\n\n|```", page) if "a gripper: closed" in part)
+    (gripper,) = (part for part in re.split(r"\n\n|```", page) if "a gripper that takes" in part)
     assert len(gripper.strip().splitlines()) <= 5
     file = tmp_path / "io.toml"
     file.write_text(gripper, encoding="utf-8")

@@ -175,7 +175,7 @@ def run(
 def _ended(run: Simulation) -> str:
     """What a run has done of which not all was written that is wanted."""
     moves = sum(len(robot.moves) for robot in run.robots)
-    return f" behind the run ({run.time_s:.3f} s, {moves:,} moves): not all outputs are written"
+    return f" after the run ({run.time_s:.3f} s, {moves:,} moves): not all outputs were written"
 
 
 def _replaying(ready: LoadedJob, made: PreparedRun, journal: Path) -> Callable[[], FinishedRun]:
