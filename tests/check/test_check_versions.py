@@ -1,4 +1,4 @@
-"""What a RobotWare has that its manuals lack."""
+"""What a RobotWare has, also where its manuals do not say so, and what it does not have yet."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from rapidsim.diagnostics import Severity
 from rapidsim.jobs.check_files import check
 
 PROGRAM = r"""MODULE Late
@@ -31,3 +32,29 @@ def test_what_programs_for_late_versions_of_robotware_6_use_is_known_there(
     found = check([tmp_path / "late.mod"], robot="irb1600").diagnostics
     newer = [one for one in found if one.violation.code == "N219"]
     assert [one.line for one in newer] == lines
+
+
+CONTINUES = """MODULE Old
+  PROC main()
+    WaitUntil Continue=1;
+  ENDPROC
+ENDMODULE
+"""
+
+
+@pytest.mark.parametrize(
+    ("station", "codes"),
+    [
+        ('[controller]\nrobotware = "7.0"\n', ["N211"]),
+        ('[controller]\nrobotware = "6.12"\n', ["N201"]),
+        ("", ["N201"]),
+        ('[signals]\nContinue = { type = "di" }\n', []),
+    ],
+)
+def test_a_signal_may_have_the_name_of_an_instruction_to_come(
+    station: str, codes: list[str], tmp_path: Path
+) -> None:
+    (tmp_path / "rapidsim.toml").write_text(station)
+    (tmp_path / "old.mod").write_text(CONTINUES)
+    found = check([tmp_path / "old.mod"], robot="irb1600").diagnostics
+    assert [one.code for one in found if one.severity is Severity.ERROR] == codes

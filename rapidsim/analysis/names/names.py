@@ -38,6 +38,7 @@ from rapidsim.language import types
 from rapidsim.language.annotations import Mode
 from rapidsim.language.types import Type
 from rapidsim.library.predefined import SET_BY_INSTRUCTIONS
+from rapidsim.library.versions import SINCE
 from rapidsim.syntax import tree
 
 DataLike = DataSymbol | ParameterSymbol | CounterSymbol | ConfiguredSymbol
@@ -63,10 +64,18 @@ def data_named(reference: tree.Reference, context: Context) -> DataLike | None:
     known, see `undeclared`.
     """
     symbol = find(reference.name.key, context)
-    if symbol is None:
+    if symbol is None or _may_be_older(symbol, context):
         context.analysis.undeclared.append((reference, context))
         return None
     return as_data(symbol, reference, context)
+
+
+def _may_be_older(symbol: Symbol, context: Context) -> bool:
+    """Whether an instruction is newer than the RobotWare may be, as for a signal `Continue`."""
+    if not (isinstance(symbol, LibrarySymbol) and is_procedure(symbol)):
+        return False
+    has, since = context.analysis.cell.robotware, SINCE.get(symbol.name.lower())
+    return since is not None and (has is None or has < since)
 
 
 def type_of_undeclared(reference: tree.Reference, context: Context) -> Type | None:
