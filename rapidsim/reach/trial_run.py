@@ -168,9 +168,9 @@ def run_for_error(
 def why_left_out(program: Program, walked: WalkedProgram) -> str:
     """Why main is not run for its errors alone; empty where it is."""
     if len(walked.written) > MOST_MOVES_FOR_ERRORS:
-        return f"all its moves are known without, and they are more than {MOST_MOVES_FOR_ERRORS}"
+        return f"main has more than {MOST_MOVES_FOR_ERRORS} moves, all of them known without a run"
     if asks_outside(program):
-        return "a check has no files, sockets, cameras and modules to load"
+        return "main needs files, sockets, cameras or modules, which a check does not have"
     return ""
 
 

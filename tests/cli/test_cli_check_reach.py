@@ -153,8 +153,8 @@ ENDMODULE
 @pytest.mark.parametrize(
     ("statement", "why"),
     [
-        ("MoveJ Offs(p,0,0,50),v500,fine,tool0;", "are more than 1"),
-        ('IF IsFile("HOME:/a.txt") TPWrite "there";', "a check has no files"),
+        ("MoveJ Offs(p,0,0,50),v500,fine,tool0;", "more than 1 moves"),
+        ('IF IsFile("HOME:/a.txt") TPWrite "there";', "which a check does not have"),
     ],
 )
 def test_a_check_that_leaves_out_the_run_of_main_says_so(
@@ -164,7 +164,7 @@ def test_a_check_that_leaves_out_the_run_of_main_says_so(
     (folder / "cell.mod").write_text(UNRUN.format(statement=statement))
     done = rapidsim("check", "cell.mod", "--robot", "irb1600", cwd=folder)
     assert done.code == 0
-    assert "Errors that only a run meets, `rapidsim run` tells: " in done.out
+    assert "Errors that only a run finds were not looked for: " in done.out
     assert why in " ".join(done.out.split())
     told = rapidsim("check", "cell.mod", "--output-format", "json", cwd=folder)
     assert why in json.loads(told.out)["coverage"]["main_left_out"]
@@ -176,7 +176,7 @@ def test_nothing_is_said_of_a_run_that_was_made(folder: Path) -> None:
     (folder / "cell.mod").write_text(UNRUN.format(statement=""))
     done = rapidsim("check", "cell.mod", "--robot", "irb1600", cwd=folder)
     assert done.code == 1
-    assert "Errors that only a run meets" not in done.out
+    assert "Errors that only a run finds" not in done.out
 
 
 def test_a_work_object_that_something_unknown_moves_is_not_judged_by_its_text(

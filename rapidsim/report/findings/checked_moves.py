@@ -19,7 +19,7 @@ def coverage_lines(coverage: Coverage, robot: str) -> Iterator[str]:
     if coverage.moves:
         yield _counts(coverage, robot)
     if coverage.main_left_out:
-        yield f"Errors that only a run meets, `rapidsim run` tells: {coverage.main_left_out}."
+        yield f"Errors that only a run finds were not looked for: {coverage.main_left_out}."
     for move in coverage.unchecked[:_SHOWN]:
         yield f"  not checked: {move.span.file}:{move.span.line}: {move.reason}"
     if (more := len(coverage.unchecked) - _SHOWN) > 0:
