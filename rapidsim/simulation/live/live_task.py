@@ -6,7 +6,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Protocol
 
-from rapidsim.analysis.program import RoutineSymbol
+from rapidsim.analysis.program import Program, RoutineSymbol
 from rapidsim.controller.cell.cell import Cell, Listener
 from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.journal.journal import Journal
@@ -103,6 +103,11 @@ class LiveTask:
         return self.run.controller.clock.place
 
     @property
+    def program(self) -> Program:
+        """What is loaded; where its data failed to begin, what the station says."""
+        return self.setup.program if self.task is None else self.task.program
+
+    @property
     def entry(self) -> str:
         """The procedure it begins with."""
         return self.setup.entry or self.options.entry
@@ -123,10 +128,9 @@ class LiveTask:
         controller.clock.set(now_s)
         controller.execution.stops_all = self.chief.stop_all
         self.set_speed_ratio(refresh_percent)
-        program = self.setup.program if self.task is None else self.task.program
         old, self.failure = self.task, None
         try:
-            self.task = load(program, controller.concerns, self.shared)
+            self.task = load(self.program, controller.concerns, self.shared)
         except FatalError as error:
             self.failure = error
         else:
@@ -203,8 +207,7 @@ class LiveTask:
 
     def _procedure(self, name: str) -> RoutineSymbol | None:
         """The procedure of a name, in any case, that needs no arguments."""
-        program = self.setup.program if self.task is None else self.task.program
-        symbol = program.routines.get(name.lower())
+        symbol = self.program.routines.get(name.lower())
         if symbol is None or not isinstance(symbol.node, tree.Proc):
             return None
         return None if any(not one.optional for one in symbol.parameters) else symbol

@@ -17,8 +17,7 @@ from rapidsim.syntax.parser import parse
 
 def modules(task: LiveTask) -> tuple[tree.Module, ...]:
     """What a task has now."""
-    program = task.setup.program if task.task is None else task.task.program
-    return tuple(program.modules)
+    return tuple(task.program.modules)
 
 
 def load_module(task: LiveTask, path: str, *, replace: bool) -> None:
