@@ -29,8 +29,7 @@ def _type(name: str, tasks: Iterable[LiveTask]) -> Type | None:
         if key.lower() == name.lower():
             return of
     for task in tasks:
-        program = task.program
-        for symbol in program.symbol_of.values():
+        for symbol in task.program.symbol_of.values():
             if isinstance(symbol, TypeSymbol) and symbol.name.lower() == name.lower():
                 return symbol.type
     return None

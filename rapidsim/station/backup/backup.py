@@ -16,10 +16,7 @@ from rapidsim.backinfo import listed_products, listed_tasks
 from rapidsim.language.equipment import Configured
 from rapidsim.language.robotware import RobotWare, read_robotware
 from rapidsim.module_files import Backup
-from rapidsim.station.backup.cfg_file import (
-    read_configuration,
-    text_in,
-)
+from rapidsim.station.backup.cfg_file import Configuration, read_configuration, text_in
 from rapidsim.station.backup.external_units import UNIT_GROUP, ExternalUnits, external_units
 from rapidsim.station.backup.loaded_modules import is_loaded_into, missing_modules
 from rapidsim.station.backup.options import unknown_options
@@ -38,9 +35,9 @@ _ROBOTWARE = re.compile(r"RobotWare(?: Version)?:?[\s_]*(\d+\.\d+)", re.IGNORECA
 def backup_station(backup: Backup) -> Station:
     """What a backup says."""
     root = backup.root
-    motion = read_configuration(text_in(root, "SYSPAR", "MOC.cfg"))
+    configured = _configured_in(root)
+    motion, system = configured.get("MOC", {}), configured.get("SYS", {})
     robots = backup_robots(motion)
-    system = read_configuration(text_in(root, "SYSPAR", "SYS.cfg"))
     units = external_units(motion, system)
     first, *further = units.axes
     robots = (
@@ -51,12 +48,12 @@ def backup_station(backup: Backup) -> Station:
     robots = tuple(
         replace(one, carried_by=None) if one.carried_by in known else one for one in robots
     )
-    io, remarks = backup_io(read_configuration(text_in(root, "SYSPAR", "EIO.cfg")))
+    io, remarks = backup_io(configured.get("EIO", {}))
     # Where all modules lie in HOME no folder is there, but each would have the name of its task.
     folders = backup.tasks or [
         root / "RAPID" / task.name for task in configured_tasks(system).values()
     ]
-    tasks = _tasks_of(root, folders, [robot.label for robot in robots])
+    tasks = _tasks_of(root, folders, system, [robot.label for robot in robots])
     return Station(
         robots=robots,
         external_axes=first,
@@ -64,7 +61,7 @@ def backup_station(backup: Backup) -> Station:
         robot_source="the backup's MOC.cfg" if robots else None,
         tasks=tasks,
         io=io,
-        configured=_configured_in(root),
+        configured=configured,
         robotware=_robotware(root),
         remarks=(
             *remarks,
@@ -118,7 +115,10 @@ def _without_robot(tasks: Sequence[StationTask], robots: Sequence[StationRobot])
 
 
 def _tasks_of(
-    root: Path, folders: Sequence[Path], labels: Sequence[str | None]
+    root: Path,
+    folders: Sequence[Path],
+    system: Configuration,
+    labels: Sequence[str | None],
 ) -> tuple[StationTask, ...]:
     """In the order of the folders; none where the backup does not say what its folders are."""
     information = text_in(root, "BACKINFO", "backinfo.txt")
@@ -126,10 +126,9 @@ def _tasks_of(
     options = unknown_options(listed_products(information))
     if any(f.name.upper().startswith("TASK") and f.name.lower() not in listed for f in folders):
         return ()
-    configuration = read_configuration(text_in(root, "SYSPAR", "SYS.cfg"))
-    configured = configured_tasks(configuration)
-    loaded = configuration.get("CAB_TASK_MODULES", ())
-    groups = {one.get("name"): one.get("robot") for one in configuration.get(UNIT_GROUP, ())}
+    configured = configured_tasks(system)
+    loaded = system.get("CAB_TASK_MODULES", ())
+    groups = {one.get("name"): one.get("robot") for one in system.get(UNIT_GROUP, ())}
     tasks: list[StationTask] = []
     robots = 0
     for folder in folders:
