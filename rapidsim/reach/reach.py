@@ -68,8 +68,8 @@ def check_reach(
     if not walked.written and budget is None:
         if not run:
             return ReachReport()
-        told_of_text = run_for_error(program, robot, options, walked)
-        return ReachReport(told_of_text, Coverage(main_left_out=why_left_out(program, walked)))
+        told_of_text, why = _error_of_main(program, robot, options, walked)
+        return ReachReport(told_of_text, Coverage(main_left_out=why))
     known = list(walked.known)
     told: RunMoves | None = None
     joints: dict[int, Array] = {}
@@ -103,8 +103,10 @@ def check_reach(
     if budget is not None and told is not None:
         found += budget_findings(program, told, budget, options.model.version)
         found += stop_findings(program, placed, ways)
+    why_not_run = ""
     if told is None and run:
-        found += run_for_error(program, robot, options, walked)
+        of_run, why_not_run = _error_of_main(program, robot, options, walked)
+        found += of_run
     goes_on = options.nearest_configuration
     found = [
         replace(one, assumed=goes_on) if one.violation.code in _GIVES_WAY else one for one in found
@@ -112,10 +114,22 @@ def check_reach(
     if told is not None and any(one.severity is Severity.ERROR for one in found):
         found = list(_not_sure(program, walked, found))
     distinct = tuple(_Places(walked).distinct(found))
-    coverage = _coverage(walked, ends, told, left_out)
-    if told is None and run and len(options.cell_tasks) <= 1:
-        coverage = replace(coverage, main_left_out=why_left_out(program, walked))
+    coverage = replace(_coverage(walked, ends, told, left_out), main_left_out=why_not_run)
     return ReachReport(distinct, coverage)
+
+
+def _error_of_main(
+    program: Program, robot: Robot, options: RunOptions, walked: WalkedProgram
+) -> tuple[tuple[Diagnostic, ...], str]:
+    """The error that ends a run of main, or why it is not run for it.
+
+    Neither where a cell has several tasks: these are run together.
+    """
+    if len(options.cell_tasks) > 1:
+        return (), ""
+    if why := why_left_out(program, walked):
+        return (), why
+    return run_for_error(program, robot, options), ""
 
 
 def _unrun_collisions(

@@ -141,17 +141,10 @@ def run_for_moves(
 
 
 def run_for_error(
-    program: Program, robot: Robot, options: RunOptions, walked: WalkedProgram
+    program: Program, robot: Robot, options: RunOptions
 ) -> tuple[Diagnostic, ...]:
-    """The error that ends a run of main, of a program whose moves are known without one.
-
-    None where the run would depend on what a check does not have: other tasks, files, a network.
-    """
-    if (
-        program.routines.get(options.entry.lower()) is None
-        or len(options.cell_tasks) > 1
-        or why_left_out(program, walked)
-    ):
+    """The error that ends a run of main, of a program whose moves are known without one."""
+    if program.routines.get(options.entry.lower()) is None:
         return ()
     limited = _limited(options, LONGEST_RUN_S, LONGEST_WORK_FOR_ERRORS_S)
     try:
