@@ -30,13 +30,8 @@ def seldom_collected() -> Iterator[None]:
 
     What it makes in a loop and drops is found all the same.
     """
-    thresholds = gc.get_threshold()
-    if thresholds[0]:
-        gc.set_threshold(_SELDOM, *thresholds[1:])
-    try:
+    with _collected_every(_SELDOM):
         yield
-    finally:
-        gc.set_threshold(*thresholds)
 
 
 @contextmanager
@@ -46,13 +41,22 @@ def staying_on() -> Iterator[None]:
     Each connection leaves some behind that refers to itself. Python looks through all that is there
     once a quarter has been added, and so much of it would pile up.
     """
-    thresholds = gc.get_threshold()
     gc.collect()
     gc.freeze()
+    try:
+        with _collected_every(_OFTEN):
+            yield
+    finally:
+        gc.unfreeze()
+
+
+@contextmanager
+def _collected_every(objects: int) -> Iterator[None]:
+    """Look for garbage after so many new objects, where Python looks for it at all."""
+    thresholds = gc.get_threshold()
     if thresholds[0]:
-        gc.set_threshold(_OFTEN, *thresholds[1:])
+        gc.set_threshold(objects, *thresholds[1:])
     try:
         yield
     finally:
         gc.set_threshold(*thresholds)
-        gc.unfreeze()
