@@ -140,9 +140,7 @@ def run_for_moves(
     )
 
 
-def run_for_error(
-    program: Program, robot: Robot, options: RunOptions
-) -> tuple[Diagnostic, ...]:
+def run_for_error(program: Program, robot: Robot, options: RunOptions) -> tuple[Diagnostic, ...]:
     """The error that ends a run of main, of a program whose moves are known without one."""
     if program.routines.get(options.entry.lower()) is None:
         return ()

@@ -8,7 +8,7 @@ to the controller first tells it the place of the statement.
 from __future__ import annotations
 
 import ast
-from collections.abc import Sequence, Set
+from collections.abc import Sequence
 from itertools import islice
 
 from rapidsim.analysis.program import (
@@ -346,10 +346,7 @@ class Calls:
         if calls:
             # A call among the arguments reports places of its own; ours comes after.
             return [at.do(at.call("_call_at", [place, function, asked, *values], options))]
-        return [
-            at.assign(at.store_attribute("_clock", "place"), place),
-            at.do(at.call(function, [asked, *values], options)),
-        ]
+        return _reported(place, at.call(function, [asked, *values], options), at)
 
     def row(self, run: tree.Run, at: At) -> tuple[ast.expr, list[ast.stmt]]:
         """The rows of a run of moves, and what is done in the turn of each."""
@@ -364,19 +361,17 @@ class Calls:
         like = self._written(call, given)
         rows = self._names.module.numbered("_rows", ExecutedRun(run, like, taken))
         function = at.name(self._names.module.library(symbol.routine))
-        values, options, _ = self._library_arguments(signature, given, at, {taken})
+        values, options, _ = self._library_arguments(signature, given, at, taken)
         asked = at.name(f"_{signature.concern}")
-        return at.name(rows), [
-            at.assign(at.store_attribute("_clock", "place"), at.attribute(ROW, "place")),
-            at.do(at.call(function, [asked, *values], options)),
-        ]
+        made = at.call(function, [asked, *values], options)
+        return at.name(rows), _reported(at.attribute(ROW, "place"), made, at)
 
     def _library_arguments(
         self,
         signature: Signature,
         given: dict[str, Given],
         at: At,
-        of_row: Set[str] = frozenset(),
+        of_row: str = "",
     ) -> tuple[list[ast.expr], list[tuple[str, ast.expr]], bool]:
         """Positional arguments, keyword options, and whether calls are among them.
 
@@ -384,13 +379,13 @@ class Calls:
             signature: Of what is called.
             given: What the call gives.
             at: Its place.
-            of_row: Folded names of parameters that take the target of the row whose turn it is.
+            of_row: Folded name of the parameter that takes the target of the row whose turn it is.
         """
         there = [(p, key) for p in signature.parameters if (key := p.name.lower()) in given]
         nodes: dict[str, ast.expr] = {}
         calls = False
         for parameter, key in there:
-            if key in of_row:
+            if key == of_row:
                 nodes[key] = at.attribute(ROW, "target")
                 continue
             code = self._library_argument(parameter, given[key], at)
@@ -472,3 +467,8 @@ class Calls:
         if value is None:
             return "skipped"
         return f"skipped, {value_text(value, of)} taken for its value"
+
+
+def _reported(place: ast.expr, call: ast.expr, at: At) -> list[ast.stmt]:
+    """A call, and before it the place from which what it does is told."""
+    return [at.assign(at.store_attribute("_clock", "place"), place), at.do(call)]

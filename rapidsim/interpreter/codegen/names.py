@@ -52,14 +52,14 @@ class ModuleNames:
         default_factory=dict
     )
     """Functions for calls that lend elements of arrays, by routine and the parameters for these."""
-    runs: dict[tree.Node, tree.Run] = field(default_factory=dict)
+    runs: dict[tree.Node, tree.Run] = field(init=False)
     """Runs of moves, by the statement before each that they are like."""
     _name_of: dict[object, str] = field(default_factory=dict)
     _counts: dict[str, int] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         """Find the runs of the module."""
-        self.runs.update((run.like, run) for run in self.module.runs)
+        self.runs = {run.like: run for run in self.module.runs}
 
     def variable(self, symbol: DataSymbol) -> str:
         """The name of module data, which holds its cell or its list."""

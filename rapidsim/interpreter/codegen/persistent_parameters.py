@@ -49,9 +49,12 @@ def persistent_parameters(program: Program) -> frozenset[tree.Node]:
                 match giver:
                     case ParameterSymbol(mode=Mode.INOUT | Mode.PERS, node=given):
                         takers.setdefault(given, set()).add(taker)
-                    case DataSymbol(storage=Storage.VAR | Storage.CONST):
-                        pass
-                    case ParameterSymbol() | CounterSymbol() | None:
+                    case (
+                        DataSymbol(storage=Storage.VAR | Storage.CONST)
+                        | ParameterSymbol()
+                        | CounterSymbol()
+                        | None
+                    ):
                         pass
                     case _:
                         found.add(taker)
