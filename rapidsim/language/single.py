@@ -26,5 +26,10 @@ def single(x: float) -> float:
         raise rapid_error(
             ERR_OVERFLOW, f"the result {x:g} is beyond the range of num, ±3.40282E+38"
         )
+    return nearest_single(x)
+
+
+def nearest_single(x: float) -> float:
+    """The same of what is in range, which is not looked at."""
     t = x * SPLIT
     return t - (t - x)

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from rapidsim.language.error_numbers import ERR_STRTOOLNG, rapid_error
 from rapidsim.language.errors import RapidError
-from rapidsim.language.single import single
+from rapidsim.language.single import nearest_single, single
 from rapidsim.language.types import BOOL, DNUM, NUM, STRING, ArrayOf, Record, Type, resolved
 
 MAX_STRING = 80
@@ -96,7 +96,9 @@ def _exact_leaf(value: object, of: Type) -> str:
         case float() if of == DNUM:
             return next(text for text in _digits(value, 15, 17) if float(text) == value)
         case float():
-            return next(text for text in _digits(value, 6, 9) if single(float(text)) == value)
+            return next(
+                text for text in _digits(value, 6, 9) if nearest_single(float(text)) == value
+            )
         case _:
             return _rounded_leaf(value, of)
 

@@ -47,6 +47,8 @@ def cell(declaration: str, statements: str = "") -> bytes:
         ("PERS num n:=1;", "n:=16777216/3;", "PERS num n:=5592405.5;"),
         ("PERS num n:=1;", "n:=1/3;", "PERS num n:=0.33333334;"),
         ("PERS num n:=1;", "n:=1E30;", "PERS num n:=1E+30;"),
+        # Sums are not checked for the range of num, so that loops are quick.
+        ("PERS num n:=2E38;", "n:=n+n;", "PERS num n:=4E+38;"),
         ("PERS dnum d:=1;", "d:=1/3;", "PERS dnum d:=0.3333333333333333;"),
         ("PERS dnum d:=1;", "d:=4294967295;", "PERS dnum d:=4294967295;"),
         ("PERS bool b:=FALSE;", "b:=TRUE;", "PERS bool b:=TRUE;"),

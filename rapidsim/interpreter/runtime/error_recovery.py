@@ -104,8 +104,9 @@ class Recovery:
         if isinstance(rapid, RaisedToUser) and _hides(sys._getframe(1)):
             raise rapid
         numbers = self.numbers
-        numbers.errno, numbers.retries = rapid.errno, tries
-        around, numbers.handler = numbers.handler, IN_ERROR
+        # Where a clause calls a routine with a clause of its own, each counts its own retries.
+        around, tries_around = numbers.handler, numbers.retries
+        numbers.errno, numbers.retries, numbers.handler = rapid.errno, tries, IN_ERROR
         try:
             retry = handler(rapid)
         except RaisedToUser:
@@ -121,11 +122,13 @@ class Recovery:
         except ERRORS as inside:
             raise Unrecoverable(as_rapid_error(inside)) from inside
         finally:
+            # ResetRetryCount may have begun to count anew.
+            tries = numbers.retries
             numbers.handler = around
+            if around == IN_ERROR:
+                numbers.retries = tries_around
         if not retry:
             return 0
-        # ResetRetryCount may have begun to count anew.
-        tries = numbers.retries
         if tries >= MAX_RETRIES:
             raise rapid_error(ERR_EXCRTYMAX, f"{tries} retries did not help: {rapid.message}")
         return tries + 1
