@@ -12,6 +12,7 @@ from mpl_toolkits.mplot3d.axes3d import Axes3D
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.frames.transform import Array
 from rapidsim.library.motion import PLAIN_MOVES
+from rapidsim.plots.cell import Cell, cell_of, draw_cell, draw_cell_in_space, grown
 from rapidsim.plots.drawn import MM, end_mm, frame_of, pieces, places_mm, target_name, title_of
 from rapidsim.plots.look import Theme, mark_start, new_figure, write_name
 from rapidsim.plots.stick_arm import as_cube
@@ -34,7 +35,7 @@ _AXES = ("x [mm]", "y [mm]", "z [mm]")
 
 def path_picture(run: SampledRun, theme: Theme) -> Figure:
     """The path in four views; and its lines and arcs from near, where they are small."""
-    box = _drawing(run)
+    box, cell = _drawing(run), cell_of(run, theme)
     rows = 1 if box is None else 2
     shape = (2, 2) if box is None else (rows, 4)
     size = (11.0, 8.4) if box is None else (17.0, 8.6)
@@ -42,24 +43,28 @@ def path_picture(run: SampledRun, theme: Theme) -> Figure:
     grid = figure.add_gridspec(*shape)
     places = [grid[k // shape[1], k % shape[1]] for k in range(4 * rows)]
     space: Axes3D = figure.add_subplot(places[0], projection="3d")
-    _draw_space(space, run, theme)
+    _draw_space(space, run, theme, cell)
     for place, (name, first, second) in zip(places[1:4], _SIDES, strict=True):
         axes = figure.add_subplot(place)
         axes.set_title(name)
         _draw_side(axes, run, theme, (first, second), box)
+        draw_cell(axes, cell, theme, (first, second))
     if box is not None:
         near: Axes3D = figure.add_subplot(places[4], projection="3d")
-        _draw_space(near, run, theme, box)
+        _draw_space(near, run, theme, cell, box)
         for place, (name, first, second) in zip(places[5:], _SIDES, strict=True):
             axes = figure.add_subplot(place)
             axes.set_title(f"lines and arcs, {name}")
+            draw_cell(axes, cell, theme, (first, second))
             _draw_near(axes, run, theme, (first, second), box)
     handles, labels = space.get_legend_handles_labels()
     figure.legend(handles, labels, loc="upper right", ncols=len(labels))
     return figure
 
 
-def _draw_space(axes: Axes3D, run: SampledRun, theme: Theme, box: Array | None = None) -> None:
+def _draw_space(
+    axes: Axes3D, run: SampledRun, theme: Theme, cell: Cell, box: Array | None = None
+) -> None:
     """The path in space; with a box (2, 3) [mm] only what lies in it."""
     what = "in space" if box is None else "lines and arcs, in space"
     axes.set_title(f"{what}, {frame_of(run)}")
@@ -76,9 +81,12 @@ def _draw_space(axes: Axes3D, run: SampledRun, theme: Theme, box: Array | None =
         _draw_start(axes, run, theme, (0, 1, 2))
         _draw_failed(axes, run, theme, (0, 1, 2))
         failed = [MM * one.way for one in run.one.failed_moves]
-        as_cube(axes, np.concatenate([places_mm(run), *failed]))
+        points = np.concatenate([places_mm(run), *failed])
+        shown = grown(points) if cell.bodies else points
     else:
-        as_cube(axes, box)
+        shown = box
+    as_cube(axes, shown)
+    draw_cell_in_space(axes, cell, theme)
     axes.set_xlabel(_AXES[0])
     axes.set_ylabel(_AXES[1])
     axes.set_zlabel(_AXES[2])
