@@ -100,3 +100,19 @@ def test_a_procedure_on_the_way_may_write_what_later_moves_need() -> None:
   ENDPROC
 """
     assert checked(f"{HEAD}{body}ENDMODULE\n").codes == []
+
+
+@pytest.mark.parametrize("given", ["near", "all"])
+def test_what_triggers_do_need_not_be_known(given: str) -> None:
+    """They change nothing about the move, which is then known without a run and can be fixed."""
+    body = rf"""  VAR triggdata all{{2}};
+  CONST robtarget turned:=[[800,60,600],[0,0,1,0],[0,2,0,0],{OUT}];
+  PROC main()
+    TriggIO near,5\DOp:=doSome,1;
+    TriggIO all{{1}},5\DOp:=doSome,0;
+    TriggJ turned,v100,{given},fine,tool0;
+  ENDPROC
+"""
+    found = checked(f"{HEAD}{body}ENDMODULE\n")
+    assert found.counts == (1, 0, 0)
+    assert found.only("K603").fix is not None

@@ -9,13 +9,19 @@ from rapidsim.interpreter.codegen.data_access import by_reference
 from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.language.controller import one_for_all
 from rapidsim.language.errors import RapidError, Stopped
+from rapidsim.language.path_events import RaiseInterrupt, Trigger
 from rapidsim.language.reference import Box
 from rapidsim.language.types import ArrayOf, resolved
+from rapidsim.library.predefined import TYPES
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.reach.dataflow.known_values import Evaluator, Known, Unknown
 from rapidsim.reach.dataflow.recorder import NeedsRunError, Recorder
 from rapidsim.syntax import tree
 from rapidsim.values import dataclass
+
+_TRIGGER = TYPES["triggdata"]
+_ANY_TRIGGER: Box[Trigger | None] = Box(Trigger(RaiseInterrupt(0.0)))
+"""What happens on the way of a move changes nothing about it."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -47,7 +53,7 @@ def perform(
     given = match_arguments(arguments, signature.parameters)
     # Most instructions have many options, and most calls few arguments.
     there = [one for one in signature.parameters if one.name.lower() in given]
-    values = evaluator.arguments(there, given)
+    values = evaluator.arguments([one for one in there if _TRIGGER not in one.types], given)
     if isinstance(values, Unknown):
         return values.reason
     cells: list[tuple[Box[Known], Known, tree.DataPath]] = []
@@ -57,8 +63,8 @@ def perform(
     options: dict[str, object] = {}
     for parameter in there:
         key = parameter.name.lower()
-        value = values[key]
-        if by_reference(parameter.mode):
+        value = values.get(key, _ANY_TRIGGER)
+        if key in values and by_reference(parameter.mode):
             if any(isinstance(resolved(of), ArrayOf) for of in parameter.types):
                 return "an array is given by reference"
             written = given[key].value
