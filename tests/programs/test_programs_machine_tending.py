@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 from command_line import call
@@ -33,6 +34,14 @@ def test_the_way_through_the_door_hits_nothing(tmp_path: Path) -> None:
 def test_the_short_way_hits_the_frame_of_the_door(tmp_path: Path) -> None:
     line = marked(FOLDER / "Hasty.mod", "! hits the frame")
     assert found(FOLDER / "Hasty.mod", 1, tmp_path) == [("C101", line)]
+
+
+def test_a_run_that_hits_something_says_so_in_its_first_line(tmp_path: Path) -> None:
+    ended = call("run", FOLDER / "Hasty.mod", "--no-record", "--report", "r.html", cwd=tmp_path)
+    said = re.compile(r"ended as programmed after [\d.]+ s, with 5\s+collisions")
+    assert said.search(ended.out)
+    page = (tmp_path / "r.html").read_text(encoding="utf-8")
+    assert re.search(f'class="end error">{said.pattern}', page)
 
 
 def test_the_report_draws_the_cell_and_the_part_that_is_carried(tmp_path: Path) -> None:

@@ -14,13 +14,14 @@ from rapidsim.motion.robot.external_axes import with_unit
 from rapidsim.report.findings.merging import Finding, merged
 from rapidsim.report.html.collision_section import collision_tile
 from rapidsim.report.html.elements import bar, prose, section, table, text, tile
+from rapidsim.report.run.ending import ending
 from rapidsim.report.run.figures import Figures
 from rapidsim.report.run.json_report import models, of_robots
 from rapidsim.report.run.long_programs import lines_of
 from rapidsim.simulation.results.curve_deviations import CurveDeviation, all_curve_deviations
 from rapidsim.simulation.results.held_back import held_back
 from rapidsim.simulation.results.regions import Region, by_comment
-from rapidsim.simulation.results.simulation import End, Simulation
+from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.results.time_shares import Share, Step, by_line, by_routine
 
 _MOST_FINDINGS = 200
@@ -29,23 +30,17 @@ _MOST_LINES = 300
 _MOST_STRETCHES = 30
 _MOST_EVENTS = 1500
 _LONGEST_LINE = 160
-_ENDS = {
-    End.ENDED: ("ended as programmed", "good"),
-    End.STOPPED: ("stopped by the program", "good"),
-    End.CYCLE_LIMIT: ("ended after the requested cycles", "good"),
-    End.TIME_LIMIT: ("cut off at the time limit", "warning"),
-    End.ERROR: ("stopped with an error", "error"),
-}
 
 
 def head(simulation: Simulation) -> str:
     """The name of the program, the robot, and how the run ended."""
-    words, kind = _ENDS[simulation.end]
+    words, severity = ending(simulation)
+    kind = "good" if severity is None else severity.value
     robots = [one.robot.title for one in simulation.robots]
     return (
         f"<h1>{text(simulation.title)}</h1>"
         f'<p class="robot">{text(" and ".join(robots))}</p>'
-        f'<p class="end {kind}">{text(words)} after {simulation.time_s:.3f}\N{NO-BREAK SPACE}s</p>'
+        f'<p class="end {kind}">{text(words)}</p>'
     )
 
 

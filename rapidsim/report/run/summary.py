@@ -18,18 +18,20 @@ from rich.text import Text
 from rapidsim.collisions.contact import FARTHEST_M
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
+from rapidsim.diagnostics import Severity
 from rapidsim.motion.robot.external_axes import with_unit
 from rapidsim.motion.robot.robot import LARGEST_EXCESS, Robot
 from rapidsim.report.findings.source_frame import printable
 from rapidsim.report.kept_units import KeptUnits
 from rapidsim.report.run.collision_records import clearance_records, contact_records
+from rapidsim.report.run.ending import ending
 from rapidsim.report.run.figures import Figures, JointMargin, OffPath, SingularityMargin
 from rapidsim.report.run.json_report import models, of_robots
 from rapidsim.report.run.long_programs import long_program_text
 from rapidsim.report.uncut_table import UncutTable
 from rapidsim.simulation.results.collisions import Collisions
 from rapidsim.simulation.results.persistents import PersistentChange, parts_of
-from rapidsim.simulation.results.simulation import End, Simulation
+from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.results.time_shares import Share
 from rapidsim.values import dataclass
 
@@ -43,14 +45,7 @@ _SHOWN_TEXTS = 8
 _SHOWN_PERSISTENTS = 8
 _LOW_MARGIN_DEG = 5.0
 _NEAR_SINGULAR = 0.05
-
-_ENDS = {
-    End.ENDED: ("ended as programmed", "green"),
-    End.STOPPED: ("stopped by the program", "green"),
-    End.TIME_LIMIT: ("cut off at the time limit", "yellow"),
-    End.CYCLE_LIMIT: ("ended after the requested cycles", "green"),
-    End.ERROR: ("stopped with an error", "red"),
-}
+_COLOURS = {Severity.WARNING: "yellow", Severity.ERROR: "red"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,11 +105,12 @@ def summary(
 
 
 def _headline(simulation: Simulation) -> Text:
-    words, colour = _ENDS[simulation.end]
+    words, severity = ending(simulation)
+    colour = "green" if severity is None else _COLOURS[severity]
     return Text.assemble(
         (simulation.title, "bold"),
         f" on {' and '.join(one.robot.title for one in simulation.robots)} ",
-        (f"{words} after {simulation.time_s:.3f} s", f"bold {colour}"),
+        (words, f"bold {colour}"),
     )
 
 
