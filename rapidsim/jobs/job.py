@@ -21,6 +21,7 @@ from rapidsim.jobs.selection import choose_settings
 from rapidsim.jobs.task_files import chosen_tasks
 from rapidsim.module_files import TaskFiles
 from rapidsim.station.cell_names import declared_names
+from rapidsim.station.robot import StationRobot
 from rapidsim.station.station import Station
 from rapidsim.values import dataclass
 
@@ -98,9 +99,10 @@ class Job:
         if given is not None and not isinstance(given, str):
             return given
         arm = self.open_robot(self.robot.name, self.robot.scale)
-        if given is None and self.station.robots:
-            return self.station.robots[0].fitted(arm)
-        return arm
+        first = next(iter(self.station.robots), None)
+        if first is None or not (given is None or _is_arm_of(first, arm, self.open_robot)):
+            return arm
+        return first.fitted(arm)
 
 
 def job(asked: Asked, *, open_robot: OpenRobot | None = None) -> Job:
@@ -122,14 +124,11 @@ def job(asked: Asked, *, open_robot: OpenRobot | None = None) -> Job:
         station = replace(station, io=station.io.and_also(read_io(Path(asked.io))))
     station = replace(station, check=choose_settings(asked.paths, station.check))
     tasks = chosen_tasks(asked.paths, station, asked.task)
-    station = replace(station, remarks=(*station.remarks, *_remarks(tasks)))
-    return Job(
-        asked,
-        station,
-        tasks,
-        choose_robot(asked.robot, station, asked.scale),
-        open_robot or _of_the_catalogue,
-    )
+    open_robot = open_robot or _of_the_catalogue
+    remarks = (*station.remarks, *_remarks(tasks), *_of_another_arm(asked, station, open_robot))
+    station = replace(station, remarks=remarks)
+    robot = choose_robot(asked.robot, station, asked.scale)
+    return Job(asked, station, tasks, robot, open_robot)
 
 
 def _remarks(tasks: Iterable[TaskFiles]) -> Iterator[str]:
@@ -141,6 +140,23 @@ def _remarks(tasks: Iterable[TaskFiles]) -> Iterator[str]:
         if task.left_out:
             names = ", ".join(task.left_out)
             yield f"task {task.name}: left out, as backinfo.txt does not list them: {names}"
+
+
+def _of_another_arm(asked: Asked, station: Station, open_robot: OpenRobot) -> Iterator[str]:
+    """What is said of shapes and bounds of the station's arm where another one is asked for."""
+    first = next(iter(station.robots), None)
+    if first is None or not first.is_special or not isinstance(asked.robot, str):
+        return
+    arm = open_robot(asked.robot, asked.scale)
+    if not _is_arm_of(first, arm, open_robot):
+        yield f"shapes and joint limits given for {first.name} are not used for {arm.name}"
+
+
+def _is_arm_of(robot: StationRobot, arm: Robot, open_robot: OpenRobot) -> bool:
+    """Whether an arm that the user names is the one that the station gives shapes or bounds."""
+    if not robot.is_special or robot.name is None:
+        return False
+    return open_robot(robot.name, robot.scale).name == arm.name
 
 
 def read_again(job: Job) -> Job:

@@ -59,6 +59,11 @@ class StationRobot:
             carried_by=other.carried_by,
         )
 
+    @property
+    def is_special(self) -> bool:
+        """Whether shapes or bounds of axes are given, which are those of one arm."""
+        return self.shapes is not None or any(one is not None for one in self.bounds)
+
     def fitted(self, arm: Robot) -> Robot:
         """The arm with what is said of its shapes and the bounds of its axes.
 

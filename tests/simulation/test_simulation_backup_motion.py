@@ -5,7 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.check_files import check
+from rapidsim.jobs.job import job
 from rapidsim.jobs.run_files import simulate
 from rapidsim.module_files import backup_among
 from rapidsim.motion.robot.robot import load_robot
@@ -137,6 +139,18 @@ def test_the_bounds_of_the_controller_hold(tmp_path: Path) -> None:
     run = simulate([folder])
     assert run.end == "error"
     assert said(folder).robots[0].bounds == ((-1.5, 1.0), *[(-1.5, 2.0)] * 5)
+
+
+def test_bounds_hold_for_the_arm_that_they_are_given_for(tmp_path: Path) -> None:
+    folder = backup(tmp_path)
+    name = said(folder).robots[0].name
+    assert name is not None
+    same, other = (job(Asked(paths=(str(folder),), robot=one)) for one in (name, "irb4600-40-2.55"))
+    assert [joint.lower for joint in same.arm().joints] == [-1.5] * 6
+    assert other.arm().joints == load_robot("irb4600-40-2.55").joints
+    told = f"shapes and joint limits given for {name} are not used for irb4600-40-2.55"
+    assert told not in same.station.remarks
+    assert told in other.station.remarks
 
 
 def test_an_arm_that_is_not_known_is_not_judged(tmp_path: Path) -> None:
