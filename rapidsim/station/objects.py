@@ -1,9 +1,9 @@
-"""The tables [[object]], [[attach]] and [collisions]: what stands in the cell, and what is judged.
+"""The tables [[object]], [[attach]] and [collisions]: the bodies of the cell, and what is checked.
 
 [[object]]
 name = "table"
 box = [800, 600, 40]                       # mm
-pose = { position = [900, 0, -20] }        # of its middle, in its parent
+pose = { position = [900, 0, -20] }        # of its centre, in its parent
 parent = "world"                           # or "wobj:wobjVice", "link:3", "tool"
 
 [[attach]]
@@ -50,7 +50,7 @@ _COLOUR = re.compile("#[0-9a-fA-F]{6}")
 
 
 def read_geometry(reader: Reader, station: Table) -> CellGeometry | None:
-    """Read the tables; None if there are none of them. What is wrong is noted."""
+    """Read the tables; None if there are none. Errors are noted."""
     if not {"object", "attach", "collisions"} & station.keys():
         return None
     objects: dict[str, CellObject] = {}

@@ -1,7 +1,7 @@
-"""What a controller backup says of its signals: `SYSPAR/EIO.cfg`.
+"""The signals of a controller backup: `SYSPAR/EIO.cfg`.
 
-Types, widths, start values and limits of signals, and the cross connections between them. Which
-bus and device carries a signal is nothing that a run would need.
+Types, widths, default values and limits of signals, and the cross connections between them. A run
+does not need to know which bus and device carries a signal.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ def backup_io(types: Configuration) -> tuple[CellIo, tuple[str, ...]]:
     """The signals of an I/O configuration and how they are wired.
 
     Returns:
-        Signals and cross connections, and a remark for each connection that is left out.
+        Signals and cross connections, and a remark for each connection left out.
     """
     signals = (_signal(one) for one in types.get("EIO_SIGNAL", ()))
     shown, others = _system_outputs(types.get("SYSSIG_OUT", ()))
