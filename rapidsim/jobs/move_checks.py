@@ -1,4 +1,4 @@
-"""On which arm a check asks about the moves of a task, and with what main is run for it."""
+"""The arm with which a check examines the moves of a task, and the options for running main."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ class CheckMoves(Protocol):
 
 
 def choose_move_check(job: Job) -> CheckMoves | None:
-    """What checks moves on the arms of a job; None where nobody asks about them.
+    """The check of moves on the arms of a job; None if not requested.
 
-    An arm is opened when the first program with moves comes, but one that the user named at once,
-    so that a name that is not known is refused.
+    An arm is loaded for the first program with moves, but immediately if the user named it, so that
+    an unknown name is an error.
     """
     opened = cache(job.arm)
     station = job.station
@@ -85,8 +85,8 @@ def choose_move_check(job: Job) -> CheckMoves | None:
 
 
 def of_unnamed_arm(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """The findings where nobody knows whether the program is for the default arm.
+    """The findings when it is not known whether the program is for the default arm.
 
-    What ends a run does not hang on the arm.
+    Errors that end a run do not depend on the arm.
     """
     return tuple(one if is_of_runs(one) else replace(one, assumed=True) for one in found)
