@@ -63,7 +63,7 @@ class Travel:
             np.maximum(here[:-half], below[half:], out=here[:-half])
 
     def between(self, pair: Index, start: Index, end: Index) -> tuple[Array, Array]:
-        """Distances (k,) [m] that pairs move between instants, and deviations from a straight path."""
+        """Distances (k,) [m] that pairs move between instants, and how far off straight lines."""
         column = self._column[pair]
         level = np.log2(end - start + 0.5).astype(np.int64)
         slack = np.maximum(
