@@ -1,7 +1,7 @@
 """Robots from URDF files: joints, limits and frames by yourdfpy, kinematics by recognition.
 
-The only module that imports yourdfpy, which takes two seconds; `load_robot` imports it when asked
-for a file.
+The only module that imports yourdfpy, which takes two seconds; `load_robot` imports it when given a
+file.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ _LONGEST_LINK_M = 20.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RobotParts:
-    """What a description says of a robot."""
+    """The content of a description."""
 
     name: str
     joint_names: tuple[str, ...]
@@ -61,11 +61,11 @@ def robot_parts_from_urdf(file: Path, scale: float = 1.0) -> RobotParts:
 
     Args:
         file: The description.
-        scale: What its lengths are multiplied by, so that they are m.
+        scale: Factor that converts its lengths to m.
 
     Raises:
-        RobotError: If the file is no URDF, or its moving joints are neither one row of turning axes
-            nor a SCARA.
+        RobotError: If the file is not a URDF, or its moving joints are neither one chain of turning
+            axes nor a SCARA.
     """
     robot, remarks = _read(file, scale)
     _require_tree(file, robot)

@@ -1,7 +1,7 @@
-"""Tell an ortho-parallel arm with a spherical wrist from six axes in space.
+"""Recognises an ortho-parallel arm with a spherical wrist from six axes in space.
 
-Enters what a robot description says at joint values 0: a line for each axis and the frames of links
-and flange. Leaves the arm with its closed-form solver, or the reason why it is not one.
+Input is a robot description at joint values 0: a line for each axis and the frames of links and
+flange. Output is the arm with its closed-form solver, or the reason why it is not one.
 """
 
 from __future__ import annotations
