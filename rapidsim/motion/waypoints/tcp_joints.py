@@ -1,4 +1,4 @@
-"""Joints along a way of the TCP: in the configuration that turns least, or why there are none."""
+"""Joints along a path of the TCP: in the configuration with the least motion, or why none works."""
 
 from __future__ import annotations
 
@@ -35,13 +35,13 @@ def joints_of_tcp(
 
     Args:
         robot: The arm.
-        points: What the motion goes through, for messages.
-        motion: Of the TCP.
+        points: The points of the motion, for messages.
+        motion: The motion of the TCP.
         times: Close to one another.
         tcp_from_flange: The inverse of the tool.
-        start: Joints (n,) [rad] near which the arm shall begin.
-        first: Joints (n,) [rad] at the first point; without them, where what turns least in sum
-            would have to change configurations, one is taken that goes all the way.
+        start: Joints (n,) [rad] near which to begin.
+        first: Joints (n,) [rad] at the first point; without them, if the solution with the least
+            motion would have to change configurations, one that works throughout is taken.
     """
     wanted, segment = motion.at(times)
     base_from_flange = wanted @ tcp_from_flange
@@ -123,7 +123,7 @@ def _brackets(conf: Sequence[int]) -> str:
 def solved(
     robot: Robot, base_from_flange: Transform, start: Array | None, first: Array | None
 ) -> Array | int:
-    """Joints (k, n) of poses (k,), or the first that is not reached."""
+    """Joints (k, n) of poses (k,), or the first that cannot be reached."""
     if not told_apart(robot.kinematics):
         return _searched(robot, base_from_flange, start, first)
     if first is None:
@@ -162,5 +162,5 @@ def _searched(
 
 
 def when(points: Points, segment: npt.NDArray[np.int64], times: Array, row: int) -> str:
-    """Between which points and when [s] a sample is, for messages."""
+    """The points between which, and the time [s] at which, a sample is, for messages."""
     return f"between {points.pair(int(segment[row]))} at {times[row]:.3f} s"
