@@ -199,7 +199,7 @@ def _geometry(geometry: ElementTree.Element | None, file: Path) -> Shape | None:
         case "mesh":
             name = tag.get("filename", "")
             if "://" in name and not name.startswith("file://"):
-                raise InputError(f"where `{name}` is, only its ROS workspace knows")
+                raise InputError(f"`{name}` can only be resolved in its ROS workspace")
             # ROS lays descriptions and meshes in two folders of one package.
             room = file.absolute().parent.parent
             mesh = read_mesh(file.parent / name.removeprefix("file://"), room)

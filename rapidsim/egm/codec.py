@@ -107,7 +107,7 @@ def decode(of: Message, data: bytes) -> dict[str, Any]:
 
 def _decoded(of: Message, data: bytes, depth: int) -> dict[str, Any]:
     if depth > _DEEPEST:
-        raise DecodeError("messages in messages in messages")
+        raise DecodeError("nested too deeply")
     read: dict[str, Any] = {}
     for number, wire, value in _records(data):
         field = of.fields.get(number)

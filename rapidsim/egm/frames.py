@@ -97,7 +97,7 @@ def sensor_answer(data: bytes) -> SensorAnswer:
         answer.correction,
     )
     if any(abs(value) > _MOST for part in said for value in part):
-        raise DecodeError("a number is beyond all reason")
+        raise DecodeError("a number is implausibly large")
     return answer
 
 

@@ -52,7 +52,7 @@ def choose_move_check(job: Job) -> CheckMoves | None:
         if robot is not None and robot.unknown and job.asked.robot is None:
             return f"arm unknown: the catalogue has no {robot.unknown}; --robot names another"
         if robot is not None and robot.carried_by and not station.external_axes:
-            return f"{robot.label} stands on {robot.carried_by}, whose axes are not known"
+            return f"{robot.label} is mounted on {robot.carried_by}, whose axes are not known"
         if number and robot and robot.name:
             arm = robot.fitted(job.open_robot(robot.name, robot.scale))
         else:

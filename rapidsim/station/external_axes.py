@@ -72,7 +72,7 @@ def _read_axis(
     carries = _carries(reader, table, path)
     direction = reader.numbers(table, path, "direction", 3)
     if direction is not None and math.hypot(*direction) < 1e-6:
-        reader.wrong(f"{path}.direction", "a direction is not all zero")
+        reader.wrong(f"{path}.direction", "a direction must not be all zeros")
         direction = None
     world_from_user = read_frame(
         reader, reader.table(table, "frame", f"{path}.frame"), f"{path}.frame"
@@ -87,7 +87,7 @@ def _read_axis(
         reader.wrong(f"{path}.kind", f"`{kind}` is neither `linear` nor `rotational`")
         kind = None
     if limits is not None and limits[0] >= limits[1]:
-        reader.wrong(f"{path}.limits", "the first is below the second")
+        reader.wrong(f"{path}.limits", "the first must be below the second")
         limits = None
     if name is None or letter is None or kind is None or limits is None or speed is None:
         return None

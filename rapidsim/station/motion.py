@@ -128,7 +128,7 @@ def _neither(words: Sequence[str]) -> str:
 def _above_zero(reader: Reader, motion: Table, key: str, what: str) -> tuple[float, ...] | None:
     numbers = reader.numbers(motion, "motion", key, None)
     if numbers and min(numbers) <= 0.0:
-        reader.wrong(f"motion.{key}", f"{what} are above 0")
+        reader.wrong(f"motion.{key}", f"{what} must be above 0")
     return numbers
 
 
@@ -138,7 +138,7 @@ def _factors(reader: Reader, dynamics: Table) -> tuple[float, float, float] | No
     if numbers is None:
         return None
     if min(numbers) <= 0.0:
-        reader.wrong("dynamics.torque", "factors are above 0")
+        reader.wrong("dynamics.torque", "factors must be above 0")
         return None
     first, second, third = numbers
     return first, second, third

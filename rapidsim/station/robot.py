@@ -136,10 +136,10 @@ def _with_shapes(reader: Reader, path: str, robot: Table, found: StationRobot) -
         reader.wrong(f"{path}.shapes", "a `urdf` names its own shapes")
     folder = reader.inside(name, f"{path}.shapes")
     if folder is not None and not folder.is_dir():
-        reader.wrong(f"{path}.shapes", f"{folder} is no folder")
+        reader.wrong(f"{path}.shapes", f"{folder} is not a folder")
     if unit is not None and unit not in UNITS_M:
         known = ", ".join(UNITS_M)
-        reader.wrong(f"{path}.shapes-unit", f"`{unit}` is no unit of length", f"known: {known}")
+        reader.wrong(f"{path}.shapes-unit", f"`{unit}` is not a unit of length", f"known: {known}")
     if frame not in ("link", "base"):
         reader.wrong(f"{path}.shapes-frame", f"`{frame}` is neither `link` nor `base`")
     return replace(

@@ -61,7 +61,7 @@ def read_crosses(reader: Reader, tables: Table) -> tuple[CrossConnection, ...]:
         crosses.append(CrossConnection(result, condition, after_s or 0.0))
     for number, cross in enumerate(crosses):
         if follows_itself(cross, crosses):
-            reader.wrong(f"cross {number + 1}", f"`{cross.result}` follows itself")
+            reader.wrong(f"cross {number + 1}", f"`{cross.result}` depends on itself")
     return tuple(crosses)
 
 
@@ -108,7 +108,7 @@ def _status(reader: Reader, path: str, table: Table) -> Status | None:
     for status in Status:
         if status.lower() == text.lower():
             return status
-    reader.wrong(f"{path}.system", f"`{text}` is not shown", f"known: {', '.join(Status)}")
+    reader.wrong(f"{path}.system", f"`{text}` is not a known status", f"known: {', '.join(Status)}")
     return None
 
 

@@ -87,7 +87,8 @@ class UnknownRoutine(Violation, code="N209"):
         """Where the routine may be declared, or which one may be meant."""
         if self.instead == STOPS_THERE:
             return (
-                "the task does not check references (-BindRef 0); give the module that declares it"
+                "the task does not check references (-BindRef 0); "
+                "include the module that declares it"
             )
         if self.instead != SKIPS:
             return (
@@ -96,7 +97,7 @@ class UnknownRoutine(Violation, code="N209"):
             )
         word = "the word " if self.reserved else ""
         or_slip = f", or did you mean {word}`{self.nearest}`?" if self.nearest else ""
-        return f"give the module that declares it as well{or_slip}"
+        return f"include the module that declares it{or_slip}"
 
 
 class UnknownType(Violation, code="N210"):
@@ -106,7 +107,7 @@ class UnknownType(Violation, code="N210"):
     @property
     def help(self) -> str:
         """Where the type may be declared, or which one may be meant."""
-        where = "give the module that declares it as well, if it is not the type of an option"
+        where = "include the module that declares it, if it is not the type of an option"
         return f"{where}; or did you mean `{self.nearest}`?" if self.nearest else where
 
 

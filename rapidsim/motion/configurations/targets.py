@@ -129,8 +129,8 @@ def placement(
         them.
     """
     if tool.robhold is wobj.robhold:
-        both = "both in the robot's hand" if tool.robhold else "neither of them in the robot's hand"
-        return NotSimulatedFrame(f"tool and work object are {both} (robhold)")
+        both = "both tool and" if tool.robhold else "neither tool nor"
+        return NotSimulatedFrame(f"the robot holds {both} work object (robhold)")
     frame = (base_from_world.rotation, base_from_world.translation)
     on_track = [i for i, axis in enumerate(external) if axis.carries == "robot"]
     base_screws = screws_of(external, on_track, frame)

@@ -31,7 +31,7 @@ _IN_LINE = 1e-3
 _MM = 1e3
 _SINGULAR_ONLY = np.radians(0.05)
 """A circle that goes no further [rad] beyond what a pair reaches fails because it is singular."""
-_BY_ALL_AXES = r"let all axes make it with CirPathMode \PathFrame"
+_BY_ALL_AXES = r"use all axes, with CirPathMode \PathFrame"
 
 
 @dataclass(frozen=True, slots=True, eq=False)

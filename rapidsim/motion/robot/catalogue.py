@@ -248,5 +248,5 @@ def _by_number(name: str) -> list[tuple[int, str]]:
 def _unknown(name: str) -> str:
     known = (*robot_names(), *aliases())
     near = difflib.get_close_matches(name.lower(), known, n=NEAR_NAMES, cutoff=0.4)
-    nearest = f"; near it are {', '.join(near)}" if near else ""
+    nearest = f"; similar names: {', '.join(near)}" if near else ""
     return f"robot `{name}` is not in the catalogue{nearest}"

@@ -252,7 +252,7 @@ def _notices(entry: CatalogueEntry) -> tuple[str, ...]:
         return ()
     count = len(entry.joint_names)
     why = (
-        "its axis 6 passes beside the crossing of axes 4 and 5"
+        "its axis 6 misses the intersection of axes 4 and 5"
         if count == 6
         else f"it has {count} axes"
     )

@@ -58,7 +58,7 @@ def _palletizer(table: Mapping[str, Any]) -> PalletizerGeometry:
 def _scara(table: Mapping[str, Any]) -> ScaraGeometry:
     for number, joint in enumerate(table["joint"]):
         if ("limits_mm" in joint) is not (number == scara.SLIDING):
-            raise ValueError(f"joint {scara.SLIDING + 1}, and no other, has `limits_mm`: it slides")
+            raise ValueError(f"only joint {scara.SLIDING + 1}, which slides, must have `limits_mm`")
     return ScaraGeometry(**_lengths(table))
 
 

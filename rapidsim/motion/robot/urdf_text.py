@@ -91,8 +91,8 @@ class _Reader:
         """Handle a start tag."""
         if tag.startswith("xacro:") or any("${" in value for value in attributes.values()):
             raise RobotError(
-                f"{self.place}: this is xacro, from which a URDF is made; "
-                f"`xacro {self.file.name} > robot.urdf` makes it"
+                f"{self.place}: this is xacro, not URDF; "
+                f"`xacro {self.file.name} > robot.urdf` converts it"
             )
         if len(self.open) >= _DEEPEST:
             raise RobotError(f"{self.file}: nested too deeply")
@@ -103,7 +103,7 @@ class _Reader:
         # A joint of a transmission is no joint of the robot, and may hold what it likes.
         elif tag not in _INSIDE.get(around, (tag,)) and "transmission" not in self.open:
             self.remarks.append(
-                f"{self.place}: `{tag}` has no place inside `{around}` and is left out"
+                f"{self.place}: `{tag}` is not allowed inside `{around}` and is left out"
             )
             self.skipped = 1
         else:

@@ -275,8 +275,8 @@ def _kept_out(
                 f"the line between {points.pair(number)}" if plan.way is Way.LINE else "the spline"
             )
             message = (
-                f"{where} comes to {closest * 1000.0:.1f} mm of the origin of the base, "
-                f"and shall keep {plan.least_radius * 1000.0:g} mm"
+                f"{where} comes within {closest * 1000.0:.1f} mm of the origin of the base, "
+                f"closer than the {plan.least_radius * 1000.0:g} mm to keep"
             )
             help = "only lines are led around" if plan.avoid else "straight lines can be led around"
             return Refused(message, help, number)

@@ -50,7 +50,7 @@ class PointReach:
             return None
         if self.pitch is None:
             return self.why.message
-        return f"in no pitch; least at {degrees(self.pitch):g} deg: {self.why.message}"
+        return f"at no pitch; closest at {degrees(self.pitch):g} deg: {self.why.message}"
 
 
 def reach(

@@ -18,7 +18,7 @@ from rapidsim.motion.waypoints.branch_ways import BranchWay, branch_ways
 from rapidsim.motion.waypoints.plan import Refused, TcpMotion
 from rapidsim.motion.waypoints.points import Points
 
-NOT_FROM_THERE = "it is reached, but not in the configuration in which the arm comes"
+NOT_FROM_THERE = "it can be reached, but not in the configuration in which the arm arrives"
 _SEARCHED_AT_ONCE = 8
 
 
@@ -81,7 +81,7 @@ def _no_way(
     free = next((way for way in ways if way.message is None), None)
     help = "move the points, or take another attitude or --path joint"
     if free is not None:
-        help = f"begin with --conf={','.join(map(str, free.confdata))}, which goes all the way"
+        help = f"begin with --conf={','.join(map(str, free.confdata))}, which works all the way"
     return Refused(
         f"{when(points, segment, times, told.row)}: in configuration "
         f"{_brackets(told.confdata)} {told.message or 'the arm comes too near to a singularity'}",
@@ -104,7 +104,7 @@ def _not_searched(
     if isinstance(joints, int):
         why = why_unreachable(robot, base_from_flange[joints])
         said, row = why.message if why else NOT_FROM_THERE, joints
-        help = "take points nearer to each other, another attitude, or another way"
+        help = "use points closer together, another attitude, or another --path"
     else:
         assert jump is not None
         row, joint, size = jump

@@ -87,7 +87,7 @@ def workspace_of(robot: Robot, flange_from_point: Transform | None = None) -> Wo
     if screws is not None and (
         abs(screws.directions[0, 2]) < 1.0 - _UPRIGHT or np.abs(screws.points[0]).max() > _UPRIGHT
     ):
-        return "axis 1 does not stand upright in the origin of the base"
+        return "axis 1 is not vertical through the origin of the base"
     point = flange_from_point or Transform.identity()
     lower, upper = robot.lower.copy(), robot.upper.copy()
     endless = ~np.isfinite(lower) | ~np.isfinite(upper)

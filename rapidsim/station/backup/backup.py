@@ -99,7 +99,7 @@ def _carried(robots: Sequence[StationRobot]) -> Iterator[str]:
     for robot in robots:
         if robot.carried_by:
             yield (
-                f"{robot.label} stands on {robot.carried_by}, whose axes MOC.cfg does not "
+                f"{robot.label} is mounted on {robot.carried_by}, whose axes MOC.cfg does not "
                 "describe fully: its moves are not checked, and in a run the unit stands still"
             )
 

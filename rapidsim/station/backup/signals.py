@@ -53,7 +53,7 @@ def _system_outputs(
         else:
             others.setdefault(word, []).append(f"`{name}`")
     return shown, tuple(
-        f"EIO.cfg: no run follows {word}: {', '.join(names)} stays as it is"
+        f"EIO.cfg: {word} is not simulated: {', '.join(names)} keeps its value"
         for word, names in others.items()
     )
 
@@ -121,7 +121,7 @@ def _without_rings(
 ) -> tuple[tuple[CrossConnection, ...], tuple[str, ...]]:
     kept = tuple(one for one in crosses if not follows_itself(one, crosses))
     left_out = dict.fromkeys(one.result for one in crosses if one not in kept)
-    return kept, tuple(f"EIO.cfg: `{name}` follows itself: left out" for name in left_out)
+    return kept, tuple(f"EIO.cfg: `{name}` depends on itself: left out" for name in left_out)
 
 
 def _number(text: str | None) -> float | None:

@@ -171,7 +171,7 @@ class Scara(Kinematics):
         distance = float(np.hypot(x, y))
         if distance > g.reach:
             return (
-                f"it is {1e3 * distance:.0f} mm from axis 1, and both arms stretched are "
+                f"it is {1e3 * distance:.0f} mm from axis 1, and both arms stretched reach "
                 f"{1e3 * g.reach:.0f} mm"
             )
         if distance < abs(g.a1 - g.a2):

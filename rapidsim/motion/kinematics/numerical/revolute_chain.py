@@ -63,13 +63,13 @@ def search_notices(name: str, why: str, joint_count: int) -> tuple[str, ...]:
         joint_count: How many joints it has.
     """
     searched = (
-        f"{name}: {why}, so its joints are searched for step by step; solutions beyond "
+        f"{name}: {why}, so its joints are found by a numerical search; solutions beyond "
         "those found may exist"
     )
     if joint_count <= 6:
         return (searched,)
     nearest = (
-        f"{name}: of the many ways to hold a pose the nearest of those found is "
-        "taken; the arm angle and the configuration of targets are not heeded"
+        f"{name}: of the many solutions for a pose the closest of those found is "
+        "used; the arm angle and the configuration of targets are ignored"
     )
     return searched, nearest
